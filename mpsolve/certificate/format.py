@@ -1,0 +1,118 @@
+"""Certificates as JSON, specified in certs/SPEC.md: the whole problem, the claim and the steps, in exact numbers."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mpsolve.errors import CertificateError
+from mpsolve.model.parameters import Case
+from mpsolve.spectrum.enclose import RootBall, Symmetry
+from mpsolve.spectrum.region import Rectangle
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.count import Count
+
+FORMAT = "mpsolve certificate"
+VERSION = 1
+KIND = "induced frequencies"
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """A certificate's content; `text` is what stands in the file."""
+
+    content: dict[str, Any]
+
+    @property
+    def text(self) -> str:
+        """JSON with one line an entry, so that a difference between two certificates can be read."""
+        return json.dumps(self.content, indent=1, ensure_ascii=True, allow_nan=False) + "\n"
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the file whole or not at all; CertificateError if it cannot be written."""
+        return write_whole(Path(path), self.text)
+
+
+def write_whole(path: Path, text: str) -> Path:
+    """Writes `text` beside `path` first and then moves it there."""
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                file.write(text)
+                file.flush()
+                os.fsync(file.fileno())
+            os.chmod(name, 0o644)
+            os.replace(name, path)
+        except BaseException:
+            os.unlink(name)
+            raise
+    except OSError as error:
+        cause = error.strerror or str(error)
+        raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
+    return path
+
+
+def make_certificate(case: Case, count: Count, roots: tuple[RootBall, ...]) -> Certificate:
+    """The certificate of a count and of the root balls that explain it."""
+    claim: dict[str, Any] = {"count": count.total}
+    unstable = _unstable(roots)
+    if unstable is not None:
+        claim["unstable"] = unstable
+    return Certificate(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "kind": KIND,
+            "case": case.as_dict(),
+            "claim": claim,
+            "contour": _contour(count),
+            "roots": [_root(root) for root in roots],
+            "identity": [root.multiplicity for root in roots],
+        }
+    )
+
+
+def _unstable(roots: tuple[RootBall, ...]) -> int | None:
+    number = 0
+    for root in roots:
+        if root.q.imag < 0:
+            number += root.multiplicity
+        elif not (root.q.imag >= 0 or root.symmetry is Symmetry.REAL):
+            return None
+    return number
+
+
+def _contour(count: Count) -> dict[str, Any]:
+    if isinstance(count.contour, Rectangle):
+        sides = [[dyadic(x) for x in path.breaks] for path in count.paths]
+        return {"kind": "rectangle", "bounds": count.contour.as_dict(), "sides": sides}
+    assert count.radius is not None
+    breaks = [dyadic(x) for x in count.paths[0].breaks]
+    return {"kind": count.contour, "radius": dyadic(count.radius), "breaks": breaks}
+
+
+def _root(root: RootBall) -> dict[str, Any]:
+    q = root.q
+    radius = max(q.real.rad(), q.imag.rad(), key=lambda x: float(x.mid().log()) if x.mid() > 0 else -1e300)
+    return {
+        "re": dyadic(q.real.mid()),
+        "im": dyadic(q.imag.mid()),
+        "radius": dyadic(radius.mid()),
+        "multiplicity": root.multiplicity,
+        "axis": root.symmetry.value,
+    }
+
+
+def dyadic(x: Any) -> list[Any]:
+    """An exact dyadic number m·2^e as ["±0x…", e]; from a float, or an exact flint.arb."""
+    if isinstance(x, float):
+        numerator, denominator = x.as_integer_ratio()
+        return [hex(numerator), 1 - denominator.bit_length()]
+    mantissa, exponent = x.man_exp()
+    return [hex(int(mantissa)), int(exponent)]

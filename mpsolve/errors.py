@@ -1,0 +1,23 @@
+"""Errors that carry what was given, why it cannot be, and what to do."""
+
+from __future__ import annotations
+
+
+class MpsolveError(Exception):
+    """Base of every error that mpsolve raises on purpose."""
+
+
+class InputError(MpsolveError, ValueError):
+    """A value that the user gave cannot be used; `key` names it (a TOML key or an argument)."""
+
+    def __init__(self, key: str, message: str) -> None:
+        super().__init__(f"{key}: {message}")
+        self.key = key
+
+
+class PrecisionError(MpsolveError, ArithmeticError):
+    """Balls too wide to decide at the present precision or piece length: split or raise the precision."""
+
+
+class CertificateError(MpsolveError):
+    """A certificate cannot be written or read; the message names the file and the cause."""

@@ -1,0 +1,129 @@
+"""The physical sheet as one branch of a cubic: D(p, q) = (p² − s p + t)(p² + s p + t').
+
+On the physical sheet two p-roots of D, eq. (18), lie above the real axis (their sum is s) and two below.
+Everything that the kernel needs of them is rational in s: y = s² is a root of the resolvent cubic
+
+    g(y) = y³ + 2 c2 y² + (c2² − 4 c0) y − c1²,   c2 = −4A, c1 = 8αr, c0 = 4β² − 4r²,   r = q − iη_b.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import Ball, Field
+from mpsolve.model.parameters import Case
+
+
+@dataclass(frozen=True)
+class Track:
+    """A case's numbers in one arithmetic (ends of merged masses; `positions` as given)."""
+
+    field: Any
+    alpha: Any
+    axial: Any  # N = η_N − η_S
+    eta_b: Any
+    eta_m: tuple[Any, ...]
+    positions: tuple[Any, ...]
+    cuts_on_line: bool  # η_b < 1 and N < β: the cuts lie on Im q = η_b
+
+    @property
+    def A(self) -> Any:
+        return self.axial + self.alpha * self.alpha
+
+    @property
+    def beta2(self) -> Any:
+        return 1 - self.eta_b * self.eta_b
+
+
+def track(case: Case, field: Field) -> Track:
+    """The numbers of `case` (masses at one place merged) in the arithmetic `field`."""
+    case = case.merged
+    return Track(
+        field,
+        field.number(case.alpha),
+        field.number(case.axial),
+        field.number(case.eta_b),
+        tuple(field.number(eta) for eta in case.eta_m),
+        tuple(field.number(x) for x in case.positions),
+        case.cuts_on_line,
+    )
+
+
+@dataclass(frozen=True)
+class Pairing:
+    """The factors of D: s, y = s², h = t − t' = c1/s, c2 = t + t' − y, and R = res(U, L) = g'(y)."""
+
+    s: Any
+    y: Any
+    h: Any
+    c2: Any
+    R: Any
+
+    def discriminant(self, side: int) -> Any:
+        """δ² (side = +1, the upper roots s/2 ± δ) or δ'² (side = −1, the lower roots −s/2 ± δ')."""
+        return -self.y / 4 - (self.c2 + side * self.h) / 2
+
+
+def pairing(track: Track, q: Any) -> Pairing:
+    """The factors of D at q on the physical sheet; with balls, proved to be the physical ones.
+
+    Raises `PrecisionError` where balls cannot decide (q near the cut, or a ball too wide).
+    """
+    pair = _factors(track, q)
+    if isinstance(track.field, Ball) and not _is_physical(pair):
+        # y is one simple root all over the ball: it is enough to look at one point, if no cut is met
+        q = flint.acb(q)
+        middle = _factors(track, q.mid())
+        if not (_off_the_cut(track, q) and pair.s.contains(middle.s) and _is_physical(middle)):
+            raise PrecisionError("the ball of q meets the cut, or is too wide to tell upper from lower p-roots")
+    return pair
+
+
+def _factors(track: Track, q: Any) -> Pairing:
+    field, r = track.field, q - track.field.i * track.eta_b
+    c2, c1, c0 = -4 * track.A, 8 * track.alpha * r, 4 * track.beta2 - 4 * r * r
+    s = field.dominant_sum(2 * c2, c2 * c2 - 4 * c0, -c1 * c1)
+    y, h = s * s, c1 / s
+    return Pairing(s, y, h, c2, 2 * y * (y + c2) + h * h)
+
+
+def _is_physical(pair: Pairing) -> bool:
+    """Both roots s/2 ± δ are above the real axis, both roots −s/2 ± δ' below it: |Im δ| < Im s/2."""
+    height2 = (pair.s / 2).imag ** 2
+    deltas = (pair.discriminant(1), pair.discriminant(-1))
+    return all(height2 > (abs(delta2) - delta2.real) / 2 for delta2 in deltas)  # |Im δ|², free of any branch
+
+
+def _off_the_cut(track: Track, q: Any) -> bool:
+    """D has no real p-root for any q of the ball: off the line Im q = η_b, or Im q ≤ 0 when the cuts have left it."""
+    height = q.imag - track.eta_b
+    if track.cuts_on_line:
+        return bool(height > 0 or height < 0)
+    return bool(q.imag <= 0 and track.eta_b > 0)
+
+
+@dataclass(frozen=True)
+class PairingRate:
+    """The derivatives of a `Pairing` with respect to q."""
+
+    s: Any
+    y: Any
+    h: Any
+    R: Any
+
+    def discriminant(self, side: int) -> Any:
+        return -self.y / 4 - side * self.h / 2
+
+
+def pairing_rate(track: Track, q: Any, pair: Pairing) -> PairingRate:
+    """Implicit differentiation of g(y; r) = 0: y' = −g_r/g_y with g_y = R and g_r = 32 r (y − 4α²)."""
+    r = q - track.field.i * track.eta_b
+    y = -32 * r * (pair.y - 4 * track.alpha * track.alpha) / pair.R
+    s = y / (2 * pair.s)
+    h = (8 * track.alpha - pair.h * s) / pair.s
+    R = (4 * pair.y + 2 * pair.c2) * y + 2 * pair.h * h
+    return PairingRate(s, y, h, R)

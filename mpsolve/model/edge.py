@@ -1,0 +1,194 @@
+"""One-sided boundary values on the branch cut: G(r) = R·Δ for real r = q − iη_b, finite at branch points.
+
+On the line Im q = η_b the quartic D is real in p. Its resolvent cubic has a real root y that pairs the p-roots
+by their order, D = (p² − s p + t)(p² + s p + t') with real s, t, t'; each factor gives two real roots or a
+conjugate pair. Seen from below the cut a real root p belongs to the upper ones exactly when D_r/D_p > 0
+(moving r to r − iε moves p by iε D_r/D_p). The values from above follow by symmetry,
+K(ξ, r̄) = conj K(−ξ, r), so that with
+
+    G±(r) = R det[ I − (2(r ± iη_b)²/π) K M ]      (K, R seen from below)
+
+R·Δ is G₊ below the cut and conj G₋ above it. In G the poles of K at a collision of an upper with a lower
+root cancel against R by algebra, not by division, so a ball may hold the branch point itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import real_pairing
+from mpsolve.model.branch import Track
+
+acb, arb = flint.acb, flint.arb
+
+
+@dataclass(frozen=True)
+class EdgeRoots:
+    """p-roots of the real quartic: a, b above the real axis and c, e below it, seen from below the cut."""
+
+    a: Any
+    b: Any
+    c: Any
+    e: Any
+
+    @property
+    def R(self) -> Any:
+        return (self.a - self.c) * (self.a - self.e) * (self.b - self.c) * (self.b - self.e)
+
+
+def edge_roots(track: Track, r: Any) -> EdgeRoots:
+    """Enclosures of the p-roots for every real r in the ball, with their sides proved.
+
+    Two roots that may collide share one ball: one of them is above and one below, since their D_p have
+    opposite signs and D_r = 8(αp − r) one sign. Raises `PrecisionError` where the ball is too wide.
+    """
+    r = arb(r)
+    c2, c1, c0 = -4 * track.A, 8 * track.alpha * r, 4 * track.beta2 - 4 * r * r
+    s, h = real_pairing(c2, c1, c0, track.field.bits)
+    y = s * s
+    upper: list[Any] = []
+    lower: list[Any] = []
+    factors = [(s / 2, -y / 4 - (c2 + h) / 2), (-s / 2, -y / 4 - (c2 - h) / 2)]
+    for k, (centre, delta2) in enumerate(factors):
+        over, under = _sides(track, r, centre, delta2, factors[1 - k])
+        upper += over
+        lower += under
+    if len(upper) != 2 or len(lower) != 2:
+        raise PrecisionError("the sides of the p-roots on the cut are open: split the piece")
+    return EdgeRoots(*(_sharpened(track, r, p) for p in (*upper, *lower)))
+
+
+def _sharpened(track: Track, r: Any, p: Any) -> Any:
+    """One step of interval Newton on D(p, r), centred in r as well; p itself where roots may collide."""
+    middle, centre = p.mid(), r.mid()
+    shift = r - centre
+    slope = 4 * p * (p * p - 2 * track.A) + 8 * track.alpha * r
+    if slope.contains(0):
+        return p
+    value = ((middle * middle - 4 * track.A) * middle + 8 * track.alpha * centre) * middle
+    value += 4 * (track.beta2 - centre * centre) + shift * (8 * (track.alpha * middle - centre) - 4 * shift)
+    return middle - value / slope
+
+
+def _sides(track: Track, r: Any, centre: Any, delta2: Any, other: tuple[Any, Any]) -> tuple[list[Any], list[Any]]:
+    """The roots centre ± √δ², sorted into (above, below)."""
+    if delta2 < 0:
+        height = (-delta2).sqrt()
+        return [acb(centre, height)], [acb(centre, -height)]
+    if delta2 > 0:
+        width = delta2.sqrt()
+        over, under = [], []
+        for sign in (1, -1):
+            p = centre + sign * width
+            other_factor = (p - other[0]) ** 2 - other[1]  # (p − p₃)(p − p₄)
+            quotient = sign * other_factor * (track.alpha * p - r)  # the sign of D_p D_r
+            if quotient > 0:
+                over.append(acb(p))
+            elif quotient < 0:
+                under.append(acb(p))
+            else:
+                raise PrecisionError("the side of a real p-root is open: split the piece")
+        return over, under
+    reach = abs(delta2).upper().sqrt()
+    around = arb(0, reach.upper())
+    pair = acb(centre + around, around)
+    slope = track.alpha * (centre + around) - r  # D_r/8
+    if not (slope > 0 or slope < 0):
+        raise PrecisionError("D_r may vanish at a double p-root: split the piece")
+    return [pair], [pair]
+
+
+@dataclass(frozen=True)
+class EdgeValue:
+    """G₊ (below the cut) and G₋ (above it, conjugated) on a ball of r."""
+
+    plus: Any
+    minus: Any
+
+
+def edge_value(track: Track, r: Any) -> EdgeValue:
+    """Enclosures of G± over the ball r, for any number of masses. Raises `PrecisionError`."""
+    roots = edge_roots(track, r)
+    shift = acb(0, 1) * track.eta_b
+    plus, minus = (2 * (arb(r) + sign * shift) ** 2 / track.field.pi for sign in (1, -1))
+    expand = {1: _expand_one, 2: _expand_two}.get(len(track.eta_m), _expand_many)
+    return EdgeValue(*expand(track, roots, (plus, minus)))
+
+
+def _expand_one(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
+    """R (1 − κ η K(0)) with R K(0) = −4πi s."""
+    contact = 4 * track.field.pi * acb(0, 1) * (z.a + z.b)
+    return [z.R + kappa * track.eta_m[0] * contact for kappa in factors]
+
+
+def _expand_two(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
+    """R [1 − κ (η₁ + η₂) K(0) + κ² η₁ η₂ (K(0)² − K(d) K(−d))], the last by a double divided difference.
+
+    R (K(0)² − K(d)K(−d)) = 4π² Σ R c_j c_l (1 − e^{i(p_j − p_l)d}) over upper j and lower l, where
+    R c_a c_c = (b − e)/((a − b)(a − c)(c − e)) and (1 − e^{izd})/z is entire in z.
+    """
+    pi, (eta1, eta2) = track.field.pi, track.eta_m
+    distance = track.positions[1] - track.positions[0]
+
+    def phi(z: Any) -> Any:
+        return one_minus_exp(z, distance)
+
+    numerator = (z.b - z.e) * phi(z.a - z.c) - (z.b - z.c) * phi(z.a - z.e)
+    numerator += (z.a - z.c) * phi(z.b - z.e) - (z.a - z.e) * phi(z.b - z.c)
+    pairs = 4 * pi * pi * numerator / ((z.a - z.b) * (z.c - z.e))
+    contact = 4 * pi * acb(0, 1) * (z.a + z.b) * (eta1 + eta2)
+    return [z.R + kappa * (contact + kappa * eta1 * eta2 * pairs) for kappa in factors]
+
+
+def one_minus_exp(z: Any, distance: Any) -> Any:
+    """(1 − e^{iz·distance})/z, entire in z; −i·distance·e^{iw} sinc w with w = z·distance/2 near 0."""
+    w = z * distance / 2
+    if w.abs_lower() > 0.5:
+        return (1 - (2 * acb(0, 1) * w).exp()) / z
+    return -acb(0, 1) * distance * (acb(0, 1) * w).exp() * w.sinc()
+
+
+def _expand_many(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
+    """R det[I − κ K M] as a bordered determinant: the colliding pair's pole of K has rank one.
+
+    With the pair (a, c): K/(2πi) = c_a u vᵀ + F, u_i = e^{ia x_i}, v_k = e^{−ia x_k}, and F finite. Then
+    R det(A + κ' c_a u vᵀ) = det [[A, −κ' (R c_a) u], [vᵀ, R]], where R c_a = (b − c)(b − e)/(a − b).
+    """
+    z = _nearest_pair_first(z)
+    two_pi_i = 2 * track.field.pi * acb(0, 1)
+    residue = (z.b - z.c) * (z.b - z.e) / (z.a - z.b)
+    x, n = track.positions, len(track.eta_m)
+    wave = [(acb(0, 1) * z.a * xi).exp() for xi in x]
+    finite = [[_finite_part(z, i, k, x) for k in range(n)] for i in range(n)]
+    values = []
+    for kappa in factors:
+        rows = []
+        for i in range(n):
+            row = [int(i == k) - kappa * two_pi_i * finite[i][k] * track.eta_m[k] for k in range(n)]
+            rows.append([*row, kappa * two_pi_i * residue * wave[i]])
+        rows.append([*(eta / w for eta, w in zip(track.eta_m, wave, strict=True)), z.R])
+        values.append(flint.acb_mat(rows).det())
+    return values
+
+
+def _nearest_pair_first(z: EdgeRoots) -> EdgeRoots:
+    """Names (a, c) the upper and lower root that are closest (an honest choice at any outcome)."""
+    orders = [EdgeRoots(u, v, l, m) for u, v in ((z.a, z.b), (z.b, z.a)) for l, m in ((z.c, z.e), (z.e, z.c))]
+    return min(orders, key=lambda o: float(abs(o.a.mid() - o.c.mid())))
+
+
+def _finite_part(z: EdgeRoots, i: int, k: int, x: Sequence[Any]) -> Any:
+    """K/(2πi) less the rank-one pole: c_b e^{ibξ} ahead; −c_e e^{ieξ} − (c_c e^{icξ} + c_a e^{iaξ}) behind."""
+    unit, xi = acb(0, 1), x[i] - x[k]
+    if i >= k:
+        return (unit * z.b * xi).exp() / ((z.b - z.a) * (z.b - z.c) * (z.b - z.e))
+    far = (unit * z.e * xi).exp() / ((z.e - z.a) * (z.e - z.b) * (z.e - z.c))
+    at_a, at_c = (z.a - z.b) * (z.a - z.e), (z.c - z.b) * (z.c - z.e)
+    # (e^{iaξ}/g(a) − e^{icξ}/g(c))/(a − c) with g(p) = (p − b)(p − e), by divided differences
+    gap = -one_minus_exp(z.a - z.c, xi) / at_a - (z.a + z.c - z.b - z.e) / (at_a * at_c)
+    return -far - (unit * z.c * xi).exp() * gap

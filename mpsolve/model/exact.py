@@ -1,0 +1,299 @@
+"""Real numbers whose fourth power is rational: the parameters of a rational physical case.
+
+Every dimensionless parameter in (10)–(12) of such a case is a fourth root of a rational number, with a
+sign. Kept in that form, a case is recorded and compared without any rounding.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+from decimal import Decimal
+from fractions import Fraction
+from functools import total_ordering
+from typing import Any, NoReturn, TypeAlias, final
+
+from flint import arb, fmpq
+from mpmath import libmp
+
+from mpsolve.errors import InputError
+
+Number: TypeAlias = "Exact | int | float | str | Fraction | Decimal"
+
+MAX_TEXT = 20_000
+"""Longest text of one number, in characters."""
+MAX_DIGITS = 400
+"""Most decimal digits in the numerator or denominator of a number that is given as a rational."""
+MAX_RADICAND_DIGITS = 4_000
+"""The same for the radicand of a fourth root, which may be M⁴k/(4EI m⁴) of such numbers, with ten factors."""
+
+_UNSIGNED = r"(?P<mantissa>[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE](?P<exponent>[+-]?[0-9_]+))?"
+_RATIO = r"(?P<numerator>[0-9_]+)\s*/\s*(?P<denominator>[0-9_]+)"
+_NUMBER = re.compile(rf"(?:{_RATIO}|{_UNSIGNED})")
+_SIGNED = re.compile(r"(?P<sign>[+-]?)(?:root4\(\s*(?P<radicand>[^()]*?)\s*\)|(?P<plain>[^()]+))")
+_BAD_UNDERSCORE = re.compile(r"(?<![0-9])_|_(?![0-9])")
+_GUARD_BITS = 20
+_HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
+
+
+@final
+@total_ordering
+class Exact:
+    """An immutable real x whose fourth power is rational, held exactly; `Exact(value)` parses `value`.
+
+    Held as the rational x|x|³, which is increasing and multiplicative: order, products and quotients are
+    exact. A sum exists only where the terms have a rational ratio.
+
+    >>> Exact("0.67") < Exact("root4(1/4)"), Exact("root4(16/81)")
+    (True, Exact('2/3'))
+    """
+
+    __slots__ = ("_rational", "_signed")
+    _signed: Fraction
+    _rational: Fraction | None
+
+    def __new__(cls, value: Number = 0, key: str = "value") -> Exact:
+        return cls.parse(value, key)
+
+    @classmethod
+    def parse(cls, value: object, key: str = "value") -> Exact:
+        """Return `value` exactly as written; a float stands for its shortest decimal text (0.1 is 1/10).
+
+        Takes Exact, int, Fraction, Decimal, float, a NumPy scalar, or text: "0.67", "67/100", "-1.5e-3",
+        "root4(123/456)". Raises InputError under `key` for all else: bool, nan, infinity, numbers beyond
+        `MAX_DIGITS`.
+        """
+        if isinstance(value, Exact):
+            return value
+        if isinstance(value, numbers.Rational) and not isinstance(value, bool):
+            fraction = Fraction(int(value.numerator), int(value.denominator))
+            return cls._from_fraction(_bounded(fraction, MAX_DIGITS, key))
+        if isinstance(value, float):
+            return cls._from_text(float.__repr__(value), key)
+        if isinstance(value, (str, Decimal, numbers.Real)) and not isinstance(value, bool):
+            return cls._from_text(str(value), key)
+        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + _HOW)
+
+    @classmethod
+    def root4(cls, radicand: Fraction | int) -> Exact:
+        """Return the real fourth root of a rational ≥ 0, exactly; ValueError below 0."""
+        if radicand < 0:
+            raise ValueError(f"{radicand} has no real fourth root")
+        return cls._from_signed(Fraction(radicand))
+
+    @classmethod
+    def sqrt(cls, radicand: Fraction | int) -> Exact:
+        """Return the square root of a rational ≥ 0, exactly; ValueError below 0."""
+        if radicand < 0:
+            raise ValueError(f"{radicand} has no real square root")
+        return cls._from_signed(Fraction(radicand) ** 2)
+
+    @classmethod
+    def _from_text(cls, text: str, key: str) -> Exact:
+        if len(text) > MAX_TEXT:
+            raise InputError(key, f"has {len(text)} characters, more than the {MAX_TEXT} that are read")
+        parts = _SIGNED.fullmatch(text.strip())
+        if parts is None:
+            _refuse_text(text, key)
+        if parts["plain"] is not None:
+            size = _unsigned(parts["plain"], text, MAX_DIGITS, key)
+            return cls._from_fraction(-size if parts["sign"] == "-" else size)
+        radicand = _unsigned(parts["radicand"], text, MAX_RADICAND_DIGITS, key)
+        return cls._from_signed(-radicand if parts["sign"] == "-" else radicand)
+
+    @classmethod
+    def _from_fraction(cls, value: Fraction) -> Exact:
+        return cls._assemble(value * abs(value) ** 3, value)
+
+    @classmethod
+    def _from_signed(cls, signed: Fraction) -> Exact:
+        return cls._assemble(signed, _rational_root(signed))
+
+    @classmethod
+    def _assemble(cls, signed: Fraction, rational: Fraction | None) -> Exact:
+        self = object.__new__(cls)
+        object.__setattr__(self, "_signed", signed)
+        object.__setattr__(self, "_rational", rational)
+        return self
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"an Exact cannot be changed: {name}")
+
+    def __delattr__(self, name: str) -> NoReturn:
+        raise AttributeError(f"an Exact cannot be changed: {name}")
+
+    def __reduce__(self) -> tuple[Any, tuple[Fraction, Fraction | None]]:
+        return Exact._assemble, (self._signed, self._rational)
+
+    @property
+    def is_rational(self) -> bool:
+        """True if and only if x itself is rational."""
+        return self._rational is not None
+
+    def as_fraction(self) -> Fraction:
+        """Return x as a Fraction, exactly; ValueError if x is irrational."""
+        if self._rational is None:
+            raise ValueError(f"{self.short()} = {self} is irrational")
+        return self._rational
+
+    @property
+    def fourth_power(self) -> Fraction:
+        """x⁴, exactly."""
+        return abs(self._signed)
+
+    @property
+    def sign(self) -> int:
+        """-1, 0 or 1, exactly."""
+        return (self._signed > 0) - (self._signed < 0)
+
+    def __bool__(self) -> bool:
+        return self._signed != 0
+
+    def __eq__(self, other: object) -> bool:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else self._signed == exact._signed
+
+    def __lt__(self, other: Exact | int | Fraction) -> bool:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else self._signed < exact._signed
+
+    def __hash__(self) -> int:
+        return hash(("root4", self._signed)) if self._rational is None else hash(self._rational)
+
+    def __neg__(self) -> Exact:
+        return Exact._assemble(-self._signed, None if self._rational is None else -self._rational)
+
+    def __abs__(self) -> Exact:
+        return -self if self._signed < 0 else self
+
+    def __mul__(self, other: Exact | int | Fraction) -> Exact:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else Exact._from_signed(self._signed * exact._signed)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Exact | int | Fraction) -> Exact:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else Exact._from_signed(self._signed / exact._signed)
+
+    def __rtruediv__(self, other: int | Fraction) -> Exact:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else exact / self
+
+    def __add__(self, other: Exact | int | Fraction) -> Exact:
+        """Return the sum, exactly; ValueError where its fourth power is irrational."""
+        exact = _coerced(other)
+        if exact is None:
+            return NotImplemented
+        if not exact:
+            return self
+        ratio = self / exact
+        if ratio._rational is None:
+            raise ValueError(f"{self} and {exact} have no rational ratio: their sum is no fourth root")
+        return Exact._from_fraction(ratio._rational + 1) * exact
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Exact | int | Fraction) -> Exact:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else self + -exact
+
+    def __rsub__(self, other: int | Fraction) -> Exact:
+        exact = _coerced(other)
+        return NotImplemented if exact is None else exact + -self
+
+    def __float__(self) -> float:
+        """Return x within 1.2e-16 relative, if not below the normal doubles; OverflowError above."""
+        if self._rational is not None:
+            return float(self._rational)
+        return float(libmp.to_float(self._raw(53), strict=True))
+
+    def __str__(self) -> str:
+        """Return the canonical text, from which `Exact.parse` gives x back."""
+        root = f"{'-' if self._signed < 0 else ''}root4({self.fourth_power})"
+        return root if self._rational is None else str(self._rational)
+
+    def __repr__(self) -> str:
+        return f"Exact('{self}')"
+
+    def short(self, digits: int = 6) -> str:
+        """Return x rounded to `digits` significant digits, for people to read."""
+        return str(libmp.to_str(self._raw(4 * digits + 53), digits)).removesuffix(".0").replace(".0e", "e")
+
+    def ball(self) -> arb:
+        """Return a ball that contains x, at the present `flint.ctx.prec`."""
+        if self._rational is not None:
+            return arb(fmpq(self._rational.numerator, self._rational.denominator))
+        radicand = self.fourth_power
+        root = arb(fmpq(radicand.numerator, radicand.denominator)).root(4)
+        return -root if self._signed < 0 else root
+
+    def mpf(self, context: Any) -> Any:
+        """Return x within one unit in the last place of `context`, an mpmath multiprecision context."""
+        return context.make_mpf(self._raw(context.prec))
+
+    def _raw(self, precision: int) -> Any:
+        """Return x as an mpmath raw number of `precision` bits, within one unit in the last place."""
+        if self._rational is not None:
+            return libmp.from_rational(self._rational.numerator, self._rational.denominator, precision, "n")
+        fine = precision + _GUARD_BITS
+        radicand = self.fourth_power
+        root = libmp.mpf_nthroot(libmp.from_rational(radicand.numerator, radicand.denominator, fine), 4, fine)
+        return libmp.mpf_pos(libmp.mpf_neg(root) if self._signed < 0 else root, precision, "n")
+
+
+def _coerced(value: object) -> Exact | None:
+    """Return an Exact, int or Fraction as Exact; None for a type that carries no exact meaning here."""
+    if isinstance(value, Exact):
+        return value
+    return Exact._from_fraction(Fraction(value)) if isinstance(value, (int, Fraction)) else None
+
+
+def _rational_root(signed: Fraction) -> Fraction | None:
+    """Return the rational x with x|x|³ = `signed`, or None if there is none."""
+    numerator, denominator = _integer_root4(abs(signed.numerator)), _integer_root4(signed.denominator)
+    if numerator is None or denominator is None:
+        return None
+    return Fraction(-numerator if signed < 0 else numerator, denominator)
+
+
+def _integer_root4(n: int) -> int | None:
+    """Return the integer r ≥ 0 with r⁴ = n, or None if n ≥ 0 is no perfect fourth power."""
+    root = math.isqrt(math.isqrt(n))
+    return root if root**4 == n else None
+
+
+def _unsigned(text: str, whole: str, digits: int, key: str) -> Fraction:
+    """Return the unsigned decimal or ratio `text` of at most `digits` digits; `whole` is for the message."""
+    parts = _NUMBER.fullmatch(text)
+    if parts is None or _BAD_UNDERSCORE.search(text):
+        _refuse_text(whole, key)
+    try:
+        power = int(parts["exponent"] or 0)
+        top = Fraction((parts["numerator"] or parts["mantissa"]).replace("_", ""))
+        bottom = int(parts["denominator"] or 1)
+    except ValueError:  # Python refuses to read integers beyond its own limit of digits
+        raise InputError(key, f"{_shown(whole)} has too many digits: give at most {digits}") from None
+    if abs(power) > digits:
+        raise InputError(key, f"{_shown(whole)} has an exponent beyond ±{digits}: give a smaller one")
+    if not bottom:
+        raise InputError(key, f"{_shown(whole)} divides by zero: give a denominator above 0")
+    return _bounded(top / bottom * Fraction(10) ** power, digits, key)
+
+
+def _bounded(value: Fraction, digits: int, key: str) -> Fraction:
+    if max(abs(value.numerator), value.denominator) >= 10**digits:
+        raise InputError(key, f"needs more than {digits} digits as a ratio of integers: give fewer digits")
+    return value
+
+
+def _refuse_text(text: str, key: str) -> NoReturn:
+    if text.strip().lstrip("+-").lower() in ("nan", "snan", "inf", "infinity"):
+        raise InputError(key, f"{_shown(text)} is not finite: give a finite number")
+    raise InputError(key, f"{_shown(text)} is not a number: {_HOW}")
+
+
+def _shown(text: str) -> str:
+    """Return `text` quoted and cut to a length that fits into a sentence."""
+    return repr(text if len(text) <= 40 else text[:37] + "…")

@@ -1,0 +1,141 @@
+"""Multiple and nearly multiple roots: Taylor coefficients with proved errors, and Pellet's test.
+
+With Δ(c + z) = Σ a_k z^k: if |a_m| h^m > Σ_{k≠m} |a_k| h^k, the disc |z| < h holds exactly m roots. The a_k come
+from samples on a circle; what the samples cannot see is bounded by the maximum of |Δ| on a larger disc.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.branch import Track, track
+from mpsolve.model.characteristic import characteristic
+from mpsolve.model.parameters import Case
+from mpsolve.spectrum.enclose import RootBall, isolate, refine
+
+acb, arb = flint.acb, flint.arb
+
+SAMPLES = 16
+MOST = 6  # roots in one cluster that are looked for
+_OUTER = 14  # the larger disc has the radius |c| 2^−14
+
+
+@dataclass(frozen=True)
+class Taylor:
+    """Balls of a_0 … a_{SAMPLES−1} of Δ about `centre`; |a_k| ≤ bound/outer^k for every k."""
+
+    centre: Any
+    coefficients: tuple[Any, ...]
+    bound: Any
+    outer: Any
+
+
+def taylor(model: Track, centre: Any, shrink: int) -> Taylor:
+    """Samples on the circle of radius outer·2^−shrink; aliasing is below bound·2^(−shrink·SAMPLES)."""
+    outer = arb(2) ** (math.frexp(float(centre.abs_lower()))[1] - 1 - _OUTER)
+    spread = arb(0, outer.upper())
+    bound = arb(characteristic(model, centre + acb(spread, spread)).abs_upper())
+    inner = outer * arb(2) ** -shrink
+    turns = [acb(arb(2 * j) / SAMPLES).exp_pi_i() for j in range(SAMPLES)]
+    samples = [characteristic(model, centre + inner * turn) for turn in turns]
+    coefficients = []
+    for k in range(SAMPLES):
+        total = sum((f / turns[(j * k) % SAMPLES] for j, f in enumerate(samples)), acb(0)) / SAMPLES
+        alias = bound * arb(2) ** (-shrink * SAMPLES + 1)
+        error = arb(0, (alias / inner**k).upper())
+        coefficients.append(total / inner**k + acb(error, error))
+    return Taylor(centre, tuple(coefficients), bound, outer)
+
+
+def pellet(series: Taylor, m: int, radius: Any) -> bool:
+    """True if the disc of this radius about the centre is proved to hold exactly m roots."""
+    ratio = radius / series.outer
+    tail = series.bound * ratio**SAMPLES / (1 - ratio)
+    others = sum((abs(a) * radius**k for k, a in enumerate(series.coefficients) if k != m), tail)
+    return bool(ratio < 1 and abs(series.coefficients[m]) * radius**m > others)
+
+
+def separate(case: Case, seed: complex, digits: int) -> list[RootBall]:
+    """The roots that meet near `seed`: each in its ball if they come apart, else one cluster with its number.
+
+    Empty when no cluster of up to MOST roots can be proved there.
+    """
+    target = math.ceil(digits * math.log2(10)) + 2
+    with ball_arithmetic(64):
+        centre = acb(seed.real, seed.imag)
+    bits = 160
+    while True:
+        shrink = bits // 8
+        with ball_arithmetic(2 * bits + 64) as field:
+            try:
+                series, m = _recentred(track(case, field), centre, shrink)
+            except PrecisionError:
+                return []
+            if m == 0:
+                return []
+            centre = series.centre
+            approximations = _inner_roots(series, m)
+        apart = _isolated(case, approximations, bits, digits)
+        if apart is not None:
+            return apart
+        if bits >= 4 * target:
+            with ball_arithmetic(2 * bits + 64):
+                return _as_cluster(series, m, target)
+        bits *= 2
+
+
+def _recentred(model: Track, centre: Any, shrink: int) -> tuple[Taylor, int]:
+    """The series about the centre of gravity of the m roots that Pellet's test finds, and m."""
+    for _ in range(3):
+        series = taylor(model, centre, shrink)
+        m = _multiplicity(series)
+        if m == 0:
+            return series, 0
+        a = series.coefficients
+        centre = (centre - a[m - 1].mid() / (m * a[m].mid())).mid()
+    return taylor(model, centre, shrink), m
+
+
+def _multiplicity(series: Taylor) -> int:
+    for k in range(4, 60, 4):
+        for m in range(1, MOST + 1):
+            if pellet(series, m, series.outer * arb(2) ** -k):
+                return m
+    return 0
+
+
+def _inner_roots(series: Taylor, m: int) -> list[Any]:
+    """Approximations to the m small roots: those of the series cut after its m-th term."""
+    scale = arb(2) ** -40 * series.outer
+    scaled = [(a * scale**k).mid() for k, a in enumerate(series.coefficients[: m + 1])]
+    try:
+        roots = flint.acb_poly(scaled).roots()
+    except (ValueError, ZeroDivisionError):
+        return []
+    return [(series.centre + scale * z.mid()).mid() for z in roots]
+
+
+def _isolated(case: Case, approximations: list[Any], bits: int, digits: int) -> list[RootBall] | None:
+    try:
+        boxes = [isolate(case, q, bits) for q in approximations]
+        balls = [refine(case, box, digits) for box in boxes]
+    except PrecisionError:
+        return None
+    if not balls or any(a.q.overlaps(b.q) for k, a in enumerate(balls) for b in balls[:k]):
+        return None
+    return balls
+
+
+def _as_cluster(series: Taylor, m: int, target: int) -> list[RootBall]:
+    """A square ball of relative size 2^−target: at least m roots in its disc, at most m around it."""
+    radius = arb(2) ** (math.frexp(float(series.centre.abs_lower()))[1] - 1 - target)
+    if not (pellet(series, m, radius) and pellet(series, m, radius * arb(2).sqrt())):
+        return []
+    reach = arb(0, radius.upper())
+    return [RootBall(acb(series.centre.real + reach, series.centre.imag + reach), m)]

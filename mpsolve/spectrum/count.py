@@ -1,0 +1,106 @@
+"""The number of roots in a region, with all that a certificate needs to repeat the count."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import Float64, ball_arithmetic
+from mpsolve.model.branch import Track, track
+from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
+from mpsolve.model.parameters import Case
+from mpsolve.spectrum.contour import Path
+from mpsolve.spectrum.far import far_radius
+from mpsolve.spectrum.region import Rectangle, Region
+from mpsolve.spectrum.winding import count_rectangle, count_sheet, count_unstable
+
+BITS = 64
+Progress = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Count:
+    """A proved number of roots. `contour` is "edge" (whole sheet), "line" (Im q < 0) or the rectangle."""
+
+    total: int
+    contour: Literal["edge", "line"] | Rectangle
+    radius: float | None  # no root has |q − iη_b| ≥ radius
+    start: float | None  # of the edge
+    paths: tuple[Path, ...]
+
+    @property
+    def evaluations(self) -> int:
+        return sum(path.evaluations for path in self.paths)
+
+
+def count_roots(case: Case, region: Region, limit: int, tell: Progress) -> Count:
+    """The proved count for the region; `PrecisionError` with reason and remedy when it is undecided.
+
+    The unstable region is counted on the whole sheet, where that is possible, since the edge of the cut takes
+    fewer pieces than the real line; else on the line.
+    """
+    tell("counting", 0.0)
+    if isinstance(region, Rectangle):
+        with ball_arithmetic(BITS) as field:
+            total, paths = count_rectangle(track(case, field), region, limit)
+        return Count(total, region, None, None, paths)
+    if region == "sheet":
+        return _on_edge(case, limit, tell)
+    if case.cuts_on_line:
+        try:
+            return _on_edge(case, limit, tell)
+        except PrecisionError:
+            if not case.eta_b:
+                raise
+    with ball_arithmetic(BITS) as field:
+        model = track(case, field)
+        radius = far_radius(model)
+        total, path = count_unstable(model, radius, limit, _meter(tell, radius))
+    return Count(total, "line", radius, None, (path,))
+
+
+def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
+    joined = cuts_are_joined(case)
+    last: PrecisionError | None = None
+    for bits in (BITS, 4 * BITS):
+        with ball_arithmetic(bits) as field:
+            model = track(case, field)
+            radius = far_radius(model)
+            for start in [0.0] if joined else _gap_points(case):
+                try:
+                    sheet = count_sheet(model, start, radius, limit, _meter(tell, radius))
+                except PrecisionError as error:
+                    last = error
+                else:
+                    return Count(sheet.total, "edge", radius, start, (sheet.path,))
+    raise last or PrecisionError("the gap between the cuts is too narrow to enter: take alpha further from alpha_C")
+
+
+def _meter(tell: Progress, radius: float) -> Callable[[float], None]:
+    """Progress by the logarithm of the distance covered: pieces grow along the way."""
+    return lambda here: tell("counting", min(1.0, math.log1p(here) / math.log1p(radius)))
+
+
+def _gap_points(case: Case) -> list[float]:
+    """Dyadic points of the gap, ever closer to the branch point."""
+    limit = float(limiting_frequency(case, Float64()))
+    return [p for k in (7, 14, 24, 36) if (p := limit * (1 - 2.0**-k)) > 0]
+
+
+def cuts_are_joined(case: Case) -> bool:
+    """α > α_C, decided with balls; `PrecisionError` if the two are equal, or too close to tell at 4096 bits."""
+    for bits in (BITS, 512, 4096):
+        with ball_arithmetic(bits) as field:
+            model: Track = track(case, field)
+            critical = critical_velocity_ratio(case, field)
+            if model.alpha > critical:
+                return True
+            if model.alpha < critical:
+                return False
+    raise PrecisionError(
+        "alpha equals alpha_C = √(√(1 − eta_b²) − N), or nearly so, and the cuts just touch: "
+        "change alpha, eta_b or the axial force a little"
+    )

@@ -1,0 +1,131 @@
+"""How many induced frequencies there are: winding numbers of R·Δ over the sheet, of Δ over other regions.
+
+The sheet is symmetric under q → −q̄, so half of its boundary is enough. With G± on the edge of the cut and
+A± the principal arguments of its far-field factors at r = ρ (see far.py), the arcs close in themselves:
+
+    below:  n = 1 + (A₊ − [arg G₊] from r₀ to ρ)/π,      above:  the same with G₋.
+
+r₀ = 0 when the cuts are joined (α > α_C): the two halves are counted apart. Otherwise r₀ is a point of the
+gap, and the sum of both halves counts the one connected sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+
+from mpsolve.errors import PrecisionError
+from mpsolve.model.branch import Track, pairing
+from mpsolve.model.characteristic import characteristic
+from mpsolve.model.edge import edge_roots, edge_value
+from mpsolve.model.kernel import kernel_at_contact
+from mpsolve.spectrum.contour import Path, cover, turning
+from mpsolve.spectrum.region import Rectangle
+
+acb, arb = flint.acb, flint.arb
+Meter = Callable[[float], None]
+
+
+def _silent(_here: float) -> None:
+    """No progress report."""
+
+
+@dataclass(frozen=True)
+class SheetCount:
+    """The proved number of roots on the whole sheet; with joined cuts also below and above the cut line."""
+
+    total: int
+    below: int | None
+    above: int | None
+    rho: float
+    path: Path
+
+
+def count_sheet(track: Track, start: float, rho: float, limit: int, meter: Meter = _silent) -> SheetCount:
+    """Counts every root of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
+
+    Raises `PrecisionError` when the edge cannot be covered.
+    """
+    path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(start, rho), limit, meter)
+    first, last = _pair(edge_value(track, arb(start))), _pair(edge_value(track, arb(rho)))
+    far = _far_arguments(track, rho, last)
+    pi = track.field.pi
+    halves = [1 + (far[k] - turning(path, k, first[k], last[k])) / pi for k in (0, 1)]
+    if start == 0:
+        below, above = (unique_integer(half) for half in halves)
+        return SheetCount(below + above, below, above, rho, path)
+    return SheetCount(unique_integer(halves[0] + halves[1]), None, None, rho, path)
+
+
+def _pair(value: Any) -> tuple[Any, Any]:
+    return value.plus, value.minus
+
+
+def _first_step(start: float, rho: float) -> float:
+    return start / 64 if start else rho / 4096
+
+
+def _far_arguments(track: Track, rho: float, values: tuple[Any, Any]) -> list[Any]:
+    """A±: Arg(−R/(32ρ²)) + Σ Arg(1 − κ± η_j K(0)) + Arg of the remaining determinant, all principal."""
+    roots, r = edge_roots(track, arb(rho)), arb(rho)
+    contact = -4 * track.field.pi * acb(0, 1) * (roots.a + roots.b) / roots.R
+    total = []
+    for sign, value in zip((1, -1), values, strict=True):
+        kappa = 2 * (r + sign * acb(0, 1) * track.eta_b) ** 2 / track.field.pi
+        total.append((-roots.R / (32 * r * r)).arg() + _contact_arguments(track, kappa * contact, value / roots.R))
+    return total
+
+
+def _contact_arguments(track: Track, contact: Any, delta: Any) -> Any:
+    """Σ Arg(1 − κ η_j K(0)) + Arg(Δ / Π(1 − κ η_j K(0)))."""
+    if len(track.eta_m) > 2:
+        raise PrecisionError("far arguments of three and more masses are summed by reflections")
+    total = arb(0)
+    for eta in track.eta_m:
+        factor = 1 - eta * contact
+        total += factor.arg()
+        delta = delta / factor
+    return total + delta.arg()
+
+
+def unique_integer(value: Any) -> int:
+    """The one integer in a real ball; `PrecisionError` unless there is exactly one."""
+    n = value.unique_fmpz()
+    if n is None:
+        raise PrecisionError(f"the winding number's ball {value.str(6)} holds no single integer: raise the precision")
+    return int(n)
+
+
+def count_unstable(track: Track, reach: float, limit: int, meter: Meter = _silent) -> tuple[int, Path]:
+    """The proved number of roots with Im q < 0, from the real line 0 ≤ q ≤ reach and its far arc.
+
+    Needs no cut at Im q ≤ 0 (η_b > 0), and no root at |q − iη_b| ≥ reach.
+    """
+    path = cover(lambda q: (characteristic(track, acb(q)),), 0.0, reach, reach / 4096, limit, meter)
+    q = acb(reach)
+    last = characteristic(track, q)
+    contact = 2 * q * q / track.field.pi * kernel_at_contact(track, pairing(track, q))
+    turn = turning(path, 0, acb(1), last)
+    return unique_integer((_contact_arguments(track, contact, last) - turn) / track.field.pi), path
+
+
+def count_rectangle(track: Track, box: Rectangle, limit: int) -> tuple[int, tuple[Path, ...]]:
+    """The proved number of roots inside the rectangle, from its four sides, each run over 0 ≤ t ≤ 1."""
+    corners = rectangle_corners(box)
+    values = [characteristic(track, corner) for corner in corners]
+    total, paths = arb(0), []
+    for k in range(4):
+        start, end = corners[k], corners[(k + 1) % 4]
+        side = cover(lambda t, a=start, b=end: (characteristic(track, a + t * (b - a)),), 0.0, 1.0, 1 / 64, limit)
+        total += turning(side, 0, values[k], values[(k + 1) % 4])
+        paths.append(side)
+    return unique_integer(total / (2 * track.field.pi)), tuple(paths)
+
+
+def rectangle_corners(box: Rectangle) -> list[Any]:
+    """Counterclockwise from the lower left corner."""
+    lo, hi, bottom, top = (x.ball() for x in (box.re_min, box.re_max, box.im_min, box.im_max))
+    return [acb(lo, bottom), acb(hi, bottom), acb(hi, top), acb(lo, top)]
