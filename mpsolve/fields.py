@@ -106,7 +106,7 @@ class Float64:
 
     def det(self, rows: Sequence[Sequence[Any]]) -> Any:
         if len(rows) <= 2:
-            return _small_det(rows)
+            return laplace_det(rows)
         shape = np.broadcast_shapes(*(np.shape(v) for row in rows for v in row))
         stacked = np.stack([np.stack([np.broadcast_to(v, shape) for v in row], -1) for row in rows], -2)
         return np.linalg.det(stacked)
@@ -144,10 +144,17 @@ def _taylor_waves(z: Any, terms: int) -> Waves:
     return cos, sinc, third
 
 
-def _small_det(rows: Sequence[Sequence[Any]]) -> Any:
+def laplace_det(rows: Sequence[Sequence[Any]]) -> Any:
+    """A determinant by expansion along its first row, without a division."""
     if len(rows) == 1:
         return rows[0][0]
-    return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]
+    if len(rows) == 2:
+        return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]
+    total = 0
+    for k, entry in enumerate(rows[0]):
+        minor = [[*row[:k], *row[k + 1 :]] for row in rows[1:]]
+        total = total + (-1) ** k * (entry * laplace_det(minor))
+    return total
 
 
 # --- mpmath ------------------------------------------------------------------------------------------------
@@ -279,8 +286,8 @@ class Ball:
         return cos + error, sinc + error, third + error
 
     def det(self, rows: Sequence[Sequence[Any]]) -> Any:
-        if len(rows) <= 2:
-            return _small_det(rows)
+        if len(rows) <= 4:  # Gaussian elimination divides by pivots, which widens wide balls
+            return laplace_det(rows)
         return flint.acb_mat([list(row) for row in rows]).det()
 
 
@@ -321,6 +328,8 @@ def real_pairing(c2: Any, c1: Any, c0: Any, bits: int) -> tuple[Any, Any]:
     `PrecisionError` when none can be isolated.
     """
     a2, a1 = 2 * c2, c2 * c2 - 4 * c0
+    if c1.is_zero():
+        return _even_pairing(c2, c0)
     seed = _best_separated_root(float(a2.mid()), float(a1.mid()), -(float(c1.mid()) ** 2))
     y = simple_root([-c1 * c1, a1, a2], flint.arb(seed), bits)
     h2 = (y + c2) ** 2 - 4 * c0
@@ -330,6 +339,18 @@ def real_pairing(c2: Any, c1: Any, c0: Any, bits: int) -> tuple[Any, Any]:
     if y > 0:
         s = y.sqrt()
         return s, c1 / s
+    raise PrecisionError("the p-roots on the cut cannot be paired: split the piece")
+
+
+def _even_pairing(c2: Any, c0: Any) -> tuple[Any, Any]:
+    """`real_pairing` of p⁴ + c2 p² + c0: (p² + t)(p² + t') with s = 0, or with h = 0."""
+    h2 = c2 * c2 - 4 * c0
+    if c0 > 0 and not h2 > c2 * c2 / 2:
+        y = 2 * c0.sqrt() - c2
+        if y > 0:
+            return y.sqrt(), flint.arb(0)
+    if h2 > 0:
+        return flint.arb(0), h2.sqrt()
     raise PrecisionError("the p-roots on the cut cannot be paired: split the piece")
 
 

@@ -284,9 +284,8 @@ def render(steps: Sequence[Step], style: str = "text") -> str:
     if style == "text":
         return "\n".join(_text(step) for step in steps)
     if style == "latex":
-        packages = (
-            "\\usepackage[landscape,margin=15mm]{geometry}\n\\usepackage{amsmath}\n\\allowdisplaybreaks\n"
-        )
-        head = f"\\documentclass[8pt]{{extarticle}}\n{packages}\\begin{{document}}\n"
+        packages = ("[T1]{fontenc}", "[landscape,a3paper,margin=15mm]{geometry}", "{amsmath}")
+        preamble = "".join(f"\\usepackage{package}\n" for package in packages)
+        head = f"\\documentclass{{article}}\n{preamble}\\allowdisplaybreaks\n\\begin{{document}}\n"
         return head + "\n".join(_latex(step) for step in steps) + "\\end{document}\n"
     raise InputError("style", f'{style!r} given; use "text" or "latex"')

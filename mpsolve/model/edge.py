@@ -154,12 +154,36 @@ def one_minus_exp(z: Any, distance: Any) -> Any:
 
 
 def _expand_many(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
+    """R det[I − κ K M]: as it stands where all p-roots are apart, else bordered."""
+    z = _nearest_pair_first(z)
+    apart = (z.a - z.c).abs_lower() > 0.2 * (z.b - z.e).abs_upper()
+    return (_expand_apart if apart else _expand_bordered)(track, z, factors)
+
+
+def _expand_apart(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
+    """K from its residues, K/(2πi) = Σ e^{ipξ}/D_p over the upper roots (ξ ≥ 0), −Σ over the lower ones."""
+    a, b, c, e = z.a, z.b, z.c, z.e
+    ahead = ((a, 1 / ((a - b) * (a - c) * (a - e))), (b, 1 / ((b - a) * (b - c) * (b - e))))
+    behind = ((c, -1 / ((c - a) * (c - b) * (c - e))), (e, -1 / ((e - a) * (e - b) * (e - c))))
+    x, n, unit = track.positions, len(track.eta_m), acb(0, 1)
+    waves = [
+        [sum(w * (unit * p * (x[i] - x[k])).exp() for p, w in (ahead if i >= k else behind)) for k in range(n)]
+        for i in range(n)
+    ]
+    values = []
+    for kappa in factors:
+        scale = 2 * track.field.pi * unit * kappa
+        rows = [[int(i == k) - scale * waves[i][k] * track.eta_m[k] for k in range(n)] for i in range(n)]
+        values.append(z.R * track.field.det(rows))
+    return values
+
+
+def _expand_bordered(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
     """R det[I − κ K M] as a bordered determinant: the colliding pair's pole of K has rank one.
 
     With the pair (a, c): K/(2πi) = c_a u vᵀ + F, u_i = e^{ia x_i}, v_k = e^{−ia x_k}, and F finite. Then
     R det(A + κ' c_a u vᵀ) = det [[A, −κ' (R c_a) u], [vᵀ, R]], where R c_a = (b − c)(b − e)/(a − b).
     """
-    z = _nearest_pair_first(z)
     two_pi_i = 2 * track.field.pi * acb(0, 1)
     residue = (z.b - z.c) * (z.b - z.e) / (z.a - z.b)
     x, n = track.positions, len(track.eta_m)
@@ -172,7 +196,7 @@ def _expand_many(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any
             row = [int(i == k) - kappa * two_pi_i * finite[i][k] * track.eta_m[k] for k in range(n)]
             rows.append([*row, kappa * two_pi_i * residue * wave[i]])
         rows.append([*(eta / w for eta, w in zip(track.eta_m, wave, strict=True)), z.R])
-        values.append(flint.acb_mat(rows).det())
+        values.append(track.field.det(rows))
     return values
 
 

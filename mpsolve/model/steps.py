@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -202,6 +203,7 @@ def dimensionless(equation: Step, scale: Step, beam: Step, loads: Step) -> Step:
 # The transforms and the solution in the transformed domain: (14)-(30)
 
 
+@lru_cache(maxsize=1)
 def laplace_rules() -> Step:
     """(14): images of the field's time derivatives with homogeneous initial conditions."""
     f, rules = sp.Function("f"), []
@@ -412,6 +414,7 @@ def inversion() -> Step:
     return Step("(31), (32)", "Inverse Laplace transform", sp.Eq(what(xi, tau), limit), note)
 
 
+@lru_cache(maxsize=1)
 def limiting_velocity(D: Step) -> tuple[Step, Step]:
     """(33), (34): the discriminant of D in p is quadratic in alpha^4 when eta_b = 0 and eta_N = eta_S."""
     quartic = D.statement.rhs.subs({eta_b: 0, eta_N: eta_S, q: q_lm})

@@ -7,6 +7,7 @@ from samples on a circle; what the samples cannot see is bounded by the maximum 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,7 +29,7 @@ _OUTER = 14  # the larger disc has the radius |c| 2^−14
 
 @dataclass(frozen=True)
 class Taylor:
-    """Balls of a_0 … a_{SAMPLES−1} of Δ about `centre`; |a_k| ≤ bound/outer^k for every k."""
+    """Balls of a_0 … a_{SAMPLES−1} of f(centre + z) = Σ a_k z^k; |a_k| ≤ bound/outer^k for every k."""
 
     centre: Any
     coefficients: tuple[Any, ...]
@@ -36,21 +37,28 @@ class Taylor:
     outer: Any
 
 
-def taylor(model: Track, centre: Any, shrink: int) -> Taylor:
-    """Samples on the circle of radius outer·2^−shrink; aliasing is below bound·2^(−shrink·SAMPLES)."""
-    outer = arb(2) ** (math.frexp(float(centre.abs_lower()))[1] - 1 - _OUTER)
-    spread = arb(0, outer.upper())
-    bound = arb(characteristic(model, centre + acb(spread, spread)).abs_upper())
+def taylor(function: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, shrink: int) -> Taylor:
+    """From samples on the circle of radius outer·2^−shrink; `bound` ≥ |f| on the disc of radius `outer`.
+
+    What the samples cannot tell apart is below bound·2^(−shrink·SAMPLES).
+    """
     inner = outer * arb(2) ** -shrink
     turns = [acb(arb(2 * j) / SAMPLES).exp_pi_i() for j in range(SAMPLES)]
-    samples = [characteristic(model, centre + inner * turn) for turn in turns]
+    samples = [function(centre + inner * turn) for turn in turns]
+    alias = bound * arb(2) ** (1 - shrink * SAMPLES)
     coefficients = []
     for k in range(SAMPLES):
         total = sum((f / turns[(j * k) % SAMPLES] for j, f in enumerate(samples)), acb(0)) / SAMPLES
-        alias = bound * arb(2) ** (-shrink * SAMPLES + 1)
         error = arb(0, (alias / inner**k).upper())
         coefficients.append(total / inner**k + acb(error, error))
     return Taylor(centre, tuple(coefficients), bound, outer)
+
+
+def _taylor_of_delta(model: Track, centre: Any, shrink: int) -> Taylor:
+    outer = arb(2) ** (math.frexp(float(centre.abs_lower()))[1] - 1 - _OUTER)
+    spread = arb(0, outer.upper())
+    bound = arb(characteristic(model, centre + acb(spread, spread)).abs_upper())
+    return taylor(lambda q: characteristic(model, q), centre, outer, bound, shrink)
 
 
 def pellet(series: Taylor, m: int, radius: Any) -> bool:
@@ -93,13 +101,13 @@ def separate(case: Case, seed: complex, digits: int) -> list[RootBall]:
 def _recentred(model: Track, centre: Any, shrink: int) -> tuple[Taylor, int]:
     """The series about the centre of gravity of the m roots that Pellet's test finds, and m."""
     for _ in range(3):
-        series = taylor(model, centre, shrink)
+        series = _taylor_of_delta(model, centre, shrink)
         m = _multiplicity(series)
         if m == 0:
             return series, 0
         a = series.coefficients
         centre = (centre - a[m - 1].mid() / (m * a[m].mid())).mid()
-    return taylor(model, centre, shrink), m
+    return _taylor_of_delta(model, centre, shrink), m
 
 
 def _multiplicity(series: Taylor) -> int:

@@ -15,6 +15,7 @@ from mpsolve.model.parameters import Case
 from mpsolve.spectrum.contour import Path
 from mpsolve.spectrum.far import far_radius
 from mpsolve.spectrum.region import Rectangle, Region
+from mpsolve.spectrum.rest import resting_start
 from mpsolve.spectrum.winding import count_rectangle, count_sheet, count_unstable
 
 BITS = 64
@@ -69,9 +70,11 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
         with ball_arithmetic(bits) as field:
             model = track(case, field)
             radius = far_radius(model)
-            for start in [0.0] if joined else _gap_points(case):
+            at_rest = not (case.alpha or case.axial)
+            starts = [resting_start(model)] if at_rest else [0.0] if joined else _gap_points(case)
+            for start in starts:
                 try:
-                    sheet = count_sheet(model, start, radius, limit, _meter(tell, radius))
+                    sheet = count_sheet(model, start, radius, limit, _meter(tell, radius), at_rest)
                 except PrecisionError as error:
                     last = error
                 else:

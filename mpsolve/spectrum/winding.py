@@ -6,7 +6,8 @@ A± the principal arguments of its far-field factors at r = ρ (see far.py), the
     below:  n = 1 + (A₊ − [arg G₊] from r₀ to ρ)/π,      above:  the same with G₋.
 
 r₀ = 0 when the cuts are joined (α > α_C): the two halves are counted apart. Otherwise r₀ is a point of the
-gap, and the sum of both halves counts the one connected sheet.
+gap, and the sum of both halves counts the one connected sheet. For a load at rest without axial force r₀ lies
+on the cut, and rest.py gives the change of argument round the branch point.
 """
 
 from __future__ import annotations
@@ -21,9 +22,10 @@ from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.edge import edge_roots, edge_value
-from mpsolve.model.kernel import kernel_at_contact
 from mpsolve.spectrum.contour import Path, cover, turning
 from mpsolve.spectrum.region import Rectangle
+from mpsolve.spectrum.rest import closing_argument
+from mpsolve.spectrum.scatter import far_argument, paired_roots
 
 acb, arb = flint.acb, flint.arb
 Meter = Callable[[float], None]
@@ -44,10 +46,12 @@ class SheetCount:
     path: Path
 
 
-def count_sheet(track: Track, start: float, rho: float, limit: int, meter: Meter = _silent) -> SheetCount:
+def count_sheet(
+    track: Track, start: float, rho: float, limit: int, meter: Meter = _silent, at_rest: bool = False
+) -> SheetCount:
     """Counts every root of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
 
-    Raises `PrecisionError` when the edge cannot be covered.
+    `at_rest`: α = N = 0, and `start` comes from `resting_start`. Raises `PrecisionError` when the edge cannot be covered.
     """
     path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(start, rho), limit, meter)
     first, last = _pair(edge_value(track, arb(start))), _pair(edge_value(track, arb(rho)))
@@ -57,7 +61,8 @@ def count_sheet(track: Track, start: float, rho: float, limit: int, meter: Meter
     if start == 0:
         below, above = (unique_integer(half) for half in halves)
         return SheetCount(below + above, below, above, rho, path)
-    return SheetCount(unique_integer(halves[0] + halves[1]), None, None, rho, path)
+    closing = closing_argument(track, first[0], first[1].conjugate()) / pi if at_rest else 0
+    return SheetCount(unique_integer(halves[0] + halves[1] + closing), None, None, rho, path)
 
 
 def _pair(value: Any) -> tuple[Any, Any]:
@@ -69,26 +74,14 @@ def _first_step(start: float, rho: float) -> float:
 
 
 def _far_arguments(track: Track, rho: float, values: tuple[Any, Any]) -> list[Any]:
-    """A±: Arg(−R/(32ρ²)) + Σ Arg(1 − κ± η_j K(0)) + Arg of the remaining determinant, all principal."""
+    """A±: Arg(−R/(32ρ²)) and the argument of the rest of G±, by the factors that far.py keeps in half-planes."""
     roots, r = edge_roots(track, arb(rho)), arb(rho)
-    contact = -4 * track.field.pi * acb(0, 1) * (roots.a + roots.b) / roots.R
+    resultant = (-roots.R / (32 * r * r)).arg()
     total = []
     for sign, value in zip((1, -1), values, strict=True):
         kappa = 2 * (r + sign * acb(0, 1) * track.eta_b) ** 2 / track.field.pi
-        total.append((-roots.R / (32 * r * r)).arg() + _contact_arguments(track, kappa * contact, value / roots.R))
+        total.append(resultant + far_argument(track, roots, kappa, value / roots.R))
     return total
-
-
-def _contact_arguments(track: Track, contact: Any, delta: Any) -> Any:
-    """Σ Arg(1 − κ η_j K(0)) + Arg(Δ / Π(1 − κ η_j K(0)))."""
-    if len(track.eta_m) > 2:
-        raise PrecisionError("far arguments of three and more masses are summed by reflections")
-    total = arb(0)
-    for eta in track.eta_m:
-        factor = 1 - eta * contact
-        total += factor.arg()
-        delta = delta / factor
-    return total + delta.arg()
 
 
 def unique_integer(value: Any) -> int:
@@ -107,9 +100,9 @@ def count_unstable(track: Track, reach: float, limit: int, meter: Meter = _silen
     path = cover(lambda q: (characteristic(track, acb(q)),), 0.0, reach, reach / 4096, limit, meter)
     q = acb(reach)
     last = characteristic(track, q)
-    contact = 2 * q * q / track.field.pi * kernel_at_contact(track, pairing(track, q))
+    far = far_argument(track, paired_roots(track, pairing(track, q)), 2 * q * q / track.field.pi, last)
     turn = turning(path, 0, acb(1), last)
-    return unique_integer((_contact_arguments(track, contact, last) - turn) / track.field.pi), path
+    return unique_integer((far - turn) / track.field.pi), path
 
 
 def count_rectangle(track: Track, box: Rectangle, limit: int) -> tuple[int, tuple[Path, ...]]:

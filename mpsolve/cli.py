@@ -1,0 +1,217 @@
+"""The command `mpsolve`: certify a case, verify certificates, derive the model.
+
+Exit status: 0 if what was asked for is proved (an unstable case too) or valid; 1 if it is undecided or
+invalid, or if the certificate could not be written; 2 for input that cannot be used. Standard output carries
+the report only; progress and errors go to standard error, progress only if that is a terminal.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from mpsolve.model.inputfile import InputFile
+    from mpsolve.spectrum.certify import Spectrum
+    from mpsolve.spectrum.region import Region
+
+UNDECIDED = 1
+BAD_INPUT = 2
+
+
+@contextmanager
+def _one_sentence() -> Iterator[None]:
+    """Turns an error that mpsolve raises on purpose into its sentence on stderr, and the exit status."""
+    from mpsolve.errors import InputError, MpsolveError
+
+    try:
+        yield
+    except InputError as error:
+        status, message = BAD_INPUT, str(error)
+    except MpsolveError as error:
+        status, message = UNDECIDED, str(error)
+    else:
+        return
+    click.echo(f"mpsolve: {message}", err=True)
+    sys.exit(status)
+
+
+def _show_version(context: click.Context, _option: click.Parameter, asked: bool) -> None:
+    if asked and not context.resilient_parsing:
+        from mpsolve import __version__
+
+        click.echo(f"mpsolve {__version__}")
+        context.exit()
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_show_version,
+    help="Show the version.",
+)
+def cli() -> None:
+    """Certified stability analysis of masses that move along a beam on an elastic foundation."""
+
+
+@cli.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
+@click.option(
+    "--region",
+    default="sheet",
+    show_default=True,
+    metavar="REGION",
+    help="sheet, unstable (Im q < 0), or the rectangle RE_MIN,RE_MAX,IM_MIN,IM_MAX.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Path of the certificate.  [default: NAME.certificate.json in the working directory]",
+)
+def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | None) -> None:
+    """Find, count and prove every induced frequency of the case in FILE (TOML), and write a certificate.
+
+    Exit status 0: proved, stable or not. 1: undecided, with the reason and what helps, or the certificate
+    could not be written. 2: the input cannot be used.
+    """
+    with _one_sentence():
+        from mpsolve.model.inputfile import read_input
+        from mpsolve.spectrum.certify import certify as prove
+
+        source = read_input(file)
+        path = _certificate_path(source.path, output)
+        with _progress() as tell:
+            spectrum = prove(source.case, digits=digits, region=_region(region), progress=tell)
+        _report(spectrum, source, path, as_json)
+    sys.exit(0 if spectrum.proved else UNDECIDED)
+
+
+def _region(text: str) -> Region:
+    from mpsolve.errors import InputError
+    from mpsolve.spectrum.region import Rectangle
+
+    if text == "sheet":
+        return "sheet"
+    if text == "unstable":
+        return "unstable"
+    bounds = text.split(",")
+    if len(bounds) != 4:
+        raise InputError("region", f"is {text!r}: give sheet, unstable, or RE_MIN,RE_MAX,IM_MIN,IM_MAX")
+    return Rectangle(*bounds)
+
+
+def _certificate_path(source: Path, output: Path | None) -> Path:
+    """Where the certificate goes; InputError, before any work is done, if it cannot be a file there."""
+    from mpsolve.errors import InputError
+
+    path = output or Path(f"{source.stem}.certificate.json")
+    if not path.parent.is_dir():
+        raise InputError(
+            "output", f"{path.parent} is no directory: make it, or give another path for the certificate"
+        )
+    if path.is_dir():
+        raise InputError("output", f"{path} is a directory: give the path of a file for the certificate")
+    if path.exists() and path.samefile(source):
+        raise InputError("output", f"{path} is the input file: give another path for the certificate")
+    return path
+
+
+def _report(spectrum: Spectrum, source: InputFile, path: Path, as_json: bool) -> None:
+    """Saves the certificate, and prints the report even if that fails; CertificateError then."""
+    from mpsolve.errors import CertificateError
+    from mpsolve.model.parameters import PhysicalCase
+
+    physical = source.case if isinstance(source.case, PhysicalCase) else None
+    saved, failure = None, None
+    if spectrum.certificate is not None:
+        try:
+            saved = spectrum.certificate.save(path)
+        except CertificateError as error:
+            failure = error
+    if as_json:
+        import json
+
+        from mpsolve.report.data import as_data
+
+        click.echo(json.dumps(as_data(spectrum, physical, source.title, saved), indent=1, ensure_ascii=False))
+    else:
+        _print(spectrum, physical, source.title, saved)
+    if failure is not None:
+        raise failure
+
+
+def _print(*report: Any) -> None:
+    """To a terminal in its width and with colour; else as plain text."""
+    from mpsolve.report.text import document, render
+
+    if sys.stdout.isatty():
+        from rich.console import Console
+
+        Console().print(document(*report))
+    else:
+        click.echo(render(*report), nl=False)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str, float], None] | None]:
+    """A bar on stderr for the stage that is told; None where stderr is not a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description:<10}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=1.0)
+        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
+
+
+@cli.command()
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
+def verify(files: tuple[Path, ...]) -> None:
+    """Check certificates, by other formulas than those that proved them; a line for each FILE.
+
+    Exit status 0: all are valid. 1: one is not, or cannot be read.
+    """
+    from mpsolve.certificate.verify import verify as check
+
+    valid = True
+    for file in files:
+        result = check(file)
+        valid = valid and result.valid
+        verdict = f"valid: {file}: {result.claim}" if result.valid else f"invalid: {file}: {result.reason}"
+        click.echo(verdict)
+    sys.exit(0 if valid else 1)
+
+
+@cli.command()
+@click.option("--latex", is_flag=True, help="A LaTeX document instead of text.")
+@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses.")
+def derive(latex: bool, masses: int) -> None:
+    """Derive the model symbolically, from the equation of motion to the kernel, and print every step."""
+    with _one_sentence():
+        from mpsolve.model.derivation import derivation, render
+
+        click.echo(render(derivation(masses), "latex" if latex else "text"), nl=False)
+
+
+def main() -> None:
+    """Run the command with standard output and error in UTF-8, whatever the locale says."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="replace" if os.name == "nt" else "strict")
+    cli(prog_name="mpsolve")

@@ -1,0 +1,90 @@
+"""What a root means to an engineer: a vibration with a frequency, a rate, and a doubling or halving time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+from flint import arb
+
+from mpsolve.errors import InputError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.parameters import PhysicalCase
+from mpsolve.spectrum.certify import Spectrum
+from mpsolve.spectrum.enclose import RootBall, Symmetry
+
+_GUARD_BITS = 64
+
+
+class Trend(Enum):
+    """What becomes of the amplitude |e^{iqτ}|."""
+
+    GROWS = "grows"
+    DECAYS = "decays"
+    STEADY = "steady"
+    OPEN = "open"
+
+
+@dataclass(frozen=True)
+class Vibration:
+    """The motion e^{iqτ} of the roots q and −q̄, in balls (flint.arb) that contain the exact values.
+
+    frequency = |Re q| ω/2π, rate = −Im q ω (positive: it grows), time = ln 2/|Im q ω| in which it doubles or
+    halves, None unless the trend is proved to be one of the two; ω = √(k/m) in rad/s, so that they are in Hz,
+    1/s and s, or ω = 1, so that they are in the unit of the dimensionless time τ.
+    """
+
+    root: RootBall
+    frequency: Any
+    rate: Any
+    time: Any
+    trend: Trend
+
+
+def vibration(root: RootBall, physical: PhysicalCase | None, digits: int) -> Vibration:
+    """The vibration of `root`, with no more than 10^−digits lost to rounding, relative to each value."""
+    with ball_arithmetic(working_bits(digits)) as field:
+        omega = arb(1) if physical is None else physical.time_scale.ball()
+        rate = -root.q.imag * omega
+        state = trend(root)
+        time = arb.const_log2() / abs(rate) if state in (Trend.GROWS, Trend.DECAYS) else None
+        return Vibration(root, abs(root.q.real) * omega / (2 * field.pi), rate, time, state)
+
+
+def vibrations(spectrum: Spectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
+    """Every root of the spectrum once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency.
+
+    Raises InputError if `physical` is not the case of the spectrum.
+    """
+    if physical is not None and physical.dimensionless != spectrum.case:
+        raise InputError("physical", "is not the case of this spectrum: give the case that was certified")
+    ordered = sorted(_once(spectrum), key=lambda root: abs(float(root.q.real.mid())))
+    return tuple(vibration(root, physical, spectrum.digits) for root in ordered)
+
+
+def _once(spectrum: Spectrum) -> list[RootBall]:
+    """The roots without those whose mirror image with Re q > 0 is there too."""
+    right = [root for root in spectrum.roots if not root.q.real < 0]
+    with ball_arithmetic(working_bits(spectrum.digits)):
+        lone = [
+            root
+            for root in spectrum.roots
+            if root.q.real < 0 and not any((-root.q.conjugate()).overlaps(other.q) for other in right)
+        ]
+    return lone + right
+
+
+def trend(root: RootBall) -> Trend:
+    """What is proved of the sign of Im q."""
+    if root.symmetry is Symmetry.REAL:
+        return Trend.STEADY
+    if root.q.imag < 0:
+        return Trend.GROWS
+    return Trend.DECAYS if root.q.imag > 0 else Trend.OPEN
+
+
+def working_bits(digits: int) -> int:
+    """The precision at which values of `digits` digits lose nothing that is printed."""
+    return math.ceil(digits * math.log2(10)) + _GUARD_BITS

@@ -1,0 +1,12 @@
+"""What all tests share: `import oracle` works from every folder, and hypothesis repeats the same examples."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from hypothesis import settings
+
+sys.path.insert(0, str(Path(__file__).parent))
+settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
+settings.load_profile("repeatable")
