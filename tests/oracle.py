@@ -37,19 +37,21 @@ class Truth:
 
     def p_roots(self, q: Any) -> tuple[list[Any], list[Any]]:
         """The p-roots above and below the real axis."""
-        extra = 2 * self.mp.prec
-        roots = self.mp.polyroots(self.quartic(self.mp.mpmathify(q)), maxsteps=500, extraprec=extra)
+        D = self.quartic(self.mp.mpmathify(q))
+        start = [self.mp.mpc(p) for p in np.roots([complex(c) for c in D])]
+        roots = self.mp.polyroots(D, maxsteps=500, extraprec=2 * self.mp.prec, roots_init=start)
         upper, lower = [p for p in roots if p.imag > 0], [p for p in roots if p.imag < 0]
         assert len(upper) == len(lower) == 2, "q is on the cut"
         return upper, lower
 
     def kernel(self, g: Any, q: Any) -> Any:
         """(37), and its mirror image for g < 0."""
-        upper, lower = self.p_roots(q)
-        poles, sign = (upper, 1) if g >= 0 else (lower, -1)
+        return self._residue_sum(g, q, self.p_roots(q))
+
+    def _residue_sum(self, g: Any, q: Any, p_roots: tuple[list[Any], list[Any]]) -> Any:
+        poles, sign = (p_roots[0], 1) if g >= 0 else (p_roots[1], -1)
         D = self.quartic(self.mp.mpmathify(q))
-        terms = [self.mp.expj(p * g) / _polynomial(D, p)[1] for p in poles]
-        return 2 * self.mp.pi * self.mp.j * sign * sum(terms)
+        return 2 * self.mp.pi * self.mp.j * sign * sum(self.mp.expj(p * g) / _polynomial(D, p)[1] for p in poles)
 
     def kernel_rate(self, g: Any, q: Any) -> Any:
         """(39), corrected: 2πi Σ [D_q D_pp e^{ipg}/D_p³ − (D_q e^{ipg})_p/D_p²]."""
@@ -66,8 +68,8 @@ class Truth:
     def delta(self, q: Any) -> Any:
         """(26) over π², and its like for any number of masses."""
         q, n = self.mp.mpmathify(q), len(self.x)
-        gaps = {x - y for x in self.x for y in self.x}
-        K = {gap: self.kernel(gap, q) for gap in gaps}
+        p_roots = self.p_roots(q)
+        K = {gap: self._residue_sum(gap, q, p_roots) for gap in {x - y for x in self.x for y in self.x}}
         factor = 2 * q**2 / self.mp.pi
         rows = [[(i == k) - factor * self.eta_m[k] * K[self.x[i] - self.x[k]] for k in range(n)] for i in range(n)]
         return self.mp.det(self.mp.matrix(rows))
@@ -79,41 +81,42 @@ class Truth:
 
     def root(self, seed: Any) -> Any:
         """The root of Δ that the secant method reaches from `seed`."""
-        return self.mp.findroot(self.delta, self.mp.mpmathify(seed), tol=self.mp.eps**1.5, maxsteps=60)
+        seed = self.mp.mpmathify(seed)
+        return self.mp.findroot(self.delta, (seed, seed * (1 + self.mp.mpf(10) ** -9)), tol=self.mp.eps**1.5)
 
     def search(self, radius: float) -> list[complex]:
-        """Roots with Re q ≥ 0, |q − iη_b| < radius, by the secant method in float64 from thousands of starts."""
-        rho, turn = np.meshgrid(np.geomspace(0.02, radius, 60), np.linspace(-0.498, 0.498, 50) * np.pi)
-        a = (rho * np.exp(1j * turn)).ravel() + 1j * float(self.eta_b)
+        """Roots with Re q ≥ 0, |q − iη_b| < radius, by the secant method in float64 from many starts."""
+        shift = 1j * float(self.eta_b)
+        rho, turn = np.meshgrid(np.geomspace(0.02, radius, 32), np.linspace(-0.498, 0.498, 24) * np.pi)
+        a = (rho * np.exp(1j * turn)).ravel() + shift
         b = a * (1 + 1e-4)
+        found: list[complex] = []
         with np.errstate(all="ignore"):
             fa, fb = self._delta_array(a), self._delta_array(b)
-            for _ in range(60):
+            for _ in range(40):
                 step = np.where(fb == fa, 0, fb * (b - a) / (fb - fa))
+                settled = (np.abs(step) < 1e-11 * np.abs(b)) & (np.abs(fb) < 1e-6)
+                found += b[settled & (np.abs(b - shift) < radius) & (np.abs(b) > 1e-9)].tolist()
+                keep = ~settled & (np.abs(b) < 4 * radius)
                 step *= np.minimum(1, 0.2 * np.abs(b) / np.where(step == 0, 1, np.abs(step)))
-                a, fa, b = b, fb, b - step
+                a, fa, b = b[keep], fb[keep], (b - step)[keep]
                 fb = self._delta_array(b)
-        settled = (np.abs(step) < 1e-11 * np.abs(b)) & (np.abs(b) > 1e-9) & (np.abs(fb) < 1e-6)
-        found: list[complex] = []
-        for q in b[settled & (np.abs(b - 1j * float(self.eta_b)) < radius)]:
-            q = complex(q) if q.real > -1e-10 else -complex(q).conjugate()
-            if all(abs(q - other) > 1e-7 * abs(q) for other in found):
-                found.append(q)
-        return sorted(found, key=abs)
+        distinct: list[complex] = []
+        for q in (z if z.real > -1e-10 else -z.conjugate() for z in found):
+            if all(abs(q - other) > 1e-7 * abs(q) for other in distinct):
+                distinct.append(q)
+        return sorted(distinct, key=abs)
 
     def _delta_array(self, q: Any) -> Any:
         """`delta` of an array of q in float64."""
-        q = np.where(np.isfinite(q) & (np.abs(q) < 1e6), q, 1e6)
-        coefficients = [np.broadcast_to(np.complex128(complex(c)), q.shape) for c in self.quartic(0)[:3]]
-        linear = 8 * float(self.alpha) * (q - 1j * float(self.eta_b))
-        constant = 4 - 4 * q**2 + 8j * float(self.eta_b) * q
+        alpha, eta_b, quadratic = float(self.alpha), float(self.eta_b), float(self.quartic(0)[2])
+        linear, constant = 8 * alpha * (q - 1j * eta_b), 4 - 4 * q**2 + 8j * eta_b * q
         companion = np.zeros((*q.shape, 4, 4), complex)
-        companion[..., 0, 2], companion[..., 0, 3] = linear * 0 - coefficients[2], 0
-        companion[..., 0, :] = np.stack([0 * q, -coefficients[2], -linear, -constant], -1)
+        companion[..., 0, 1:] = np.stack([0 * q - quadratic, -linear, -constant], -1)
         companion[..., [1, 2, 3], [0, 1, 2]] = 1
         p = np.linalg.eigvals(companion)
         p = np.take_along_axis(p, np.argsort(-p.imag, axis=-1), -1)
-        residue = 1 / (4 * p**3 + 2 * coefficients[2][..., None] * p + linear[..., None])
+        residue = 1 / (4 * p**3 + 2 * quadratic * p + linear[..., None])
         x = np.array([float(v) for v in self.x])
         gap = (x[:, None] - x)[..., None]
         wave = np.exp(1j * p[..., None, None, :] * gap) * residue[..., None, None, :]
@@ -137,10 +140,10 @@ def holds(ball: Any, truth: Any) -> bool:
     return bool(flint.acb(ball).contains(flint.acb(truth)))
 
 
-def relative_width(ball: Any) -> float:
-    """Radius over modulus."""
+def sharp(ball: Any, bits: float) -> bool:
+    """The radius is below 2^−bits of the modulus."""
     ball = flint.acb(ball)
-    return float((ball - ball.mid()).abs_upper() / ball.abs_lower())
+    return bool((ball - ball.mid()).abs_upper() < ball.abs_lower() * flint.arb(2) ** -bits)
 
 
 def point(q: complex) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import tempfile
@@ -30,12 +31,21 @@ class Certificate:
 
     @property
     def text(self) -> str:
-        """JSON with one line an entry, so that a difference between two certificates can be read."""
-        return json.dumps(self.content, indent=1, ensure_ascii=True, allow_nan=False) + "\n"
+        """JSON with one line a number or root, so that two certificates can be compared by eye."""
+        entries = ",\n".join(f"{json.dumps(key)}: {_lines(value)}" for key, value in self.content.items())
+        return "{\n" + entries + "\n}\n"
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Writes the file whole or not at all; CertificateError if it cannot be written."""
         return write_whole(Path(path), self.text)
+
+
+def _lines(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{\n" + ",\n".join(f" {json.dumps(k)}: {_lines(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list) and any(isinstance(v, (list, dict)) for v in value):
+        return "[\n" + ",\n".join("  " + json.dumps(v, allow_nan=False) for v in value) + "]"
+    return json.dumps(value, allow_nan=False)
 
 
 def write_whole(path: Path, text: str) -> Path:
@@ -64,18 +74,23 @@ def make_certificate(case: Case, count: Count, roots: tuple[RootBall, ...]) -> C
     unstable = _unstable(roots)
     if unstable is not None:
         claim["unstable"] = unstable
-    return Certificate(
-        {
-            "format": FORMAT,
-            "version": VERSION,
-            "kind": KIND,
-            "case": case.as_dict(),
-            "claim": claim,
-            "contour": _contour(count),
-            "roots": [_root(root) for root in roots],
-            "identity": [root.multiplicity for root in roots],
-        }
-    )
+    content = {
+        "format": FORMAT,
+        "version": VERSION,
+        "kind": KIND,
+        "case": case.as_dict(),
+        "claim": claim,
+        "contour": _contour(count),
+        "roots": [_root(root) for root in roots],
+        "identity": [root.multiplicity for root in roots],
+    }
+    return Certificate(content | {"sha256": digest(content)})
+
+
+def digest(content: dict[str, Any]) -> str:
+    """SHA-256 of the content in canonical JSON: sorted keys, no spaces, ASCII."""
+    canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True, allow_nan=False)
+    return hashlib.sha256(canonical.encode("ascii")).hexdigest()
 
 
 def _unstable(roots: tuple[RootBall, ...]) -> int | None:
@@ -91,28 +106,30 @@ def _unstable(roots: tuple[RootBall, ...]) -> int | None:
 def _contour(count: Count) -> dict[str, Any]:
     if isinstance(count.contour, Rectangle):
         sides = [[dyadic(x) for x in path.breaks] for path in count.paths]
-        return {"kind": "rectangle", "bounds": count.contour.as_dict(), "sides": sides}
+        return {"kind": "rectangle", "bits": count.bits, "bounds": count.contour.as_dict(), "sides": sides}
     assert count.radius is not None
     breaks = [dyadic(x) for x in count.paths[0].breaks]
-    return {"kind": count.contour, "radius": dyadic(count.radius), "breaks": breaks}
+    return {"kind": count.contour, "bits": count.bits, "radius": dyadic(count.radius), "breaks": breaks}
 
 
 def _root(root: RootBall) -> dict[str, Any]:
-    q = root.q
-    radius = max(q.real.rad(), q.imag.rad(), key=lambda x: float(x.mid().log()) if x.mid() > 0 else -1e300)
+    re, im = (_on_grid(x.mid(), root.exponent) for x in (root.q.real, root.q.imag))
     return {
-        "re": dyadic(q.real.mid()),
-        "im": dyadic(q.imag.mid()),
-        "radius": dyadic(radius.mid()),
+        "re": re,
+        "im": im,
+        "exponent": root.exponent,
         "multiplicity": root.multiplicity,
         "axis": root.symmetry.value,
     }
 
 
-def dyadic(x: Any) -> list[Any]:
-    """An exact dyadic number m·2^e as ["±0x…", e]; from a float, or an exact flint.arb."""
-    if isinstance(x, float):
-        numerator, denominator = x.as_integer_ratio()
-        return [hex(numerator), 1 - denominator.bit_length()]
-    mantissa, exponent = x.man_exp()
-    return [hex(int(mantissa)), int(exponent)]
+def _on_grid(x: Any, exponent: int) -> str:
+    """The integer x/2^exponent."""
+    mantissa, own = x.man_exp()
+    return hex(int(mantissa) << (int(own) - exponent)) if mantissa else "0x0"
+
+
+def dyadic(x: float) -> list[Any]:
+    """An exact dyadic number m·2^e as ["±0x…", e]."""
+    numerator, denominator = x.as_integer_ratio()
+    return [hex(numerator), 1 - denominator.bit_length()]

@@ -94,12 +94,11 @@ def _sides(track: Track, r: Any, centre: Any, delta2: Any, other: tuple[Any, Any
             else:
                 raise PrecisionError("the side of a real p-root is open: split the piece")
         return over, under
-    reach = abs(delta2).upper().sqrt()
-    around = arb(0, reach.upper())
-    pair = acb(centre + around, around)
-    slope = track.alpha * (centre + around) - r  # D_r/8
+    wide, high = (arb(0, arb(0).max(side.upper()).sqrt().upper()) for side in (delta2, -delta2))
+    slope = track.alpha * (centre + wide) - r  # D_r/8
     if not (slope > 0 or slope < 0):
         raise PrecisionError("D_r may vanish at a double p-root: split the piece")
+    pair = acb(centre + wide, high)
     return [pair], [pair]
 
 

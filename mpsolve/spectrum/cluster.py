@@ -18,7 +18,7 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.enclose import RootBall, isolate, refine
+from mpsolve.spectrum.enclose import RootBall, Symmetry, isolate, on_grid, radius_of, refine
 
 acb, arb = flint.acb, flint.arb
 
@@ -63,6 +63,8 @@ def _taylor_of_delta(model: Track, centre: Any, shrink: int) -> Taylor:
 
 def pellet(series: Taylor, m: int, radius: Any) -> bool:
     """True if the disc of this radius about the centre is proved to hold exactly m roots."""
+    if not radius > 0:
+        return False
     ratio = radius / series.outer
     tail = series.bound * ratio**SAMPLES / (1 - ratio)
     others = sum((abs(a) * radius**k for k, a in enumerate(series.coefficients) if k != m), tail)
@@ -142,8 +144,8 @@ def _isolated(case: Case, approximations: list[Any], bits: int, digits: int) -> 
 
 def _as_cluster(series: Taylor, m: int, target: int) -> list[RootBall]:
     """A square ball of relative size 2^−target: at least m roots in its disc, at most m around it."""
-    radius = arb(2) ** (math.frexp(float(series.centre.abs_lower()))[1] - 1 - target)
-    if not (pellet(series, m, radius) and pellet(series, m, radius * arb(2).sqrt())):
-        return []
-    reach = arb(0, radius.upper())
-    return [RootBall(acb(series.centre.real + reach, series.centre.imag + reach), m)]
+    ball = on_grid(series.centre, target, m, Symmetry.NONE)
+    shift = ball.q.mid() - series.centre
+    radius = radius_of(ball.exponent, m)
+    inner, outer = radius - abs(shift), radius * arb(2).sqrt() + abs(shift)
+    return [ball] if pellet(series, m, inner) and pellet(series, m, outer) else []

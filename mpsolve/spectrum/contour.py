@@ -21,6 +21,8 @@ Evaluate = Callable[[Any], Values]
 
 MARGIN = 0.5  # of the midpoint's modulus that an image ball may reach: leaves room for another checker
 
+GROWTH = 0.3  # a piece is at most this part of its distance from 0, or the first step
+
 
 @dataclass(frozen=True)
 class Path:
@@ -45,7 +47,7 @@ def cover(
     `PrecisionError` when a piece shrinks below the resolution of the path (a zero on it or next to it) or
     after `limit` evaluations.
     """
-    breaks, middles, count, here = [start], [], 0, start
+    breaks, middles, count, here, widest = [start], [], 0, start, step
     while here < stop:
         there = _dyadic_sum(here, step, stop)
         count += 1
@@ -59,7 +61,7 @@ def cover(
             continue
         breaks.append(there)
         middles.append(tuple(v.mid() for v in values))
-        here, step = there, 1.5 * step
+        here, step = there, min(1.5 * step, max(widest, GROWTH * abs(there)))
         if meter and len(middles) % 64 == 0:
             meter(here)
     return Path(tuple(breaks), tuple(middles), count)

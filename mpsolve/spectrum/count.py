@@ -31,6 +31,7 @@ class Count:
     radius: float | None  # no root has |q − iη_b| ≥ radius
     start: float | None  # of the edge
     paths: tuple[Path, ...]
+    bits: int = BITS
 
     @property
     def evaluations(self) -> int:
@@ -78,7 +79,7 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
                 except PrecisionError as error:
                     last = error
                 else:
-                    return Count(sheet.total, "edge", radius, start, (sheet.path,))
+                    return Count(sheet.total, "edge", radius, start, (sheet.path,), bits)
     raise last or PrecisionError("the gap between the cuts is too narrow to enter: take alpha further from alpha_C")
 
 

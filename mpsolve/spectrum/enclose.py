@@ -38,17 +38,34 @@ class Symmetry(Enum):
 class RootBall:
     """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
 
-    `isolated`: multiplicity 1, by interval Newton; otherwise a cluster, by Pellet's test.
+    A single root is isolated by interval Newton, a cluster (multiplicity > 1) by Pellet's test. The midpoint
+    is a pair of integers times 2^exponent, and the radius of each coordinate RADIUS·2^exponent (0 for one that
+    vanishes by symmetry), so that a changed digit is a ball without the root. A cluster's radius is larger by
+    2^CLUSTER.
     """
 
     q: Any
+    exponent: int
     multiplicity: int = 1
     symmetry: Symmetry = Symmetry.NONE
 
     @property
     def mirrored(self) -> RootBall:
-        """The ball of −q̄."""
-        return RootBall(-self.q.conjugate(), self.multiplicity, self.symmetry)
+        """The ball of −q̄, exactly."""
+        with ball_arithmetic(2 * self.q.bits() + 64):
+            return RootBall(-self.q.conjugate(), self.exponent, self.multiplicity, self.symmetry)
+
+
+RADIUS = (29, -6)  # 29/64 as mantissa and exponent
+CLUSTER = 10  # the grid of a cluster is finer by this many bits than its radius
+
+
+def radius_of(exponent: int, multiplicity: int) -> Any:
+    """The radius of each coordinate of a root ball, exact."""
+    return arb((RADIUS[0], RADIUS[1] + exponent + (CLUSTER if multiplicity > 1 else 0)))
+
+
+_INNER = 0.4  # how far from its grid point, in units, a coordinate of the root may lie
 
 
 @dataclass(frozen=True)
@@ -136,10 +153,11 @@ def refine(case: Case, box: Box, digits: int) -> RootBall:
             with ball_arithmetic(max(BASE_BITS, bits)) as field:
                 slope = characteristic_rate(track(case, field), onto_axis(image, box.symmetry))[1]
     with ball_arithmetic(goal + _GUARD + 10):
-        ball = _round(image, goal, box.symmetry)
-        if not (box.q.contains(ball) and ball.contains(onto_axis(image, box.symmetry))):
+        image = onto_axis(image, box.symmetry)
+        ball = on_grid(image, goal, 1, box.symmetry)
+        if not (box.q.contains(ball.q) and ball.q.contains(image)):
             raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
-    return RootBall(ball, 1, box.symmetry)
+    return ball
 
 
 def _ladder(last: int) -> list[int]:
@@ -150,14 +168,26 @@ def _ladder(last: int) -> list[int]:
     return steps
 
 
-def _round(image: Any, goal: int, symmetry: Symmetry) -> Any:
-    """A ball with a short midpoint, of radius |q| 2^−goal to a factor of 2, around the much smaller image."""
-    exponent = math.frexp(float(image.abs_lower()))[1] - 1 - goal
-    unit, radius = arb(2) ** (exponent - 8), arb(0, (arb(2) ** exponent))
+def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:
+    """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image."""
+    size = float(image.abs_lower())
+    first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
+    first -= CLUSTER if multiplicity > 1 else 0
+    for exponent in range(first, first - 22, -1):  # two coordinates near grid points: 64 % of all tries
+        grid = [x * arb((1, -exponent)) for x in (image.real, image.imag)]
+        near = [(x.mid() + arb(0.5)).floor() for x in grid]
+        if all(abs(x - n) < _INNER for x, n in zip(grid, near, strict=True)):
+            radius = arb(0, radius_of(exponent, multiplicity))
+            real, imag = (n * arb((1, exponent)) for n in near)
+            if symmetry is not Symmetry.IMAGINARY:
+                real += radius
+            if symmetry is not Symmetry.REAL:
+                imag += radius
+            return RootBall(acb(real, imag), exponent, multiplicity, symmetry)
+    raise PrecisionError(f"the ball near {image.str(6)} is too wide for its grid: raise the precision")
 
-    def shorten(x: Any) -> Any:
-        return (x.mid() / unit + arb(0.5)).floor().mid() * unit
 
-    real = arb(0) if symmetry is Symmetry.IMAGINARY else shorten(image.real) + radius
-    imag = arb(0) if symmetry is Symmetry.REAL else shorten(image.imag) + radius
-    return acb(real, imag)
+def _exponent(image: Any) -> int:
+    """The binary exponent of |image| where float64 underflows."""
+    mantissa, exponent = image.abs_lower().man_exp()
+    return int(exponent) + int(mantissa).bit_length()

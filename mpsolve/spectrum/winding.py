@@ -53,7 +53,7 @@ def count_sheet(
 
     `at_rest`: α = N = 0, and `start` comes from `resting_start`. Raises `PrecisionError` when the edge cannot be covered.
     """
-    path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(start, rho), limit, meter)
+    path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(track, start, rho), limit, meter)
     first, last = _pair(edge_value(track, arb(start))), _pair(edge_value(track, arb(rho)))
     far = _far_arguments(track, rho, last)
     pi = track.field.pi
@@ -69,8 +69,11 @@ def _pair(value: Any) -> tuple[Any, Any]:
     return value.plus, value.minus
 
 
-def _first_step(start: float, rho: float) -> float:
-    return start / 64 if start else rho / 4096
+def _first_step(track: Track, start: float, rho: float) -> float:
+    """Small against the distance to the first branch point."""
+    if start:
+        return start / 64
+    return min(rho / 4096, float(abs(track.beta2.sqrt() - track.A).mid()) / 16)
 
 
 def _far_arguments(track: Track, rho: float, values: tuple[Any, Any]) -> list[Any]:
@@ -82,6 +85,17 @@ def _far_arguments(track: Track, rho: float, values: tuple[Any, Any]) -> list[An
         kappa = 2 * (r + sign * acb(0, 1) * track.eta_b) ** 2 / track.field.pi
         total.append(resultant + far_argument(track, roots, kappa, value / roots.R))
     return total
+
+
+def _delta(track: Track, q: Any) -> Any:
+    """Δ over a ball in which the four p-roots stay well apart, so that sums over them can check it."""
+    roots = paired_roots(track, pairing(track, q))
+    every = (roots.a, roots.b, roots.c, roots.e)
+    for k, p in enumerate(every):
+        for other in every[:k]:
+            if not (p - other).abs_lower() > 4 * (p.rad() + other.rad()):
+                raise PrecisionError("p-roots meet on the contour: shift the rectangle a little")
+    return characteristic(track, q)
 
 
 def unique_integer(value: Any) -> int:
@@ -97,7 +111,7 @@ def count_unstable(track: Track, reach: float, limit: int, meter: Meter = _silen
 
     Needs no cut at Im q ≤ 0 (η_b > 0), and no root at |q − iη_b| ≥ reach.
     """
-    path = cover(lambda q: (characteristic(track, acb(q)),), 0.0, reach, reach / 4096, limit, meter)
+    path = cover(lambda q: (_delta(track, acb(q)),), 0.0, reach, reach / 4096, limit, meter)
     q = acb(reach)
     last = characteristic(track, q)
     far = far_argument(track, paired_roots(track, pairing(track, q)), 2 * q * q / track.field.pi, last)
@@ -112,7 +126,7 @@ def count_rectangle(track: Track, box: Rectangle, limit: int) -> tuple[int, tupl
     total, paths = arb(0), []
     for k in range(4):
         start, end = corners[k], corners[(k + 1) % 4]
-        side = cover(lambda t, a=start, b=end: (characteristic(track, a + t * (b - a)),), 0.0, 1.0, 1 / 64, limit)
+        side = cover(lambda t, a=start, b=end: (_delta(track, a + t * (b - a)),), 0.0, 1.0, 1 / 64, limit)
         total += turning(side, 0, values[k], values[(k + 1) % 4])
         paths.append(side)
     return unique_integer(total / (2 * track.field.pi)), tuple(paths)

@@ -71,7 +71,7 @@ def statement(number: str, masses: int = 2):
 def vanishes(expression) -> bool:
     """Zero as a rational function of everything that is in it: exact, never numerical."""
     expanded = sp.expand(expression)
-    return expanded == 0 or sp.cancel(sp.together(expanded)) == 0
+    return expanded == 0 or sp.expand(sp.numer(sp.together(expanded))) == 0
 
 
 def differs(left, right) -> bool:

@@ -1,0 +1,934 @@
+"""Checks a certificate of induced frequencies against certs/SPEC.md, and shares nothing with its maker.
+
+Needs Python ≥ 3.11 and python-flint only, and runs as a plain script:  python verify.py FILE [FILE …]
+Exit status 0: every file is valid; 1: one is not, and its line says why. No search: every step is given in the
+file or fixed by the specification. Δ is evaluated by the residue sums over the p-roots of the quartic D(p, q).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import flint
+from flint import acb, acb_mat, acb_poly, arb, fmpq
+
+MAX_BYTES, MAX_PIECES, MAX_ROOTS, MAX_MASSES, MAX_BITS = 64_000_000, 500_000, 500, 60, 120_000
+I = acb(0, 1)  # noqa: E741
+
+
+class Refused(Exception):
+    """The certificate does not prove its claim; the message says where it fails."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """valid: every step was checked. reason: why not. claim: what is proved if valid."""
+
+    valid: bool
+    reason: str = ""
+    claim: str = ""
+
+
+def verify(path: Any) -> Verdict:
+    """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
+    try:
+        with open(path, "rb") as file:
+            raw = file.read(MAX_BYTES + 1)
+        require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
+        return Verdict(True, "", check(read(raw)))
+    except Refused as error:
+        return Verdict(False, str(error))
+    except OSError as error:
+        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
+        return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
+
+
+def require(condition: Any, message: str) -> None:
+    if not condition:
+        raise Refused(message)
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    before = flint.ctx.prec
+    flint.ctx.prec = bits
+    try:
+        yield
+    finally:
+        flint.ctx.prec = before
+
+
+# --- reading ----------------------------------------------------------------------------------------------
+
+
+def read(raw: bytes) -> dict[str, Any]:
+    """The content, with its digest, version and keys checked."""
+
+    def no_constant(name: str) -> Any:
+        raise Refused(f"the number {name} is not allowed")
+
+    def no_float(text: str) -> Any:
+        raise Refused(f"{text[:40]} is not an integer: numbers are exact integers, or text")
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
+        return dict(pairs)
+
+    text = raw.decode("ascii")
+    content = json.loads(text, parse_constant=no_constant, parse_float=no_float, object_pairs_hook=unique)
+    require(isinstance(content, dict), "the file holds no JSON object")
+    require(content.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
+    version = content.get("version")
+    require(version == 1 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
+    require(content.get("kind") == "induced frequencies", "the kind is not 'induced frequencies'")
+    keys(content, {"format", "version", "kind", "case", "claim", "contour", "roots", "identity", "sha256"})
+    given = content.pop("sha256")
+    canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    require(hashlib.sha256(canonical.encode("ascii")).hexdigest() == given, "the digest does not fit the content")
+    return content
+
+
+def keys(value: Any, names: set[str], optional: frozenset[str] = frozenset()) -> None:
+    require(isinstance(value, dict), "an object is missing")
+    missing, unknown = sorted(names - value.keys()), sorted(value.keys() - names - optional)
+    require(not missing and not unknown, f"keys missing: {missing[:5]}, unknown: {[u[:40] for u in unknown[:5]]}")
+
+
+def integer(value: Any, low: int, high: int, name: str) -> int:
+    require(type(value) is int and low <= value <= high, f"{name} is not an integer from {low} to {high}")
+    return int(value)
+
+
+def mantissa(value: Any) -> int:
+    require(isinstance(value, str) and re.fullmatch(r"-?0x[0-9a-f]{1,40000}", value), "a mantissa is not hexadecimal")
+    return int(value, 16)
+
+
+def dyadic(value: Any) -> Fraction:
+    """m·2^e from ["0x…", e]; kept small, since it is a point of a contour."""
+    require(isinstance(value, list) and len(value) == 2, "a dyadic number is not a pair")
+    e = integer(value[1], -3000, 3000, "an exponent")
+    require(len(value[0]) < 1000, "a breakpoint has too many digits")
+    return Fraction(mantissa(value[0])) * Fraction(2) ** e
+
+
+@dataclass(frozen=True)
+class Real:
+    """sign · radicand^(1/4) or a rational, with order and balls; x|x|³ is kept, which orders as x does."""
+
+    quartic: Fraction
+    rational: Fraction | None
+
+    def ball(self) -> Any:
+        if self.rational is not None:
+            return ball(self.rational)
+        root = ball(abs(self.quartic)).sqrt().sqrt()
+        return -root if self.quartic < 0 else root
+
+
+def real(text: Any, name: str) -> Real:
+    """Reads "p", "p/q", "root4(p/q)" or "-root4(p/q)"."""
+    require(isinstance(text, str), f"{name} is not text")
+    match = re.fullmatch(r"(-?)(root4\()?([0-9]{1,4300})(?:/([0-9]{1,4300}))?(\))?", text)
+    require(match is not None and bool(match[2]) == bool(match[5]), f"{name} is not an exact number")
+    assert match is not None
+    value = Fraction(int(match[3]), int(match[4] or 1)) * (-1 if match[1] else 1)
+    return Real(value, None) if match[2] else Real(value * abs(value) ** 3, value)
+
+
+def ball(x: Fraction) -> Any:
+    return arb(fmpq(x.numerator, x.denominator))
+
+
+# --- the problem ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Problem:
+    """The case in exact numbers, masses at one place not yet merged."""
+
+    alpha: Real
+    eta_b: Real
+    eta_n: Real
+    eta_s: Real
+    masses: tuple[tuple[Real, ...], ...]  # those at one place together
+    places: tuple[Real, ...]
+
+    @property
+    def at_rest(self) -> bool:
+        """α = 0 and N = 0, exactly."""
+        return not self.alpha.quartic and self.eta_n.quartic == self.eta_s.quartic
+
+
+def problem(case: Any) -> Problem:
+    keys(case, {"alpha", "eta_b", "eta_m", "positions", "eta_n", "eta_s"})
+    lists = [case["eta_m"], case["positions"]]
+    require(all(isinstance(x, list) and 0 < len(x) <= MAX_MASSES for x in lists), "no list of masses, or too many")
+    require(len(lists[0]) == len(lists[1]), "masses and positions differ in number")
+    alpha, eta_b, eta_n, eta_s = (real(case[k], k) for k in ("alpha", "eta_b", "eta_n", "eta_s"))
+    require(min(alpha.quartic, eta_b.quartic, eta_s.quartic) >= 0, "alpha, eta_b or eta_s is negative")
+    grouped: dict[Fraction, tuple[Real, list[Real]]] = {}
+    last = None
+    for text, place in zip(*lists, strict=True):
+        eta, x = real(text, "eta_m"), real(place, "positions")
+        require(eta.quartic > 0, "a mass is not positive")
+        require(last is None or last <= x.quartic, "positions are not in order")
+        last = x.quartic
+        grouped.setdefault(x.quartic, (x, []))[1].append(eta)
+    masses = tuple(tuple(etas) for _, etas in grouped.values())
+    return Problem(alpha, eta_b, eta_n, eta_s, masses, tuple(x for x, _ in grouped.values()))
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """The case in balls at the present precision; r = q − iη_b, A = N + α², β² = 1 − η_b²."""
+
+    alpha: Any
+    axial: Any
+    eta_b: Any
+    eta: tuple[Any, ...]
+    x: tuple[Any, ...]
+
+    @property
+    def A(self) -> Any:
+        return self.axial + self.alpha**2
+
+    @property
+    def beta2(self) -> Any:
+        return 1 - self.eta_b**2
+
+
+def numbers(p: Problem) -> Numbers:
+    eta = tuple(sum((m.ball() for m in group), arb(0)) for group in p.masses)
+    axial = arb(0) if p.at_rest else p.eta_n.ball() - p.eta_s.ball()
+    return Numbers(p.alpha.ball(), axial, p.eta_b.ball(), eta, tuple(x.ball() for x in p.places))
+
+
+# --- p-roots of D = p⁴ − 4A p² + 8αr p + 4β² − 4r², eq. (18) ----------------------------------------------
+
+
+def D_p(n: Numbers, p: Any, r: Any) -> Any:
+    return 4 * p**3 - 8 * n.A * p + 8 * n.alpha * r
+
+
+def quartic(n: Numbers, p: Any, r: Any) -> Any:
+    return ((p * p - 4 * n.A) * p + 8 * n.alpha * r) * p + 4 * n.beta2 - 4 * r * r
+
+
+def seeds(n: Numbers, r: Any) -> list[Any]:
+    """Approximate p-roots at the middle of the ball r."""
+    r = acb(r.mid())
+    coefficients = [4 * n.beta2 - 4 * r * r, 8 * n.alpha * r, -4 * n.A, 0, 1]
+    return [z.mid() for z in acb_poly([acb(c).mid() for c in coefficients]).roots()]
+
+
+def p_root(n: Numbers, r: Any, p: Any) -> Any:
+    """A ball with exactly one root of D(·, r) for each point of the ball r, or None: interval Newton.
+
+    `p` and `r` both real (arb) give a real root.
+    """
+    middle = r.mid()
+    for _ in range(4 + flint.ctx.prec.bit_length()):
+        step = quartic(n, p, middle).mid() / D_p(n, p, middle).mid()
+        if not step.is_finite():
+            return None
+        p = (p - step).mid()
+        if abs(step) <= abs(p) * arb(2) ** (6 - flint.ctx.prec):
+            break
+    shift = r - middle
+    value = quartic(n, p, middle) + shift * (8 * n.alpha * p - 8 * middle - 4 * shift)
+    reach = abs(value / D_p(n, p, r)).upper() + abs(p).upper() * arb(2) ** (4 - flint.ctx.prec)
+    for k in range(1, 6):
+        size = arb(0, (reach * arb(2) ** k).upper())
+        around = p + size if isinstance(p, arb) else p + acb(size, size)
+        image = p - value / D_p(n, around, r)
+        if image.is_finite() and around.contains_interior(image):
+            return image
+    return None
+
+
+@dataclass(frozen=True)
+class Roots:
+    """The p-roots: two above the real axis, two below it. `met`: an upper and a lower one share a ball."""
+
+    upper: tuple[Any, Any]
+    lower: tuple[Any, Any]
+
+    @property
+    def resultant(self) -> Any:
+        (a, b), (c, e) = self.upper, self.lower
+        return (a - c) * (a - e) * (b - c) * (b - e)
+
+
+def roots_off_cut(n: Numbers, r: Any) -> Roots:
+    """For a ball r that meets no cut: the side of a root is the same all over it, and may be told at one point."""
+    found = [p_root(n, r, z) for z in seeds(n, r)]
+    require(len(found) == 4 and all(p is not None for p in found), "p-roots cannot be isolated off the cut")
+    apart(found)
+    upper: list[Any] = []
+    lower: list[Any] = []
+    for p in found:
+        side = p
+        if not (p.imag > 0 or p.imag < 0):
+            side = p_root(n, acb(r.mid()), p.mid())
+            require(side is not None and not any(side.overlaps(o) for o in found if o is not p), "a p-root is lost")
+        require(side.imag > 0 or side.imag < 0, "a p-root is too close to the real axis")
+        (upper if side.imag > 0 else lower).append(p)
+    require(len(upper) == 2 and len(lower) == 2, "the p-roots are not two above and two below the real axis")
+    return Roots((upper[0], upper[1]), (lower[0], lower[1]))
+
+
+def apart(found: Sequence[Any]) -> None:
+    require(not any(acb(p).overlaps(acb(o)) for k, p in enumerate(found) for o in found[:k]), "p-roots overlap")
+
+
+def roots_on_cut(n: Numbers, r: Any) -> Roots:
+    """For a real ball r, as seen from below the cut: a real root is an upper one iff D_r/D_p > 0 there."""
+    if n.alpha.is_zero():
+        return even_roots(n, r)
+    starts = [acb(z.real) if abs(z.imag) < abs(z) * arb(2) ** -20 else z for z in seeds(n, r)]
+    found = {k: p_root(n, r, z.real if z.imag.is_zero() else z) for k, z in enumerate(starts)}
+    lost = [k for k, p in found.items() if p is None]
+    if len(lost) == 1:  # its neighbour, which it may meet, is taken together with it
+        others = [k for k in found if k != lost[0]]
+        lost.append(min(others, key=lambda k: float(abs(starts[k] - starts[lost[0]]).mid())))
+    real_ones = [p for k, p in found.items() if k not in lost and isinstance(p, arb)]
+    complex_ones = [p for k, p in found.items() if k not in lost and isinstance(p, acb)]
+    apart([*real_ones, *complex_ones])
+    upper = [p for p in complex_ones if p.imag > 0]
+    lower = [p for p in complex_ones if p.imag < 0]
+    require(len(upper) == len(lower) and len(upper) + len(lower) == len(complex_ones), "a p-root meets the real axis")
+    for p in real_ones:
+        sign = (8 * n.alpha * p - 8 * r) * D_p(n, p, r)
+        require(sign > 0 or sign < 0, "the side of a real p-root is open")
+        (upper if sign > 0 else lower).append(acb(p))
+    if len(lost) == 2:
+        above, below = last_two(n, r, upper + lower)
+        upper.append(above)
+        lower.append(below)
+    require(len(upper) == 2 and len(lower) == 2, "the p-roots on the cut cannot be told apart")
+    return Roots((upper[0], upper[1]), (lower[0], lower[1]))
+
+
+def even_roots(n: Numbers, r: Any) -> Roots:
+    """α = 0: p² = 2A ± √X, X = 4A² + 4r² − 4β², and D_r = −8r < 0: a real root is an upper one iff D_p < 0."""
+    require(r > 0, "r is not positive")
+    X = 4 * n.A**2 + 4 * r * r - 4 * n.beta2
+    if X < 0:
+        p = acb(2 * n.A, (-X).sqrt()).sqrt()
+        return Roots((p, -p.conjugate()), (p.conjugate(), -p))
+    if X > 0:
+        pairs = [even_pair(2 * n.A + sign * X.sqrt(), sign) for sign in (1, -1)]
+        return Roots((pairs[0][0], pairs[1][0]), (pairs[0][1], pairs[1][1]))
+    # √(2A ± √X) = √2A √(1 + t), |√(1 + t) − 1| ≤ |t|/(1 + √(1 − |t|)): an upper and a lower root in each ball
+    t = arb(abs(X).upper()).sqrt() / (2 * n.A)
+    require(t > 0 and t < 1, "more than two p-roots meet")
+    centre = (2 * n.A).sqrt()
+    reach = arb(0, (centre * t / (1 + (1 - t).sqrt())).upper())
+    p = acb(centre + reach, reach)
+    return Roots((p, -p), (p, -p))
+
+
+def even_pair(square: Any, sign: int) -> tuple[Any, Any]:
+    """(above, below) of ±√square, where D_p = 4 sign p √X."""
+    if square < 0:
+        return acb(0, 1) * (-square).sqrt(), acb(0, -1) * (-square).sqrt()
+    if square > 0:
+        return acb(-sign * square.sqrt()), acb(sign * square.sqrt())
+    reach = arb(0, abs(square).upper().sqrt().upper())
+    return acb(reach, reach), acb(reach, reach)
+
+
+def last_two(n: Numbers, r: Any, others: list[Any]) -> tuple[Any, Any]:
+    """(above, below): the last two roots, from the other two by Vieta; they may meet within the ball of r."""
+    require(len(others) == 2, "more than two p-roots meet")
+    o, m = others, [p_root(n, arb(r.mid()), p.real.mid() if p.imag.is_zero() else p.mid()) for p in others]
+    require(all(x is not None and y.overlaps(acb(x)) for x, y in zip(m, o, strict=True)), "a p-root is lost")
+    total, product = (o[0] + o[1]).real, (o[0] * o[1]).real
+    centre = -total / 2
+    # (p − centre)² = 4A + product − 3 total²/4, centred at the middle of r, with p' = −D_r/D_p
+    rate = [-(8 * n.alpha * p - 8 * r) / D_p(n, p, r) for p in o]
+    slope = (rate[0] * o[1] + o[0] * rate[1] - 3 * total * (rate[0] + rate[1]) / 2).real
+    square = 4 * n.A + (m[0] * m[1] - 3 * (m[0] + m[1]) ** 2 / 4).real + slope * (r - r.mid())
+    if square < 0:
+        return acb(centre, (-square).sqrt()), acb(centre, -(-square).sqrt())
+    if square > 0:
+        left, right = centre - square.sqrt(), centre + square.sqrt()
+        rest = (left**2 - total * left + product, right**2 - total * right + product)  # (p − p₃)(p − p₄)
+        signs = (-rest[0] * (n.alpha * left - r), rest[1] * (n.alpha * right - r))  # of D_p D_r
+        if signs[0] > 0 and signs[1] < 0:
+            return acb(left), acb(right)
+        require(signs[0] < 0 and signs[1] > 0, "the sides of two real p-roots are open")
+        return acb(right), acb(left)
+    wide, high = (arb(0, arb(0).max(side.upper()).sqrt().upper()) for side in (square, -square))
+    slope = n.alpha * (centre + wide) - r
+    require(slope > 0 or slope < 0, "D_r may vanish where p-roots meet")  # else one is above and one below
+    pair = acb(centre + wide, high)
+    return pair, pair
+
+
+# --- K, Δ and R Δ -----------------------------------------------------------------------------------------
+
+
+def kernels(n: Numbers, z: Roots, r: Any, xi: Any, ahead: bool) -> tuple[Any, Any]:
+    """K(ξ) by (37) and K_q(ξ) by (39) as corrected: ±2πi times sums over the upper or the lower roots."""
+    value, slope = acb(0), acb(0)
+    for p in z.upper if ahead else z.lower:
+        d1, d2 = D_p(n, p, r), 12 * p * p - 8 * n.A
+        dq, dqp = 8 * n.alpha * p - 8 * r, 8 * n.alpha
+        wave = (I * p * xi).exp()
+        value += wave / d1
+        slope += wave * (dq * d2 / d1 - dqp - I * xi * dq) / d1**2
+    factor = 2 * arb.pi() * I * (1 if ahead else -1)
+    return factor * value, factor * slope
+
+
+def delta(n: Numbers, z: Roots, q: Any, r: Any) -> tuple[Any, Any]:
+    """Δ = det[I − (2q²/π) K_ij η_j], eq. (26), and Δ_q."""
+    size = range(len(n.eta))
+    rows: list[list[Any]] = [[None] * len(n.eta) for _ in size]
+    rates: list[list[Any]] = [[None] * len(n.eta) for _ in size]
+    for i in size:
+        for j in size:
+            value, slope = kernels(n, z, r, n.x[i] - n.x[j], i >= j)
+            rows[i][j] = int(i == j) - 2 * q * q / arb.pi() * value * n.eta[j]
+            rates[i][j] = -(4 * q * value + 2 * q * q * slope) / arb.pi() * n.eta[j]
+    rate = sum((det([*rows[:k], rates[k], *rows[k + 1 :]]) for k in size), acb(0))
+    return det(rows), rate
+
+
+def det(rows: Sequence[Sequence[Any]]) -> Any:
+    if len(rows) > 4:
+        return acb_mat([list(row) for row in rows]).det()
+    if len(rows) == 1:
+        return rows[0][0]
+    minors = ([[*row[:k], *row[k + 1 :]] for row in rows[1:]] for k in range(len(rows)))
+    return sum(((-1) ** k * rows[0][k] * det(minor) for k, minor in enumerate(minors)), acb(0))
+
+
+def delta_off_cut(p: Problem, n: Numbers, q: Any) -> tuple[Any, Any]:
+    r = q - I * n.eta_b
+    return delta(n, roots_off_cut(n, r), q, r)
+
+
+def edge(n: Numbers, r: Any) -> tuple[Any, Any]:
+    """G± = R det[I − (2(r ± iη_b)²/π) K M] for a real ball r, K and R as seen from below the cut."""
+    z = roots_on_cut(n, r)
+    factors = [4 * I * (acb(r) + s * I * n.eta_b) ** 2 for s in (1, -1)]
+    met = any(u.overlaps(v) for u in z.upper for v in z.lower)
+    values = []
+    for factor in factors:
+        plain = None if met else z.resultant * det(edge_rows(n, z, factor))
+        values.append(plain if plain is not None and in_half_plane(plain) else scaled(n, z, factor))
+    return values[0], values[1]
+
+
+def scaled(n: Numbers, z: Roots, factor: Any) -> Any:
+    """R det(I − κK M), factor = 2πi κ, where an upper root a may meet a lower root c: R cancels by algebra."""
+    (a, b), (c, e) = z.upper, z.lower
+    if len(n.eta) > 2:
+        return det(bordered_rows(n, z, factor))
+    # R c_a + R c_b with R c_a = (b − c)(b − e)/(a − b), R c_b = −(a − c)(a − e)/(a − b)
+    value = z.resultant - factor * sum(n.eta, arb(0)) * (a + b) * -2
+    if len(n.eta) == 2:
+        # R c_j c_l (1 − e^{i(p_j − p_l)d}), e.g. (b − e)/((a − b)(a − c)(c − e)) (1 − …) for j, l = a, c
+        d = n.x[1] - n.x[0]
+        pairs = (b - e) * entire(a - c, d) - (b - c) * entire(a - e, d)
+        pairs += (a - c) * entire(b - e, d) - (a - e) * entire(b - c, d)
+        value -= factor**2 * n.eta[0] * n.eta[1] * pairs / ((a - b) * (c - e))
+    return value
+
+
+def residue(z: Roots, k: int) -> Any:
+    every = [*z.upper, *z.lower]
+    result = acb(1)
+    for j, other in enumerate(every):
+        if j != k:
+            result *= every[k] - other
+    return 1 / result
+
+
+def edge_rows(n: Numbers, z: Roots, factor: Any) -> list[list[Any]]:
+    """I − κK M with K/(2πi) = Σ e^{ipξ}/D_p over the upper roots, −Σ over the lower ones, D_p = Π (p − p')."""
+    c = [residue(z, k) for k in range(4)]
+    rows = []
+    for i, xi in enumerate(n.x):
+        row = []
+        for k, xk in enumerate(n.x):
+            over = i >= k
+            terms = zip(z.upper, c[:2], strict=True) if over else zip(z.lower, c[2:], strict=True)
+            value = sum(((I * p * (xi - xk)).exp() * w for p, w in terms), acb(0))
+            row.append(int(i == k) - factor * (value if over else -value) * n.eta[k])
+        rows.append(row)
+    return rows
+
+
+def bordered_rows(n: Numbers, z: Roots, factor: Any) -> list[list[Any]]:
+    """A matrix whose determinant is R det(I − κK M), finite where the nearest roots a (above) and c (below) meet.
+
+    K/(2πi) = c_a e^{ia(x_i − x_k)} + F_ik with F finite: the pole of K at a = c has rank one.
+    """
+    pairs = [(u, v, w, x) for u, v in (z.upper, z.upper[::-1]) for w, x in (z.lower, z.lower[::-1])]
+    a, b, c, e = min(pairs, key=lambda t: float(abs(t[0].mid() - t[2].mid())))
+    rows = []
+    for i, xi in enumerate(n.x):
+        row = []
+        for k, xk in enumerate(n.x):
+            x = xi - xk
+            if i >= k:
+                f = (I * b * x).exp() / ((b - a) * (b - c) * (b - e))
+            else:
+                g_a, g_c = (a - b) * (a - e), (c - b) * (c - e)
+                gap = -entire(a - c, x) / g_a - (a + c - b - e) / (g_a * g_c)
+                f = -(I * e * x).exp() / ((e - a) * (e - b) * (e - c)) - (I * c * x).exp() * gap
+            row.append(int(i == k) - factor * f * n.eta[k])
+        rows.append([*row, factor * (b - c) * (b - e) / (a - b) * (I * a * xi).exp()])
+    return [*rows, [*(eta * (-I * a * x).exp() for eta, x in zip(n.eta, n.x, strict=True)), z.resultant]]
+
+
+def entire(z: Any, x: Any) -> Any:
+    """(1 − e^{izx})/z."""
+    w = z * x / 2
+    if w.abs_lower() > 0.5:
+        return (1 - (2 * I * w).exp()) / z
+    return -I * x * (I * w).exp() * w.sinc()
+
+
+# --- arguments and windings --------------------------------------------------------------------------------
+
+
+def in_half_plane(value: Any) -> bool:
+    return bool((value * value.mid().conjugate()).real > 0)
+
+
+def turning(middles: Sequence[Any], first: Any, last: Any) -> Any:
+    """The change of argument along pieces that each keep to a half-plane about their middle value."""
+    chain = [first, *middles, last]
+    return sum(((b / a).arg() for a, b in zip(chain, chain[1:], strict=False)), arb(0))
+
+
+def along(function: Callable[[Any], Sequence[Any]], breaks: Sequence[Fraction], name: str) -> list[tuple[Any, ...]]:
+    """The middle values of every piece, each proved to keep to a half-plane."""
+    result = []
+    for k, (start, end) in enumerate(zip(breaks, breaks[1:], strict=False)):
+        try:
+            values = function(ball(start).union(ball(end)))
+        except Refused as error:
+            raise Refused(f"{name}, piece {k}: {error}") from None
+        require(all(v.is_finite() and in_half_plane(v) for v in values), f"{name}, piece {k}: not in a half-plane")
+        result.append(tuple(v.mid() for v in values))
+    return result
+
+
+def the_integer(value: Any, name: str) -> int:
+    n = value.unique_fmpz()
+    require(n is not None, f"{name}: the ball {value.str(5)} holds no single integer")
+    return int(n)
+
+
+def breakpoints(values: Any, name: str) -> list[Fraction]:
+    require(isinstance(values, list) and 2 <= len(values) <= MAX_PIECES, f"{name}: no list of breakpoints, or too long")
+    points = [dyadic(v) for v in values]
+    require(all(a < b for a, b in zip(points, points[1:], strict=False)), f"{name}: breakpoints are not in order")
+    return points
+
+
+def count_on_edge(p: Problem, n: Numbers, points: list[Fraction]) -> int:
+    """The number of zeros on the whole sheet, from both sides of the cut and the far field."""
+    start, reach = ball(points[0]), ball(points[-1])
+    far_field(n, reach)
+    middles = along(lambda r: edge(n, r), points, "the edge of the cut")
+    first, last = edge(n, start), edge(n, reach)
+    far = roots_on_cut(n, reach)
+    halves = []
+    for k, sign in enumerate((1, -1)):
+        q = acb(reach, sign * n.eta_b)
+        lead = (-far.resultant / (32 * reach**2)).arg()
+        end = lead + far_argument(n, far, q, last[k] / far.resultant)
+        halves.append(1 + (end - turning([m[k] for m in middles], first[k], last[k])) / arb.pi())
+    if p.at_rest:
+        return the_integer(halves[0] + halves[1] + round_the_branch_point(n, start, first) / arb.pi(), "the sheet")
+    at_start = roots_at_start(n, start)
+    if points[0] == 0:
+        require(at_start, "the contour starts at 0, but the cuts are not joined there")
+        return the_integer(halves[0], "below the cut") + the_integer(halves[1], "above the cut")
+    require(not at_start, "the contour starts on the cut, so that a part of the cut is missing")
+    return the_integer(halves[0] + halves[1], "the sheet")
+
+
+def roots_at_start(n: Numbers, r: Any) -> bool:
+    """Whether D has a real p-root at the point r: True or False as proved."""
+    if any((w := p_root(n, r, z.real)) is not None and w.is_finite() for z in seeds(n, r)
+           if abs(z.imag) < abs(z) * arb(2) ** -20):
+        return True
+    found = [p_root(n, r, z) for z in seeds(n, r)]
+    require(all(w is not None and not w.imag.contains(0) for w in found), "the p-roots at the start are open")
+    apart(found)
+    return False
+
+
+def count_on_line(n: Numbers, p: Problem, points: list[Fraction]) -> int:
+    """The number of zeros with Im q < 0, from Δ on 0 ≤ q ≤ reach."""
+    require(points[0] == 0 and n.eta_b > 0, "the line does not start at 0, or there is no damping")
+    reach = ball(points[-1])
+    far_field(n, reach)
+    middles = along(lambda q: delta_off_cut(p, n, acb(q))[:1], points, "the real line")
+    q = acb(reach)
+    last = delta_off_cut(p, n, q)[0]
+    far = far_argument(n, roots_off_cut(n, q - I * n.eta_b), q, last)
+    return the_integer((far - turning([m[0] for m in middles], acb(1), last)) / arb.pi(), "Im q < 0")
+
+
+def count_in_rectangle(n: Numbers, p: Problem, contour: Any) -> tuple[int, tuple[Any, ...]]:
+    """The number of zeros in the rectangle, from its four sides, counterclockwise from the lower left corner."""
+    keys(contour["bounds"], {"re_min", "re_max", "im_min", "im_max"})
+    exact = [real(contour["bounds"][k], k) for k in ("re_min", "re_max", "im_min", "im_max")]
+    require(all(x.rational is not None for x in exact), "a bound is not rational")
+    require(exact[0].quartic < exact[1].quartic and exact[2].quartic < exact[3].quartic, "bounds are not in order")
+    left, right, bottom, top = (x.ball() for x in exact)
+    on_line = cuts_on_line(n)
+    below = top < n.eta_b if on_line else exact[3].quartic <= 0 and n.eta_b > 0
+    require(below or (on_line and bottom > n.eta_b), "the rectangle may meet the cuts")
+    corners = [acb(left, bottom), acb(right, bottom), acb(right, top), acb(left, top)]
+    values = [delta_off_cut(p, n, q)[0] for q in corners]
+    require(isinstance(contour["sides"], list) and len(contour["sides"]) == 4, "the rectangle has not four sides")
+    total = arb(0)
+    for k, side in enumerate(contour["sides"]):
+        points = breakpoints(side, f"side {k}")
+        require(points[0] == 0 and points[-1] == 1, f"side {k} does not run from 0 to 1")
+        a, b = corners[k], corners[(k + 1) % 4]
+        middles = along(lambda t, a=a, b=b: delta_off_cut(p, n, a + t * (b - a))[:1], points, f"side {k}")
+        total += turning([m[0] for m in middles], values[k], values[(k + 1) % 4])
+    return the_integer(total / (2 * arb.pi()), "the rectangle"), (left, right, bottom, top)
+
+
+def cuts_on_line(n: Numbers) -> bool:
+    """η_b < 1 and N < β."""
+    return bool(n.beta2 > 0 and n.axial < n.beta2.sqrt())
+
+
+# --- the far field ------------------------------------------------------------------------------------------
+
+
+def largest(values: Sequence[Any]) -> Any:
+    top = arb(0)
+    for value in values:
+        top = top.max(arb(abs(value).upper()))
+    return top
+
+
+def far_field(n: Numbers, reach: Any) -> None:
+    """Proves that no zero of Δ has |r| ≥ reach (section "Far field" of the specification)."""
+    W, units = (2 * reach).sqrt(), (acb(1), I, acb(-1), -I)
+    w = arb(0, (1 / W).upper())
+    u = acb(w, w)
+    P, E = [], []
+    for c in units:
+        s = -n.alpha * c * c
+        q2, q3 = 6 * c * c * s * s - 4 * n.A * c * c + 4 * n.alpha * s, 4 * c * s**3 - 8 * n.A * c * s
+        q4 = s**4 - 4 * n.A * s * s + 4 * n.beta2
+        rest = u**2 * (q2 + q3 * u + q4 * u**2)
+        size = arb(0, (abs(rest) / 2).upper())
+        box = acb(size, size)
+        root = c + s * u + box
+        shift = -rest / (4 * root**3 - 8 * n.A * u**2 * root + 4 * n.alpha * u)
+        require(shift.is_finite() and box.contains_interior(shift), "far field: p-roots")
+        root, t = c + s * u + shift, s * u + shift
+        y = (12 * c * c * shift + 12 * c * t**2 + 4 * t**3 - 8 * n.A * u**2 * root) * c / 4
+        x = 2 * n.alpha * c * u - y
+        require(abs(x) < 1, "far field: residues")
+        P.append(root)
+        E.append(x * x / (1 - x) - y)
+    resultant = (P[0] - P[2]) * (P[0] - P[3]) * (P[1] - P[2]) * (P[1] - P[3])
+    require((resultant / -8).real > 0, "far field: the resultant")
+    gain = (1 + 2 * I * n.eta_b * u**2) ** 2
+    contact = gain * (1 + I + E[0] + I * E[1])
+    require((-I * contact).real > 0 and (-I * contact).imag < 0, "far field: the diagonal")
+    if len(n.eta) > 1:
+        spread = largest([p - c for p, c in zip(P, units, strict=True)])
+        rate = W * (1 / arb(2).sqrt() - spread)
+        require(rate > 0, "far field: evanescent waves")
+        decay = largest([(-rate * (b - a)).exp() for a, b in zip(n.x, n.x[1:], strict=False)])
+        tilt = 2 * n.alpha * u
+        (two_masses if len(n.eta) == 2 else many_masses)(len(n.eta), E, tilt, gain, contact, decay)
+
+
+def travelling(E: Sequence[Any], tilt: Any, k: int) -> tuple[Any, Any, Any]:
+    """F = 4C_k/c, B = 4C_{k+2}/(−c), and F B with its first order cancelled, c = i^k."""
+    t = tilt * (acb(1), I)[k]
+    product = 1 - t * t + E[k] * (1 - t) + E[k + 2] * (1 + t) + E[k] * E[k + 2]
+    return 1 + t + E[k], 1 - t + E[k + 2], product
+
+
+def two_masses(_: int, E: Sequence[Any], tilt: Any, gain: Any, contact: Any, decay: Any) -> None:
+    sides = [travelling(E, tilt, k) for k in (0, 1)]
+    main, size = largest([s[2] for s in sides]), largest([x for s in sides for x in s[:2]])
+    waves = main + 2 * size**2 * decay + main * decay**2
+    require((abs(gain) / abs(contact)) ** 2 * waves < 1, "far field: two masses")
+
+
+def many_masses(n: int, E: Sequence[Any], tilt: Any, gain: Any, contact: Any, decay: Any) -> None:
+    root2 = arb(2).sqrt()
+    shift = abs(contact - 1 - I) / root2
+    require(shift < 1, "far field: the diagonal of many masses")
+    size = largest([x for k in (0, 1) for x in travelling(E, tilt, k)[:2]])
+    for k in (0, 1):
+        mean = travelling(E, tilt, k)[2].sqrt()
+        change = (abs(gain * mean - 1) + shift) / (1 - shift) / root2
+        g, skew = 1 / root2 + change, abs((2 + E[k] + E[k + 2]) / mean - 2)
+        z, floor = arb(1), arb(1)
+        for _ in range(n - 1):
+            require(g * z < 1 and z < root2, "far field: reflections")
+            floor *= 1 - g * z
+            passive = (1 + (z * z - 1) / (root2 - z) ** 2).sqrt()
+            z = largest([arb(1), passive + (z * (2 * change + g * skew) + change + passive * z * change) / (1 - g * z)])
+        coupling = abs(gain) * size / (root2 * (1 - shift))
+        error = coupling * decay
+        row = (1 + (n - 1) * (coupling + error) ** 2).sqrt()
+        require(n * arb(n - 1).sqrt() * error * row ** (n - 1) < floor, "far field: many masses")
+
+
+def far_argument(n: Numbers, z: Roots, q: Any, value: Any) -> Any:
+    """arg Δ at q beyond the far radius, from the factors of Δ that keep to half-planes there."""
+    a, b = sorted(z.upper, key=lambda p: abs(float(p.imag.mid())))
+    c, e = sorted(z.lower, key=lambda p: abs(float(p.imag.mid())))
+    ahead, behind = 1 / ((a - b) * (a - c) * (a - e)), -1 / ((c - a) * (c - b) * (c - e))
+    contact = ahead + 1 / ((b - a) * (b - c) * (b - e))
+    factors = [1 - 4 * I * q * q * eta * contact for eta in n.eta]
+    if len(n.eta) > 2:
+        reflection = acb(0)
+        for j in reversed(range(len(n.eta))):
+            wave = (I * (a - c) * (n.x[j + 1] - n.x[j])).exp() * reflection if j + 1 < len(n.eta) else acb(0)
+            scale = -4 * I * q * q * n.eta[j] / factors[j]
+            factors.append(1 + scale * behind * wave)
+            reflection = (wave * (1 - scale * (ahead + behind)) - scale * ahead) / factors[-1]
+    total = arb(0)
+    for factor in factors:
+        total += factor.arg()
+        value = value / factor
+    return total + value.arg()
+
+
+# --- the load at rest: α = N = 0, D = p⁴ − w⁴, w⁴ = 4(r² − β²) ----------------------------------------------
+
+
+def round_the_branch_point(n: Numbers, start: Any, first: tuple[Any, Any]) -> Any:
+    """The change of argument round r = β, and the proof that no zero has |w|⁴ ≤ 4(start² − β²)."""
+    radius, outer, samples = (4 * (start**2 - n.beta2)).sqrt().sqrt(), arb(1) / 2, 16
+    require(radius < outer and outer**4 < 4 * n.beta2, "the start is too far from the branch point at rest")
+    rim = [outer * acb(arb(2 * k) / 64 + arb(0, (arb(1) / 64).upper())).exp_pi_i() for k in range(64)]
+    bound = largest([at_rest(n, w) for w in rim])
+    coefficients = taylor(lambda w: at_rest(n, w), acb(0), outer, bound, outer / 4, samples)
+    require(pellet(coefficients, 0, radius, bound, outer), "a zero next to the branch point at rest")
+    turn = first[1].conjugate() / first[0]
+    return (turn * I).arg() - arb.pi() / 2 if len(n.eta) == 1 else turn.arg()
+
+
+def at_rest(n: Numbers, w: Any) -> Any:
+    """R Δ = −8 w⁴ Δ, for one mass w³ Δ, as a function of w; p-roots −w, iw above and w, −iw below."""
+    q = (acb(n.beta2) + w**4 / 4).sqrt() + I * n.eta_b
+    z = Roots((-w, I * w), (w, -I * w))
+    matrix = det(edge_rows(n, z, 4 * I * q * q))
+    return w**3 * matrix if len(n.eta) == 1 else -8 * w**4 * matrix
+
+
+def taylor(f: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, inner: Any, samples: int) -> list[Any]:
+    """Taylor coefficients from samples on |z| = inner; |f| ≤ bound on |z| = outer bounds what they cannot see."""
+    turns = [acb(arb(2 * j) / samples).exp_pi_i() for j in range(samples)]
+    values = [f(centre + inner * t) for t in turns]
+    ratio = (inner / outer) ** samples
+    result = []
+    for k in range(samples):
+        total = sum((v / turns[j * k % samples] for j, v in enumerate(values)), acb(0)) / samples
+        error = arb(0, (bound * ratio / (1 - ratio) / outer**k).upper())
+        result.append(total / inner**k + acb(error, error))
+    return result
+
+
+def pellet(coefficients: Sequence[Any], m: int, radius: Any, bound: Any, outer: Any) -> bool:
+    """Exactly m zeros in |z| < radius, if the term m outweighs all others there."""
+    ratio = radius / outer
+    others = bound * ratio ** len(coefficients) / (1 - ratio)
+    others += sum((abs(a) * radius**k for k, a in enumerate(coefficients) if k != m), arb(0))
+    return bool(radius > 0 and ratio < 1 and abs(coefficients[m]) * radius**m > others)
+
+
+# --- roots and the verdict ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Root:
+    re: int
+    im: int
+    exponent: int
+    multiplicity: int
+    axis: str
+
+    @property
+    def radius(self) -> Any:
+        return arb((29, self.exponent - 6 + (10 if self.multiplicity > 1 else 0)))
+
+    @property
+    def centre(self) -> Any:
+        return acb(arb((self.re, self.exponent)), arb((self.im, self.exponent)))
+
+    @property
+    def box(self) -> Any:
+        reach = arb(0, self.radius)
+        return acb(self.centre.real + reach, self.centre.imag + reach)
+
+    @property
+    def bits(self) -> int:
+        return max(self.re.bit_length(), self.im.bit_length())
+
+
+def root(value: Any) -> Root:
+    keys(value, {"re", "im", "exponent", "multiplicity", "axis"})
+    exponent = integer(value["exponent"], -2 * MAX_BITS, 60, "an exponent")
+    number = integer(value["multiplicity"], 1, MAX_ROOTS, "a multiplicity")
+    axis = value["axis"]
+    require(axis in ("none", "real", "imaginary"), "an axis is unknown")
+    found = Root(mantissa(value["re"]), mantissa(value["im"]), exponent, number, axis)
+    require(found.bits <= MAX_BITS, "a root has too many digits")
+    require(axis == "none" or (number == 1 and (found.im if axis == "real" else found.re) == 0), "a root is off its axis")
+    return found
+
+
+def check_root(p: Problem, found: Root, mirrored: bool) -> None:
+    """Proves that the box holds exactly `multiplicity` roots, on the physical sheet."""
+    if mirrored:
+        return  # the mirror image −q̄ of a root that has been checked: Δ(−q̄) is the conjugate of Δ(q)
+    with precision(2 * found.bits + 64 if found.multiplicity > 1 else found.bits + 48):
+        n = numbers(p)
+        if found.multiplicity > 1:
+            check_cluster(p, n, found)
+            return
+        require(found.axis != "real" or not p.eta_b.quartic, "a real root needs an undamped track")
+        box = found.box
+        slope = delta_off_cut(p, n, box)[1]
+        image = found.centre - delta_off_cut(p, n, found.centre)[0] / slope
+        require(image.is_finite() and box.contains_interior(image), "interval Newton does not confirm it")
+
+
+def check_cluster(p: Problem, n: Numbers, found: Root) -> None:
+    """Pellet's test for the disc in the square box and for the disc around it."""
+    centre, size = found.centre, max(abs(found.re), abs(found.im)).bit_length() + found.exponent
+    outer = arb((1, size - 16))
+    spread = arb(0, outer)
+    bound = largest([delta_off_cut(p, n, centre + acb(spread, spread))[0]])
+    inner = outer * arb((1, -(2 * found.bits // 16)))
+    coefficients = taylor(lambda q: delta_off_cut(p, n, q)[0], centre, outer, bound, inner, 16)
+    for radius in (found.radius, found.radius * arb(2).sqrt() * (1 + arb((1, -40)))):
+        require(pellet(coefficients, found.multiplicity, radius, bound, outer), "Pellet's test does not confirm it")
+
+
+def check_roots(p: Problem, values: Any) -> list[Root]:
+    require(isinstance(values, list) and len(values) <= MAX_ROOTS, "roots are no list, or too many")
+    roots = [root(v) for v in values]
+    seen: set[Root] = set()
+    for k, found in enumerate(roots):
+        mirror = Root(-found.re, found.im, found.exponent, found.multiplicity, found.axis)
+        try:
+            check_root(p, found, mirror in seen)
+        except Refused as error:
+            raise Refused(f"root {k}: {error}") from None
+        seen.add(found)
+    with precision(2 * max((r.bits for r in roots), default=0) + 64):
+        for k, found in enumerate(roots):
+            require(not any(found.box.overlaps(o.box) for o in roots[:k]), f"root {k} overlaps another")
+    return roots
+
+
+def check_inside(p: Problem, contour: Any, roots: list[Root]) -> None:
+    """The box of each root lies inside the region whose roots were counted (the whole sheet needs no test)."""
+    for k, found in enumerate(roots):
+        with precision(2 * found.bits + 64):
+            box = found.box
+            if contour["kind"] == "line":
+                require(box.imag < 0, f"root {k} is not in Im q < 0")
+            if contour["kind"] == "rectangle":
+                left, right, bottom, top = (
+                    real(contour["bounds"][name], name).ball() for name in ("re_min", "re_max", "im_min", "im_max")
+                )
+                inside = box.real > left and box.real < right and box.imag > bottom and box.imag < top
+                require(inside, f"root {k} is not inside the rectangle")
+
+
+def check(content: dict[str, Any]) -> str:
+    """The claim in words, if every step of the certificate holds."""
+    p, contour = problem(content["case"]), content["contour"]
+    require(isinstance(contour, dict) and contour.get("kind") in ("edge", "line", "rectangle"), "no known contour")
+    rectangle = contour["kind"] == "rectangle"
+    keys(contour, {"kind", "bits"} | ({"bounds", "sides"} if rectangle else {"radius", "breaks"}))
+    roots = check_roots(p, content["roots"])
+    check_inside(p, contour, roots)
+    with precision(integer(contour["bits"], 53, 4096, "bits") + 16):
+        n = numbers(p)
+        require(n.axial < 1, "the beam buckles without any load")
+        if rectangle:
+            count = count_in_rectangle(n, p, contour)[0]
+        else:
+            points = breakpoints(contour["breaks"], "the contour")
+            require(points[-1] == dyadic(contour["radius"]), "the contour does not end at the radius")
+            if contour["kind"] == "edge":
+                require(cuts_on_line(n), "the cuts are not on the line Im q = eta_b")
+                count = count_on_edge(p, n, points)
+            else:
+                count = count_on_line(n, p, points)
+    return conclude(content, contour["kind"], roots, count)
+
+
+def conclude(content: dict[str, Any], kind: str, roots: list[Root], count: int) -> str:
+    """Count, enclosures and claim agree."""
+    claim = content["claim"]
+    keys(claim, {"count"}, frozenset({"unstable"}))
+    require(content["identity"] == [r.multiplicity for r in roots], "the identity does not list the multiplicities")
+    total = sum(r.multiplicity for r in roots)
+    require(claim["count"] == total and type(claim["count"]) is int, f"{total} roots are enclosed, not the number claimed")
+    require(total == count, f"the winding number is {count}, but {total} roots are enclosed")
+    where = {
+        "edge": "on the whole physical sheet",
+        "line": "with Im q < 0",
+        "rectangle": "in the rectangle",
+    }[kind]
+    words = f"exactly {count} induced frequencies {where}"
+    if "unstable" in claim:
+        words += f", {unstable(claim['unstable'], roots)} of them with Im q < 0"
+    return words
+
+
+def unstable(claimed: Any, roots: list[Root]) -> int:
+    number = 0
+    for k, found in enumerate(roots):
+        with precision(found.bits + 64):
+            imag = found.box.imag
+        above = found.axis == "real" or imag >= 0
+        below = found.axis != "real" and imag < 0
+        require(above or below, f"root {k} may have either sign of Im q")
+        number += found.multiplicity if below else 0
+    require(claimed == number and type(claimed) is int, f"{number} roots have Im q < 0, not the number claimed")
+    return number
+
+
+def main(paths: Sequence[str]) -> int:
+    """Prints one line a file; 0 if all are valid."""
+    if not paths:
+        print("usage: verify.py FILE [FILE …]", file=sys.stderr)
+        return 1
+    verdicts = [(path, verify(path)) for path in paths]
+    for path, verdict in verdicts:
+        print(f"{path}: " + (f"valid: {verdict.claim}" if verdict.valid else f"INVALID: {verdict.reason}"))
+    return 0 if all(verdict.valid for _, verdict in verdicts) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
