@@ -1,11 +1,17 @@
 """Certified stability analysis of moving inertial loads: every induced frequency of a case, with proof."""
 
-from mpsolve.errors import CertificateError, InputError, MpsolveError
-from mpsolve.model.exact import Exact
-from mpsolve.model.inputfile import read_case
-from mpsolve.model.parameters import Case, Mass, PhysicalCase
-from mpsolve.spectrum.certify import Spectrum, Status, certify
-from mpsolve.spectrum.region import Rectangle
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mpsolve.certificate.verify import Verdict, verify
+    from mpsolve.errors import CertificateError, InputError, MpsolveError
+    from mpsolve.model.exact import Exact
+    from mpsolve.model.inputfile import read_case
+    from mpsolve.model.parameters import Case, Mass, PhysicalCase
+    from mpsolve.spectrum.certify import Spectrum, Status, certify
+    from mpsolve.spectrum.enclose import RootBall
+    from mpsolve.spectrum.region import Rectangle
 
 __version__ = "0.1.0"
 
@@ -19,7 +25,41 @@ __all__ = [
     "Rectangle",
     "Spectrum",
     "Status",
+    "RootBall",
+    "verify",
+    "Verdict",
     "MpsolveError",
     "InputError",
     "CertificateError",
 ]
+
+_HOME = {
+    "Case": "model.parameters",
+    "PhysicalCase": "model.parameters",
+    "Mass": "model.parameters",
+    "Exact": "model.exact",
+    "read_case": "model.inputfile",
+    "certify": "spectrum.certify",
+    "Rectangle": "spectrum.region",
+    "Spectrum": "spectrum.certify",
+    "Status": "spectrum.certify",
+    "RootBall": "spectrum.enclose",
+    "verify": "certificate.verify",
+    "Verdict": "certificate.verify",
+    "MpsolveError": "errors",
+    "InputError": "errors",
+    "CertificateError": "errors",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Public names load on first use, so that `import mpsolve` stays quick."""
+    if name not in _HOME:
+        raise AttributeError(f"module 'mpsolve' has no attribute {name!r}")
+    value = getattr(import_module(f"mpsolve.{_HOME[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *_HOME])

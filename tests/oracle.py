@@ -39,7 +39,7 @@ class Truth:
         """The p-roots above and below the real axis."""
         D = self.quartic(self.mp.mpmathify(q))
         start = [self.mp.mpc(p) for p in np.roots([complex(c) for c in D])]
-        roots = self.mp.polyroots(D, maxsteps=500, extraprec=2 * self.mp.prec, roots_init=start)
+        roots = self.mp.polyroots(D, maxsteps=500, extraprec=self.mp.prec, roots_init=start)
         upper, lower = [p for p in roots if p.imag > 0], [p for p in roots if p.imag < 0]
         assert len(upper) == len(lower) == 2, "q is on the cut"
         return upper, lower
@@ -79,10 +79,15 @@ class Truth:
         upper, lower = self.p_roots(q)
         return self.mp.fprod(p - o for p in upper for o in lower)
 
-    def root(self, seed: Any) -> Any:
-        """The root of Δ that the secant method reaches from `seed`."""
+    def root(self, seed: Any, offset: float = 1e-9) -> Any:
+        """The root of Δ that the secant method reaches from `seed` and a second point at a relative offset."""
         seed = self.mp.mpmathify(seed)
-        return self.mp.findroot(self.delta, (seed, seed * (1 + self.mp.mpf(10) ** -9)), tol=self.mp.eps**1.5)
+        return self.mp.findroot(self.delta, (seed, seed * (1 + self.mp.mpf(offset))), tol=self.mp.eps**1.5)
+
+    def middle(self, ball: Any) -> Any:
+        """The middle of a ball, exactly, where the precision allows."""
+        parts = [self.mp.ldexp(int(m), int(e)) for m, e in (x.mid().man_exp() for x in (ball.real, ball.imag))]
+        return self.mp.mpc(*parts)
 
     def search(self, radius: float) -> list[complex]:
         """Roots with Re q ≥ 0, |q − iη_b| < radius, by the secant method in float64 from many starts."""

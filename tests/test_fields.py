@@ -97,7 +97,7 @@ def test_dominant_sum_is_the_sum_of_the_upper_roots(drawn: tuple[complex, ...], 
     """Of a quartic with two roots above the real axis, two below, and no cubic term."""
     a, b, c = drawn[0], drawn[1], drawn[2].conjugate()
     e = -(a + b + c)
-    assume(e.imag < -0.1)
+    assume(e.imag < -0.1 and abs(a - b) > 0.05 and abs(c - e) > 0.05)
     ys = [mp.mpmathify(s) ** 2 for s in (a + b, a + c, a + e)]
     gaps = [abs(ys[0] - y) for y in ys[1:]]
     assume(min(gaps) > 0.05 * abs(ys[0]))
@@ -111,6 +111,20 @@ def test_dominant_sum_is_the_sum_of_the_upper_roots(drawn: tuple[complex, ...], 
     assert abs(MP(bits).dominant_sum(*rounded) - (a + b)) < abs(a + b) * mp.mpf(2) ** (32 - bits)
     flat = Float64().dominant_sum(*(np.array([complex(v)]) for v in coefficients))
     assert abs(complex(flat[0]) - (a + b)) < 1e-10 * abs(a + b)
+
+
+@pytest.mark.parametrize("bits", PRECISIONS)
+@pytest.mark.parametrize(("total", "other"), [(2j, 1), (206j / 1024, 1j / 1024)])
+def test_dominant_sum_where_the_other_two_are_equal(total: complex, other: complex, bits: int) -> None:
+    """Two p-roots on one side of the real axis meet: no singularity."""
+    y, z = mp.mpmathify(total) ** 2, mp.mpmathify(other) ** 2
+    coefficients = [-(y + 2 * z), 2 * y * z + z * z, -y * z * z]
+    with ball_arithmetic(bits) as field:
+        ball = field.dominant_sum(*(flint.acb(v) for v in coefficients))
+        assert holds(ball, mp.mpmathify(total))
+        assert sharp(ball, bits - 24)
+    assert abs(Float64().dominant_sum(*(complex(v) for v in coefficients)) - total) < 1e-10 * abs(total)
+    assert abs(MP(bits).dominant_sum(*coefficients) - total) < mp.mpf(2) ** (24 - bits)
 
 
 @few

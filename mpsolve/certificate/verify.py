@@ -269,8 +269,12 @@ class Roots:
         return (a - c) * (a - e) * (b - c) * (b - e)
 
 
-def roots_off_cut(n: Numbers, r: Any) -> Roots:
-    """For a ball r that meets no cut: the side of a root is the same all over it, and may be told at one point."""
+def roots_off_cut(n: Numbers, q: Any) -> Roots:
+    """The p-roots for a ball q off the cuts, each with its side.
+
+    A side that is open over the whole ball may be told at one point of it, if no cut meets the ball.
+    """
+    r = q - I * n.eta_b
     found = [p_root(n, r, z) for z in seeds(n, r)]
     require(len(found) == 4 and all(p is not None for p in found), "p-roots cannot be isolated off the cut")
     apart(found)
@@ -279,12 +283,19 @@ def roots_off_cut(n: Numbers, r: Any) -> Roots:
     for p in found:
         side = p
         if not (p.imag > 0 or p.imag < 0):
+            require(off_the_cuts(n, q), "the ball of q may meet a cut")
             side = p_root(n, acb(r.mid()), p.mid())
             require(side is not None and not any(side.overlaps(o) for o in found if o is not p), "a p-root is lost")
         require(side.imag > 0 or side.imag < 0, "a p-root is too close to the real axis")
         (upper if side.imag > 0 else lower).append(p)
     require(len(upper) == 2 and len(lower) == 2, "the p-roots are not two above and two below the real axis")
     return Roots((upper[0], upper[1]), (lower[0], lower[1]))
+
+
+def off_the_cuts(n: Numbers, q: Any) -> bool:
+    """D has no real p-root for any q of the ball: off the line Im q = η_b, or Im q ≤ 0 (for η_b > 0, N < 1)."""
+    height = q.imag - n.eta_b
+    return bool((cuts_on_line(n) and (height > 0 or height < 0)) or (q.imag <= 0 and n.eta_b > 0))
 
 
 def apart(found: Sequence[Any]) -> None:
@@ -297,7 +308,7 @@ def roots_on_cut(n: Numbers, r: Any) -> Roots:
         return even_roots(n, r)
     starts = [acb(z.real) if abs(z.imag) < abs(z) * arb(2) ** -20 else z for z in seeds(n, r)]
     found = {k: p_root(n, r, z.real if z.imag.is_zero() else z) for k, z in enumerate(starts)}
-    lost = [k for k, p in found.items() if p is None]
+    lost = [k for k, p in found.items() if p is None or (isinstance(p, acb) and p.imag.contains(0))]
     if len(lost) == 1:  # its neighbour, which it may meet, is taken together with it
         others = [k for k in found if k != lost[0]]
         lost.append(min(others, key=lambda k: float(abs(starts[k] - starts[lost[0]]).mid())))
@@ -416,8 +427,7 @@ def det(rows: Sequence[Sequence[Any]]) -> Any:
 
 
 def delta_off_cut(p: Problem, n: Numbers, q: Any) -> tuple[Any, Any]:
-    r = q - I * n.eta_b
-    return delta(n, roots_off_cut(n, r), q, r)
+    return delta(n, roots_off_cut(n, q), q, q - I * n.eta_b)
 
 
 def edge(n: Numbers, r: Any) -> tuple[Any, Any]:
@@ -529,6 +539,19 @@ def along(function: Callable[[Any], Sequence[Any]], breaks: Sequence[Fraction], 
     return result
 
 
+def confirms(p: Problem, n: Numbers, kind: str) -> Callable[[Any], bool]:
+    """Whether a piece of a contour would pass: for a maker of certificates, which may cut it finer."""
+
+    def accept(piece: Any) -> bool:
+        try:
+            values = edge(n, piece) if kind == "edge" else delta_off_cut(p, n, acb(piece))[:1]
+        except Refused:
+            return False
+        return all(v.is_finite() and in_half_plane(v) for v in values)
+
+    return accept
+
+
 def the_integer(value: Any, name: str) -> int:
     n = value.unique_fmpz()
     require(n is not None, f"{name}: the ball {value.str(5)} holds no single integer")
@@ -584,7 +607,7 @@ def count_on_line(n: Numbers, p: Problem, points: list[Fraction]) -> int:
     middles = along(lambda q: delta_off_cut(p, n, acb(q))[:1], points, "the real line")
     q = acb(reach)
     last = delta_off_cut(p, n, q)[0]
-    far = far_argument(n, roots_off_cut(n, q - I * n.eta_b), q, last)
+    far = far_argument(n, roots_off_cut(n, q), q, last)
     return the_integer((far - turning([m[0] for m in middles], acb(1), last)) / arb.pi(), "Im q < 0")
 
 
@@ -809,6 +832,7 @@ def check_root(p: Problem, found: Root, mirrored: bool) -> None:
         return  # the mirror image −q̄ of a root that has been checked: Δ(−q̄) is the conjugate of Δ(q)
     with precision(2 * found.bits + 64 if found.multiplicity > 1 else found.bits + 48):
         n = numbers(p)
+        require(n.axial < 1, "the beam buckles without any load")
         if found.multiplicity > 1:
             check_cluster(p, n, found)
             return

@@ -18,8 +18,9 @@ from mpsolve.errors import PrecisionError
 
 Values = tuple[Any, ...]
 Evaluate = Callable[[Any], Values]
+Accept = Callable[[Any], bool]
 
-MARGIN = 0.5  # of the midpoint's modulus that an image ball may reach: leaves room for another checker
+MARGIN = 0.7  # of the midpoint's modulus that an image ball may reach
 
 GROWTH = 0.3  # a piece is at most this part of its distance from 0, or the first step
 
@@ -40,10 +41,12 @@ def cover(
     step: float,
     limit: int,
     meter: Callable[[float], None] | None = None,
+    accept: Accept | None = None,
 ) -> Path:
     """Pieces from `start` to `stop` (start < stop), found by marching with a step that adapts.
 
-    `evaluate` takes a real ball and returns the image balls of one or more functions. Raises
+    `evaluate` takes a real ball and returns the image balls of one or more functions. `accept` may refuse a
+    piece that a checker with enclosures of its own could not confirm. Raises
     `PrecisionError` when a piece shrinks below the resolution of the path (a zero on it or next to it) or
     after `limit` evaluations.
     """
@@ -53,7 +56,7 @@ def cover(
         count += 1
         if count > limit:
             raise PrecisionError(f"the contour needs more than {limit} pieces: raise the effort")
-        values = _try(evaluate, flint.arb(here).union(flint.arb(there)))
+        values = _try(evaluate, flint.arb(here).union(flint.arb(there)), accept)
         if values is None:
             step = (there - here) / 2
             if step < 2.0**-44 * max(abs(here), abs(stop) * 2.0**-20):
@@ -77,12 +80,13 @@ def _dyadic_sum(here: float, step: float, stop: float) -> float:
     return rounded if rounded > here else there
 
 
-def _try(evaluate: Evaluate, ball: Any) -> Values | None:
+def _try(evaluate: Evaluate, ball: Any, accept: Accept | None) -> Values | None:
     try:
         values = evaluate(ball)
     except PrecisionError:
         return None
-    return values if all(in_half_plane(v) for v in values) else None
+    good = all(in_half_plane(v) for v in values) and (accept is None or accept(ball))
+    return values if good else None
 
 
 def in_half_plane(value: Any) -> bool:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
+from mpsolve.certificate import verify
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import Track, track
@@ -47,7 +48,7 @@ def count_roots(case: Case, region: Region, limit: int, tell: Progress) -> Count
     tell("counting", 0.0)
     if isinstance(region, Rectangle):
         with ball_arithmetic(BITS) as field:
-            total, paths = count_rectangle(track(case, field), region, limit)
+            total, paths = count_rectangle(track(case, field), region, limit, _checker(case, "rectangle"))
         return Count(total, region, None, None, paths)
     if region == "sheet":
         return _on_edge(case, limit, tell)
@@ -60,7 +61,7 @@ def count_roots(case: Case, region: Region, limit: int, tell: Progress) -> Count
     with ball_arithmetic(BITS) as field:
         model = track(case, field)
         radius = far_radius(model)
-        total, path = count_unstable(model, radius, limit, _meter(tell, radius))
+        total, path = count_unstable(model, radius, limit, _meter(tell, radius), _checker(case, "line"))
     return Count(total, "line", radius, None, (path,))
 
 
@@ -71,16 +72,23 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
         with ball_arithmetic(bits) as field:
             model = track(case, field)
             radius = far_radius(model)
+            checker = _checker(case, "edge")
             at_rest = not (case.alpha or case.axial)
             starts = [resting_start(model)] if at_rest else [0.0] if joined else _gap_points(case)
             for start in starts:
                 try:
-                    sheet = count_sheet(model, start, radius, limit, _meter(tell, radius), at_rest)
+                    sheet = count_sheet(model, start, radius, limit, _meter(tell, radius), checker, at_rest)
                 except PrecisionError as error:
                     last = error
                 else:
                     return Count(sheet.total, "edge", radius, start, (sheet.path,), bits)
     raise last or PrecisionError("the gap between the cuts is too narrow to enter: take alpha further from alpha_C")
+
+
+def _checker(case: Case, kind: str) -> Callable[[Any], bool]:
+    """Pieces are cut until the verifier's own enclosures confirm them too: no certificate that it would refuse."""
+    problem = verify.problem(case.as_dict())
+    return verify.confirms(problem, verify.numbers(problem), kind)
 
 
 def _meter(tell: Progress, radius: float) -> Callable[[float], None]:

@@ -22,7 +22,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.edge import edge_roots, edge_value
-from mpsolve.spectrum.contour import Path, cover, turning
+from mpsolve.spectrum.contour import Accept, Path, cover, turning
 from mpsolve.spectrum.region import Rectangle
 from mpsolve.spectrum.rest import closing_argument
 from mpsolve.spectrum.scatter import far_argument, paired_roots
@@ -47,13 +47,19 @@ class SheetCount:
 
 
 def count_sheet(
-    track: Track, start: float, rho: float, limit: int, meter: Meter = _silent, at_rest: bool = False
+    track: Track,
+    start: float,
+    rho: float,
+    limit: int,
+    meter: Meter = _silent,
+    accept: Accept | None = None,
+    at_rest: bool = False,
 ) -> SheetCount:
     """Counts every root of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
 
     `at_rest`: α = N = 0, and `start` comes from `resting_start`. Raises `PrecisionError` when the edge cannot be covered.
     """
-    path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(track, start, rho), limit, meter)
+    path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(track, start, rho), limit, meter, accept)
     first, last = _pair(edge_value(track, arb(start))), _pair(edge_value(track, arb(rho)))
     far = _far_arguments(track, rho, last)
     pi = track.field.pi
@@ -87,17 +93,6 @@ def _far_arguments(track: Track, rho: float, values: tuple[Any, Any]) -> list[An
     return total
 
 
-def _delta(track: Track, q: Any) -> Any:
-    """Δ over a ball in which the four p-roots stay well apart, so that sums over them can check it."""
-    roots = paired_roots(track, pairing(track, q))
-    every = (roots.a, roots.b, roots.c, roots.e)
-    for k, p in enumerate(every):
-        for other in every[:k]:
-            if not (p - other).abs_lower() > 4 * (p.rad() + other.rad()):
-                raise PrecisionError("p-roots meet on the contour: shift the rectangle a little")
-    return characteristic(track, q)
-
-
 def unique_integer(value: Any) -> int:
     """The one integer in a real ball; `PrecisionError` unless there is exactly one."""
     n = value.unique_fmpz()
@@ -106,12 +101,14 @@ def unique_integer(value: Any) -> int:
     return int(n)
 
 
-def count_unstable(track: Track, reach: float, limit: int, meter: Meter = _silent) -> tuple[int, Path]:
+def count_unstable(
+    track: Track, reach: float, limit: int, meter: Meter = _silent, accept: Accept | None = None
+) -> tuple[int, Path]:
     """The proved number of roots with Im q < 0, from the real line 0 ≤ q ≤ reach and its far arc.
 
     Needs no cut at Im q ≤ 0 (η_b > 0), and no root at |q − iη_b| ≥ reach.
     """
-    path = cover(lambda q: (_delta(track, acb(q)),), 0.0, reach, reach / 4096, limit, meter)
+    path = cover(lambda q: (characteristic(track, acb(q)),), 0.0, reach, reach / 4096, limit, meter, accept)
     q = acb(reach)
     last = characteristic(track, q)
     far = far_argument(track, paired_roots(track, pairing(track, q)), 2 * q * q / track.field.pi, last)
@@ -119,14 +116,28 @@ def count_unstable(track: Track, reach: float, limit: int, meter: Meter = _silen
     return unique_integer((far - turn) / track.field.pi), path
 
 
-def count_rectangle(track: Track, box: Rectangle, limit: int) -> tuple[int, tuple[Path, ...]]:
+def count_rectangle(
+    track: Track, box: Rectangle, limit: int, accept: Accept | None = None
+) -> tuple[int, tuple[Path, ...]]:
     """The proved number of roots inside the rectangle, from its four sides, each run over 0 ≤ t ≤ 1."""
     corners = rectangle_corners(box)
     values = [characteristic(track, corner) for corner in corners]
     total, paths = arb(0), []
     for k in range(4):
         start, end = corners[k], corners[(k + 1) % 4]
-        side = cover(lambda t, a=start, b=end: (_delta(track, a + t * (b - a)),), 0.0, 1.0, 1 / 64, limit)
+
+        def point(t: Any, a: Any = start, b: Any = end) -> Any:
+            return a + t * (b - a)
+
+        side = cover(
+            lambda t, at=point: (characteristic(track, at(t)),),
+            0.0,
+            1.0,
+            1 / 64,
+            limit,
+            None,
+            accept and (lambda t, at=point: accept(at(t))),
+        )
         total += turning(side, 0, values[k], values[(k + 1) % 4])
         paths.append(side)
     return unique_integer(total / (2 * track.field.pi)), tuple(paths)

@@ -1,0 +1,110 @@
+"""Two masses, whole sheet, 30 digits, all proved, against cxroots: the same roots, uncertified, in rectangles.
+
+cxroots works in the arithmetic and with the functions of the search for candidates: Δ and Δ_q on numpy arrays.
+Its Romberg integration is used, since its default (`quad`) evaluates one point at a time and takes longer. The
+rectangles are symmetric about the imaginary axis and keep off the cuts. One repetition of cxroots a case: it
+takes seconds to minutes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+from unittest import mock
+
+import numpy as np
+import pytest
+from measure import Counted, median, seconds
+
+from mpsolve import Case, Spectrum, certify
+from mpsolve.fields import Float64
+from mpsolve.model.branch import track
+from mpsolve.model.characteristic import characteristic, characteristic_rate
+from mpsolve.spectrum import seek
+
+TARGET = 50
+PAIR = {"eta_m": ("70", "70"), "positions": ("0", "1.5")}
+
+
+@dataclass(frozen=True)
+class Duel:
+    """A case and rectangles (left, right), (bottom, top) that hold all of its roots between them."""
+
+    name: str
+    case: Case
+    rectangles: tuple[tuple[tuple[float, float], tuple[float, float]], ...]
+
+
+DUELS = [
+    Duel(  # q_lm = 0.45
+        "subcritical, damped",
+        Case(alpha="0.67", eta_b="0.05", **PAIR),
+        (((-1, 1), (-1, 0.04)),),
+    ),
+    Duel(  # the roots are real, in the gap between the cuts: q_lm = 0.62
+        "subcritical, undamped",
+        Case(alpha="0.5", eta_b="0", **PAIR),
+        (((-0.55, 0.55), (-0.5, 0.5)),),
+    ),
+    Duel(  # the cuts are joined: one rectangle on either side of them
+        "supercritical, damped",
+        Case(alpha="1.2", eta_b="0.05", **PAIR),
+        (((-1, 1), (-1, 0.04)), ((-1, 1), (0.06, 1))),
+    ),
+]
+
+
+def certified(case: Case) -> tuple[Spectrum, int]:
+    """The spectrum, and the number of float64 points at which candidates were sought."""
+    counted = Counted(characteristic_rate)
+    with mock.patch.object(seek, "characteristic_rate", counted):
+        spectrum = certify(case, digits=30)
+    return spectrum, counted.points
+
+
+def found_by_cxroots(cxroots: Any, duel: Duel) -> tuple[list[complex], int]:
+    """The roots in all rectangles, and the number of evaluations of Δ and of Δ_q."""
+    model = track(duel.case, Float64())
+    f = Counted(lambda q: characteristic(model, np.asarray(q, dtype=complex)))
+    df = Counted(lambda q: characteristic_rate(model, np.asarray(q, dtype=complex))[1])
+    roots: list[complex] = []
+    for across, along in duel.rectangles:
+        result = cxroots.Rectangle(across, along).roots(f, df, int_method="romb")
+        for root, number in zip(result.roots, result.multiplicities, strict=True):
+            roots += [complex(root)] * int(number)
+    return roots, f.points + df.points
+
+
+def compare(cxroots: Any, duel: Duel) -> None:
+    ours = median(lambda: certify(duel.case, digits=30))
+    spectrum, points = certified(duel.case)
+    answers: list[tuple[list[complex], int]] = []
+    theirs = median(lambda: answers.append(found_by_cxroots(cxroots, duel)), repeats=1)
+    (roots, evaluations), balls = answers[0], [root.q for root in spectrum.roots]
+    print(
+        f"{duel.name:24} {spectrum.count} roots   certify {seconds(ours)} "
+        f"({spectrum.evaluations} balls on the contour, {points} float64 points)   cxroots {seconds(theirs)} "
+        f"({evaluations} float64 points)   cxroots/certify = {theirs / ours:.0f}  (goal: {TARGET} or more)"
+    )
+    assert spectrum.proved
+    assert len(roots) == spectrum.count
+    assert all(min(abs(complex(ball.mid()) - root) for root in roots) < 1e-9 for ball in balls)
+
+
+@pytest.mark.parametrize("duel", DUELS, ids=lambda duel: duel.name)
+def test_cxroots_finds_what_is_certified(duel: Duel) -> None:
+    compare(pytest.importorskip("cxroots", reason="the comparison needs cxroots: pip install '.[bench]'"), duel)
+
+
+def main() -> None:
+    try:
+        import cxroots
+    except ImportError:
+        print("skipped: the comparison needs cxroots: pip install '.[bench]'")
+        return
+    for duel in DUELS:
+        compare(cxroots, duel)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,39 @@
+"""What all benches share: medians of repetitions in one process, counted evaluations, and one line a result."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable
+from typing import Any
+
+
+def median(function: Callable[[], Any], repeats: int = 5) -> float:
+    """Seconds of one call: the median of `repeats` calls, each timed on its own."""
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        function()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
+class Counted:
+    """A function of (…, q) that counts its calls and the points q that it was given."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.function = function
+        self.calls = self.points = 0
+
+    def __call__(self, *arguments: Any) -> Any:
+        self.calls += 1
+        self.points += getattr(arguments[-1], "size", 1)
+        return self.function(*arguments)
+
+
+def seconds(value: float) -> str:
+    """With a unit that fits, in ten columns."""
+    for unit, scale in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+        if value >= scale:
+            return f"{value / scale:7.2f} {unit:2}"
+    return f"{value / 1e-9:7.2f} ns"
