@@ -79,9 +79,7 @@ def _cuts(ax: Any) -> None:
     height = float(CASE.eta_b)
     for side in (-1, 1):
         ax.plot([side * Q_LM, side * 2 * RE_LIMIT], [height, height], color=CUT, linewidth=2.5)
-        ax.plot(
-            side * Q_LM, height, "o", color=CUT, markersize=6, markerfacecolor="white", markeredgewidth=1.5
-        )
+        ax.plot(side * Q_LM, height, "o", color=CUT, markersize=6, markerfacecolor="white", markeredgewidth=1.5)
         ax.annotate(
             f"{'−' if side < 0 else ''}$q_{{lm}}$ + i$η_b$",
             (side * Q_LM, height),

@@ -16,7 +16,7 @@ from mpsolve import Case
 
 
 class Truth:
-    """The functions of one case at `digits` decimal digits; complex arguments may be anything mpmath takes."""
+    """The functions of one case at `digits` decimal digits; arguments may be anything mpmath takes."""
 
     def __init__(self, case: Case, digits: int = 40) -> None:
         self.mp = mp = mpmath.MPContext()
@@ -80,7 +80,7 @@ class Truth:
         return self.mp.fprod(p - o for p in upper for o in lower)
 
     def root(self, seed: Any, offset: float = 1e-9) -> Any:
-        """The root of Δ that the secant method reaches from `seed` and a second point at a relative offset."""
+        """The root of Δ that the secant method reaches from `seed` and a second point beside it."""
         seed = self.mp.mpmathify(seed)
         return self.mp.findroot(self.delta, (seed, seed * (1 + self.mp.mpf(offset))), tol=self.mp.eps**1.5)
 

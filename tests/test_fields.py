@@ -36,7 +36,20 @@ def true_waves(sigma: Any, delta2: Any, x: Any) -> tuple[Any, Any, Any]:
 # --- waves -------------------------------------------------------------------------------------------------
 
 # δ²x² on both sides of each switch between series and closed form, down to 0
-NEAR = [0, 1e-40, 1e-30j, 2.0**-21, -(2.0**-20), 2.0**-19 * 1j, 0.0099, 0.0101j, -0.0101, 0.249, 0.251j, -0.26]
+NEAR = [
+    0,
+    1e-40,
+    1e-30j,
+    2.0**-21,
+    -(2.0**-20),
+    2.0**-19 * 1j,
+    0.0099,
+    0.0101j,
+    -0.0101,
+    0.249,
+    0.251j,
+    -0.26,
+]
 
 
 @pytest.mark.parametrize("z", NEAR)
@@ -63,7 +76,11 @@ def test_waves_agree_in_all_arithmetics(sigma: complex, delta2: complex, x: floa
     with ball_arithmetic(bits) as field:
         balls = field.waves(point(sigma), point(delta2), flint.arb(x))
     for ball, mid, flat, exact in zip(
-        balls, MP(bits).waves(mp.mpc(sigma), mp.mpc(delta2), x), Float64().waves(sigma, delta2, np.array(x)), truth, strict=True
+        balls,
+        MP(bits).waves(mp.mpc(sigma), mp.mpc(delta2), x),
+        Float64().waves(sigma, delta2, np.array(x)),
+        truth,
+        strict=True,
     ):
         assert holds(ball, exact)
         assert (ball - ball.mid()).abs_upper() < size * flint.arb(2) ** (16 - bits)
@@ -101,7 +118,11 @@ def test_dominant_sum_is_the_sum_of_the_upper_roots(drawn: tuple[complex, ...], 
     ys = [mp.mpmathify(s) ** 2 for s in (a + b, a + c, a + e)]
     gaps = [abs(ys[0] - y) for y in ys[1:]]
     assume(min(gaps) > 0.05 * abs(ys[0]))
-    coefficients = [-(ys[0] + ys[1] + ys[2]), ys[0] * ys[1] + ys[0] * ys[2] + ys[1] * ys[2], -ys[0] * ys[1] * ys[2]]
+    coefficients = [
+        -(ys[0] + ys[1] + ys[2]),
+        ys[0] * ys[1] + ys[0] * ys[2] + ys[1] * ys[2],
+        -ys[0] * ys[1] * ys[2],
+    ]
     with ball_arithmetic(bits) as field:
         ball = field.dominant_sum(*(flint.acb(v) for v in coefficients))
     assert holds(ball, mp.mpmathify(a + b))
@@ -165,8 +186,8 @@ def test_simple_root_holds_the_root_for_every_coefficient_in_the_balls() -> None
     ],
 )
 def test_simple_root_refuses_what_may_be_multiple(coefficients: tuple[Any, ...], seed: float) -> None:
+    balls = [flint.acb(flint.arb(*v)) if isinstance(v, list) else flint.acb(v) for v in coefficients]
     with ball_arithmetic(100), pytest.raises(PrecisionError, match="split the piece"):
-        balls = [flint.acb(flint.arb(*v)) if isinstance(v, list) else flint.acb(v) for v in coefficients]
         simple_root(balls, seed, 100)
 
 
@@ -251,7 +272,9 @@ def test_threads_wait_for_each_others_precision() -> None:
         for _ in range(200):
             with ball_arithmetic(bits):
                 third = flint.arb(1) / 3
-                seen.append(flint.ctx.prec == bits and -2 - bits < float(third.rad().log() / flint.arb(2).log()) < 2 - bits)
+                seen.append(
+                    flint.ctx.prec == bits and -2 - bits < float(third.rad().log() / flint.arb(2).log()) < 2 - bits
+                )
 
     threads = [threading.Thread(target=work, args=(bits,)) for bits in (70, 900, 130)]
     for thread in threads:

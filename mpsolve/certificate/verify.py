@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import flint
@@ -24,7 +25,7 @@ MAX_BYTES, MAX_PIECES, MAX_ROOTS, MAX_MASSES, MAX_BITS = 64_000_000, 500_000, 50
 I = acb(0, 1)  # noqa: E741
 
 
-class Refused(Exception):
+class Refused(Exception):  # noqa: N818
     """The certificate does not prove its claim; the message says where it fails."""
 
 
@@ -48,7 +49,15 @@ def verify(path: Any) -> Verdict:
         return Verdict(False, str(error))
     except OSError as error:
         return Verdict(False, f"the file cannot be read: {error.strerror or error}")
-    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
+    except (
+        ValueError,
+        TypeError,
+        KeyError,
+        IndexError,
+        ArithmeticError,
+        RecursionError,
+        MemoryError,
+    ) as error:
         return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
 
 
@@ -84,7 +93,7 @@ def read(raw: bytes) -> dict[str, Any]:
         return dict(pairs)
 
     text = raw.decode("ascii")
-    content = json.loads(text, parse_constant=no_constant, parse_float=no_float, object_pairs_hook=unique)
+    content: Any = json.loads(text, parse_constant=no_constant, parse_float=no_float, object_pairs_hook=unique)
     require(isinstance(content, dict), "the file holds no JSON object")
     require(content.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
     version = content.get("version")
@@ -94,7 +103,7 @@ def read(raw: bytes) -> dict[str, Any]:
     given = content.pop("sha256")
     canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
     require(hashlib.sha256(canonical.encode("ascii")).hexdigest() == given, "the digest does not fit the content")
-    return content
+    return dict(content)
 
 
 def keys(value: Any, names: set[str], optional: frozenset[str] = frozenset()) -> None:
@@ -109,7 +118,10 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
 
 
 def mantissa(value: Any) -> int:
-    require(isinstance(value, str) and re.fullmatch(r"-?0x[0-9a-f]{1,40000}", value), "a mantissa is not hexadecimal")
+    require(
+        isinstance(value, str) and re.fullmatch(r"-?0x[0-9a-f]{1,40000}", value),
+        "a mantissa is not hexadecimal",
+    )
     return int(value, 16)
 
 
@@ -285,7 +297,10 @@ def roots_off_cut(n: Numbers, q: Any) -> Roots:
         if not (p.imag > 0 or p.imag < 0):
             require(off_the_cuts(n, q), "the ball of q may meet a cut")
             side = p_root(n, acb(r.mid()), p.mid())
-            require(side is not None and not any(side.overlaps(o) for o in found if o is not p), "a p-root is lost")
+            require(
+                side is not None and not any(side.overlaps(o) for o in found if o is not p),
+                "a p-root is lost",
+            )
         require(side.imag > 0 or side.imag < 0, "a p-root is too close to the real axis")
         (upper if side.imag > 0 else lower).append(p)
     require(len(upper) == 2 and len(lower) == 2, "the p-roots are not two above and two below the real axis")
@@ -317,7 +332,10 @@ def roots_on_cut(n: Numbers, r: Any) -> Roots:
     apart([*real_ones, *complex_ones])
     upper = [p for p in complex_ones if p.imag > 0]
     lower = [p for p in complex_ones if p.imag < 0]
-    require(len(upper) == len(lower) and len(upper) + len(lower) == len(complex_ones), "a p-root meets the real axis")
+    require(
+        len(upper) == len(lower) and len(upper) + len(lower) == len(complex_ones),
+        "a p-root meets the real axis",
+    )
     for p in real_ones:
         sign = (8 * n.alpha * p - 8 * r) * D_p(n, p, r)
         require(sign > 0 or sign < 0, "the side of a real p-root is open")
@@ -426,7 +444,7 @@ def det(rows: Sequence[Sequence[Any]]) -> Any:
     return sum(((-1) ** k * rows[0][k] * det(minor) for k, minor in enumerate(minors)), acb(0))
 
 
-def delta_off_cut(p: Problem, n: Numbers, q: Any) -> tuple[Any, Any]:
+def delta_off_cut(n: Numbers, q: Any) -> tuple[Any, Any]:
     return delta(n, roots_off_cut(n, q), q, q - I * n.eta_b)
 
 
@@ -523,13 +541,13 @@ def in_half_plane(value: Any) -> bool:
 def turning(middles: Sequence[Any], first: Any, last: Any) -> Any:
     """The change of argument along pieces that each keep to a half-plane about their middle value."""
     chain = [first, *middles, last]
-    return sum(((b / a).arg() for a, b in zip(chain, chain[1:], strict=False)), arb(0))
+    return sum(((b / a).arg() for a, b in pairwise(chain)), arb(0))
 
 
 def along(function: Callable[[Any], Sequence[Any]], breaks: Sequence[Fraction], name: str) -> list[tuple[Any, ...]]:
     """The middle values of every piece, each proved to keep to a half-plane."""
     result = []
-    for k, (start, end) in enumerate(zip(breaks, breaks[1:], strict=False)):
+    for k, (start, end) in enumerate(pairwise(breaks)):
         try:
             values = function(ball(start).union(ball(end)))
         except Refused as error:
@@ -539,12 +557,12 @@ def along(function: Callable[[Any], Sequence[Any]], breaks: Sequence[Fraction], 
     return result
 
 
-def confirms(p: Problem, n: Numbers, kind: str) -> Callable[[Any], bool]:
+def confirms(n: Numbers, kind: str) -> Callable[[Any], bool]:
     """Whether a piece of a contour would pass: for a maker of certificates, which may cut it finer."""
 
     def accept(piece: Any) -> bool:
         try:
-            values = edge(n, piece) if kind == "edge" else delta_off_cut(p, n, acb(piece))[:1]
+            values = edge(n, piece) if kind == "edge" else delta_off_cut(n, acb(piece))[:1]
         except Refused:
             return False
         return all(v.is_finite() and in_half_plane(v) for v in values)
@@ -559,9 +577,12 @@ def the_integer(value: Any, name: str) -> int:
 
 
 def breakpoints(values: Any, name: str) -> list[Fraction]:
-    require(isinstance(values, list) and 2 <= len(values) <= MAX_PIECES, f"{name}: no list of breakpoints, or too long")
+    require(
+        isinstance(values, list) and 2 <= len(values) <= MAX_PIECES,
+        f"{name}: no list of breakpoints, or too long",
+    )
     points = [dyadic(v) for v in values]
-    require(all(a < b for a, b in zip(points, points[1:], strict=False)), f"{name}: breakpoints are not in order")
+    require(all(a < b for a, b in pairwise(points)), f"{name}: breakpoints are not in order")
     return points
 
 
@@ -590,8 +611,11 @@ def count_on_edge(p: Problem, n: Numbers, points: list[Fraction]) -> int:
 
 def roots_at_start(n: Numbers, r: Any) -> bool:
     """Whether D has a real p-root at the point r: True or False as proved."""
-    if any((w := p_root(n, r, z.real)) is not None and w.is_finite() for z in seeds(n, r)
-           if abs(z.imag) < abs(z) * arb(2) ** -20):
+    if any(
+        (w := p_root(n, r, z.real)) is not None and w.is_finite()
+        for z in seeds(n, r)
+        if abs(z.imag) < abs(z) * arb(2) ** -20
+    ):
         return True
     found = [p_root(n, r, z) for z in seeds(n, r)]
     require(all(w is not None and not w.imag.contains(0) for w in found), "the p-roots at the start are open")
@@ -599,19 +623,19 @@ def roots_at_start(n: Numbers, r: Any) -> bool:
     return False
 
 
-def count_on_line(n: Numbers, p: Problem, points: list[Fraction]) -> int:
+def count_on_line(n: Numbers, points: list[Fraction]) -> int:
     """The number of zeros with Im q < 0, from Δ on 0 ≤ q ≤ reach."""
     require(points[0] == 0 and n.eta_b > 0, "the line does not start at 0, or there is no damping")
     reach = ball(points[-1])
     far_field(n, reach)
-    middles = along(lambda q: delta_off_cut(p, n, acb(q))[:1], points, "the real line")
+    middles = along(lambda q: delta_off_cut(n, acb(q))[:1], points, "the real line")
     q = acb(reach)
-    last = delta_off_cut(p, n, q)[0]
+    last = delta_off_cut(n, q)[0]
     far = far_argument(n, roots_off_cut(n, q), q, last)
     return the_integer((far - turning([m[0] for m in middles], acb(1), last)) / arb.pi(), "Im q < 0")
 
 
-def count_in_rectangle(n: Numbers, p: Problem, contour: Any) -> tuple[int, tuple[Any, ...]]:
+def count_in_rectangle(n: Numbers, contour: Any) -> tuple[int, tuple[Any, ...]]:
     """The number of zeros in the rectangle, from its four sides, counterclockwise from the lower left corner."""
     keys(contour["bounds"], {"re_min", "re_max", "im_min", "im_max"})
     exact = [real(contour["bounds"][k], k) for k in ("re_min", "re_max", "im_min", "im_max")]
@@ -622,14 +646,18 @@ def count_in_rectangle(n: Numbers, p: Problem, contour: Any) -> tuple[int, tuple
     below = top < n.eta_b if on_line else exact[3].quartic <= 0 and n.eta_b > 0
     require(below or (on_line and bottom > n.eta_b), "the rectangle may meet the cuts")
     corners = [acb(left, bottom), acb(right, bottom), acb(right, top), acb(left, top)]
-    values = [delta_off_cut(p, n, q)[0] for q in corners]
+    values = [delta_off_cut(n, q)[0] for q in corners]
     require(isinstance(contour["sides"], list) and len(contour["sides"]) == 4, "the rectangle has not four sides")
     total = arb(0)
     for k, side in enumerate(contour["sides"]):
         points = breakpoints(side, f"side {k}")
         require(points[0] == 0 and points[-1] == 1, f"side {k} does not run from 0 to 1")
         a, b = corners[k], corners[(k + 1) % 4]
-        middles = along(lambda t, a=a, b=b: delta_off_cut(p, n, a + t * (b - a))[:1], points, f"side {k}")
+
+        def value(t: Any, a: Any = a, b: Any = b) -> Sequence[Any]:
+            return delta_off_cut(n, a + t * (b - a))[:1]
+
+        middles = along(value, points, f"side {k}")
         total += turning([m[0] for m in middles], values[k], values[(k + 1) % 4])
     return the_integer(total / (2 * arb.pi()), "the rectangle"), (left, right, bottom, top)
 
@@ -680,7 +708,7 @@ def far_field(n: Numbers, reach: Any) -> None:
         spread = largest([p - c for p, c in zip(P, units, strict=True)])
         rate = W * (1 / arb(2).sqrt() - spread)
         require(rate > 0, "far field: evanescent waves")
-        decay = largest([(-rate * (b - a)).exp() for a, b in zip(n.x, n.x[1:], strict=False)])
+        decay = largest([(-rate * (b - a)).exp() for a, b in pairwise(n.x)])
         tilt = 2 * n.alpha * u
         (two_masses if len(n.eta) == 2 else many_masses)(len(n.eta), E, tilt, gain, contact, decay)
 
@@ -713,7 +741,12 @@ def many_masses(n: int, E: Sequence[Any], tilt: Any, gain: Any, contact: Any, de
             require(g * z < 1 and z < root2, "far field: reflections")
             floor *= 1 - g * z
             passive = (1 + (z * z - 1) / (root2 - z) ** 2).sqrt()
-            z = largest([arb(1), passive + (z * (2 * change + g * skew) + change + passive * z * change) / (1 - g * z)])
+            z = largest(
+                [
+                    arb(1),
+                    passive + (z * (2 * change + g * skew) + change + passive * z * change) / (1 - g * z),
+                ]
+            )
         coupling = abs(gain) * size / (root2 * (1 - shift))
         error = coupling * decay
         row = (1 + (n - 1) * (coupling + error) ** 2).sqrt()
@@ -822,7 +855,10 @@ def root(value: Any) -> Root:
     require(axis in ("none", "real", "imaginary"), "an axis is unknown")
     found = Root(mantissa(value["re"]), mantissa(value["im"]), exponent, number, axis)
     require(found.bits <= MAX_BITS, "a root has too many digits")
-    require(axis == "none" or (number == 1 and (found.im if axis == "real" else found.re) == 0), "a root is off its axis")
+    require(
+        axis == "none" or (number == 1 and (found.im if axis == "real" else found.re) == 0),
+        "a root is off its axis",
+    )
     return found
 
 
@@ -834,25 +870,28 @@ def check_root(p: Problem, found: Root, mirrored: bool) -> None:
         n = numbers(p)
         require(n.axial < 1, "the beam buckles without any load")
         if found.multiplicity > 1:
-            check_cluster(p, n, found)
+            check_cluster(n, found)
             return
         require(found.axis != "real" or not p.eta_b.quartic, "a real root needs an undamped track")
         box = found.box
-        slope = delta_off_cut(p, n, box)[1]
-        image = found.centre - delta_off_cut(p, n, found.centre)[0] / slope
+        slope = delta_off_cut(n, box)[1]
+        image = found.centre - delta_off_cut(n, found.centre)[0] / slope
         require(image.is_finite() and box.contains_interior(image), "interval Newton does not confirm it")
 
 
-def check_cluster(p: Problem, n: Numbers, found: Root) -> None:
+def check_cluster(n: Numbers, found: Root) -> None:
     """Pellet's test for the disc in the square box and for the disc around it."""
     centre, size = found.centre, max(abs(found.re), abs(found.im)).bit_length() + found.exponent
     outer = arb((1, size - 16))
     spread = arb(0, outer)
-    bound = largest([delta_off_cut(p, n, centre + acb(spread, spread))[0]])
+    bound = largest([delta_off_cut(n, centre + acb(spread, spread))[0]])
     inner = outer * arb((1, -(2 * found.bits // 16)))
-    coefficients = taylor(lambda q: delta_off_cut(p, n, q)[0], centre, outer, bound, inner, 16)
+    coefficients = taylor(lambda q: delta_off_cut(n, q)[0], centre, outer, bound, inner, 16)
     for radius in (found.radius, found.radius * arb(2).sqrt() * (1 + arb((1, -40)))):
-        require(pellet(coefficients, found.multiplicity, radius, bound, outer), "Pellet's test does not confirm it")
+        require(
+            pellet(coefficients, found.multiplicity, radius, bound, outer),
+            "Pellet's test does not confirm it",
+        )
 
 
 def check_roots(p: Problem, values: Any) -> list[Root]:
@@ -872,7 +911,7 @@ def check_roots(p: Problem, values: Any) -> list[Root]:
     return roots
 
 
-def check_inside(p: Problem, contour: Any, roots: list[Root]) -> None:
+def check_inside(contour: Any, roots: list[Root]) -> None:
     """The box of each root lies inside the region whose roots were counted (the whole sheet needs no test)."""
     for k, found in enumerate(roots):
         with precision(2 * found.bits + 64):
@@ -894,12 +933,12 @@ def check(content: dict[str, Any]) -> str:
     rectangle = contour["kind"] == "rectangle"
     keys(contour, {"kind", "bits"} | ({"bounds", "sides"} if rectangle else {"radius", "breaks"}))
     roots = check_roots(p, content["roots"])
-    check_inside(p, contour, roots)
+    check_inside(contour, roots)
     with precision(integer(contour["bits"], 53, 4096, "bits") + 16):
         n = numbers(p)
         require(n.axial < 1, "the beam buckles without any load")
         if rectangle:
-            count = count_in_rectangle(n, p, contour)[0]
+            count = count_in_rectangle(n, contour)[0]
         else:
             points = breakpoints(contour["breaks"], "the contour")
             require(points[-1] == dyadic(contour["radius"]), "the contour does not end at the radius")
@@ -907,7 +946,7 @@ def check(content: dict[str, Any]) -> str:
                 require(cuts_on_line(n), "the cuts are not on the line Im q = eta_b")
                 count = count_on_edge(p, n, points)
             else:
-                count = count_on_line(n, p, points)
+                count = count_on_line(n, points)
     return conclude(content, contour["kind"], roots, count)
 
 
@@ -915,9 +954,15 @@ def conclude(content: dict[str, Any], kind: str, roots: list[Root], count: int) 
     """Count, enclosures and claim agree."""
     claim = content["claim"]
     keys(claim, {"count"}, frozenset({"unstable"}))
-    require(content["identity"] == [r.multiplicity for r in roots], "the identity does not list the multiplicities")
+    require(
+        content["identity"] == [r.multiplicity for r in roots],
+        "the identity does not list the multiplicities",
+    )
     total = sum(r.multiplicity for r in roots)
-    require(claim["count"] == total and type(claim["count"]) is int, f"{total} roots are enclosed, not the number claimed")
+    require(
+        claim["count"] == total and type(claim["count"]) is int,
+        f"{total} roots are enclosed, not the number claimed",
+    )
     require(total == count, f"the winding number is {count}, but {total} roots are enclosed")
     where = {
         "edge": "on the whole physical sheet",

@@ -49,17 +49,13 @@ def kernel_steps(kernel: Step) -> tuple[Step, ...]:
     by_q = "(21) differentiated by q under the integral sign."
     upper = "(21) closed above: upper roots. The print has p for p_j in the exponent."
     return (
-        Step(
-            "(A3)", "Partial fractions of 1/D", rs.partial_fractions(), "D monic in p: weights 1/D_{,p}(p_j)."
-        ),
+        Step("(A3)", "Partial fractions of 1/D", rs.partial_fractions(), "D monic in p: weights 1/D_{,p}(p_j)."),
         Step("(A4)", "Sum of the weights", rs.weights_sum(), "1/D falls off as p^-4, so they add to 0."),
         Step("(37)", "Kernel for xi >= 0", above, upper),
         Step("(37), xi < 0", "Kernel for xi < 0", below, "(21) closed below: lower roots, sign reversed."),
         Step("(38)", "Kernel's derivative", integral, by_q),
         Step("(39)", "Kernel's derivative, xi >= 0", printed, f"Double poles of (38), h = D^2. {slips}"),
-        Step(
-            "(A5)", "Kernel's derivative by simple roots", rs.kernel_derivative(printed), "h = D^2 in (39)."
-        ),
+        Step("(A5)", "Kernel's derivative by simple roots", rs.kernel_derivative(printed), "h = D^2 in (39)."),
     )
 
 
@@ -68,8 +64,7 @@ def shifted(D: Step) -> Step:
     quartic = D.statement.rhs.subs(q, r + I * eta_b).subs(eta_N, rs.A + eta_S - alpha**2)
     _, cubic, *rest = sp.Poly(sp.expand(quartic), p).all_coeffs()
     pairs = [
-        sp.Eq(c, sp.expand(e.subs(eta_b**2, 1 - beta**2)))
-        for c, e in zip((rs.c2, rs.c1, rs.c0), rest, strict=True)
+        sp.Eq(c, sp.expand(e.subs(eta_b**2, 1 - beta**2))) for c, e in zip((rs.c2, rs.c1, rs.c0), rest, strict=True)
     ]
     note = f"q = r + i eta_b in (18): D = p^4 + c_2 p^2 + c_1 p + c_0; the coefficient of p^3 is {cubic}."
     return Step("(A6)", "Coefficients of D", tuple(pairs), note)
@@ -222,9 +217,7 @@ def _statements(step: Step) -> tuple[Expr, ...]:
     return step.statement if isinstance(step.statement, tuple) else (step.statement,)
 
 
-def _pieces(
-    expression: Expr, write: Callable[[Expr], str], size: Callable[[str], int], limit: int
-) -> list[str]:
+def _pieces(expression: Expr, write: Callable[[Expr], str], size: Callable[[str], int], limit: int) -> list[str]:
     """A sum written in pieces of consecutive terms, each piece within `limit` where a single term is."""
     pieces: list[list[Expr]] = []
     terms = expression.as_ordered_terms() if isinstance(expression, sp.Add) else [expression]

@@ -201,7 +201,7 @@ def _expand_bordered(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list
 
 def _nearest_pair_first(z: EdgeRoots) -> EdgeRoots:
     """Names (a, c) the upper and lower root that are closest (an honest choice at any outcome)."""
-    orders = [EdgeRoots(u, v, l, m) for u, v in ((z.a, z.b), (z.b, z.a)) for l, m in ((z.c, z.e), (z.e, z.c))]
+    orders = [EdgeRoots(u, v, w, x) for u, v in ((z.a, z.b), (z.b, z.a)) for w, x in ((z.c, z.e), (z.e, z.c))]
     return min(orders, key=lambda o: float(abs(o.a.mid() - o.c.mid())))
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.fields import Field
-from mpsolve.model.branch import Track, track
+from mpsolve.model.branch import track
 from mpsolve.model.parameters import Case
 
 
@@ -27,9 +27,7 @@ def limiting_frequency(case: Case, field: Field) -> Any:
         return field.real_sqrt(t.beta2 - t.axial * t.axial) if case.axial.sign > 0 else field.real_sqrt(t.beta2)
     # stationary: z (z − 2N)² = α² (z² − 4Nz + 4β²) in z = p², at the largest root
     alpha2, axial = t.alpha * t.alpha, t.axial
-    z = field.largest_real_root(
-        -(4 * axial + alpha2), 4 * axial * (axial + alpha2), -4 * alpha2 * t.beta2
-    )
+    z = field.largest_real_root(-(4 * axial + alpha2), 4 * axial * (axial + alpha2), -4 * alpha2 * t.beta2)
     return field.real_sqrt(z * (z - 4 * axial) + 4 * t.beta2) / 2 - t.alpha * field.real_sqrt(z)
 
 

@@ -122,9 +122,7 @@ def resultant() -> Expr:
 def resultant_slope() -> Expr:
     """g'(y), with c_0 eliminated by g(y) = 0."""
     cubic = resolvent_cubic().lhs
-    return sp.Eq(
-        sp.Derivative(sp.Function("g")(y), y), sp.expand(cubic.diff(y).subs(c0, sp.solve(cubic, c0)[0]))
-    )
+    return sp.Eq(sp.Derivative(sp.Function("g")(y), y), sp.expand(cubic.diff(y).subs(c0, sp.solve(cubic, c0)[0])))
 
 
 def kernel_factored(half: tuple[int, int]) -> Expr:

@@ -91,9 +91,7 @@ def loading(masses: int) -> Step:
     """(2) with the second time derivative of the mass displacements w_0j."""
     total = sp.S(0)
     for j, delta in enumerate(_dirac(x - v * t, masses, "d_"), start=1):
-        P_C, P_A, M, frequency, phase = (
-            sp.Symbol(f"{n}{j}") for n in ("P_C", "P_A", "M_", "omega_f", "phi_f")
-        )
+        P_C, P_A, M, frequency, phase = (sp.Symbol(f"{n}{j}") for n in ("P_C", "P_A", "M_", "omega_f", "phi_f"))
         force = P_C + P_A * sp.exp(I * (frequency * t + phase + 3 * sp.pi / 2))
         total += (force - M * sp.Function(f"w_0{j}")(t).diff(t, 2)) * delta
     note = "Forces and inertia at x_j = v t + d_j, d_1 = 0. The print has w_{0j,t} for w_{0j,tt}."
@@ -105,9 +103,7 @@ def contact(order: int) -> Step:
     derivative = w(v * t + d_j, t).diff(t, order).subs(d_j, x - v * t).doit()
     number, what_ = ("(3), (5)", "velocity") if order == 1 else ("(4), (6)", "acceleration")
     statement = sp.Eq(sp.Function("w_0j")(t).diff(t, order), sp.expand(derivative))
-    return Step(
-        number, f"Mass {what_}", statement, "Tight contact, w_0j(t) = w(x_j, t); right side at x = x_j."
-    )
+    return Step(number, f"Mass {what_}", statement, "Tight contact, w_0j(t) = w(x_j, t); right side at x = x_j.")
 
 
 def loading_field(load_: Step, acceleration: Step, masses: int) -> Step:
@@ -162,9 +158,7 @@ def load_ratios(masses: int) -> Step:
     pairs = [sp.Eq(alpha, v / v_cr)]
     for j in range(1, masses + 1):
         scaled = (("eta_C", "P_C", 1 / P), ("eta_A", "P_A", 1 / P), ("eta_M", "M_", chi / m))
-        pairs += [
-            sp.Eq(sp.Symbol(f"{new}{j}", real=True), sp.Symbol(f"{old}{j}") * by) for new, old, by in scaled
-        ]
+        pairs += [sp.Eq(sp.Symbol(f"{new}{j}", real=True), sp.Symbol(f"{old}{j}") * by) for new, old, by in scaled]
         frequency = sp.Symbol(f"omega_f{j}") / (chi * v_cr)
         pairs.append(sp.Eq(sp.Symbol(f"omegahat_f{j}", real=True), frequency))
     lengths = zip(positions(masses)[1:], positions(masses, "d_")[1:], strict=True)
@@ -177,10 +171,7 @@ def dimensionless(equation: Step, scale: Step, beam: Step, loads: Step) -> Step:
     balance = equation.statement.lhs - equation.statement.rhs
     balance = balance.replace(w, lambda s_, t_: w_st * what(chi * s_, t_)).doit().subs(s, xi / chi).doit()
     balance = (
-        balance.replace(what, lambda xi_, t_: what(xi_, chi * v_cr * t_))
-        .doit()
-        .subs(t, tau / (chi * v_cr))
-        .doit()
+        balance.replace(what, lambda xi_, t_: what(xi_, chi * v_cr * t_)).doit().subs(t, tau / (chi * v_cr)).doit()
     )
     physical = {e for eq in (*beam.statement, *loads.statement) for e in eq.rhs.free_symbols}
     physical -= {chi, v_cr, P, m, k, EI}
@@ -195,9 +186,7 @@ def dimensionless(equation: Step, scale: Step, beam: Step, loads: Step) -> Step:
     balance = sp.expand_mul(balance / balance.coeff(what(xi, tau).diff(xi, 4)))
     point, field = _split(balance, lambda e: e.has(sp.DiracDelta))
     note = "(10)-(12) in (9), delta(s - d_j) = chi delta(xi - x_j), divided by EI chi^4 w_st."
-    return Step(
-        "(13)", "Dimensionless governing equation", sp.Eq(_gather(field, what), _by_delta(-point)), note
-    )
+    return Step("(13)", "Dimensionless governing equation", sp.Eq(_gather(field, what), _by_delta(-point)), note)
 
 
 # The transforms and the solution in the transformed domain: (14)-(30)
@@ -243,9 +232,7 @@ def fourier_pair() -> tuple[Step, Step]:
     direct = sp.Integral(Wtilde(xi, q) * sp.exp(-I * p * xi), (xi, -sp.oo, sp.oo))
     inverse = sp.Integral(W(p, q) * sp.exp(I * p * xi), (p, -sp.oo, sp.oo)) / (2 * sp.pi)
     return (
-        Step(
-            "(16)", "Fourier transform", sp.Eq(W(p, q), direct), "Definition; the print has F on both sides."
-        ),
+        Step("(16)", "Fourier transform", sp.Eq(W(p, q), direct), "Definition; the print has F on both sides."),
         Step("(19)", "Inverse Fourier transform", sp.Eq(Wtilde(xi, q), inverse), "Definition."),
     )
 
@@ -254,9 +241,7 @@ def dispersion_function(image: Step) -> Step:
     """(18): the left side of (15) applied to e^{i p xi}, divided by e^{i p xi}."""
     applied = image.statement.lhs.subs(Wtilde(xi, q), sp.exp(I * p * xi)).doit()
     note = "The operator of (15) on exp(i p xi): each derivative by xi becomes i p."
-    return Step(
-        "(18)", "Dispersion function", sp.Eq(rs.D(p, q), sp.expand(applied * sp.exp(-I * p * xi))), note
-    )
+    return Step("(18)", "Dispersion function", sp.Eq(rs.D(p, q), sp.expand(applied * sp.exp(-I * p * xi))), note)
 
 
 def fourier(image: Step) -> Step:
@@ -272,9 +257,7 @@ def fourier(image: Step) -> Step:
 def kernel_integral() -> Step:
     """(21)."""
     integral = sp.Integral(sp.exp(I * p * xi) / rs.D(p, q), (p, -sp.oo, sp.oo))
-    return Step(
-        "(21)", "Kernel", sp.Eq(K(xi, q), integral), "Definition: what (19) makes of 1/D, times 2 pi."
-    )
+    return Step("(21)", "Kernel", sp.Eq(K(xi, q), integral), "Definition: what (19) makes of 1/D, times 2 pi.")
 
 
 def _loads(spectrum: Step, masses: int) -> list[Expr]:
@@ -302,9 +285,7 @@ def displacement_image(spectrum: Step, masses: int) -> Step:
         wave = sp.powsimp(sp.exp(I * p * xi) * sp.exp(-I * p * place))
         shifted = sp.expand(wave.exp / (I * p))
         total += (2 * F + inertia) / (2 * sp.pi) * K(shifted, q)
-    return Step(
-        "(20)", "Laplace image by kernels", sp.Eq(Wtilde(xi, q), total), "(19) on (17), with (21) and (22)."
-    )
+    return Step("(20)", "Laplace image by kernels", sp.Eq(Wtilde(xi, q), total), "(19) on (17), with (21) and (22).")
 
 
 def at_masses(image: Step, masses: int) -> Step:
@@ -313,9 +294,7 @@ def at_masses(image: Step, masses: int) -> Step:
         sp.Eq(sp.pi * Wtilde(place, q), sp.expand(sp.pi * image.statement.rhs.subs(xi, place)))
         for place in positions(masses)
     )
-    return Step(
-        "(23), (24)", "Displacements of the masses", rows, "(20) at xi = x_i, times pi; one row a mass."
-    )
+    return Step("(23), (24)", "Displacements of the masses", rows, "(20) at xi = x_i, times pi; one row a mass.")
 
 
 def linear_system(rows: Step, masses: int) -> Step:
@@ -403,14 +382,10 @@ def equal_factors(system: Step) -> Step:
 def inversion() -> Step:
     """(32): the Bromwich integral (31) with qbar = i q."""
     integrand, substitution = Wtilde(xi, qbar) * sp.exp(qbar * tau) / (2 * sp.pi * I), I * q
-    moved = integrand.replace(Wtilde, lambda xi_, _: Wtilde(xi_, q)).subs(
-        qbar, substitution
-    ) * substitution.diff(q)
+    moved = integrand.replace(Wtilde, lambda xi_, _: Wtilde(xi_, q)).subs(qbar, substitution) * substitution.diff(q)
     ends = (sp.expand((a + side * I * T) / I) for side in (-1, 1))
     limit = sp.Limit(sp.Integral(moved, (q, *ends)), T, sp.oo)
-    note = (
-        "qbar = i q in (31). Every singularity lies left of the line of (31); the print has right. Im q = -a."
-    )
+    note = "qbar = i q in (31). Every singularity lies left of the line of (31); the print has right. Im q = -a."
     return Step("(31), (32)", "Inverse Laplace transform", sp.Eq(what(xi, tau), limit), note)
 
 
@@ -434,9 +409,7 @@ def residue_sum(image: Step) -> Step:
     terms = [sp.exp(I * q * tau) * term for term in sp.Add.make_args(image.statement.rhs)]
     residues = sum(sp.Function("Res")(2 * sp.pi * I * term / (2 * sp.pi), q) for term in terms)
     cut = sp.Symbol("I_wbc") / (2 * sp.pi)
-    note = (
-        "Residues at all poles above the line of (32), and the branch cuts. The print has eta_Mu for eta_M."
-    )
+    note = "Residues at all poles above the line of (32), and the branch cuts. The print has eta_Mu for eta_M."
     return Step("(35)", "Displacement as a sum of residues", sp.Eq(what(xi, tau), residues + cut), note)
 
 

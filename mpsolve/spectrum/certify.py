@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum
+
 from mpsolve.certificate.format import Certificate, make_certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -117,7 +118,16 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
     if any(sign is None for sign in signs):
         reason = "a cluster of roots meets the real axis, so that its stability is open: ask for more digits"
         return Spectrum(
-            case, region, digits, Status.UNDECIDED, reason, count.total, None, roots, count.radius, certificate
+            case,
+            region,
+            digits,
+            Status.UNDECIDED,
+            reason,
+            count.total,
+            None,
+            roots,
+            count.radius,
+            certificate,
         )
     unstable = tuple(root for root, sign in zip(roots, signs, strict=True) if sign)
     number = sum(root.multiplicity for root in unstable)
@@ -143,4 +153,3 @@ def _below(root: RootBall) -> bool | None:
     if root.symmetry is Symmetry.REAL or root.q.imag >= 0:
         return False
     return True if root.q.imag < 0 else None
-

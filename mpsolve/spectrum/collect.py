@@ -28,13 +28,13 @@ def collect(case: Case, count: Count, digits: int, effort: int, tell: Progress) 
     for k, box in enumerate(boxes):
         tell("sharpening", k / len(boxes))
         balls.append(refine(case, box, digits))
-    missing = count.total - sum(weight(case, ball, count) for ball in balls)
+    missing = count.total - sum(weight(ball, count) for ball in balls)
     for seed in [*doubtful, *(complex(box.image.mid()) for box in boxes)]:
         if missing > 0:  # a root's near neighbour looks like the root itself in float64
             new = [b for b in separate(case, seed, digits) if not any(b.q.overlaps(a.q) for a in balls)]
             balls += new
-            missing -= sum(weight(case, ball, count) for ball in new)
-    return _sorted([b for ball in balls for b in _images(ball) if inside(case, b, count)])
+            missing -= sum(weight(ball, count) for ball in new)
+    return _sorted([b for ball in balls for b in _images(ball) if inside(b, count)])
 
 
 def _isolated(case: Case, count: Count, effort: int) -> tuple[list[Box], list[complex]]:
@@ -68,12 +68,12 @@ def _images(ball: RootBall) -> list[RootBall]:
     raise PrecisionError("a cluster of roots meets the imaginary axis off its symmetry: ask for more digits")
 
 
-def weight(case: Case, ball: RootBall, count: Count) -> int:
+def weight(ball: RootBall, count: Count) -> int:
     """How many roots of the region this ball and its mirror image stand for."""
-    return sum(b.multiplicity for b in _images(ball) if inside(case, b, count))
+    return sum(b.multiplicity for b in _images(ball) if inside(b, count))
 
 
-def inside(case: Case, ball: RootBall, count: Count) -> bool:
+def inside(ball: RootBall, count: Count) -> bool:
     """True or False as proved; `PrecisionError` when the ball meets the border of the counted region."""
     q = ball.q
     if count.contour == "edge":

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import flint
@@ -102,7 +103,7 @@ def turning(path: Path, index: int, first: Any, last: Any) -> Any:
     """
     middles = [values[index] for values in path.middles]
     total = (middles[0] / first).arg() + (last / middles[-1]).arg()
-    for a, b in zip(middles, middles[1:], strict=False):
+    for a, b in pairwise(middles):
         total += (b / a).arg()
     if not total.is_finite():
         raise PrecisionError("an end of the contour is too close to a root to have an argument")

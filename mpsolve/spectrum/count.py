@@ -88,7 +88,7 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
 def _checker(case: Case, kind: str) -> Callable[[Any], bool]:
     """Pieces are cut until the verifier's own enclosures confirm them too: no certificate that it would refuse."""
     problem = verify.problem(case.as_dict())
-    return verify.confirms(problem, verify.numbers(problem), kind)
+    return verify.confirms(verify.numbers(problem), kind)
 
 
 def _meter(tell: Progress, radius: float) -> Callable[[float], None]:

@@ -30,9 +30,9 @@ SHRINK = 2
 
 def resting_start(track: Track) -> float:
     """A point r₁ > β of the cut such that no root has |w|⁴ ≤ 4(r₁² − β²), proved; `PrecisionError` if none."""
-    beta = float(track.beta2.mid()) ** 0.5
+    beta: float = float(track.beta2.mid()) ** 0.5
     for step in range(8, 40, 2):
-        start = beta * (1 + 2.0**-step)
+        start: float = beta * (1 + 2.0**-step)
         if disc_is_free(track, start):
             return start
     raise PrecisionError("the branch point of the load at rest could not be passed: give a small axial force")

@@ -57,9 +57,18 @@ def count_sheet(
 ) -> SheetCount:
     """Counts every root of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
 
-    `at_rest`: α = N = 0, and `start` comes from `resting_start`. Raises `PrecisionError` when the edge cannot be covered.
+    `at_rest`: α = N = 0, and `start` comes from `resting_start`. Raises `PrecisionError` when the edge cannot be
+    covered.
     """
-    path = cover(lambda r: _pair(edge_value(track, r)), start, rho, _first_step(track, start, rho), limit, meter, accept)
+    path = cover(
+        lambda r: _pair(edge_value(track, r)),
+        start,
+        rho,
+        _first_step(track, start, rho),
+        limit,
+        meter,
+        accept,
+    )
     first, last = _pair(edge_value(track, arb(start))), _pair(edge_value(track, arb(rho)))
     far = _far_arguments(track, rho, last)
     pi = track.field.pi
@@ -124,23 +133,20 @@ def count_rectangle(
     values = [characteristic(track, corner) for corner in corners]
     total, paths = arb(0), []
     for k in range(4):
-        start, end = corners[k], corners[(k + 1) % 4]
-
-        def point(t: Any, a: Any = start, b: Any = end) -> Any:
-            return a + t * (b - a)
-
-        side = cover(
-            lambda t, at=point: (characteristic(track, at(t)),),
-            0.0,
-            1.0,
-            1 / 64,
-            limit,
-            None,
-            accept and (lambda t, at=point: accept(at(t))),
-        )
+        side = _cover_side(track, corners[k], corners[(k + 1) % 4], limit, accept)
         total += turning(side, 0, values[k], values[(k + 1) % 4])
         paths.append(side)
     return unique_integer(total / (2 * track.field.pi)), tuple(paths)
+
+
+def _cover_side(track: Track, start: Any, end: Any, limit: int, accept: Accept | None) -> Path:
+    def values(t: Any) -> tuple[Any, ...]:
+        return (characteristic(track, start + t * (end - start)),)
+
+    def confirmed(t: Any) -> bool:
+        return accept is None or accept(start + t * (end - start))
+
+    return cover(values, 0.0, 1.0, 1 / 64, limit, None, confirmed)
 
 
 def rectangle_corners(box: Rectangle) -> list[Any]:

@@ -23,7 +23,7 @@ from mpsolve.model.kernel import AHEAD, kernel
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
 POINT = 0.15 - 0.02j
 GRID = np.ravel(np.linspace(-0.4, 0.4, 64)[:, None] - 1j * np.linspace(0.01, 0.6, 64))
-PRECISIONS = (64, 128, 1024, 3322, 33220)
+REPEATS = {64: 25, 128: 25, 1024: 9, 3322: 3}
 
 
 def costs(model: Any, q: Any, repeats: int, points: int = 1) -> dict[str, float]:
@@ -38,7 +38,8 @@ def costs(model: Any, q: Any, repeats: int, points: int = 1) -> dict[str, float]
 
 
 def show(label: str, cost: dict[str, float]) -> None:
-    print(f"{label:22} " + "   ".join(f"{name} {seconds(value)}" for name, value in cost.items()) + "   a point")
+    columns = "   ".join(f"{name} {seconds(value)}" for name, value in cost.items())
+    print(f"{label:22} {columns}   a point")
 
 
 def residue_sums(model: Any, q: complex) -> complex:
@@ -63,8 +64,7 @@ def compare_arithmetics() -> None:
     show("float64, 1 point", costs(model, np.array([POINT]), 50))
     show(f"float64, {GRID.size} points", costs(model, GRID, 15, GRID.size))
     expected = complex(characteristic(model, POINT))
-    for bits in PRECISIONS:
-        repeats = max(3, 20_000 // (bits + 1000))
+    for bits, repeats in REPEATS.items():
         mp = MP(bits)
         point = mp.context.mpc(POINT)
         show(f"mpmath, {bits} bits", costs(track(CASE, mp), point, repeats))

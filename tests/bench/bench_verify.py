@@ -1,4 +1,4 @@
-"""Verifying a certificate from its file, against certifying the case, over ten cases of every kind of contour."""
+"""Verifying a certificate from its file, against certifying the case: ten cases, every kind of contour."""
 
 from __future__ import annotations
 
@@ -51,9 +51,9 @@ def compare(name: str) -> None:
         verdict, evaluations = counted_verdict(path)
         verifying = median(lambda: verifier.verify(path), REPEATS)
     print(
-        f"{name:26} {spectrum.count} roots   certify {seconds(certifying)} ({spectrum.evaluations} on the contour)"
-        f"   verify {seconds(verifying)} ({evaluations} in all)   verify/certify = {verifying / certifying:.2f}"
-        f"  (goal: {GOAL} or less)"
+        f"{name:26} {spectrum.count} roots   certify {seconds(certifying)} "
+        f"({spectrum.evaluations} on the contour)   verify {seconds(verifying)} ({evaluations} in all)   "
+        f"verify/certify = {verifying / certifying:.2f}  (goal: {GOAL} or less)"
     )
     assert spectrum.proved
     assert verdict.valid, verdict.reason

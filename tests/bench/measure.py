@@ -1,4 +1,4 @@
-"""What all benches share: medians of repetitions in one process, counted evaluations, and one line a result."""
+"""What all benches share: medians of repetitions in one process, processor time, and counted evaluations."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import Any
 
 
 def median(function: Callable[[], Any], repeats: int = 5) -> float:
-    """Seconds of one call: the median of `repeats` calls, each timed on its own."""
+    """Processor seconds of one call, which other programs hardly change: the median of `repeats` calls."""
     times = []
     for _ in range(repeats):
-        start = time.perf_counter()
+        start = time.process_time()
         function()
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     return statistics.median(times)
 
 

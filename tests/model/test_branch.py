@@ -47,7 +47,7 @@ def test_float64_follows(data: st.DataObject, case: Case) -> None:
     assert abs(s - complex(a + b)) < 1e-7 * abs(complex(a + b))
 
 
-@few
+@settings(max_examples=15)
 @given(st.data(), cases())
 def test_rates_are_derivatives(data: st.DataObject, case: Case) -> None:
     q = data.draw(frequencies(case))

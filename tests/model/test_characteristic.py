@@ -15,7 +15,7 @@ from mpsolve.model.branch import pairing, track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 
-few = settings(max_examples=20)
+few = settings(max_examples=12)
 numbers = pytest.mark.parametrize("masses", [1, 2, 3, 4])
 
 

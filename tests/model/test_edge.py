@@ -1,4 +1,4 @@
-"""G± on the cut: the limit of R·Δ from either side, finite at branch points, and balls that hold every point."""
+"""G± on the cut: the limit of R·Δ from either side, finite at branch points; its balls hold every point."""
 
 from __future__ import annotations
 
@@ -122,7 +122,9 @@ def test_two_formulas_for_two_masses_agree(case: Case, r: float) -> None:
         model = track(case, field)
         roots = edge_roots(model, r)
         kappas = [2 * (flint.arb(r) + s * flint.acb(0, 1) * model.eta_b) ** 2 / field.pi for s in (1, -1)]
-        for special, general in zip(edge._expand_two(model, roots, kappas), edge._expand_many(model, roots, kappas), strict=True):
+        for special, general in zip(
+            edge._expand_two(model, roots, kappas), edge._expand_many(model, roots, kappas), strict=True
+        ):
             assert special.overlaps(general)
             assert (special - general).abs_upper() < 1e-20 * (1 + special.abs_upper())
 

@@ -90,7 +90,10 @@ def test_branch_points_are_double_p_roots(case: Case) -> None:
         assert min(gaps) < 1e-3  # a double root to half the digits, a fourfold one (α = N = 0) to a quarter
 
 
-@pytest.mark.parametrize("changes", [{"eta_b": 1}, {"eta_b": 2}, {"eta_b": "0.6", "eta_n": "0.8"}, {"eta_n": "0.95", "eta_b": "0.5"}])
+@pytest.mark.parametrize(
+    "changes",
+    [{"eta_b": 1}, {"eta_b": 2}, {"eta_b": "0.6", "eta_n": "0.8"}, {"eta_n": "0.95", "eta_b": "0.5"}],
+)
 def test_cuts_off_the_line_are_refused(changes: dict[str, str]) -> None:
     """η_b ≥ 1, or N ≥ β."""
     case = Case(**({"alpha": "0.5", "eta_b": 0, "eta_m": 1} | changes))

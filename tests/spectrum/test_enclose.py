@@ -1,4 +1,4 @@
-"""Root balls: they hold the root of (26), (37), are as sharp as asked, and know the symmetry they stand on."""
+"""Root balls: they hold the root of (26), (37), are as sharp as asked, and know their symmetry."""
 
 from __future__ import annotations
 

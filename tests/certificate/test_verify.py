@@ -1,0 +1,180 @@
+"""The verifier accepts what `certify` proves, as a plain script that needs the standard library and flint only."""
+
+from __future__ import annotations
+
+import ast
+import json
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import oracle
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpsolve import Case, Rectangle, certify, read_case
+from mpsolve.certificate import verify as module
+from mpsolve.certificate.verify import Verdict, verify
+from mpsolve.spectrum.certify import Spectrum
+
+ROOT = Path(__file__).parents[2]
+SCRIPT = Path(module.__file__)
+PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}
+
+WHOLE_SHEET = {
+    "subcritical damped": (Case(alpha="0.67", eta_b="0.05", **PAIR), 4),
+    "supercritical damped": (Case(alpha="1.2", eta_b="0.05", **PAIR), 4),
+    "supercritical, more roots": (Case(alpha="1.3", eta_b="0.5", **PAIR), 6),
+    "subcritical undamped": (Case(alpha="0.5", eta_b=0, **PAIR), 4),
+    "supercritical undamped": (Case(alpha="1.1", eta_b=0, **PAIR), 4),
+    "at rest": (Case(alpha=0, eta_b="0.1", **PAIR), 4),
+    "at rest, one mass": (Case(alpha=0, eta_b=0, eta_m=5), 2),
+    "at rest, compressed": (Case(alpha=0, eta_b="0.1", eta_n="0.3", **PAIR), 4),
+    "one mass": (Case(alpha="0.9", eta_b="0.05", eta_m=70), 2),
+    "unequal masses": (Case(alpha="0.7", eta_b="0.1", eta_m=(3, 40), positions=(0, "0.8")), 4),
+    "masses at one place": (Case(alpha="0.7", eta_b="0.1", eta_m=(3, 4, 5), positions=(0, 1, 1)), 4),
+    "compressed": (Case(alpha="0.4", eta_b="0.2", eta_n="0.5", **PAIR), 4),
+    "stretched": (Case(alpha="0.8", eta_b="0.2", eta_n="-0.3", eta_s="0.4", **PAIR), 4),
+    "three masses": (Case(alpha="0.5", eta_b="0.2", eta_m=(5, 2, 5), positions=(0, 3, 7)), 6),
+    "nearly alike roots": (Case(alpha="0.5", eta_b="0.05", eta_m=(70, 70), positions=(0, 100)), 4),
+}
+
+
+def verdict(spectrum: Spectrum, folder: Path) -> Verdict:
+    assert spectrum.proved, spectrum.reason
+    assert spectrum.certificate is not None
+    return verify(spectrum.certificate.save(folder / "certificate.json"))
+
+
+@cache
+def pair_file(folder: Path) -> Path:
+    certificate = certify(Case(alpha="0.67", eta_b="0.05", **PAIR)).certificate
+    assert certificate is not None
+    return certificate.save(folder / "pair.json")
+
+
+@pytest.mark.parametrize("name", WHOLE_SHEET)
+def test_the_whole_sheet_is_accepted(name: str, tmp_path: Path) -> None:
+    case, count = WHOLE_SHEET[name]
+    spectrum = certify(case)
+    assert spectrum.count == count
+    expected = f"exactly {count} induced frequencies on the whole physical sheet, {spectrum.unstable} of them"
+    assert verdict(spectrum, tmp_path) == Verdict(True, "", expected + " with Im q < 0")
+
+
+def test_a_physical_case_with_surds_is_accepted(tmp_path: Path) -> None:
+    case = read_case(ROOT / "examples" / "rail_60e1.toml")
+    assert verdict(certify(case), tmp_path).valid
+
+
+@pytest.mark.parametrize(
+    ("eta_b", "eta_n"), [("1", 0), ("1.7", 0), ("0.6", "0.9")], ids=["eta_b = 1", "eta_b > 1", "N above beta"]
+)
+def test_the_unstable_region_is_accepted_where_the_cuts_leave_the_line(
+    eta_b: str, eta_n: object, tmp_path: Path
+) -> None:
+    case = Case(alpha="1.1", eta_b=eta_b, eta_n=eta_n, **PAIR)  # type: ignore[arg-type]
+    spectrum = certify(case, region="unstable")
+    assert verdict(spectrum, tmp_path).claim.startswith("exactly 2 induced frequencies with Im q < 0")
+
+
+@pytest.mark.parametrize(("box", "count"), [(("0", "1", "-0.01", "0.02"), 2), (("-1", "1", "0.06", "1"), 0)])
+def test_a_rectangle_is_accepted(box: tuple[str, str, str, str], count: int, tmp_path: Path) -> None:
+    spectrum = certify(Case(alpha="0.67", eta_b="0.05", **PAIR), region=Rectangle(*box))
+    assert verdict(spectrum, tmp_path).claim.startswith(f"exactly {count} induced frequencies in the rectangle")
+
+
+def test_a_thousand_digits_are_accepted(tmp_path: Path) -> None:
+    spectrum = certify(Case(alpha="0.9", eta_b="0.05", eta_m=70), digits=1000)
+    assert all(oracle.sharp(root.q, 3321) for root in spectrum.roots)
+    assert verdict(spectrum, tmp_path).valid
+
+
+def test_a_cluster_is_accepted(tmp_path: Path) -> None:
+    """Masses so far apart that their roots agree to more digits than are asked for."""
+    case = Case(alpha="0.5", eta_b="0.05", eta_m=(70, 70), positions=(0, 1000))
+    spectrum = certify(case, digits=15)
+    assert {root.multiplicity for root in spectrum.roots} == {2}
+    assert verdict(spectrum, tmp_path).claim.startswith("exactly 4 ")
+
+
+@settings(max_examples=12)
+@given(st.data())
+def test_any_case_is_proved_and_accepted_or_undecided_with_a_reason(
+    tmp_path_factory: pytest.TempPathFactory, data: st.DataObject
+) -> None:
+    eta_m = data.draw(st.lists(oracle.grid(0.5, 100), min_size=1, max_size=2))
+    axial = data.draw(st.one_of(st.just(0.0), oracle.grid(-0.99, 0.8)))
+    eta_b = data.draw(oracle.grid(0, min(0.95, 0.99 * (1 - max(axial, 0) ** 2) ** 0.5)))
+    case = Case(
+        alpha=data.draw(oracle.grid(0, 1.4)),
+        eta_b=eta_b,
+        eta_n=axial,
+        eta_m=eta_m,
+        positions=[0, data.draw(oracle.grid(0.2, 6))][: len(eta_m)],
+    )
+    spectrum = certify(case, digits=15)
+    if not spectrum.proved:
+        assert len(spectrum.reason) > 20
+        return
+    assert verdict(spectrum, tmp_path_factory.mktemp("case")).valid
+    assert spectrum.radius is not None
+    found = oracle.Truth(case, 20).search(spectrum.radius)
+    assert sum(1 if abs(q.real) < 1e-9 * abs(q) else 2 for q in found) == spectrum.count
+
+
+def run(*arguments: object) -> subprocess.CompletedProcess[str]:
+    """The script by itself: -I keeps the working folder and the package out of sight."""
+    command = [sys.executable, "-I", str(SCRIPT), *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+
+
+def test_as_a_script_it_prints_a_line_and_exits_with_0(tmp_path: Path) -> None:
+    file = pair_file(tmp_path)
+    result = run(file)
+    assert (result.returncode, result.stderr) == (0, "")
+    claim = "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0"
+    assert result.stdout == f"{file}: valid: {claim}\n"
+
+
+def test_as_a_script_it_exits_with_1_when_one_of_the_files_is_not_valid(tmp_path: Path) -> None:
+    file = pair_file(tmp_path)
+    other = tmp_path / "other.json"
+    other.write_text(file.read_text().replace('"count": 4', '"count": 6'))
+    result = run(file, other)
+    assert (result.returncode, result.stderr) == (1, "")
+    first, second = result.stdout.splitlines()
+    assert ": valid: " in first
+    assert second == f"{other}: INVALID: the digest does not fit the content"
+
+
+def test_as_a_script_without_a_readable_file_it_exits_with_1(tmp_path: Path) -> None:
+    assert run().returncode == 1
+    missing = run(tmp_path / "missing.json")
+    assert missing.returncode == 1
+    assert "cannot be read" in missing.stdout
+    assert run(tmp_path).returncode == 1
+
+
+def test_it_imports_the_standard_library_and_flint_only() -> None:
+    tree = ast.parse(SCRIPT.read_text())
+    names = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    relative = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.level]
+    names |= {str(node.module) for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    assert not relative
+    assert {name.split(".")[0] for name in names} <= {*sys.stdlib_module_names, "flint"}
+    calls = {node.func.id for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+    assert not calls & {"__import__", "eval", "exec", "compile"}
+
+
+def test_it_leaves_the_precision_of_flint_as_it_was(tmp_path: Path) -> None:
+    before = module.flint.ctx.prec
+    assert verify(pair_file(tmp_path)).valid
+    assert module.flint.ctx.prec == before
+
+
+def test_the_file_is_json_that_holds_the_problem_in_exact_numbers(tmp_path: Path) -> None:
+    content = json.loads(pair_file(tmp_path).read_text())
+    assert content["case"]["alpha"] == "67/100"
+    assert content["identity"] == [root["multiplicity"] for root in content["roots"]] == [1, 1, 1, 1]
