@@ -255,12 +255,20 @@ class Ball:
         return self.upper(self.sqrt(simple_root([flint.acb(a0), flint.acb(a1), flint.acb(a2)], seed, self.bits)))
 
     def largest_real_root(self, a2: Any, a1: Any, a0: Any) -> Any:
-        """Proved to be a real root; that it is the largest one rests on isolating all three."""
-        roots = flint.acb_poly([flint.acb(a).mid() for a in (a0, a1, a2)] + [1]).roots()
-        real = [y.real.mid() for y in roots if y.imag.contains(0)]
+        """Proved: all three roots are isolated in disjoint balls, the real ones as real roots."""
         coefficients = [flint.arb(a0), flint.arb(a1), flint.arb(a2)]
-        proved = [simple_root(coefficients, y, self.bits) for y in real]
-        return max(proved, key=lambda y: float(y.mid()))
+        every, real = [], []
+        for y in flint.acb_poly([a.mid() for a in coefficients] + [1]).roots():
+            if y.imag.contains(0):
+                real.append(simple_root(coefficients, y.real.mid(), self.bits))
+                every.append(flint.acb(real[-1]))
+            else:
+                every.append(simple_root([flint.acb(a) for a in coefficients], y.mid(), self.bits))
+                if every[-1].imag.contains(0):
+                    raise PrecisionError("a root of a real cubic may be real or not: raise the precision")
+        if any(a.overlaps(b) for k, a in enumerate(every) for b in every[:k]):
+            raise PrecisionError("two roots of a real cubic are too close: raise the precision")
+        return max(real, key=lambda y: float(y.mid()))  # disjoint balls: their midpoints order them
 
     def waves(self, sigma: Any, delta2: Any, x: Any) -> Waves:
         z = delta2 * x * x

@@ -644,7 +644,10 @@ def count_in_rectangle(n: Numbers, contour: Any) -> tuple[int, tuple[Any, ...]]:
     left, right, bottom, top = (x.ball() for x in exact)
     on_line = cuts_on_line(n)
     below = top < n.eta_b if on_line else exact[3].quartic <= 0 and n.eta_b > 0
-    require(below or (on_line and bottom > n.eta_b), "the rectangle may meet the cuts")
+    off = below or (on_line and bottom > n.eta_b)
+    # both ends of its range in the gap of the cuts, which is one interval about 0
+    off = off or (on_line and not roots_at_start(n, left) and not roots_at_start(n, right))
+    require(off, "the rectangle may meet the cuts")
     corners = [acb(left, bottom), acb(right, bottom), acb(right, top), acb(left, top)]
     values = [delta_off_cut(n, q)[0] for q in corners]
     require(isinstance(contour["sides"], list) and len(contour["sides"]) == 4, "the rectangle has not four sides")

@@ -107,9 +107,13 @@ def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progre
     found = sum(root.multiplicity for root in roots)
     reason = reason or f"{count.total} roots were counted, but {found} could be enclosed"
     remedy = "ask for more digits, so that clusters come apart, or for a rectangle"
-    return Spectrum(
-        case, region, digits, Status.UNDECIDED, f"{reason}: {remedy}", count.total, None, roots, count.radius
-    )
+    known = count.total if _counts_region(region, count) else None
+    return Spectrum(case, region, digits, Status.UNDECIDED, f"{reason}: {remedy}", known, None, roots, count.radius)
+
+
+def _counts_region(region: Region, count: Count) -> bool:
+    """Whether the count is that of the region itself, not of the sheet around it."""
+    return region != "unstable" or count.contour == "line"
 
 
 def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple[RootBall, ...]) -> Spectrum:
@@ -117,13 +121,14 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
     certificate = make_certificate(case, count, roots)
     if any(sign is None for sign in signs):
         reason = "a cluster of roots meets the real axis, so that its stability is open: ask for more digits"
+        known = count.total if _counts_region(region, count) else None
         return Spectrum(
             case,
             region,
             digits,
             Status.UNDECIDED,
             reason,
-            count.total,
+            known,
             None,
             roots,
             count.radius,

@@ -61,7 +61,10 @@ def cover(
         if values is None:
             step = (there - here) / 2
             if step < 2.0**-44 * max(abs(here), abs(stop) * 2.0**-20):
-                raise PrecisionError(f"a root lies on the contour, or too close to it, near {here:.6g}")
+                raise PrecisionError(
+                    f"a root lies on the contour (a cut, the real axis, a side), or too close to it, near "
+                    f'{here:.6g}: change a parameter a little, or ask for another region ("unstable", a Rectangle)'
+                )
             continue
         breaks.append(there)
         middles.append(tuple(v.mid() for v in values))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from mpsolve.errors import InputError
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact, Number
-from mpsolve.model.limits import require_cuts_on_line
+from mpsolve.model.limits import limiting_frequency, require_cuts_on_line
 from mpsolve.model.parameters import Case
 
 
@@ -53,12 +54,25 @@ def checked_region(case: Case, region: object) -> Region:
 
 
 def _check_rectangle(case: Case, box: Rectangle) -> None:
-    """The closed rectangle must lie off the cuts: on one side of Im q = η_b, or in Im q ≤ 0 without cuts there."""
+    """The closed rectangle must lie off the cuts: beside the line Im q = η_b, in the gap, or in Im q ≤ 0."""
     if not case.cuts_on_line:
         if box.im_max > 0:
             stated = "is above 0, where the branch cuts of this case are not on a line"
             raise InputError("region.im_max", f"{stated}: stay in Im q ≤ 0")
         return
-    if not (box.im_max < case.eta_b or box.im_min > case.eta_b):
+    if not (box.im_max < case.eta_b or box.im_min > case.eta_b or _in_gap(case, box)):
         stated = f"and im_min hold the cut line Im q = eta_b = {case.eta_b.short()} between them"
-        raise InputError("region.im_max", f"{stated}: take one rectangle below the line and one above it")
+        raise InputError(
+            "region.im_max",
+            f"{stated}, beyond the gap: take one rectangle below the line and one above it",
+        )
+
+
+def _in_gap(case: Case, box: Rectangle) -> bool:
+    """The rectangle crosses the cut line only where it is not cut, |Re q| < q_lm, as proved by balls."""
+    with ball_arithmetic(128) as field:
+        try:
+            limit = limiting_frequency(case, field)
+        except PrecisionError:
+            return False
+        return bool(box.re_max.ball() < limit and -box.re_min.ball() < limit)

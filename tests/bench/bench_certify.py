@@ -86,7 +86,8 @@ def compare(cxroots: Any, duel: Duel, method: str = "romb") -> None:
     print(
         f"{duel.name:24} {spectrum.count} roots   certify {seconds(ours)} "
         f"({spectrum.evaluations} balls on the contour, {points} float64 points)   "
-        f"cxroots ({method}) {seconds(theirs)} ({evaluations} float64 points)   cxroots/certify = {theirs / ours:.0f}  (goal: {GOAL} or more)"
+        f"cxroots ({method}) {seconds(theirs)} ({evaluations} float64 points)   "
+        f"cxroots/certify = {theirs / ours:.0f}  (goal: {GOAL} or more)"
     )
     assert spectrum.proved
     assert len(roots) == spectrum.count
