@@ -251,14 +251,14 @@ class Ball:
         mid = [flint.acb(a).mid() for a in (a2, a1, a0)]
         seed = _seed_root([complex(m) for m in mid])
         if seed is None:
-            seed = max((y for y in flint.acb_poly([*mid[::-1], 1]).roots()), key=_sum_height).mid()
+            seed = max(_isolated_roots([*mid[::-1], 1]), key=_sum_height).mid()
         return self.upper(self.sqrt(simple_root([flint.acb(a0), flint.acb(a1), flint.acb(a2)], seed, self.bits)))
 
     def largest_real_root(self, a2: Any, a1: Any, a0: Any) -> Any:
         """Proved: all three roots are isolated in disjoint balls, the real ones as real roots."""
         coefficients = [flint.arb(a0), flint.arb(a1), flint.arb(a2)]
         every, real = [], []
-        for y in flint.acb_poly([a.mid() for a in coefficients] + [1]).roots():
+        for y in _isolated_roots([a.mid() for a in coefficients] + [1]):
             if y.imag.contains(0):
                 real.append(simple_root(coefficients, y.real.mid(), self.bits))
                 every.append(flint.acb(real[-1]))
@@ -377,6 +377,13 @@ def _best_separated_root(a2: float, a1: float, a0: float) -> float:
     floor = -1e-9 * max(abs(y) for y in roots)
     kept = [y for y in roots if y >= floor] or [max(roots)]
     return max(kept, key=lambda y: abs((3 * y + 2 * a2) * y + a1))
+
+
+def _isolated_roots(coefficients: Sequence[Any]) -> list[Any]:
+    try:
+        return list(flint.acb_poly(list(coefficients)).roots())
+    except ValueError:
+        raise PrecisionError("two roots of a cubic are too close to tell apart: raise the precision") from None
 
 
 def _sum_height(y: Any) -> float:

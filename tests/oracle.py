@@ -81,8 +81,16 @@ class Truth:
 
     def root(self, seed: Any, offset: float = 1e-9) -> Any:
         """The root of Δ that the secant method reaches from `seed` and a second point beside it."""
-        seed = self.mp.mpmathify(seed)
-        return self.mp.findroot(self.delta, (seed, seed * (1 + self.mp.mpf(offset))), tol=self.mp.eps**1.5)
+        a = self.mp.mpmathify(seed)
+        b = a * (1 + self.mp.mpf(offset))
+        fa, fb = self.delta(a), self.delta(b)
+        for _ in range(60):
+            step = fb * (b - a) / (fb - fa)
+            a, fa, b = b, fb, b - step
+            if abs(step) < abs(b) * self.mp.mpf(10) ** (8 - self.mp.dps):
+                return b
+            fb = self.delta(b)
+        raise ArithmeticError(f"no root of the truth near {complex(a)}")
 
     def middle(self, ball: Any) -> Any:
         """The middle of a ball, exactly, where the precision allows."""

@@ -218,6 +218,10 @@ class Numbers:
     def beta2(self) -> Any:
         return 1 - self.eta_b**2
 
+    @property
+    def single_at_rest(self) -> bool:
+        return bool(self.alpha.is_zero()) and len(self.eta) == 1
+
 
 def numbers(p: Problem) -> Numbers:
     eta = tuple(sum((m.ball() for m in group), arb(0)) for group in p.masses)
@@ -239,8 +243,14 @@ def quartic(n: Numbers, p: Any, r: Any) -> Any:
 def seeds(n: Numbers, r: Any) -> list[Any]:
     """Approximate p-roots at the middle of the ball r."""
     r = acb(r.mid())
-    coefficients = [4 * n.beta2 - 4 * r * r, 8 * n.alpha * r, -4 * n.A, 0, 1]
-    return [z.mid() for z in acb_poly([acb(c).mid() for c in coefficients]).roots()]
+    polynomial = acb_poly([acb(c).mid() for c in (4 * n.beta2 - 4 * r * r, 8 * n.alpha * r, -4 * n.A, 0, 1)])
+    for bits in (flint.ctx.prec, 4 * flint.ctx.prec, 16 * flint.ctx.prec):
+        try:
+            with precision(bits):
+                return [z.mid() for z in polynomial.roots()]
+        except ValueError:  # roots too close for this precision
+            continue
+    raise Refused("two p-roots are too close to tell apart")
 
 
 def p_root(n: Numbers, r: Any, p: Any) -> Any:
@@ -398,7 +408,7 @@ def last_two(n: Numbers, r: Any, others: list[Any]) -> tuple[Any, Any]:
             return acb(left), acb(right)
         require(signs[0] < 0 and signs[1] > 0, "the sides of two real p-roots are open")
         return acb(right), acb(left)
-    wide, high = (arb(0, arb(0).max(side.upper()).sqrt().upper()) for side in (square, -square))
+    wide, high = (arb(0, positive_root(side).upper()) for side in (square, -square))
     slope = n.alpha * (centre + wide) - r
     require(slope > 0 or slope < 0, "D_r may vanish where p-roots meet")  # else one is above and one below
     pair = acb(centre + wide, high)
@@ -449,15 +459,40 @@ def delta_off_cut(n: Numbers, q: Any) -> tuple[Any, Any]:
 
 
 def edge(n: Numbers, r: Any) -> tuple[Any, Any]:
-    """G± = R det[I − (2(r ± iη_b)²/π) K M] for a real ball r, K and R as seen from below the cut."""
-    z = roots_on_cut(n, r)
+    """G± = R det[I − (2(r ± iη_b)²/π) K M] for a real ball r, K and R as seen from below the cut.
+
+    For one mass at rest G±/s, s = a + b, where R = 2s²(s² − 4A).
+    """
     factors = [4 * I * (acb(r) + s * I * n.eta_b) ** 2 for s in (1, -1)]
+    if n.single_at_rest:
+        s = resting_sum(n, r)
+        resting = [2 * s * (s * s - 4 * n.A) + 2 * factor * n.eta[0] for factor in factors]
+        return resting[0], resting[1]
+    z = roots_on_cut(n, r)
     met = any(u.overlaps(v) for u in z.upper for v in z.lower)
     values = []
     for factor in factors:
         plain = None if met else z.resultant * det(edge_rows(n, z, factor))
         values.append(plain if plain is not None and in_half_plane(plain) else scaled(n, z, factor))
     return values[0], values[1]
+
+
+def resting_sum(n: Numbers, r: Any) -> Any:
+    """s = a + b for α = 0: s² = −4(z − N) with z = √(β² − r²), or i√(r² − β²) for r > β; Im s ≥ 0."""
+    x = n.beta2 - r * r
+    z = acb(positive_root(x), positive_root(-x))
+    w = 4 * (z - n.axial)
+    if w.contains(0):
+        reach = arb(0, abs(w).upper().sqrt().upper())
+        return acb(reach, reach)
+    return -(-w).sqrt() if w.real < 0 else I * w.sqrt()
+
+
+def positive_root(x: Any) -> Any:
+    """√max(x, 0)."""
+    if x > 0:
+        return x.sqrt()
+    return arb(0) if x <= 0 else arb(0).union(arb(x.upper()).sqrt())
 
 
 def scaled(n: Numbers, z: Roots, factor: Any) -> Any:
@@ -597,16 +632,19 @@ def count_on_edge(p: Problem, n: Numbers, points: list[Fraction]) -> int:
     for k, sign in enumerate((1, -1)):
         q = acb(reach, sign * n.eta_b)
         lead = (-far.resultant / (32 * reach**2)).arg()
-        end = lead + far_argument(n, far, q, last[k] / far.resultant)
+        end = lead + far_argument(n, far, q, det(edge_rows(n, far, 4 * I * q * q)))
         halves.append(1 + (end - turning([m[k] for m in middles], first[k], last[k])) / arb.pi())
-    if p.at_rest:
+    if p.at_rest and not n.single_at_rest:
         return the_integer(halves[0] + halves[1] + round_the_branch_point(n, start, first) / arb.pi(), "the sheet")
+    turn = arb(0)
+    if n.single_at_rest:  # of s = a + b from edge to edge, which G±/s leaves out
+        turn = 1 - 2 * (far.upper[0] + far.upper[1]).arg() / arb.pi()
     at_start = roots_at_start(n, start)
     if points[0] == 0:
         require(at_start, "the contour starts at 0, but the cuts are not joined there")
         return the_integer(halves[0], "below the cut") + the_integer(halves[1], "above the cut")
     require(not at_start, "the contour starts on the cut, so that a part of the cut is missing")
-    return the_integer(halves[0] + halves[1], "the sheet")
+    return the_integer(halves[0] + halves[1] + turn, "the sheet")
 
 
 def roots_at_start(n: Numbers, r: Any) -> bool:
@@ -782,22 +820,21 @@ def far_argument(n: Numbers, z: Roots, q: Any, value: Any) -> Any:
 
 def round_the_branch_point(n: Numbers, start: Any, first: tuple[Any, Any]) -> Any:
     """The change of argument round r = β, and the proof that no zero has |w|⁴ ≤ 4(start² − β²)."""
-    radius, outer, samples = (4 * (start**2 - n.beta2)).sqrt().sqrt(), arb(1) / 2, 16
-    require(radius < outer and outer**4 < 4 * n.beta2, "the start is too far from the branch point at rest")
+    radius, outer, samples = (4 * (start**2 - n.beta2)).sqrt().sqrt(), n.beta2.sqrt().sqrt() / 2, 16
+    require(radius < outer, "the start is too far from the branch point at rest")
     rim = [outer * acb(arb(2 * k) / 64 + arb(0, (arb(1) / 64).upper())).exp_pi_i() for k in range(64)]
     bound = largest([at_rest(n, w) for w in rim])
     coefficients = taylor(lambda w: at_rest(n, w), acb(0), outer, bound, outer / 4, samples)
     require(pellet(coefficients, 0, radius, bound, outer), "a zero next to the branch point at rest")
     turn = first[1].conjugate() / first[0]
-    return (turn * I).arg() - arb.pi() / 2 if len(n.eta) == 1 else turn.arg()
+    return turn.arg()
 
 
 def at_rest(n: Numbers, w: Any) -> Any:
-    """R Δ = −8 w⁴ Δ, for one mass w³ Δ, as a function of w; p-roots −w, iw above and w, −iw below."""
+    """R Δ = −8 w⁴ Δ as a function of w; p-roots −w, iw above and w, −iw below."""
     q = (acb(n.beta2) + w**4 / 4).sqrt() + I * n.eta_b
     z = Roots((-w, I * w), (w, -I * w))
-    matrix = det(edge_rows(n, z, 4 * I * q * q))
-    return w**3 * matrix if len(n.eta) == 1 else -8 * w**4 * matrix
+    return -8 * w**4 * det(edge_rows(n, z, 4 * I * q * q))
 
 
 def taylor(f: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, inner: Any, samples: int) -> list[Any]:

@@ -94,7 +94,7 @@ def _sides(track: Track, r: Any, centre: Any, delta2: Any, other: tuple[Any, Any
             else:
                 raise PrecisionError("the side of a real p-root is open: split the piece")
         return over, under
-    wide, high = (arb(0, arb(0).max(side.upper()).sqrt().upper()) for side in (delta2, -delta2))
+    wide, high = (arb(0, _root_of_positive_part(side).upper()) for side in (delta2, -delta2))
     slope = track.alpha * (centre + wide) - r  # D_r/8
     if not (slope > 0 or slope < 0):
         raise PrecisionError("D_r may vanish at a double p-root: split the piece")
@@ -123,6 +123,36 @@ def _expand_one(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]
     """R (1 − κ η K(0)) with R K(0) = −4πi s."""
     contact = 4 * track.field.pi * acb(0, 1) * (z.a + z.b)
     return [z.R + kappa * track.eta_m[0] * contact for kappa in factors]
+
+
+def resting_edge_value(track: Track, r: Any) -> EdgeValue:
+    """G±/s for one mass at rest (α = 0), s = a + b: finite and in general not 0 where two pairs of p-roots meet.
+
+    There R = 2s²(s² − 4A), so that G±/s = 2s(s² − 4A) + 4πiκη.
+    """
+    s, i = _resting_sum(track, arb(r)), acb(0, 1)
+    kappas = (2 * (arb(r) + sign * i * track.eta_b) ** 2 / track.field.pi for sign in (1, -1))
+    return EdgeValue(*(2 * s * (s * s - 4 * track.A) + 4 * track.field.pi * i * k * track.eta_m[0] for k in kappas))
+
+
+def _resting_sum(track: Track, r: Any) -> Any:
+    """s = a + b for α = 0, Im s ≥ 0: s² = 4N − 4z, z = √(β² − r²) in the gap and i√(r² − β²) beyond r = β."""
+    x = track.beta2 - r * r
+    z = acb(_root_of_positive_part(x), _root_of_positive_part(-x))
+    square = 4 * (track.axial - z)
+    if square.real > 0:
+        return -square.sqrt()
+    if square.real < 0 or square.imag < 0:
+        return acb(0, 1) * (-square).sqrt()
+    reach = arb(0, abs(square).upper().sqrt().upper())
+    return acb(reach, reach)
+
+
+def _root_of_positive_part(x: Any) -> Any:
+    """√max(x, 0) over a real ball."""
+    if x > 0:
+        return x.sqrt()
+    return arb(0) if x <= 0 else arb(0).union(arb(x.upper()).sqrt())
 
 
 def _expand_two(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:

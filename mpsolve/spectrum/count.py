@@ -73,8 +73,10 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
             model = track(case, field)
             radius = far_radius(model)
             checker = _checker(case, "edge")
-            at_rest = not (case.alpha or case.axial)
-            starts = [resting_start(model)] if at_rest else [0.0] if joined else _gap_points(case)
+            single = len(model.eta_m) == 1
+            at_rest = not case.alpha and (single or not case.axial)
+            from_disc = at_rest and not single
+            starts = [resting_start(model)] if from_disc else [0.0] if joined else _gap_points(case)
             for start in starts:
                 try:
                     sheet = count_sheet(model, start, radius, limit, _meter(tell, radius), checker, at_rest)

@@ -1,10 +1,10 @@
-"""Loads at rest on a beam without axial force (α = 0, N = 0): the one case in which all four p-roots meet.
+"""Masses at rest on a beam without axial force (α = 0, N = 0): the one case in which all four p-roots meet.
 
 There D = p⁴ − w⁴ with w⁴ = 4(r² − β²), and w is the parameter in which the sheet is smooth about its branch
 point r = β: seen from below the cut w > 0, with the upper p-roots −w and iw; round the branch point to the
-upper side w turns by −π/2. The function
+upper side w turns by −π/2. For two masses and more
 
-    f(w) = R Δ = −8 w⁴ Δ  (two masses and more),      w³ Δ  (one mass)
+    f(w) = R Δ = −8 w⁴ Δ
 
 is analytic near w = 0. Its Taylor coefficients, with proved errors, show |f − f(0)| < |f(0)| for |w| ≤ h: no root
 there, and the change of argument round the branch point is a principal value.
@@ -23,9 +23,8 @@ from mpsolve.spectrum.cluster import pellet, taylor
 
 acb, arb = flint.acb, flint.arb
 
-OUTER = 0.5  # |f| is bounded for |w| ≤ OUTER by ARCS balls on its rim
 ARCS = 64
-SHRINK = 2
+SHRINK = 2  # |f| is bounded for |w| ≤ √β/2 by ARCS balls on the rim, and sampled at √β/2^(1 + SHRINK)
 
 
 def resting_start(track: Track) -> float:
@@ -40,9 +39,10 @@ def resting_start(track: Track) -> float:
 
 def disc_is_free(track: Track, start: float) -> bool:
     """Proves |f − f(0)| < |f(0)| for |w| ≤ h, h⁴ = 4(start² − β²)."""
-    r, outer = arb(start), arb(OUTER)
+    r = arb(start)
+    outer = track.beta2.sqrt().sqrt() / 2  # so that r = √(β² + w⁴/4) is analytic
     radius = (4 * (r * r - track.beta2)).sqrt().sqrt()
-    if not (radius < outer and outer**4 < 4 * track.beta2):  # so that r = √(β² + w⁴/4) is analytic
+    if not radius < outer:
         return False
     bound, half = arb(0), arb(0, (arb(1) / ARCS).upper())
     for k in range(ARCS):
@@ -65,12 +65,4 @@ def _resting_value(track: Track, w: Any) -> Any:
             wave = i * (-w * distance).exp() - (-i * w * distance).exp()
             row.append(int(j == k) - factor * wave * track.eta_m[k])
         rows.append(row)
-    return w**3 * rows[0][0] if n == 1 else -8 * w**4 * laplace_det(rows)
-
-
-def closing_argument(track: Track, below: Any, above: Any) -> Any:
-    """The change of arg R·Δ from the lower edge at r₁ round the branch point to the upper edge."""
-    turn = above / below
-    if len(track.eta_m) == 1:  # R·Δ = −8 w f(w), and w turns by −π/2
-        return (turn * acb(0, 1)).arg() - track.field.pi / 2
-    return turn.arg()
+    return -8 * w**4 * laplace_det(rows)

@@ -7,7 +7,7 @@ A± the principal arguments of its far-field factors at r = ρ (see far.py), the
 
 r₀ = 0 when the cuts are joined (α > α_C): the two halves are counted apart. Otherwise r₀ is a point of the
 gap, and the sum of both halves counts the one connected sheet. For a load at rest without axial force r₀ lies
-on the cut, and rest.py gives the change of argument round the branch point.
+on the cut, and rest.py gives the change of argument round the branch point; for one mass at rest G±/s is followed.
 """
 
 from __future__ import annotations
@@ -21,10 +21,9 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.edge import edge_roots, edge_value
+from mpsolve.model.edge import edge_roots, edge_value, resting_edge_value
 from mpsolve.spectrum.contour import Accept, Path, cover, turning
 from mpsolve.spectrum.region import Rectangle
-from mpsolve.spectrum.rest import closing_argument
 from mpsolve.spectrum.scatter import far_argument, paired_roots
 
 acb, arb = flint.acb, flint.arb
@@ -57,27 +56,33 @@ def count_sheet(
 ) -> SheetCount:
     """Counts every root of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
 
-    `at_rest`: α = N = 0, and `start` comes from `resting_start`. Raises `PrecisionError` when the edge cannot be
-    covered.
+    `at_rest`: one mass with α = 0, or more with α = N = 0 and `start` from `resting_start`. Raises
+    `PrecisionError` when the edge cannot be covered.
     """
-    path = cover(
-        lambda r: _pair(edge_value(track, r)),
-        start,
-        rho,
-        _first_step(track, start, rho),
-        limit,
-        meter,
-        accept,
-    )
-    first, last = _pair(edge_value(track, arb(start))), _pair(edge_value(track, arb(rho)))
-    far = _far_arguments(track, rho, last)
+    single = at_rest and len(track.eta_m) == 1
+    values = resting_edge_value if single else edge_value
+    step = _first_step(track, start, rho)
+    path = cover(lambda r: _pair(values(track, r)), start, rho, step, limit, meter, accept)
+    first, last = _pair(values(track, arb(start))), _pair(values(track, arb(rho)))
+    far = _far_arguments(track, rho)
     pi = track.field.pi
     halves = [1 + (far[k] - turning(path, k, first[k], last[k])) / pi for k in (0, 1)]
     if start == 0:
         below, above = (unique_integer(half) for half in halves)
         return SheetCount(below + above, below, above, rho, path)
-    closing = closing_argument(track, first[0], first[1].conjugate()) / pi if at_rest else 0
+    closing = _closing_argument(track, single, rho, first) / pi if at_rest else 0
     return SheetCount(unique_integer(halves[0] + halves[1] + closing), None, None, rho, path)
+
+
+def _closing_argument(track: Track, single: bool, rho: float, first: tuple[Any, Any]) -> Any:
+    """Loads at rest. One mass: the turn of s = a + b (0 ≤ Arg s ≤ π) from edge to edge, which G±/s leaves out.
+
+    More, without axial force: the turn of R·Δ round the branch point, from the lower to the upper edge.
+    """
+    if single:
+        roots = edge_roots(track, arb(rho))
+        return track.field.pi - 2 * (roots.a + roots.b).arg()
+    return (first[1].conjugate() / first[0]).arg()
 
 
 def _pair(value: Any) -> tuple[Any, Any]:
@@ -91,9 +96,9 @@ def _first_step(track: Track, start: float, rho: float) -> float:
     return min(rho / 4096, float(abs(track.beta2.sqrt() - track.A).mid()) / 16)
 
 
-def _far_arguments(track: Track, rho: float, values: tuple[Any, Any]) -> list[Any]:
+def _far_arguments(track: Track, rho: float) -> list[Any]:
     """A±: Arg(−R/(32ρ²)) and the argument of the rest of G±, by the factors that far.py keeps in half-planes."""
-    roots, r = edge_roots(track, arb(rho)), arb(rho)
+    roots, r, values = edge_roots(track, arb(rho)), arb(rho), _pair(edge_value(track, arb(rho)))
     resultant = (-roots.R / (32 * r * r)).arg()
     total = []
     for sign, value in zip((1, -1), values, strict=True):

@@ -111,7 +111,7 @@ def test_rectangles_add_up(name: str) -> None:
 
 
 def test_a_root_on_a_side_is_not_guessed() -> None:
-    """Undamped subcritical roots are real: a rectangle cannot have them on its side."""
+    """Undamped subcritical roots are real."""
     case = Case(**CASES["subcritical, undamped"])
     with pytest.raises(PrecisionError):
         rectangle(case, "0.1", "0.2", 0, "0.1")
