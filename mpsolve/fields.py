@@ -95,6 +95,8 @@ class Float64:
         plus, minus = np.exp(1j * (sigma + delta) * x), np.exp(1j * (sigma - delta) * x)
         far_cos, far_sin = (plus + minus) / 2, (plus - minus) / (2j * delta)
         far_third = (x * far_cos - far_sin) / (2 * delta * delta)
+        if not near.any():
+            return far_cos, far_sin, far_third
         # Taylor in z = δ²x²: |z| < 1e-2 leaves an error below 1e-17
         carrier = np.exp(1j * sigma * x)
         cos, sinc, third = _taylor_waves(np.where(near, z, 0), 7)
@@ -119,15 +121,13 @@ def cardano(a2: Any, a1: Any, a0: Any) -> tuple[Any, Any, Any]:
     root = np.sqrt(q * q / 4 + p**3 / 27)
     cube = np.where(np.abs(-q / 2 + root) >= np.abs(-q / 2 - root), -q / 2 + root, -q / 2 - root)
     u = np.where(cube == 0, 0, np.exp(np.log(np.where(cube == 0, 1, cube)) / 3))
-    roots = []
-    for turn in (1, cmath.exp(2j * cmath.pi / 3), cmath.exp(-2j * cmath.pi / 3)):
-        v = u * turn
-        y = v - p / (3 * np.where(v == 0, 1, v)) - a2 / 3
-        for _ in range(2):
-            slope = (3 * y + 2 * a2) * y + a1
-            y = y - np.where(slope == 0, 0, ((y + a2) * y + a1) * y + a0) / np.where(slope == 0, 1, slope)
-        roots.append(y)
-    return roots[0], roots[1], roots[2]
+    turns = np.exp(2j * np.pi / 3 * np.arange(3)).reshape(3, *(1,) * u.ndim)
+    v = u * turns
+    y = v - p / (3 * np.where(v == 0, 1, v)) - a2 / 3
+    for _ in range(2):
+        slope = (3 * y + 2 * a2) * y + a1
+        y = y - np.where(slope == 0, 0, ((y + a2) * y + a1) * y + a0) / np.where(slope == 0, 1, slope)
+    return y[0], y[1], y[2]
 
 
 def _taylor_waves(z: Any, terms: int) -> Waves:
@@ -188,18 +188,35 @@ class MP:
         return -s if self.context.im(s) < 0 else s
 
     def dominant_sum(self, a2: Any, a1: Any, a0: Any) -> Any:
-        roots = self.context.polyroots([1, a2, a1, a0], maxsteps=200, extraprec=self.bits)
-        return max((self.upper(self.sqrt(y)) for y in roots), key=lambda s: self.context.im(s))
+        with self.context.workprec(3 * self.bits):
+            s = max((self.upper(self.sqrt(y)) for y in self._cardano(a2, a1, a0)), key=lambda s: self.context.im(s))
+        return +s
+
+    def _cardano(self, a2: Any, a1: Any, a0: Any) -> list[Any]:
+        """The three roots, at the present precision; nearly equal ones are good to a third of it."""
+        context = self.context
+        p, q = a1 - a2 * a2 / 3, a2 * (2 * a2 * a2 / 27 - a1 / 3) + a0
+        root = context.sqrt(q * q / 4 + p**3 / 27)
+        cube = max(-q / 2 + root, -q / 2 - root, key=abs)
+        if not cube:
+            return [context.mpc(-a2 / 3)] * 3
+        u = context.exp(context.log(cube) / 3)
+        turns = [context.expjpi(context.mpf(2 * k) / 3) for k in range(3)]
+        return [u * t - p / (3 * u * t) - a2 / 3 for t in turns]
 
     def largest_real_root(self, a2: Any, a1: Any, a0: Any) -> Any:
-        roots = self.context.polyroots([1, a2, a1, a0], maxsteps=200, extraprec=2 * self.bits)
-        scale = max(abs(y) for y in roots)
-        return max(y.real for y in roots if abs(self.context.im(y)) <= scale * 2.0 ** (-self.bits // 3))
+        with self.context.workprec(3 * self.bits):
+            roots = self._cardano(a2, a1, a0)
+            scale = max(abs(y) for y in roots)
+            real = max(y.real for y in roots if abs(self.context.im(y)) <= scale * 2.0 ** (-self.bits // 2))
+        return +real
 
     def waves(self, sigma: Any, delta2: Any, x: Any) -> Waves:
         z = delta2 * x * x
-        if abs(z) < 2.0**-20:
-            terms = self.bits // 20 + 3
+        if abs(z) < 0.25:  # the third of the waves is a difference that loses the bits of 1/|z|
+            terms = 2
+            while 2 * terms + math.lgamma(2 * terms + 1) / math.log(2) < self.bits + 4:  # |z|^k/(2k)! < 2^−bits
+                terms += 1
             carrier = self.exp(self.i * sigma * x)
             cos, sinc, third = _taylor_waves(z, terms)
             return carrier * cos, carrier * x * sinc, carrier * x**3 * third

@@ -15,13 +15,15 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
 import flint
 from flint import acb, acb_mat, acb_poly, arb, fmpq
 
-MAX_BYTES, MAX_PIECES, MAX_ROOTS, MAX_MASSES, MAX_BITS = 64_000_000, 500_000, 500, 60, 120_000
+MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_MASSES = 64_000_000, 300_000, 3_000_000, 300, 24
+MAX_BITS, MAX_ALL_BITS, MAX_CONTOUR_BITS = 120_000, 1_500_000, 512  # of one root, of all roots, of a contour
 I = acb(0, 1)  # noqa: E741
 
 
@@ -210,11 +212,11 @@ class Numbers:
     eta: tuple[Any, ...]
     x: tuple[Any, ...]
 
-    @property
+    @cached_property
     def A(self) -> Any:
         return self.axial + self.alpha**2
 
-    @property
+    @cached_property
     def beta2(self) -> Any:
         return 1 - self.eta_b**2
 
@@ -259,8 +261,10 @@ def p_root(n: Numbers, r: Any, p: Any) -> Any:
     `p` and `r` both real (arb) give a real root.
     """
     middle = r.mid()
+    k2, k1, k0 = 4 * n.A, 8 * n.alpha * middle, 4 * (n.beta2 - middle * middle)
     for _ in range(4 + flint.ctx.prec.bit_length()):
-        step = quartic(n, p, middle).mid() / D_p(n, p, middle).mid()
+        square = p * p
+        step = (((square - k2) * p + k1) * p + k0).mid() / (p * (4 * square - 2 * k2) + k1).mid()
         if not step.is_finite():
             return None
         p = (p - step).mid()
@@ -331,26 +335,27 @@ def roots_on_cut(n: Numbers, r: Any) -> Roots:
     """For a real ball r, as seen from below the cut: a real root is an upper one iff D_r/D_p > 0 there."""
     if n.alpha.is_zero():
         return even_roots(n, r)
-    starts = [acb(z.real) if abs(z.imag) < abs(z) * arb(2) ** -20 else z for z in seeds(n, r)]
-    found = {k: p_root(n, r, z.real if z.imag.is_zero() else z) for k, z in enumerate(starts)}
-    lost = [k for k, p in found.items() if p is None or (isinstance(p, acb) and p.imag.contains(0))]
-    if len(lost) == 1:  # its neighbour, which it may meet, is taken together with it
-        others = [k for k in found if k != lost[0]]
-        lost.append(min(others, key=lambda k: float(abs(starts[k] - starts[lost[0]]).mid())))
-    real_ones = [p for k, p in found.items() if k not in lost and isinstance(p, arb)]
-    complex_ones = [p for k, p in found.items() if k not in lost and isinstance(p, acb)]
-    apart([*real_ones, *complex_ones])
-    upper = [p for p in complex_ones if p.imag > 0]
-    lower = [p for p in complex_ones if p.imag < 0]
-    require(
-        len(upper) == len(lower) and len(upper) + len(lower) == len(complex_ones),
-        "a p-root meets the real axis",
-    )
-    for p in real_ones:
+    real_seeds: list[Any] = []
+    upper_seeds: list[Any] = []
+    for z in seeds(n, r):
+        if abs(z.imag) < abs(z) * arb(2) ** -20:
+            real_seeds.append(z.real)
+        elif z.imag > 0:  # D is real: the conjugate of a root is a root
+            upper_seeds.append(z)
+    require(len(real_seeds) + 2 * len(upper_seeds) == 4, "the p-roots on the cut cannot be told apart")
+    real_ones = {k: p for k, z in enumerate(real_seeds) if (p := p_root(n, r, z)) is not None}
+    upper = [p for z in upper_seeds if (p := p_root(n, r, z)) is not None and p.imag > 0]
+    lower = [p.conjugate() for p in upper]
+    lost = [k for k in range(len(real_seeds)) if k not in real_ones]
+    if len(lost) == 1 and real_ones:  # its neighbour, which it may meet, is taken together with it
+        real_ones.pop(min(real_ones, key=lambda k: float(abs(real_seeds[k] - real_seeds[lost[0]]).mid())))
+    apart([*real_ones.values(), *upper, *lower])
+    missing = 4 - len(real_ones) - len(upper) - len(lower)
+    for p in real_ones.values():
         sign = (8 * n.alpha * p - 8 * r) * D_p(n, p, r)
         require(sign > 0 or sign < 0, "the side of a real p-root is open")
         (upper if sign > 0 else lower).append(acb(p))
-    if len(lost) == 2:
+    if missing == 2:
         above, below = last_two(n, r, upper + lower)
         upper.append(above)
         lower.append(below)
@@ -729,7 +734,7 @@ def far_field(n: Numbers, reach: Any) -> None:
         q2, q3 = 6 * c * c * s * s - 4 * n.A * c * c + 4 * n.alpha * s, 4 * c * s**3 - 8 * n.A * c * s
         q4 = s**4 - 4 * n.A * s * s + 4 * n.beta2
         rest = u**2 * (q2 + q3 * u + q4 * u**2)
-        size = arb(0, (abs(rest) / 2).upper())
+        size = arb(0, (abs(rest) / 2 + w.rad() * arb(2) ** -40).upper())
         box = acb(size, size)
         root = c + s * u + box
         shift = -rest / (4 * root**3 - 8 * n.A * u**2 * root + 4 * n.alpha * u)
@@ -937,6 +942,7 @@ def check_cluster(n: Numbers, found: Root) -> None:
 def check_roots(p: Problem, values: Any) -> list[Root]:
     require(isinstance(values, list) and len(values) <= MAX_ROOTS, "roots are no list, or too many")
     roots = [root(v) for v in values]
+    require(sum(r.bits for r in roots) <= MAX_ALL_BITS, "the roots have too many digits in all")
     seen: set[Root] = set()
     for k, found in enumerate(roots):
         mirror = Root(-found.re, found.im, found.exponent, found.multiplicity, found.axis)
@@ -974,7 +980,7 @@ def check(content: dict[str, Any]) -> str:
     keys(contour, {"kind", "bits"} | ({"bounds", "sides"} if rectangle else {"radius", "breaks"}))
     roots = check_roots(p, content["roots"])
     check_inside(contour, roots)
-    with precision(integer(contour["bits"], 53, 4096, "bits") + 16):
+    with precision(integer(contour["bits"], 53, MAX_CONTOUR_BITS, "bits") + 16):
         n = numbers(p)
         require(n.axial < 1, "the beam buckles without any load")
         if rectangle:

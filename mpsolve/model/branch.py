@@ -9,6 +9,7 @@ Everything that the kernel needs of them is rational in s: y = s² is a root of 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import flint
@@ -30,11 +31,11 @@ class Track:
     positions: tuple[Any, ...]
     cuts_on_line: bool  # η_b < 1 and N < β: the cuts lie on Im q = η_b
 
-    @property
+    @cached_property
     def A(self) -> Any:
         return self.axial + self.alpha * self.alpha
 
-    @property
+    @cached_property
     def beta2(self) -> Any:
         return 1 - self.eta_b * self.eta_b
 

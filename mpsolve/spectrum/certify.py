@@ -120,7 +120,7 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
     signs = [_below(root) for root in roots]
     certificate = make_certificate(case, count, roots)
     if any(sign is None for sign in signs):
-        reason = "a cluster of roots meets the real axis, so that its stability is open: ask for more digits"
+        reason = "a root's ball meets the real axis, so that the sign of Im q is open: ask for more digits"
         known = count.total if _counts_region(region, count) else None
         return Spectrum(
             case,

@@ -59,7 +59,7 @@ def cover(
             raise PrecisionError(f"the contour needs more than {limit} pieces: raise the effort")
         values = _try(evaluate, flint.arb(here).union(flint.arb(there)), accept)
         if values is None:
-            step = (there - here) / 2
+            step = (there - here) * 0.625
             if step < 2.0**-44 * max(abs(here), abs(stop) * 2.0**-20):
                 raise PrecisionError(
                     f"a root lies on the contour (a cut, the real axis, a side), or too close to it, near "
@@ -68,7 +68,7 @@ def cover(
             continue
         breaks.append(there)
         middles.append(tuple(v.mid() for v in values))
-        here, step = there, min(1.5 * step, max(widest, GROWTH * abs(there)))
+        here, step = there, min(1.25 * step, max(widest, GROWTH * abs(there)))
         if meter and len(middles) % 64 == 0:
             meter(here)
     return Path(tuple(breaks), tuple(middles), count)

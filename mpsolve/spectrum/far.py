@@ -96,7 +96,7 @@ def asymptotics(track: Track, W: float) -> Asymptotics:
         third = 4 * c * slope**3 - 8 * A * c * slope
         fourth = slope**4 - 4 * A * slope * slope + 4 * track.beta2
         value = u * u * (second + u * (third + u * fourth))
-        size = arb(0, (value.abs_upper() / 2).upper())
+        size = arb(0, (value.abs_upper() / 2 + reach * arb(2) ** -40).upper())
         start = c + slope * u
         ball = start + acb(size, size)
         image = start - value / _quartic_slope(track, u, ball)

@@ -17,7 +17,7 @@ from mpsolve.model.characteristic import characteristic_rate
 from mpsolve.model.limits import branch_points
 from mpsolve.model.parameters import Case
 
-_STEPS = 50
+_STEPS = 30
 
 
 @dataclass(frozen=True)

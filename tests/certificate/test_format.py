@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from mpsolve import Case, CertificateError, certify
 from mpsolve.certificate.format import Certificate, digest, dyadic, write_whole
 from mpsolve.certificate.verify import precision, read, root

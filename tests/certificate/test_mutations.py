@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from mpsolve import Case, Rectangle, certify
 from mpsolve.certificate.format import digest
 from mpsolve.certificate.verify import Verdict, verify
@@ -81,6 +82,11 @@ def moving(index: int, key: str, by: int) -> Change:
     return change
 
 
+def moving_a_pair(content: Content) -> None:
+    for index in (0, 3):
+        moving(index, "im", 1)(content)
+
+
 def dropping_roots(*indices: int, also_in_claim: bool) -> Change:
     def change(content: Content) -> None:
         content["roots"] = [root for k, root in enumerate(content["roots"]) if k not in indices]
@@ -136,7 +142,7 @@ ROOTS: dict[str, tuple[str, Change, str]] = {
     "a digit of a root": ("sheet", moving(3, "re", 1), "root 3: interval Newton"),
     "a digit of a mirrored root": ("sheet", moving(0, "im", -1), "root 0: interval Newton"),
     "a leading digit": ("sheet", moving(1, "im", 1 << 90), "root 1: interval Newton"),
-    "both of a pair moved": ("sheet", lambda c: [moving(k, "im", 1)(c) for k in (0, 3)][0], "root 0: interval"),
+    "both of a pair moved": ("sheet", moving_a_pair, "root 0: interval"),
     "another exponent": ("sheet", setting("roots", 2, "exponent", to=-90), "root 2"),
     "a root across the cut": ("sheet", setting("roots", 0, "im", to="0x" + "f" * 27), "root 0"),
     "a real root off its axis": ("undamped", moving(0, "im", 1), "root is off its axis"),
@@ -225,7 +231,11 @@ CONTOURS: dict[str, tuple[str, Change, str]] = {
     "a side in one piece": ("rectangle", side(1, lambda b: [b[0], b[-1]]), "side 1, piece 0"),
     "a side cut short": ("rectangle", side(2, lambda b: b[:-1]), "side 2 does not run from 0 to 1"),
     "a side that starts late": ("rectangle", side(3, lambda b: b[1:]), "side 3 does not run from 0 to 1"),
-    "a rectangle across the cut": ("rectangle", lambda c: c["contour"]["bounds"].update(re_max="3", im_max="1"), "meet the cuts"),
+    "a rectangle across the cut": (
+        "rectangle",
+        lambda c: c["contour"]["bounds"].update(re_max="3", im_max="1"),
+        "meet the cuts",
+    ),
     "an empty rectangle": ("rectangle", setting("contour", "bounds", "re_min", to="1/5"), "root|not in order"),
 }
 
@@ -351,7 +361,9 @@ WRONG_VALUES: dict[str, Change] = {
     "an exponent of 4000 digits": setting("roots", 0, "exponent", to=10**4000),
     "an exponent as text": setting("roots", 0, "exponent", to="-104"),
     "an exponent as a truth value": setting("roots", 0, "exponent", to=True),
-    "a root at 0": setting("roots", 0, to={"re": "0x0", "im": "0x0", "exponent": 0, "multiplicity": 1, "axis": "none"}),
+    "a root at 0": setting(
+        "roots", 0, to={"re": "0x0", "im": "0x0", "exponent": 0, "multiplicity": 1, "axis": "none"}
+    ),
     "a root of any size": lambda c: c["roots"][0].update(re="-0x1", im="0x0", exponent=60),
     "a cluster at 0": lambda c: c["roots"][0].update(re="0x0", im="0x0", multiplicity=2),
     "roots as an object": setting("roots", to={}),
