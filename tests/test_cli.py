@@ -121,10 +121,7 @@ def test_a_certificate_that_cannot_be_written(run: Run, monkeypatch: pytest.Monk
     result = run("certify", PLAIN, "--json")
     assert result.exit_code == 1
     assert json.loads(result.stdout)["certificate"] is None
-    assert (
-        result.stderr
-        == "mpsolve: dimensionless.certificate.json cannot be written: No space left on device\n"
-    )
+    assert result.stderr == "mpsolve: dimensionless.certificate.json cannot be written: No space left on device\n"
 
 
 @dataclass(frozen=True)
@@ -193,9 +190,7 @@ def test_importing_the_command_is_light() -> None:
     """Beside what `import mpsolve` loads, the module needs click alone."""
     code = "import sys, mpsolve; before = {*sys.modules}; import mpsolve.cli; print(*{*sys.modules} - before)"
     environment = {**os.environ, "PYTHONPATH": str(Path(mpsolve.__file__).parents[1])}
-    done = subprocess.run(
-        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
-    )
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
     loaded = {name.partition(".")[0] for name in done.stdout.split()}
     assert not loaded & {"rich", "sympy", "matplotlib"}
     assert not [name for name in done.stdout.split() if name.startswith("mpsolve.report")]

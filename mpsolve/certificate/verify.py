@@ -302,7 +302,10 @@ def roots_off_cut(n: Numbers, q: Any) -> Roots:
     """
     r = q - I * n.eta_b
     found = [p_root(n, r, z) for z in seeds(n, r)]
-    require(len(found) == 4 and all(p is not None for p in found), "p-roots cannot be isolated off the cut")
+    require(len(found) == 4, "p-roots cannot be told apart off the cut")
+    if sum(p is None for p in found) == 2:
+        return one_side_met(n, [p for p in found if p is not None])
+    require(all(p is not None for p in found), "p-roots cannot be isolated off the cut")
     apart(found)
     upper: list[Any] = []
     lower: list[Any] = []
@@ -319,6 +322,19 @@ def roots_off_cut(n: Numbers, q: Any) -> Roots:
         (upper if side.imag > 0 else lower).append(p)
     require(len(upper) == 2 and len(lower) == 2, "the p-roots are not two above and two below the real axis")
     return Roots((upper[0], upper[1]), (lower[0], lower[1]))
+
+
+def one_side_met(n: Numbers, others: list[Any]) -> Roots:
+    """Two roots on one side that may meet share a ball, by Vieta; the other two are isolated on the other side."""
+    apart(others)
+    total, product = others[0] + others[1], others[0] * others[1]
+    square = 4 * n.A + product - 3 * total**2 / 4
+    reach = arb(0, abs(square).upper().sqrt().upper())
+    pair = -total / 2 + acb(reach, reach)
+    if pair.imag > 0 and others[0].imag < 0 and others[1].imag < 0:
+        return Roots((pair, pair), (others[0], others[1]))
+    require(pair.imag < 0 and others[0].imag > 0 and others[1].imag > 0, "p-roots cannot be isolated off the cut")
+    return Roots((others[0], others[1]), (pair, pair))
 
 
 def off_the_cuts(n: Numbers, q: Any) -> bool:
@@ -457,6 +473,26 @@ def det(rows: Sequence[Sequence[Any]]) -> Any:
         return rows[0][0]
     minors = ([[*row[:k], *row[k + 1 :]] for row in rows[1:]] for k in range(len(rows)))
     return sum(((-1) ** k * rows[0][k] * det(minor) for k, minor in enumerate(minors)), acb(0))
+
+
+def kernel_met(z: Roots, xi: Any, ahead: bool) -> Any:
+    """K(ξ) where the two roots a, b of its own side may meet: the divided difference of e^{ipξ}/((p − c)(p − e))."""
+    (a, b), (c, e) = (z.upper, z.lower) if ahead else (z.lower, z.upper)
+    at_a, at_b = (a - c) * (a - e), (b - c) * (b - e)
+    wave = I * xi * (I * a * xi).exp() * (((a - b) * xi / 2).sinc() * (-I * (a - b) * xi / 2).exp())
+    value = wave / at_a - (I * b * xi).exp() * (a + b - c - e) / (at_a * at_b)
+    return 2 * arb.pi() * I * (value if ahead else -value)
+
+
+def value_off_cut(n: Numbers, q: Any) -> Any:
+    """Δ alone, also where two p-roots on one side of the real axis may meet."""
+    z = roots_off_cut(n, q)
+    if not (z.upper[0].overlaps(z.upper[1]) or z.lower[0].overlaps(z.lower[1])):
+        return delta(n, z, q, q - I * n.eta_b)[0]
+    size = range(len(n.eta))
+    rows = [[kernel_met(z, n.x[i] - n.x[j], i >= j) * n.eta[j] for j in size] for i in size]
+    factor = 2 * q * q / arb.pi()
+    return det([[int(i == j) - factor * rows[i][j] for j in size] for i in size])
 
 
 def delta_off_cut(n: Numbers, q: Any) -> tuple[Any, Any]:
@@ -602,7 +638,7 @@ def confirms(n: Numbers, kind: str) -> Callable[[Any], bool]:
 
     def accept(piece: Any) -> bool:
         try:
-            values = edge(n, piece) if kind == "edge" else delta_off_cut(n, acb(piece))[:1]
+            values = edge(n, piece) if kind == "edge" else [value_off_cut(n, acb(piece))]
         except Refused:
             return False
         return all(v.is_finite() and in_half_plane(v) for v in values)
@@ -671,9 +707,9 @@ def count_on_line(n: Numbers, points: list[Fraction]) -> int:
     require(points[0] == 0 and n.eta_b > 0, "the line does not start at 0, or there is no damping")
     reach = ball(points[-1])
     far_field(n, reach)
-    middles = along(lambda q: delta_off_cut(n, acb(q))[:1], points, "the real line")
+    middles = along(lambda q: [value_off_cut(n, acb(q))], points, "the real line")
     q = acb(reach)
-    last = delta_off_cut(n, q)[0]
+    last = value_off_cut(n, q)
     far = far_argument(n, roots_off_cut(n, q), q, last)
     return the_integer((far - turning([m[0] for m in middles], acb(1), last)) / arb.pi(), "Im q < 0")
 
@@ -692,7 +728,7 @@ def count_in_rectangle(n: Numbers, contour: Any) -> tuple[int, tuple[Any, ...]]:
     off = off or (on_line and not roots_at_start(n, left) and not roots_at_start(n, right))
     require(off, "the rectangle may meet the cuts")
     corners = [acb(left, bottom), acb(right, bottom), acb(right, top), acb(left, top)]
-    values = [delta_off_cut(n, q)[0] for q in corners]
+    values = [value_off_cut(n, q) for q in corners]
     require(isinstance(contour["sides"], list) and len(contour["sides"]) == 4, "the rectangle has not four sides")
     total = arb(0)
     for k, side in enumerate(contour["sides"]):
@@ -701,7 +737,7 @@ def count_in_rectangle(n: Numbers, contour: Any) -> tuple[int, tuple[Any, ...]]:
         a, b = corners[k], corners[(k + 1) % 4]
 
         def value(t: Any, a: Any = a, b: Any = b) -> Sequence[Any]:
-            return delta_off_cut(n, a + t * (b - a))[:1]
+            return [value_off_cut(n, a + t * (b - a))]
 
         middles = along(value, points, f"side {k}")
         total += turning([m[0] for m in middles], values[k], values[(k + 1) % 4])
@@ -920,7 +956,7 @@ def check_root(p: Problem, found: Root, mirrored: bool) -> None:
         require(found.axis != "real" or not p.eta_b.quartic, "a real root needs an undamped track")
         box = found.box
         slope = delta_off_cut(n, box)[1]
-        image = found.centre - delta_off_cut(n, found.centre)[0] / slope
+        image = found.centre - value_off_cut(n, found.centre) / slope
         require(image.is_finite() and box.contains_interior(image), "interval Newton does not confirm it")
 
 
@@ -929,9 +965,9 @@ def check_cluster(n: Numbers, found: Root) -> None:
     centre, size = found.centre, max(abs(found.re), abs(found.im)).bit_length() + found.exponent
     outer = arb((1, size - 16))
     spread = arb(0, outer)
-    bound = largest([delta_off_cut(n, centre + acb(spread, spread))[0]])
+    bound = largest([value_off_cut(n, centre + acb(spread, spread))])
     inner = outer * arb((1, -(2 * found.bits // 16)))
-    coefficients = taylor(lambda q: delta_off_cut(n, q)[0], centre, outer, bound, inner, 16)
+    coefficients = taylor(lambda q: value_off_cut(n, q), centre, outer, bound, inner, 16)
     for radius in (found.radius, found.radius * arb(2).sqrt() * (1 + arb((1, -40)))):
         require(
             pellet(coefficients, found.multiplicity, radius, bound, outer),
@@ -1000,10 +1036,9 @@ def conclude(content: dict[str, Any], kind: str, roots: list[Root], count: int) 
     """Count, enclosures and claim agree."""
     claim = content["claim"]
     keys(claim, {"count"}, frozenset({"unstable"}))
-    require(
-        content["identity"] == [r.multiplicity for r in roots],
-        "the identity does not list the multiplicities",
-    )
+    listed = content["identity"]
+    require(isinstance(listed, list) and all(type(m) is int for m in listed), "the identity is no list of integers")
+    require(listed == [r.multiplicity for r in roots], "the identity does not list the multiplicities")
     total = sum(r.multiplicity for r in roots)
     require(
         claim["count"] == total and type(claim["count"]) is int,

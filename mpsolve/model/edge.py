@@ -116,7 +116,10 @@ def edge_value(track: Track, r: Any) -> EdgeValue:
     shift = acb(0, 1) * track.eta_b
     plus, minus = (2 * (arb(r) + sign * shift) ** 2 / track.field.pi for sign in (1, -1))
     expand = {1: _expand_one, 2: _expand_two}.get(len(track.eta_m), _expand_many)
-    return EdgeValue(*expand(track, roots, (plus, minus)))
+    value = EdgeValue(*expand(track, roots, (plus, minus)))
+    if not (value.plus.is_finite() and value.minus.is_finite()):
+        raise PrecisionError("two pairs of p-roots meet at once within the piece: split it, or change alpha a little")
+    return value
 
 
 def _expand_one(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:

@@ -513,9 +513,7 @@ def test_eq_39_derivative_of_the_kernel():
     """(39) with e^{i p g} and with (D^2)_{,pp}, (D^2)_{,ppp} for the print's D_{,pp}^2, D_{,ppp}^2."""
     corrected = printed_39(xi, sp.Function("h_pp"), sp.Function("h_ppp"))
     assert agrees(statement("(39)"), rs.K_q(xi, q), corrected)
-    with_squares = printed_39(
-        xi, lambda z: sp.Function("D_pp")(z) ** 2, lambda z: sp.Function("D_ppp")(z) ** 2
-    )
+    with_squares = printed_39(xi, lambda z: sp.Function("D_pp")(z) ** 2, lambda z: sp.Function("D_ppp")(z) ** 2)
     assert differs(statement("(A5)").rhs, with_squares)
 
 
@@ -643,9 +641,7 @@ def test_kernel_by_the_cubic_is_the_sum_of_residues(number, cubic):
     residues = statement(number).rhs.subs(at, simultaneous=True)
     E, G, H = sp.symbols("E G H")
     waves = {exp(I * xi * s_ / 2): E, exp(I * xi * above): G, exp(I * xi * below): H}
-    difference = sp.together(
-        (residues - factored).replace(exp, lambda z: exp(sp.expand(z)).expand()).subs(waves)
-    )
+    difference = sp.together((residues - factored).replace(exp, lambda z: exp(sp.expand(z)).expand()).subs(waves))
     assert not difference.has(exp)
     assert sp.cancel(difference) == 0
 

@@ -38,9 +38,7 @@ def measure(x: Exact) -> Fraction:
 
 def reference(x: Exact, precision: int) -> Any:
     with mpmath.workprec(precision):
-        return x.sign * mpmath.sqrt(
-            mpmath.sqrt(mpmath.mpf(x.fourth_power.numerator) / x.fourth_power.denominator)
-        )
+        return x.sign * mpmath.sqrt(mpmath.sqrt(mpmath.mpf(x.fourth_power.numerator) / x.fourth_power.denominator))
 
 
 def label(value: object) -> str:

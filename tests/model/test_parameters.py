@@ -57,9 +57,7 @@ def cases() -> st.SearchStrategy[Case]:
 def physical_cases(draw: st.DrawFn) -> PhysicalCase:
     values = {name: draw(above_zero) for name in ("EI", "m", "k")}
     values |= {name: draw(at_least_zero) for name in ("v", "c", "kp")}
-    masses = zip(
-        draw(st.lists(above_zero, min_size=1, max_size=3)), (0, draw(above_zero), 1000), strict=False
-    )
+    masses = zip(draw(st.lists(above_zero, min_size=1, max_size=3)), (0, draw(above_zero), 1000), strict=False)
     return PhysicalCase(**values, N=-draw(at_least_zero), masses=masses)
 
 

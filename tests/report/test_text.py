@@ -87,7 +87,7 @@ def test_the_count_of_an_undecided_region(region: str, said: bool) -> None:
 
 
 def test_a_cluster_says_how_many_roots_it_holds() -> None:
-    cluster = RootBall(acb(arb(0.25, 1e-20), arb(0.5, 1e-20)), 2)
+    cluster = RootBall(acb(arb(0.25, 1e-20), arb(0.5, 1e-20)), -66, 2)
     spectrum = Spectrum(UNSTABLE, "sheet", 15, Status.PROVED, "", 4, 0, (cluster.mirrored, cluster))
     text = render(spectrum)
     assert "decays, halves (2 roots)" in text
