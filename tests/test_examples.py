@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 from pathlib import Path
 from types import ModuleType
 
 import pytest
+
+from mpsolve import verify
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 MODULES = sorted(path.stem for path in EXAMPLES.glob("*.py"))
@@ -40,3 +43,18 @@ def test_picture(tmp_path: Path) -> None:
     first, second = picture.visualize(tmp_path / "a.svg"), picture.visualize(tmp_path / "b.svg")
     assert first.read_bytes() == second.read_bytes()
     assert first.read_text("utf-8").startswith("<?xml")
+
+
+def test_certificates_are_those_of_the_cases_and_valid() -> None:
+    """certs/ holds one file a case; each passes the verifier, and two of them are proved again, to the same roots."""
+    certificates = load("certificates")
+    files = {path.stem: path for path in certificates.FOLDER.glob("*.json")}
+    assert files.keys() == certificates.CASES.keys()
+    for path in files.values():
+        verdict = verify(path)
+        assert verdict.valid, f"{path.name}: {verdict.reason}"
+    for name in ("rail_60e1", "unstable_d1.5_alpha0.67"):
+        spectrum = certificates.prove(name)
+        stored = json.loads(files[name].read_text("ascii"))
+        assert spectrum.certificate.content["roots"] == stored["roots"]
+        assert spectrum.certificate.content["claim"] == stored["claim"]

@@ -32,6 +32,10 @@ def one_sided(case: Case, r: Any, side: int) -> Any:
     return value if side > 0 else value.conjugate()
 
 
+# the truth is taken 1e-40 beside the edge: what that may change, and no more, is added to the ball
+BESIDE = flint.acb(flint.arb(0, 1e-30), flint.arb(0, 1e-30))
+
+
 def close(ball: Any, truth: Any, tolerance: float) -> bool:
     return bool(abs(flint.acb(ball) - flint.acb(truth)) < tolerance * (1 + abs(flint.acb(truth))))
 
@@ -99,7 +103,7 @@ def test_the_edge_is_finite_through_its_branch_points(
         wide, narrow = at(case, r, 1e-7), at(case, r, 1e-11)
         for side, before, ball in ((1, wide.plus, narrow.plus), (-1, wide.minus, narrow.minus)):
             truths = [one_sided(case, r + shift * 1e-11, side) for shift in (-0.9, -0.1, 0.2, 0.9)]
-            assert all(holds(ball, truth) for truth in truths)
+            assert all(holds(ball + BESIDE, truth) for truth in truths)
             assert (ball - ball.mid()).abs_upper() < 0.02 * (before - before.mid()).abs_upper()
 
 
@@ -114,8 +118,8 @@ def test_a_ball_of_r_holds_every_point(masses: int, data: st.DataObject) -> None
         value = at(case, r, reach)
     except PrecisionError:
         return
-    assert holds(value.plus, one_sided(case, r + inside * reach, 1))
-    assert holds(value.minus, one_sided(case, r + inside * reach, -1))
+    assert holds(value.plus + BESIDE, one_sided(case, r + inside * reach, 1))
+    assert holds(value.minus + BESIDE, one_sided(case, r + inside * reach, -1))
 
 
 @few
