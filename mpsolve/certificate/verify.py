@@ -511,9 +511,10 @@ def edge(n: Numbers, r: Any) -> tuple[Any, Any]:
         return resting[0], resting[1]
     z = roots_on_cut(n, r)
     met = any(u.overlaps(v) for u in z.upper for v in z.lower)
+    waves, resultant = None if met else edge_waves(n, z), z.resultant
     values = []
     for factor in factors:
-        plain = None if met else z.resultant * det(edge_rows(n, z, factor))
+        plain = None if waves is None else resultant * det(edge_rows(n, waves, factor))
         values.append(plain if plain is not None and in_half_plane(plain) else scaled(n, z, factor))
     return values[0], values[1]
 
@@ -561,19 +562,27 @@ def residue(z: Roots, k: int) -> Any:
     return 1 / result
 
 
-def edge_rows(n: Numbers, z: Roots, factor: Any) -> list[list[Any]]:
-    """I − κK M with K/(2πi) = Σ e^{ipξ}/D_p over the upper roots, −Σ over the lower ones, D_p = Π (p − p')."""
+def edge_waves(n: Numbers, z: Roots) -> list[list[Any]]:
+    """K_ik/(2πi): Σ e^{ipξ}/D_p over the upper roots, −Σ over the lower ones, with D_p = Π (p − p')."""
     c = [residue(z, k) for k in range(4)]
+    ahead, behind = list(zip(z.upper, c[:2], strict=True)), list(zip(z.lower, c[2:], strict=True))
+    contact = c[0] + c[1]
     rows = []
     for i, xi in enumerate(n.x):
         row = []
         for k, xk in enumerate(n.x):
-            over = i >= k
-            terms = zip(z.upper, c[:2], strict=True) if over else zip(z.lower, c[2:], strict=True)
-            value = sum(((I * p * (xi - xk)).exp() * w for p, w in terms), acb(0))
-            row.append(int(i == k) - factor * (value if over else -value) * n.eta[k])
+            if i == k:
+                row.append(contact)
+            else:
+                value = sum(((I * p * (xi - xk)).exp() * w for p, w in (ahead if i > k else behind)), acb(0))
+                row.append(value if i > k else -value)
         rows.append(row)
     return rows
+
+
+def edge_rows(n: Numbers, waves: list[list[Any]], factor: Any) -> list[list[Any]]:
+    """I − κK M, factor = 2πi κ."""
+    return [[int(i == k) - factor * w * n.eta[k] for k, w in enumerate(row)] for i, row in enumerate(waves)]
 
 
 def bordered_rows(n: Numbers, z: Roots, factor: Any) -> list[list[Any]]:
@@ -673,7 +682,7 @@ def count_on_edge(p: Problem, n: Numbers, points: list[Fraction]) -> int:
     for k, sign in enumerate((1, -1)):
         q = acb(reach, sign * n.eta_b)
         lead = (-far.resultant / (32 * reach**2)).arg()
-        end = lead + far_argument(n, far, q, det(edge_rows(n, far, 4 * I * q * q)))
+        end = lead + far_argument(n, far, q, det(edge_rows(n, edge_waves(n, far), 4 * I * q * q)))
         halves.append(1 + (end - turning([m[k] for m in middles], first[k], last[k])) / arb.pi())
     if p.at_rest and not n.single_at_rest:
         return the_integer(halves[0] + halves[1] + round_the_branch_point(n, start, first) / arb.pi(), "the sheet")
@@ -875,7 +884,7 @@ def at_rest(n: Numbers, w: Any) -> Any:
     """R Δ = −8 w⁴ Δ as a function of w; p-roots −w, iw above and w, −iw below."""
     q = (acb(n.beta2) + w**4 / 4).sqrt() + I * n.eta_b
     z = Roots((-w, I * w), (w, -I * w))
-    return -8 * w**4 * det(edge_rows(n, z, 4 * I * q * q))
+    return -8 * w**4 * det(edge_rows(n, edge_waves(n, z), 4 * I * q * q))
 
 
 def taylor(f: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, inner: Any, samples: int) -> list[Any]:

@@ -60,7 +60,10 @@ def edge_roots(track: Track, r: Any) -> EdgeRoots:
         lower += under
     if len(upper) != 2 or len(lower) != 2:
         raise PrecisionError("the sides of the p-roots on the cut are open: split the piece")
-    return EdgeRoots(*(_sharpened(track, r, p) for p in (*upper, *lower)))
+    sharp = [_sharpened(track, r, p) for p in upper]
+    # a factor's nonreal roots are conjugates, one in each list, in the order of the factors
+    conjugates = iter([p.conjugate() for p, wide in zip(sharp, upper, strict=True) if wide.imag > 0])
+    return EdgeRoots(*sharp, *(next(conjugates) if p.imag < 0 else _sharpened(track, r, p) for p in lower))
 
 
 def _sharpened(track: Track, r: Any, p: Any) -> Any:

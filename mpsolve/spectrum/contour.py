@@ -21,7 +21,7 @@ Values = tuple[Any, ...]
 Evaluate = Callable[[Any], Values]
 Accept = Callable[[Any], bool]
 
-MARGIN = 0.7  # of the midpoint's modulus that an image ball may reach
+MARGIN = 0.9  # of the midpoint's modulus that an image ball may reach
 
 GROWTH = 0.3  # a piece is at most this part of its distance from 0, or the first step
 

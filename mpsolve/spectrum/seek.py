@@ -66,11 +66,11 @@ def _newton_step(model: Any, q: Any, poles: Any) -> Any:
 def _starting_points(radius: float, around: list[float], effort: int) -> Any:
     """Polar grids in the right half-plane of r: about 0, dense towards both sides of the cut, and about the
     branch points, next to which light masses have their roots (at a distance like η_M²)."""
-    moduli = np.geomspace(0.01, max(radius, 1.0), 16 * effort)
-    turn = np.linspace(0, 1, 7 * effort + 1)[1:] ** 1.7 * np.pi / 2
+    moduli = np.geomspace(0.01, max(radius, 1.0), 12 * effort)
+    turn = np.linspace(0, 1, 6 * effort + 1)[1:] ** 1.7 * np.pi / 2
     grids = [np.outer(moduli, np.exp(1j * np.concatenate([-turn[::-1], turn])))]
-    near = np.geomspace(1e-13, 0.3, 14 * effort)
-    spokes = np.exp(1j * np.pi * (np.arange(8 * effort) + 0.5) / (4 * effort))
+    near = np.geomspace(1e-13, 0.3, 10 * effort)
+    spokes = np.exp(1j * np.pi * (np.arange(6 * effort) + 0.5) / (3 * effort))
     grids += [r * (1 + np.outer(near, spokes)) for r in around if r > 0]
     return np.concatenate([grid.ravel() for grid in grids])
 
