@@ -53,12 +53,7 @@ def _show_version(context: click.Context, _option: click.Parameter, asked: bool)
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
-    "--version",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_show_version,
-    help="Show the version.",
+    "--version", is_flag=True, is_eager=True, expose_value=False, callback=_show_version, help="Show the version."
 )
 def cli() -> None:
     """Certified stability analysis of masses that move along a beam on an elastic foundation."""

@@ -133,10 +133,7 @@ class Verdict:
 
 def test_verify_says_a_line_for_each_file(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     verifier = types.ModuleType("mpsolve.certificate.verify")
-    verdicts = {
-        "good.json": Verdict(True, "", "4 roots"),
-        "bad.json": Verdict(False, "a root is missing", ""),
-    }
+    verdicts = {"good.json": Verdict(True, "", "4 roots"), "bad.json": Verdict(False, "a root is missing", "")}
     verifier.verify = lambda path: verdicts[path.name]  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "mpsolve.certificate.verify", verifier)
     result = run("verify", "good.json")

@@ -36,20 +36,7 @@ def true_waves(sigma: Any, delta2: Any, x: Any) -> tuple[Any, Any, Any]:
 # --- waves -------------------------------------------------------------------------------------------------
 
 # δ²x² on both sides of each switch between series and closed form, down to 0
-NEAR = [
-    0,
-    1e-40,
-    1e-30j,
-    2.0**-21,
-    -(2.0**-20),
-    2.0**-19 * 1j,
-    0.0099,
-    0.0101j,
-    -0.0101,
-    0.249,
-    0.251j,
-    -0.26,
-]
+NEAR = [0, 1e-40, 1e-30j, 2.0**-21, -(2.0**-20), 2.0**-19 * 1j, 0.0099, 0.0101j, -0.0101, 0.249, 0.251j, -0.26]
 
 
 @pytest.mark.parametrize("z", NEAR)
@@ -118,11 +105,7 @@ def test_dominant_sum_is_the_sum_of_the_upper_roots(drawn: tuple[complex, ...], 
     ys = [mp.mpmathify(s) ** 2 for s in (a + b, a + c, a + e)]
     gaps = [abs(ys[0] - y) for y in ys[1:]]
     assume(min(gaps) > 0.05 * abs(ys[0]))
-    coefficients = [
-        -(ys[0] + ys[1] + ys[2]),
-        ys[0] * ys[1] + ys[0] * ys[2] + ys[1] * ys[2],
-        -ys[0] * ys[1] * ys[2],
-    ]
+    coefficients = [-(ys[0] + ys[1] + ys[2]), ys[0] * ys[1] + ys[0] * ys[2] + ys[1] * ys[2], -ys[0] * ys[1] * ys[2]]
     with ball_arithmetic(bits) as field:
         ball = field.dominant_sum(*(flint.acb(v) for v in coefficients))
     assert holds(ball, mp.mpmathify(a + b))

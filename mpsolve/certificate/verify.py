@@ -51,15 +51,7 @@ def verify(path: Any) -> Verdict:
         return Verdict(False, str(error))
     except OSError as error:
         return Verdict(False, f"the file cannot be read: {error.strerror or error}")
-    except (
-        ValueError,
-        TypeError,
-        KeyError,
-        IndexError,
-        ArithmeticError,
-        RecursionError,
-        MemoryError,
-    ) as error:
+    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
         return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
 
 
@@ -120,10 +112,7 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
 
 
 def mantissa(value: Any) -> int:
-    require(
-        isinstance(value, str) and re.fullmatch(r"-?0x[0-9a-f]{1,40000}", value),
-        "a mantissa is not hexadecimal",
-    )
+    require(isinstance(value, str) and re.fullmatch(r"-?0x[0-9a-f]{1,40000}", value), "a mantissa is not hexadecimal")
     return int(value, 16)
 
 
@@ -314,10 +303,7 @@ def roots_off_cut(n: Numbers, q: Any) -> Roots:
         if not (p.imag > 0 or p.imag < 0):
             require(off_the_cuts(n, q), "the ball of q may meet a cut")
             side = p_root(n, acb(r.mid()), p.mid())
-            require(
-                side is not None and not any(side.overlaps(o) for o in found if o is not p),
-                "a p-root is lost",
-            )
+            require(side is not None and not any(side.overlaps(o) for o in found if o is not p), "a p-root is lost")
         require(side.imag > 0 or side.imag < 0, "a p-root is too close to the real axis")
         (upper if side.imag > 0 else lower).append(p)
     require(len(upper) == 2 and len(lower) == 2, "the p-roots are not two above and two below the real axis")
@@ -663,8 +649,7 @@ def the_integer(value: Any, name: str) -> int:
 
 def breakpoints(values: Any, name: str) -> list[Fraction]:
     require(
-        isinstance(values, list) and 2 <= len(values) <= MAX_PIECES,
-        f"{name}: no list of breakpoints, or too long",
+        isinstance(values, list) and 2 <= len(values) <= MAX_PIECES, f"{name}: no list of breakpoints, or too long"
     )
     points = [dyadic(v) for v in values]
     require(all(a < b for a, b in pairwise(points)), f"{name}: breakpoints are not in order")
@@ -833,10 +818,7 @@ def many_masses(n: int, E: Sequence[Any], tilt: Any, gain: Any, contact: Any, de
             floor *= 1 - g * z
             passive = (1 + (z * z - 1) / (root2 - z) ** 2).sqrt()
             z = largest(
-                [
-                    arb(1),
-                    passive + (z * (2 * change + g * skew) + change + passive * z * change) / (1 - g * z),
-                ]
+                [arb(1), passive + (z * (2 * change + g * skew) + change + passive * z * change) / (1 - g * z)]
             )
         coupling = abs(gain) * size / (root2 * (1 - shift))
         error = coupling * decay
@@ -946,8 +928,7 @@ def root(value: Any) -> Root:
     found = Root(mantissa(value["re"]), mantissa(value["im"]), exponent, number, axis)
     require(found.bits <= MAX_BITS, "a root has too many digits")
     require(
-        axis == "none" or (number == 1 and (found.im if axis == "real" else found.re) == 0),
-        "a root is off its axis",
+        axis == "none" or (number == 1 and (found.im if axis == "real" else found.re) == 0), "a root is off its axis"
     )
     return found
 
@@ -978,10 +959,7 @@ def check_cluster(n: Numbers, found: Root) -> None:
     inner = outer * arb((1, -(2 * found.bits // 16)))
     coefficients = taylor(lambda q: value_off_cut(n, q), centre, outer, bound, inner, 16)
     for radius in (found.radius, found.radius * arb(2).sqrt() * (1 + arb((1, -40)))):
-        require(
-            pellet(coefficients, found.multiplicity, radius, bound, outer),
-            "Pellet's test does not confirm it",
-        )
+        require(pellet(coefficients, found.multiplicity, radius, bound, outer), "Pellet's test does not confirm it")
 
 
 def check_roots(p: Problem, values: Any) -> list[Root]:
@@ -1050,15 +1028,10 @@ def conclude(content: dict[str, Any], kind: str, roots: list[Root], count: int) 
     require(listed == [r.multiplicity for r in roots], "the identity does not list the multiplicities")
     total = sum(r.multiplicity for r in roots)
     require(
-        claim["count"] == total and type(claim["count"]) is int,
-        f"{total} roots are enclosed, not the number claimed",
+        claim["count"] == total and type(claim["count"]) is int, f"{total} roots are enclosed, not the number claimed"
     )
     require(total == count, f"the winding number is {count}, but {total} roots are enclosed")
-    where = {
-        "edge": "on the whole physical sheet",
-        "line": "with Im q < 0",
-        "rectangle": "in the rectangle",
-    }[kind]
+    where = {"edge": "on the whole physical sheet", "line": "with Im q < 0", "rectangle": "in the rectangle"}[kind]
     words = f"exactly {count} induced frequencies {where}"
     if "unstable" in claim:
         words += f", {unstable(claim['unstable'], roots)} of them with Im q < 0"

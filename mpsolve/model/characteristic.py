@@ -5,14 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mpsolve.model.branch import Track, pairing, pairing_rate
-from mpsolve.model.kernel import (
-    AHEAD,
-    BEHIND,
-    kernel,
-    kernel_at_contact,
-    kernel_at_contact_rate,
-    kernel_rate,
-)
+from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact, kernel_at_contact_rate, kernel_rate
 
 Rows = list[list[Any]]
 

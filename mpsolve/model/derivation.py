@@ -95,10 +95,7 @@ def cubic_steps(coefficients: Step) -> tuple[Step, ...]:
     factored = "(37) over the two roots of {}, where the other factor's values multiply to R."
     return (
         Step(
-            "(A9)",
-            "Factors of D",
-            rs.factor_conditions(),
-            "D = (p^2 - s p + t)(p^2 + s p + t'), y = s^2, Im s > 0.",
+            "(A9)", "Factors of D", rs.factor_conditions(), "D = (p^2 - s p + t)(p^2 + s p + t'), y = s^2, Im s > 0."
         ),
         Step("(A10)", "Resolvent cubic", rs.resolvent_cubic(), "g(y) = 0 from t t' = c_0 and (A9)."),
         Step(
@@ -108,27 +105,14 @@ def cubic_steps(coefficients: Step) -> tuple[Step, ...]:
             "R = res(U, L): zero where an upper root meets a lower.",
         ),
         Step(
-            "(A12)",
-            "R is the cubic's slope",
-            rs.resultant_slope(),
-            "g'(y), c_0 eliminated by (A10): equals (A11).",
+            "(A12)", "R is the cubic's slope", rs.resultant_slope(), "g'(y), c_0 eliminated by (A10): equals (A11)."
         ),
-        Step(
-            "(A13)",
-            "Root splits",
-            rs.root_splits(),
-            "delta^2, delta'^2: a quarter of the factors' discriminants.",
-        ),
+        Step("(A13)", "Root splits", rs.root_splits(), "delta^2, delta'^2: a quarter of the factors' discriminants."),
         Step("(A14)", "Kernel for xi >= 0 by the cubic", rs.kernel_factored(UPPER), factored.format("U")),
         Step("(A15)", "Kernel for xi < 0 by the cubic", rs.kernel_factored(LOWER), factored.format("L")),
         Step("(A16)", "Kernel at the load", rs.kernel_origin(), "xi = 0 in (A14)."),
         Step("(A17)", "Coupling of two masses", rs.kernel_gap(), "(37) with C_j = 1/D_{,p}(p_j) and (A4)."),
-        Step(
-            "(A18)",
-            "Uniformisation",
-            rs.uniformisation(known),
-            "(A10) is linear in r^2; y = 4 sigma^2, and (A6).",
-        ),
+        Step("(A18)", "Uniformisation", rs.uniformisation(known), "(A10) is linear in r^2; y = 4 sigma^2, and (A6)."),
     )
 
 

@@ -143,13 +143,7 @@ class Mass:
     phi_f: Exact
 
     def __init__(
-        self,
-        M: Number,
-        position: Number,
-        P: Number = 0,
-        P_A: Number = 0,
-        omega_f: Number = 0,
-        phi_f: Number = 0,
+        self, M: Number, position: Number, P: Number = 0, P_A: Number = 0, omega_f: Number = 0, phi_f: Number = 0
     ) -> None:
         vars(self).update(
             M=_above_zero(M, "M", "mass in kg"),

@@ -146,10 +146,7 @@ def beam_ratios() -> Step:
     force = 2 * sp.sqrt(k * EI)
     pairs = sp.Eq(eta_b, c_b / (2 * sp.sqrt(m * k))), sp.Eq(eta_N, N / force), sp.Eq(eta_S, k_p / force)
     return Step(
-        "(11)",
-        "Damping ratio, axial force, Pasternak modulus",
-        pairs,
-        "Definitions. The print has eta_s for eta_S.",
+        "(11)", "Damping ratio, axial force, Pasternak modulus", pairs, "Definitions. The print has eta_s for eta_S."
     )
 
 
@@ -311,10 +308,7 @@ def determinant(system: Step) -> Step:
     """(26)."""
     statement = sp.Eq(det(q), sp.expand(system.statement.lhs.args[0].det(method="berkowitz")))
     return Step(
-        "(26)",
-        "Characteristic determinant",
-        statement,
-        "Determinant of (25); det = 0 is the frequency equation.",
+        "(26)", "Characteristic determinant", statement, "Determinant of (25); det = 0 is the frequency equation."
     )
 
 
@@ -323,10 +317,7 @@ def normalised_determinant(system: Step, masses: int) -> Step:
     matrix = (system.statement.lhs.args[0] / sp.pi).applyfunc(sp.expand)
     statement = sp.Eq(det(q), sp.pi**masses * sp.Determinant(matrix))
     return Step(
-        "(A1)",
-        "Characteristic function",
-        statement,
-        "pi taken out of each row of (25); the rest is Delta(q).",
+        "(A1)", "Characteristic function", statement, "pi taken out of each row of (25); the rest is Delta(q)."
     )
 
 

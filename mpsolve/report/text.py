@@ -116,10 +116,7 @@ def _ratios(case: Case) -> Iterator[tuple[str, str, str]]:
 
 
 def _limits(spectrum: Spectrum) -> Iterator[tuple[str, str, str]]:
-    meaning = {
-        "α_C": "velocity ratio at which the cuts join",
-        "q_lm": "limiting frequency, where the cuts begin",
-    }
+    meaning = {"α_C": "velocity ratio at which the cuts join", "q_lm": "limiting frequency, where the cuts begin"}
     for name, value in limits(spectrum).items():
         yield name, value, meaning[name]
 

@@ -122,18 +122,7 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
     if any(sign is None for sign in signs):
         reason = "a root's ball meets the real axis, so that the sign of Im q is open: ask for more digits"
         known = count.total if _counts_region(region, count) else None
-        return Spectrum(
-            case,
-            region,
-            digits,
-            Status.UNDECIDED,
-            reason,
-            known,
-            None,
-            roots,
-            count.radius,
-            certificate,
-        )
+        return Spectrum(case, region, digits, Status.UNDECIDED, reason, known, None, roots, count.radius, certificate)
     unstable = tuple(root for root, sign in zip(roots, signs, strict=True) if sign)
     number = sum(root.multiplicity for root in unstable)
     if region == "unstable":

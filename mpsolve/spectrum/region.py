@@ -63,8 +63,7 @@ def _check_rectangle(case: Case, box: Rectangle) -> None:
     if not (box.im_max < case.eta_b or box.im_min > case.eta_b or _in_gap(case, box)):
         stated = f"and im_min hold the cut line Im q = eta_b = {case.eta_b.short()} between them"
         raise InputError(
-            "region.im_max",
-            f"{stated}, beyond the gap: take one rectangle below the line and one above it",
+            "region.im_max", f"{stated}, beyond the gap: take one rectangle below the line and one above it"
         )
 
 

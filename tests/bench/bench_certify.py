@@ -39,14 +39,10 @@ class Duel:
 
 DUELS = [
     Duel(  # q_lm = 0.45
-        "subcritical, damped",
-        Case(alpha="0.67", eta_b="0.05", **PAIR),
-        (((-1, 1), (-1, 0.04)),),
+        "subcritical, damped", Case(alpha="0.67", eta_b="0.05", **PAIR), (((-1, 1), (-1, 0.04)),)
     ),
     Duel(  # the roots are real, in the gap between the cuts: q_lm = 0.62
-        "subcritical, undamped",
-        Case(alpha="0.5", eta_b="0", **PAIR),
-        (((-0.55, 0.55), (-0.5, 0.5)),),
+        "subcritical, undamped", Case(alpha="0.5", eta_b="0", **PAIR), (((-0.55, 0.55), (-0.5, 0.5)),)
     ),
     Duel(  # the cuts are joined: one rectangle on either side of them
         "supercritical, damped",

@@ -11,14 +11,7 @@ from sympy import I, exp, pi
 
 from mpsolve.errors import InputError
 from mpsolve.model import residues as rs
-from mpsolve.model.derivation import (
-    Step,
-    characteristic,
-    derivation,
-    dispersion,
-    kernel_resolvent,
-    render,
-)
+from mpsolve.model.derivation import Step, characteristic, derivation, dispersion, kernel_resolvent, render
 from mpsolve.model.residues import K, alpha, beta, p, q, r, xi
 from mpsolve.model.steps import (
     EI,
@@ -567,13 +560,7 @@ def test_frequencies_of_a_real_wavenumber():
 def test_damping_is_a_rescaling():
     """(A8): D(p sqrt(beta); beta r, alpha sqrt(beta), beta N, eta_b) = beta^2 D(p; r, alpha, N, 0)."""
     D, root = dispersion().expression, sp.sqrt(beta)
-    damped = {
-        p: root * p,
-        q: beta * r + I * eta_b,
-        alpha: root * alpha,
-        eta_N: beta * eta_N,
-        eta_S: beta * eta_S,
-    }
+    damped = {p: root * p, q: beta * r + I * eta_b, alpha: root * alpha, eta_N: beta * eta_N, eta_S: beta * eta_S}
     scaled = D.subs(damped, simultaneous=True)
     assert vanishes((scaled - statement("(A8)").rhs).expand().subs(eta_b**2, 1 - beta**2))
     assert vanishes(statement("(A8)").rhs - beta**2 * D.subs({eta_b: 0, q: r}))

@@ -123,11 +123,7 @@ def plain(old: str, new: str) -> str:
     ("text", "key", "reason"),
     [
         # a value that cannot be
-        (
-            physical("6.4e6", "-6.4e6"),
-            "physical.EI",
-            "is -6.4e+6, but must be above 0: give the bending stiffness",
-        ),
+        (physical("6.4e6", "-6.4e6"), "physical.EI", "is -6.4e+6, but must be above 0: give the bending stiffness"),
         (physical("m = 60", "m = 0"), "physical.m", "above 0"),
         (physical("k = 1e6", "k = -1e6"), "physical.k", "above 0"),
         (physical("v = 100", "v = -1"), "physical.v", "must not be below 0"),
@@ -168,11 +164,7 @@ def plain(old: str, new: str) -> str:
         ("title = 1.5\n" + PLAIN, "title", "is a number, not a text"),
         ("title = true\n" + PLAIN, "title", "is a boolean, not a text"),
         # a key that is missing
-        (
-            physical("EI = 6.4e6\n", ""),
-            "physical.EI",
-            "is missing: give the bending stiffness of the beam in N m²",
-        ),
+        (physical("EI = 6.4e6\n", ""), "physical.EI", "is missing: give the bending stiffness of the beam in N m²"),
         (physical("m = 60\n", ""), "physical.m", "is missing"),
         (physical("k = 1e6\n", ""), "physical.k", "is missing"),
         (physical("v = 100\n", ""), "physical.v", "is missing"),
@@ -187,11 +179,7 @@ def plain(old: str, new: str) -> str:
         (MASS, "physical", "is missing: add [physical]"),
         # a key or section that is unknown or of the wrong kind
         (physical("EI =", "ei ="), "physical.ei", "is unknown: did you mean EI?"),
-        (
-            physical("v = 100", "v = 100\nspeed = 3"),
-            "physical.speed",
-            "is unknown: the keys here are EI, m, k",
-        ),
+        (physical("v = 100", "v = 100\nspeed = 3"), "physical.speed", "is unknown: the keys here are EI, m, k"),
         (physical("v = 100", "v = 100\n'a\\nb' = 3"), r"physical.'a\\nb'", "is unknown"),
         (physical("M = 5000", "M = 5000\nomega = 3"), "mass[2].omega", "is unknown: did you mean omega_f?"),
         (PLAIN + "eta_a = 1", "dimensionless.eta_a", "is unknown: did you mean eta_"),

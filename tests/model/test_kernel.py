@@ -131,11 +131,7 @@ def test_damping_is_a_rescaling(data: st.DataObject, case: Case, xi: float) -> N
     mp = rescaled.mp
     beta = mp.sqrt(1 - rescaled.eta_b**2)
     r = q - mp.j * rescaled.eta_b
-    rescaled.alpha, rescaled.axial, rescaled.eta_b = (
-        rescaled.alpha / mp.sqrt(beta),
-        rescaled.axial / beta,
-        mp.zero,
-    )
+    rescaled.alpha, rescaled.axial, rescaled.eta_b = (rescaled.alpha / mp.sqrt(beta), rescaled.axial / beta, mp.zero)
     expected = beta**-1.5 * rescaled.kernel(xi * mp.sqrt(beta), r / beta)
     assert abs(kernel_at(track(case, MP(200)), q, xi) - expected) < 1e-35 * (1 + abs(expected))
 
@@ -170,12 +166,7 @@ def collisions(case: Case, digits: int) -> list[Any]:
     A, beta2 = truth.axial + alpha**2, 1 - truth.eta_b**2
     # with z = p₁²: (2A − z)² (α² − z) = 4α² [(z − A)² − β²]
     square, twice = [1, -4 * A, 4 * A**2], [1, -2 * A, A**2 - beta2]
-    left = [
-        -square[0],
-        alpha**2 * square[0] - square[1],
-        alpha**2 * square[1] - square[2],
-        alpha**2 * square[2],
-    ]
+    left = [-square[0], alpha**2 * square[0] - square[1], alpha**2 * square[1] - square[2], alpha**2 * square[2]]
     cubic = [left[0], *(a - 4 * alpha**2 * b for a, b in zip(left[1:], twice, strict=True))]
     found = []
     for z in mp.polyroots([mp.mpf(c) for c in cubic], maxsteps=500, extraprec=400):

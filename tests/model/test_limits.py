@@ -91,8 +91,7 @@ def test_branch_points_are_double_p_roots(case: Case) -> None:
 
 
 @pytest.mark.parametrize(
-    "changes",
-    [{"eta_b": 1}, {"eta_b": 2}, {"eta_b": "0.6", "eta_n": "0.8"}, {"eta_n": "0.95", "eta_b": "0.5"}],
+    "changes", [{"eta_b": 1}, {"eta_b": 2}, {"eta_b": "0.6", "eta_n": "0.8"}, {"eta_n": "0.95", "eta_b": "0.5"}]
 )
 def test_cuts_off_the_line_are_refused(changes: dict[str, str]) -> None:
     """η_b ≥ 1, or N ≥ β."""

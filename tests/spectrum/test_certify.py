@@ -101,9 +101,7 @@ def test_the_pairs_lower_frequency_is_between_single_and_double(alpha: str, d: s
 
 UNDAMPED = list(
     itertools.product(
-        ("0.1", "0.5", "0.9", "1.2", "1.4"),
-        ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5"),
-        (10, 40, 70),
+        ("0.1", "0.5", "0.9", "1.2", "1.4"), ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5"), (10, 40, 70)
     )
 )
 SAMPLE = random.Random(4).sample(UNDAMPED, 6)

@@ -23,11 +23,7 @@ def series(*coefficients: complex, error: float = 0) -> Taylor:
 
 
 # (z − 0.001)(z + 0.001)(z − 3), (z − 0.001i)³ (z − 2), z² + 1e-9
-TOYS = [
-    ((3e-6, -1e-6, -3, 1), 2),
-    ((-2j * 1e-9, 6e-6 + 1e-9j, 6e-3j - 3e-6, -2 - 3e-3j, 1), 3),
-    ((1e-9, 0, 1), 2),
-]
+TOYS = [((3e-6, -1e-6, -3, 1), 2), ((-2j * 1e-9, 6e-6 + 1e-9j, 6e-3j - 3e-6, -2 - 3e-3j, 1), 3), ((1e-9, 0, 1), 2)]
 
 
 @pytest.mark.parametrize(("coefficients", "roots"), TOYS)

@@ -25,20 +25,8 @@ CASES = {
     "close, slow": {"alpha": "0.1", "eta_b": 0, "eta_m": (10, 10), "positions": (0, "0.5")},
     "supercritical": {"alpha": "1.2", "eta_b": "0.05", **PAIR},
     "supercritical, undamped": {"alpha": "1.4", "eta_b": 0, "eta_m": (40, 40), "positions": (0, "4.5")},
-    "unequal, compressed": {
-        "alpha": "0.4",
-        "eta_b": "0.1",
-        "eta_n": "0.3",
-        "eta_m": (70, 7),
-        "positions": (0, 2),
-    },
-    "on a Pasternak layer": {
-        "alpha": "1.1",
-        "eta_b": "0.2",
-        "eta_s": "0.5",
-        "eta_m": (70, 20),
-        "positions": (0, 3),
-    },
+    "unequal, compressed": {"alpha": "0.4", "eta_b": "0.1", "eta_n": "0.3", "eta_m": (70, 7), "positions": (0, 2)},
+    "on a Pasternak layer": {"alpha": "1.1", "eta_b": "0.2", "eta_s": "0.5", "eta_m": (70, 20), "positions": (0, 3)},
     "one mass, supercritical, undamped": {"alpha": "1.2", "eta_b": 0, "eta_m": 70},
 }
 named = pytest.mark.parametrize("name", CASES)
