@@ -238,27 +238,33 @@ def seeds(n: Numbers, r: Any) -> list[Any]:
     for bits in (flint.ctx.prec, 4 * flint.ctx.prec, 16 * flint.ctx.prec):
         try:
             with precision(bits):
-                return [z.mid() for z in polynomial.roots()]
+                found = polynomial.roots()
+            return [polished(n, r, z.mid()) for z in found]
         except ValueError:  # roots too close for this precision
             continue
     raise Refused("two p-roots are too close to tell apart")
 
 
-def p_root(n: Numbers, r: Any, p: Any) -> Any:
-    """A ball with exactly one root of D(·, r) for each point of the ball r, or None: interval Newton.
-
-    `p` and `r` both real (arb) give a real root.
-    """
-    middle = r.mid()
-    k2, k1, k0 = 4 * n.A, 8 * n.alpha * middle, 4 * (n.beta2 - middle * middle)
-    for _ in range(4 + flint.ctx.prec.bit_length()):
+def polished(n: Numbers, middle: Any, p: Any) -> Any:
+    """p after Newton's method on D(·, middle), until it stands still: an approximation, not a proof."""
+    k2, k1, k0 = (x.mid() for x in (4 * n.A, 8 * n.alpha * middle, 4 * (n.beta2 - middle * middle)))
+    for _ in range(8 + flint.ctx.prec.bit_length()):
         square = p * p
         step = (((square - k2) * p + k1) * p + k0).mid() / (p * (4 * square - 2 * k2) + k1).mid()
         if not step.is_finite():
-            return None
+            break
         p = (p - step).mid()
         if abs(step) <= abs(p) * arb(2) ** (6 - flint.ctx.prec):
             break
+    return p
+
+
+def p_root(n: Numbers, r: Any, p: Any) -> Any:
+    """A ball with exactly one root of D(·, r), next to p, for each point of the ball r, or None: interval Newton.
+
+    `p` and `r` both real (arb) give a real root.
+    """
+    middle, p = r.mid(), p.mid()
     shift = r - middle
     value = quartic(n, p, middle) + shift * (8 * n.alpha * p - 8 * middle - 4 * shift)
     reach = abs(value / D_p(n, p, r)).upper() + abs(p).upper() * arb(2) ** (4 - flint.ctx.prec)
@@ -267,7 +273,7 @@ def p_root(n: Numbers, r: Any, p: Any) -> Any:
         around = p + size if isinstance(p, arb) else p + acb(size, size)
         image = p - value / D_p(n, around, r)
         if image.is_finite() and around.contains_interior(image):
-            return image
+            return p - value / D_p(n, image.union(p), r)  # once more, on the hull of p and the image
     return None
 
 
@@ -302,7 +308,7 @@ def roots_off_cut(n: Numbers, q: Any) -> Roots:
         side = p
         if not (p.imag > 0 or p.imag < 0):
             require(off_the_cuts(n, q), "the ball of q may meet a cut")
-            side = p_root(n, acb(r.mid()), p.mid())
+            side = p_root(n, acb(r.mid()), polished(n, acb(r.mid()), p.mid()))
             require(side is not None and not any(side.overlaps(o) for o in found if o is not p), "a p-root is lost")
         require(side.imag > 0 or side.imag < 0, "a p-root is too close to the real axis")
         (upper if side.imag > 0 else lower).append(p)
@@ -397,8 +403,11 @@ def even_pair(square: Any, sign: int) -> tuple[Any, Any]:
 def last_two(n: Numbers, r: Any, others: list[Any]) -> tuple[Any, Any]:
     """(above, below): the last two roots, from the other two by Vieta; they may meet within the ball of r."""
     require(len(others) == 2, "more than two p-roots meet")
-    o, m = others, [p_root(n, arb(r.mid()), p.real.mid() if p.imag.is_zero() else p.mid()) for p in others]
-    require(all(x is not None and y.overlaps(acb(x)) for x, y in zip(m, o, strict=True)), "a p-root is lost")
+    o = m = others
+    if not r.is_exact():
+        starts = [polished(n, r.mid(), p.real.mid() if p.imag.is_zero() else p.mid()) for p in others]
+        m = [p_root(n, r.mid(), p) for p in starts]
+        require(all(x is not None and y.contains(acb(x)) for x, y in zip(m, o, strict=True)), "a p-root is lost")
     total, product = (o[0] + o[1]).real, (o[0] * o[1]).real
     centre = -total / 2
     # (p − centre)² = 4A + product − 3 total²/4, centred at the middle of r, with p' = −D_r/D_p

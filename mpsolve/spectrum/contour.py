@@ -23,6 +23,7 @@ Accept = Callable[[Any], bool]
 
 MARGIN = 0.9  # of the midpoint's modulus that an image ball may reach
 
+SLACK = 2.0**-16  # of a piece by which the checker must confirm more than it: another FLINT rounds otherwise
 GROWTH = 0.3  # a piece is at most this part of its distance from 0, or the first step
 
 
@@ -89,8 +90,10 @@ def _try(evaluate: Evaluate, ball: Any, accept: Accept | None) -> Values | None:
         values = evaluate(ball)
     except PrecisionError:
         return None
-    good = all(in_half_plane(v) for v in values) and (accept is None or accept(ball))
-    return values if good else None
+    if not all(in_half_plane(v) for v in values):
+        return None
+    wider = ball + flint.arb(0, (SLACK * ball.rad()).upper())
+    return values if accept is None or accept(wider) else None
 
 
 def in_half_plane(value: Any) -> bool:
