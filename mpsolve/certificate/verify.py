@@ -656,10 +656,11 @@ def the_integer(value: Any, name: str) -> int:
     return int(n)
 
 
-def breakpoints(values: Any, name: str) -> list[Fraction]:
+def breakpoints(n: Numbers, values: Any, name: str) -> list[Fraction]:
     require(
         isinstance(values, list) and 2 <= len(values) <= MAX_PIECES, f"{name}: no list of breakpoints, or too long"
     )
+    require(len(values) * len(n.eta) ** 2 <= MAX_WORK, f"{name}: too many pieces for so many masses")
     points = [dyadic(v) for v in values]
     require(all(a < b for a, b in pairwise(points)), f"{name}: breakpoints are not in order")
     return points
@@ -735,7 +736,7 @@ def count_in_rectangle(n: Numbers, contour: Any) -> tuple[int, tuple[Any, ...]]:
     require(isinstance(contour["sides"], list) and len(contour["sides"]) == 4, "the rectangle has not four sides")
     total = arb(0)
     for k, side in enumerate(contour["sides"]):
-        points = breakpoints(side, f"side {k}")
+        points = breakpoints(n, side, f"side {k}")
         require(points[0] == 0 and points[-1] == 1, f"side {k} does not run from 0 to 1")
         a, b = corners[k], corners[(k + 1) % 4]
 
@@ -1018,7 +1019,7 @@ def check(content: dict[str, Any]) -> str:
         if rectangle:
             count = count_in_rectangle(n, contour)[0]
         else:
-            points = breakpoints(contour["breaks"], "the contour")
+            points = breakpoints(n, contour["breaks"], "the contour")
             require(points[-1] == dyadic(contour["radius"]), "the contour does not end at the radius")
             if contour["kind"] == "edge":
                 require(cuts_on_line(n), "the cuts are not on the line Im q = eta_b")
