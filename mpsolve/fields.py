@@ -315,6 +315,23 @@ class Ball:
             return laplace_det(rows)
         return flint.acb_mat([list(row) for row in rows]).det()
 
+    def one_minus_exp(self, z: Any, x: Any) -> Any:
+        """(1 − e^{izx})/z, entire in z; −ix e^{iw} sinc w with w = zx/2 near 0."""
+        w = z * x / 2
+        if w.abs_lower() > 0.5:
+            return (1 - (2 * self.i * w).exp()) / z
+        return -self.i * x * (self.i * w).exp() * w.sinc()
+
+    def nearest_pair_first(self, z: Any) -> Any:
+        """Names (a, c) the upper and lower p-root that are closest (an honest choice at any outcome)."""
+        orders = [type(z)(u, v, w, x) for u, v in ((z.a, z.b), (z.b, z.a)) for w, x in ((z.c, z.e), (z.e, z.c))]
+        return min(orders, key=lambda o: float(abs(o.a.mid() - o.c.mid())))
+
+    def choose(self, z: Any, apart: Any, bordered: Any) -> Any:
+        """`apart()` where no upper p-root is next to a lower one, else `bordered()`."""
+        far = (z.a - z.c).abs_lower() > 0.2 * (z.b - z.e).abs_upper()
+        return apart() if far else bordered()
+
 
 @contextmanager
 def ball_arithmetic(bits: int) -> Iterator[Ball]:

@@ -108,23 +108,47 @@ def _off_the_cut(track: Track, q: Any) -> bool:
 
 
 @dataclass(frozen=True)
+class Motion:
+    """A direction of differentiation: how fast the arguments of Δ move along it (merged masses, as in `Track`)."""
+
+    q: Any = 0
+    alpha: Any = 0
+    eta_b: Any = 0
+    eta_m: tuple[Any, ...] | None = None  # None: the masses, or their positions, stand still
+    positions: tuple[Any, ...] | None = None
+
+
+ALONG_Q = Motion(q=1)
+ALONG_ALPHA = Motion(alpha=1)
+ALONG_DAMPING = Motion(eta_b=1)
+
+
+@dataclass(frozen=True)
 class PairingRate:
-    """The derivatives of a `Pairing` with respect to q."""
+    """The derivatives of a `Pairing` along a `Motion`."""
 
     s: Any
     y: Any
     h: Any
+    c2: Any
     R: Any
 
     def discriminant(self, side: int) -> Any:
-        return -self.y / 4 - side * self.h / 2
+        return -self.y / 4 - (self.c2 + side * self.h) / 2
 
 
-def pairing_rate(track: Track, q: Any, pair: Pairing) -> PairingRate:
-    """Implicit differentiation of g(y; r) = 0: y' = −g_r/g_y with g_y = R and g_r = 32 r (y − 4α²)."""
-    r = q - track.field.i * track.eta_b
-    y = -32 * r * (pair.y - 4 * track.alpha * track.alpha) / pair.R
-    s = y / (2 * pair.s)
-    h = (8 * track.alpha - pair.h * s) / pair.s
-    R = (4 * pair.y + 2 * pair.c2) * y + 2 * pair.h * h
-    return PairingRate(s, y, h, R)
+def pairing_rate(track: Track, q: Any, pair: Pairing, motion: Motion = ALONG_Q) -> PairingRate:
+    """Implicit differentiation of g(y; r, α, η_b) = 0, with g_y = R, g_r = 32 r (y − 4α²)."""
+    i, alpha, y = track.field.i, track.alpha, pair.y
+    r, r_rate = q - i * track.eta_b, motion.q - i * motion.eta_b if motion.eta_b else motion.q
+    g, c1, c2 = 32 * r * (y - 4 * alpha * alpha) * r_rate, 8 * alpha * r_rate, y * 0
+    if motion.alpha:
+        g = g - 16 * alpha * (8 * r * r + y * (y + pair.c2)) * motion.alpha
+        c1, c2 = c1 + 8 * r * motion.alpha, c2 - 8 * alpha * motion.alpha
+    if motion.eta_b:
+        g = g + 32 * y * track.eta_b * motion.eta_b
+    y_rate = -g / pair.R
+    s = y_rate / (2 * pair.s)
+    h = (c1 - pair.h * s) / pair.s
+    R = (4 * y + 2 * pair.c2) * y_rate + 2 * y * c2 + 2 * pair.h * h
+    return PairingRate(s, y_rate, h, c2, R)

@@ -14,7 +14,6 @@ root cancel against R by algebra, not by division, so a ball may hold the branch
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,25 +22,12 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import real_pairing
 from mpsolve.model.branch import Track
+from mpsolve.model.scaled import SplitRoots, scaled_characteristic
 
 acb, arb = flint.acb, flint.arb
 
 
-@dataclass(frozen=True)
-class EdgeRoots:
-    """p-roots of the real quartic: a, b above the real axis and c, e below it, seen from below the cut."""
-
-    a: Any
-    b: Any
-    c: Any
-    e: Any
-
-    @property
-    def R(self) -> Any:
-        return (self.a - self.c) * (self.a - self.e) * (self.b - self.c) * (self.b - self.e)
-
-
-def edge_roots(track: Track, r: Any) -> EdgeRoots:
+def edge_roots(track: Track, r: Any) -> SplitRoots:
     """Enclosures of the p-roots for every real r in the ball, with their sides proved.
 
     Two roots that may collide share one ball: one of them is above and one below, since their D_p have
@@ -63,7 +49,7 @@ def edge_roots(track: Track, r: Any) -> EdgeRoots:
     sharp = [_sharpened(track, r, p) for p in upper]
     # a factor's nonreal roots are conjugates, one in each list, in the order of the factors
     conjugates = iter([p.conjugate() for p, wide in zip(sharp, upper, strict=True) if wide.imag > 0])
-    return EdgeRoots(*sharp, *(next(conjugates) if p.imag < 0 else _sharpened(track, r, p) for p in lower))
+    return SplitRoots(*sharp, *(next(conjugates) if p.imag < 0 else _sharpened(track, r, p) for p in lower))
 
 
 def _sharpened(track: Track, r: Any, p: Any) -> Any:
@@ -118,17 +104,10 @@ def edge_value(track: Track, r: Any) -> EdgeValue:
     roots = edge_roots(track, r)
     shift = acb(0, 1) * track.eta_b
     plus, minus = (2 * (arb(r) + sign * shift) ** 2 / track.field.pi for sign in (1, -1))
-    expand = {1: _expand_one, 2: _expand_two}.get(len(track.eta_m), _expand_many)
-    value = EdgeValue(*expand(track, roots, (plus, minus)))
+    value = EdgeValue(*scaled_characteristic(track, roots, (plus, minus)))
     if not (value.plus.is_finite() and value.minus.is_finite()):
         raise PrecisionError("two pairs of p-roots meet at once within the piece: split it, or change alpha a little")
     return value
-
-
-def _expand_one(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
-    """R (1 − κ η K(0)) with R K(0) = −4πi s."""
-    contact = 4 * track.field.pi * acb(0, 1) * (z.a + z.b)
-    return [z.R + kappa * track.eta_m[0] * contact for kappa in factors]
 
 
 def resting_edge_value(track: Track, r: Any) -> EdgeValue:
@@ -159,95 +138,3 @@ def _root_of_positive_part(x: Any) -> Any:
     if x > 0:
         return x.sqrt()
     return arb(0) if x <= 0 else arb(0).union(arb(x.upper()).sqrt())
-
-
-def _expand_two(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
-    """R [1 − κ (η₁ + η₂) K(0) + κ² η₁ η₂ (K(0)² − K(d) K(−d))], the last by a double divided difference.
-
-    R (K(0)² − K(d)K(−d)) = 4π² Σ R c_j c_l (1 − e^{i(p_j − p_l)d}) over upper j and lower l, where
-    R c_a c_c = (b − e)/((a − b)(a − c)(c − e)) and (1 − e^{izd})/z is entire in z.
-    """
-    pi, (eta1, eta2) = track.field.pi, track.eta_m
-    distance = track.positions[1] - track.positions[0]
-
-    def phi(z: Any) -> Any:
-        return one_minus_exp(z, distance)
-
-    numerator = (z.b - z.e) * phi(z.a - z.c) - (z.b - z.c) * phi(z.a - z.e)
-    numerator += (z.a - z.c) * phi(z.b - z.e) - (z.a - z.e) * phi(z.b - z.c)
-    pairs = 4 * pi * pi * numerator / ((z.a - z.b) * (z.c - z.e))
-    contact = 4 * pi * acb(0, 1) * (z.a + z.b) * (eta1 + eta2)
-    return [z.R + kappa * (contact + kappa * eta1 * eta2 * pairs) for kappa in factors]
-
-
-def one_minus_exp(z: Any, distance: Any) -> Any:
-    """(1 − e^{iz·distance})/z, entire in z; −i·distance·e^{iw} sinc w with w = z·distance/2 near 0."""
-    w = z * distance / 2
-    if w.abs_lower() > 0.5:
-        return (1 - (2 * acb(0, 1) * w).exp()) / z
-    return -acb(0, 1) * distance * (acb(0, 1) * w).exp() * w.sinc()
-
-
-def _expand_many(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
-    """R det[I − κ K M]: as it stands where all p-roots are apart, else bordered."""
-    z = _nearest_pair_first(z)
-    apart = (z.a - z.c).abs_lower() > 0.2 * (z.b - z.e).abs_upper()
-    return (_expand_apart if apart else _expand_bordered)(track, z, factors)
-
-
-def _expand_apart(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
-    """K from its residues, K/(2πi) = Σ e^{ipξ}/D_p over the upper roots (ξ ≥ 0), −Σ over the lower ones."""
-    a, b, c, e = z.a, z.b, z.c, z.e
-    ahead = ((a, 1 / ((a - b) * (a - c) * (a - e))), (b, 1 / ((b - a) * (b - c) * (b - e))))
-    behind = ((c, -1 / ((c - a) * (c - b) * (c - e))), (e, -1 / ((e - a) * (e - b) * (e - c))))
-    x, n, unit = track.positions, len(track.eta_m), acb(0, 1)
-    waves = [
-        [sum(w * (unit * p * (x[i] - x[k])).exp() for p, w in (ahead if i >= k else behind)) for k in range(n)]
-        for i in range(n)
-    ]
-    values = []
-    for kappa in factors:
-        scale = 2 * track.field.pi * unit * kappa
-        rows = [[int(i == k) - scale * waves[i][k] * track.eta_m[k] for k in range(n)] for i in range(n)]
-        values.append(z.R * track.field.det(rows))
-    return values
-
-
-def _expand_bordered(track: Track, z: EdgeRoots, factors: Sequence[Any]) -> list[Any]:
-    """R det[I − κ K M] as a bordered determinant: the colliding pair's pole of K has rank one.
-
-    With the pair (a, c): K/(2πi) = c_a u vᵀ + F, u_i = e^{ia x_i}, v_k = e^{−ia x_k}, and F finite. Then
-    R det(A + κ' c_a u vᵀ) = det [[A, −κ' (R c_a) u], [vᵀ, R]], where R c_a = (b − c)(b − e)/(a − b).
-    """
-    two_pi_i = 2 * track.field.pi * acb(0, 1)
-    residue = (z.b - z.c) * (z.b - z.e) / (z.a - z.b)
-    x, n = track.positions, len(track.eta_m)
-    wave = [(acb(0, 1) * z.a * xi).exp() for xi in x]
-    finite = [[_finite_part(z, i, k, x) for k in range(n)] for i in range(n)]
-    values = []
-    for kappa in factors:
-        rows = []
-        for i in range(n):
-            row = [int(i == k) - kappa * two_pi_i * finite[i][k] * track.eta_m[k] for k in range(n)]
-            rows.append([*row, kappa * two_pi_i * residue * wave[i]])
-        rows.append([*(eta / w for eta, w in zip(track.eta_m, wave, strict=True)), z.R])
-        values.append(track.field.det(rows))
-    return values
-
-
-def _nearest_pair_first(z: EdgeRoots) -> EdgeRoots:
-    """Names (a, c) the upper and lower root that are closest (an honest choice at any outcome)."""
-    orders = [EdgeRoots(u, v, w, x) for u, v in ((z.a, z.b), (z.b, z.a)) for w, x in ((z.c, z.e), (z.e, z.c))]
-    return min(orders, key=lambda o: float(abs(o.a.mid() - o.c.mid())))
-
-
-def _finite_part(z: EdgeRoots, i: int, k: int, x: Sequence[Any]) -> Any:
-    """K/(2πi) less the rank-one pole: c_b e^{ibξ} ahead; −c_e e^{ieξ} − (c_c e^{icξ} + c_a e^{iaξ}) behind."""
-    unit, xi = acb(0, 1), x[i] - x[k]
-    if i >= k:
-        return (unit * z.b * xi).exp() / ((z.b - z.a) * (z.b - z.c) * (z.b - z.e))
-    far = (unit * z.e * xi).exp() / ((z.e - z.a) * (z.e - z.b) * (z.e - z.c))
-    at_a, at_c = (z.a - z.b) * (z.a - z.e), (z.c - z.b) * (z.c - z.e)
-    # (e^{iaξ}/g(a) − e^{icξ}/g(c))/(a − c) with g(p) = (p − b)(p − e), by divided differences
-    gap = -one_minus_exp(z.a - z.c, xi) / at_a - (z.a + z.c - z.b - z.e) / (at_a * at_c)
-    return -far - (unit * z.c * xi).exp() * gap

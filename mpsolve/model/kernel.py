@@ -8,6 +8,7 @@ two p-roots on one side of the real axis is no singularity.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from mpsolve.model.branch import Pairing, PairingRate, Track
@@ -34,14 +35,28 @@ def kernel_at_contact_rate(track: Track, pair: Pairing, rate: PairingRate) -> tu
 
 
 def kernel_rate(track: Track, pair: Pairing, rate: PairingRate, side: int, distance: Any) -> tuple[Any, Any]:
-    """K and K_q at ξ = side·distance."""
-    i = track.field.i
-    cos, sin, third = track.field.waves(pair.s / 2, pair.discriminant(side), distance)
-    carrier_rate, delta2_rate = i * distance * rate.s / 2, rate.discriminant(side)
-    cos_rate = carrier_rate * cos - distance * sin * delta2_rate / 2
-    sin_rate = carrier_rate * sin + third * delta2_rate
-    width, width_rate = pair.y - side * pair.h, rate.y - side * rate.h
-    wave = i * width * sin - 2 * pair.s * cos
-    wave_rate = i * (width_rate * sin + width * sin_rate) - 2 * (rate.s * cos + pair.s * cos_rate)
-    scale = 2 * track.field.pi * i / pair.R
-    return scale * wave, scale * (wave_rate - wave * rate.R / pair.R)
+    """K and its rate at ξ = side·distance, for a point that stands still."""
+    value, rates = kernel_rates(track, pair, [(rate, 0)], side, distance)
+    return value, rates[0]
+
+
+def kernel_rates(
+    track: Track, pair: Pairing, rates: Sequence[tuple[PairingRate, Any]], side: int, distance: Any
+) -> tuple[Any, list[Any]]:
+    """K at ξ = side·distance and its derivatives along motions, each given as (pairing rate, distance rate)."""
+    i, delta2 = track.field.i, pair.discriminant(side)
+    cos, sin, third = track.field.waves(pair.s / 2, delta2, distance)
+    width = pair.y - side * pair.h
+    wave, scale = i * width * sin - 2 * pair.s * cos, 2 * track.field.pi * i / pair.R
+    slopes = []
+    for rate, speed in rates:
+        carrier_rate, delta2_rate = i * distance * rate.s / 2, rate.discriminant(side)
+        cos_rate = carrier_rate * cos - distance * sin * delta2_rate / 2
+        sin_rate = carrier_rate * sin + third * delta2_rate
+        if speed:
+            cos_rate += (i * pair.s / 2 * cos - delta2 * sin) * speed
+            sin_rate += (i * pair.s / 2 * sin + cos) * speed
+        width_rate = rate.y - side * rate.h
+        wave_rate = i * (width_rate * sin + width * sin_rate) - 2 * (rate.s * cos + pair.s * cos_rate)
+        slopes.append(scale * (wave_rate - wave * rate.R / pair.R))
+    return scale * wave, slopes

@@ -11,19 +11,19 @@ from typing import Any
 import flint
 
 from mpsolve.model.branch import Pairing, Track
-from mpsolve.model.edge import EdgeRoots
+from mpsolve.model.scaled import SplitRoots
 
 acb, arb = flint.acb, flint.arb
 
 
-def paired_roots(track: Track, pair: Pairing) -> EdgeRoots:
+def paired_roots(track: Track, pair: Pairing) -> SplitRoots:
     """The p-roots s/2 ± δ above and −s/2 ± δ' below the axis."""
     delta, delta_below = (track.field.sqrt(pair.discriminant(side)) for side in (1, -1))
     half = pair.s / 2
-    return EdgeRoots(half + delta, half - delta, -half + delta_below, -half - delta_below)
+    return SplitRoots(half + delta, half - delta, -half + delta_below, -half - delta_below)
 
 
-def far_argument(track: Track, roots: EdgeRoots, kappa: Any, delta: Any) -> Any:
+def far_argument(track: Track, roots: SplitRoots, kappa: Any, delta: Any) -> Any:
     """arg Δ at a point beyond the proved radius, continued from 0 on the imaginary axis of r.
 
     kappa = 2q²/π, delta = Δ(q). The two p-roots next to the real axis carry the waves.

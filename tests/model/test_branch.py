@@ -13,7 +13,7 @@ from oracle import Truth, cases, frequencies, holds, point, sharp
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import MP, Float64, ball_arithmetic
-from mpsolve.model.branch import pairing, pairing_rate, track
+from mpsolve.model.branch import ALONG_ALPHA, ALONG_DAMPING, ALONG_Q, Motion, pairing, pairing_rate, track
 
 few = settings(max_examples=40)
 
@@ -108,3 +108,46 @@ def test_masses_at_one_place_are_merged() -> None:
     model = track(Case(alpha=0, eta_b=0, eta_m=(1, 2, 3), positions=(0, 0, 1)), Float64())
     assert model.eta_m == (3.0, 3.0)
     assert model.positions == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("motion", [ALONG_Q, ALONG_ALPHA, ALONG_DAMPING, Motion(q=0.5, alpha=-1, eta_b=0.25)])
+@settings(max_examples=5)
+@given(st.data(), cases(most_damping=0.9))
+def test_rates_along_other_motions(motion: Motion, data: st.DataObject, case: Case) -> None:
+    """The factors' derivatives with α and η_b, by differences of the truth's p-roots."""
+    q = data.draw(frequencies(case, 2**-4))
+    truth = Truth(case, 60)
+    mp, alpha, eta_b = truth.mp, truth.alpha, truth.eta_b
+
+    def factors_at(h: Any) -> dict[str, Any]:
+        truth.alpha, truth.eta_b = alpha + motion.alpha * h, eta_b + motion.eta_b * h
+        (a, b), (c, e) = truth.p_roots(mp.mpmathify(q) + motion.q * h)
+        names = {"s": a + b, "y": (a + b) ** 2, "h": a * b - c * e, "c2": -4 * (truth.axial + truth.alpha**2)}
+        return names | {"R": truth.resultant(mp.mpmathify(q) + motion.q * h)}
+
+    with ball_arithmetic(200) as field:
+        model = track(case, field)
+        pair = pairing(model, point(q))
+        rate = pairing_rate(model, point(q), pair, motion)
+    step = mp.mpf(10) ** -20
+    after, before = factors_at(step), factors_at(-step)
+    for name in ("s", "y", "h", "c2", "R"):
+        slope = (after[name] - before[name]) / (2 * step)
+        assert abs(flint.acb(getattr(rate, name)) - flint.acb(slope)) < 1e-12 * (1 + abs(flint.acb(slope)))
+
+
+@settings(max_examples=8)
+@given(st.data(), cases(most_damping=0.9), st.sampled_from([1, -1]))
+def test_rates_of_the_discriminants(data: st.DataObject, case: Case, side: int) -> None:
+    q = data.draw(frequencies(case, 2**-4))
+    truth = Truth(case, 60)
+    mp, alpha = truth.mp, truth.alpha
+
+    def discriminant(h: Any) -> Any:
+        truth.alpha = alpha + h
+        first, second = truth.p_roots(q)[0 if side == 1 else 1]
+        return ((first - second) / 2) ** 2
+
+    model = track(case, MP(200))
+    rate = pairing_rate(model, q, pairing(model, q), ALONG_ALPHA).discriminant(side)
+    assert abs(rate - mp.diff(discriminant, mp.zero, h=mp.mpf(10) ** -20)) < 1e-12 * (1 + abs(rate))

@@ -1,18 +1,23 @@
-"""Δ and Δ_q are the determinant (26) over π^n for any number of masses, with its limits in the distance."""
+"""Δ is the determinant (26) over π^n for any number of masses, with its derivatives and limits in the distance."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 import flint
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracle import Truth, cases, frequencies, holds, point
+from oracle import Truth, cases, frequencies, grid, holds, point
 
 from mpsolve import Case
+from mpsolve.errors import PrecisionError
 from mpsolve.fields import MP, Float64, ball_arithmetic
-from mpsolve.model.branch import pairing, track
-from mpsolve.model.characteristic import characteristic, characteristic_rate
+from mpsolve.model.branch import Motion, pairing, track
+from mpsolve.model.characteristic import characteristic, characteristic_rate, characteristic_rates
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 
 few = settings(max_examples=12)
@@ -96,3 +101,86 @@ def test_equal_masses_factor(data: st.DataObject, case: Case) -> None:
     a = 14 * q**2 / model.field.pi
     product = (1 - a * (mean + skew)) * (1 - a * (mean - skew))
     assert abs(characteristic(model, q) - product) < 1e-45 * (1 + abs(product))
+
+
+# --- derivatives along other motions ------------------------------------------------------------------------
+
+
+def moved(truth: Truth, motion: Motion, q: complex) -> Callable[[Any], Any]:
+    """h ↦ Δ of the truth with every argument moved by h along the motion."""
+    start = truth.alpha, truth.eta_b, list(truth.eta_m), list(truth.x)
+    masses, places = (speeds or (0,) * len(truth.x) for speeds in (motion.eta_m, motion.positions))
+
+    def at(h: Any) -> Any:
+        truth.alpha, truth.eta_b = start[0] + motion.alpha * h, start[1] + motion.eta_b * h
+        truth.eta_m = [eta + speed * h for eta, speed in zip(start[2], masses, strict=True)]
+        truth.x = [x + speed * h for x, speed in zip(start[3], places, strict=True)]
+        return truth.delta(truth.mp.mpmathify(q) + motion.q * h)
+
+    return at
+
+
+@st.composite
+def motions(draw: st.DrawFn, masses: int) -> Motion:
+    speeds = st.tuples(*[grid(-1, 1)] * masses)
+    return Motion(
+        q=draw(grid(-1, 1)),
+        alpha=draw(grid(-1, 1)),
+        eta_b=draw(grid(-1, 1)),
+        eta_m=draw(st.one_of(st.none(), speeds)),
+        positions=draw(st.one_of(st.none(), speeds)),
+    )
+
+
+@numbers
+@settings(max_examples=8)
+@given(st.data())
+def test_rates_along_any_motion(masses: int, data: st.DataObject) -> None:
+    """q, α, η_b, the masses and their positions, alone and together, by differences of the truth."""
+    case = data.draw(cases(masses=masses))
+    q = data.draw(frequencies(case, 2**-4))
+    every = Motion(q=1), Motion(alpha=1), Motion(eta_b=1), Motion(positions=tuple(range(masses)))
+    chosen = (data.draw(st.sampled_from(every)), data.draw(motions(masses)))
+    truth = Truth(case, 60)
+    value = truth.delta(q)
+    slopes = [truth.mp.diff(moved(truth, motion, q), truth.mp.zero, h=truth.mp.mpf(10) ** -20) for motion in chosen]
+    size = 1 + abs(value) + max(abs(slope) for slope in slopes)
+    tolerance = 1e-15 * size * (1 + 1 / abs(Truth(case, 30).resultant(q))) ** 4
+    with ball_arithmetic(150) as field:
+        found, rates = characteristic_rates(track(case, field), point(q), chosen)
+        assert holds(found, value)
+        for rate, slope in zip(rates, slopes, strict=True):
+            assert abs(rate - flint.acb(slope)) < flint.arb(tolerance)
+    other, rates = characteristic_rates(track(case, MP(200)), q, chosen)
+    assert abs(other - value) < tolerance
+    assert all(abs(rate - slope) < tolerance for rate, slope in zip(rates, slopes, strict=True))
+
+
+@settings(max_examples=8)
+@given(st.data(), cases(masses=2), st.sampled_from(["alpha", "eta_b", "positions"]))
+def test_rates_over_wide_balls_hold_those_of_each_point(data: st.DataObject, case: Case, name: str) -> None:
+    """As interval Newton needs them: the parameter is a ball, and the truth anywhere within."""
+    q = data.draw(frequencies(case, 2**-3))
+    reach, towards = 2.0**-12, data.draw(st.sampled_from([-1.0, 0.5, 1.0]))
+    motion = Motion(positions=(0, 1)) if name == "positions" else Motion(**{name: 1})
+    truth = Truth(case, 50)
+    along = moved(truth, motion, q)
+    slope = truth.mp.diff(along, truth.mp.mpf(reach * towards), h=truth.mp.mpf(10) ** -16)
+    with ball_arithmetic(128) as field:
+        model, spread = track(case, field), flint.arb(0, reach)
+        wide = model.positions[0], model.positions[1] + spread
+        model = replace(model, **{name: wide if name == "positions" else getattr(model, name) + spread})
+        try:
+            _, (rate,) = characteristic_rates(model, point(q), (motion,))
+        except PrecisionError:
+            return
+        error = flint.arb(0, 1e-12 * (1 + float(abs(slope))))
+        assert holds(rate + flint.acb(error, error), slope)
+
+
+def test_a_motion_that_stands_still_has_no_rate() -> None:
+    case = Case(alpha="0.6", eta_b="0.1", eta_m=(30, 12), positions=(0, "0.7"))
+    value, (rate,) = characteristic_rates(track(case, MP(100)), 0.3 - 0.2j, (Motion(),))
+    assert rate == 0
+    assert value == characteristic(track(case, MP(100)), 0.3 - 0.2j)
+    assert characteristic_rates(track(case, MP(100)), 0.3 - 0.2j, ())[1] == []

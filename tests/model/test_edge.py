@@ -14,10 +14,10 @@ from oracle import Truth, cases, grid, holds
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import MP, ball_arithmetic
-from mpsolve.model import edge
+from mpsolve.model import scaled
 from mpsolve.model.branch import pairing, track
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.edge import edge_roots, edge_value
+from mpsolve.model.edge import EdgeValue, edge_roots, edge_value
 from mpsolve.model.limits import branch_points
 
 few = settings(max_examples=25)
@@ -40,7 +40,7 @@ def close(ball: Any, truth: Any, tolerance: float) -> bool:
     return bool(abs(flint.acb(ball) - flint.acb(truth)) < tolerance * (1 + abs(flint.acb(truth))))
 
 
-def at(case: Case, r: Any, reach: float = 0, bits: int = 100) -> edge.EdgeValue:
+def at(case: Case, r: Any, reach: float = 0, bits: int = 100) -> EdgeValue:
     with ball_arithmetic(bits) as field:
         return edge_value(track(case, field), flint.arb(r, reach))
 
@@ -131,7 +131,7 @@ def test_two_formulas_for_two_masses_agree(case: Case, r: float) -> None:
         roots = edge_roots(model, r)
         kappas = [2 * (flint.arb(r) + s * flint.acb(0, 1) * model.eta_b) ** 2 / field.pi for s in (1, -1)]
         for special, general in zip(
-            edge._expand_two(model, roots, kappas), edge._expand_many(model, roots, kappas), strict=True
+            scaled._expand_two(model, roots, kappas, 1), scaled._expand_many(model, roots, kappas, 1), strict=True
         ):
             assert special.overlaps(general)
             assert (special - general).abs_upper() < 1e-20 * (1 + special.abs_upper())
