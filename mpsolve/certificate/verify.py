@@ -1,4 +1,4 @@
-"""Checks a certificate of induced frequencies against certs/SPEC.md, and shares nothing with its maker.
+"""Checks a certificate of induced frequencies, or of crossings, against certs/SPEC.md; shares nothing with its maker.
 
 Needs Python ≥ 3.11 and python-flint only, and runs as a plain script:  python verify.py FILE [FILE …]
 Exit status 0: every file is valid; 1: one is not, and its line says why. No search: every step is given in the
@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -24,7 +25,13 @@ from flint import acb, acb_mat, acb_poly, arb, fmpq
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_MASSES = 64_000_000, 300_000, 3_000_000, 300, 24
 MAX_BITS, MAX_ALL_BITS, MAX_CONTOUR_BITS = 120_000, 1_500_000, 512  # of one root, of all roots, of a contour
+MAX_CROSSINGS, MAX_BOXES, MAX_BOX_WORK, MAX_FAR_PARTS = 1_000, 400_000, 4_000_000, 4_096
 I = acb(0, 1)  # noqa: E741
+
+KINDS = {
+    "induced frequencies": {"case", "claim", "contour", "roots", "identity"},
+    "crossings": {"case", "claim", "family", "height", "radius", "crossings", "base"},
+}
 
 
 class Refused(Exception):  # noqa: N818
@@ -74,7 +81,7 @@ def precision(bits: int) -> Iterator[None]:
 
 
 def read(raw: bytes) -> dict[str, Any]:
-    """The content, with its digest, version and keys checked."""
+    """The content of a file, with its digest, version and keys checked."""
 
     def no_constant(name: str) -> Any:
         raise Refused(f"the number {name} is not allowed")
@@ -88,16 +95,23 @@ def read(raw: bytes) -> dict[str, Any]:
 
     text = raw.decode("ascii")
     content: Any = json.loads(text, parse_constant=no_constant, parse_float=no_float, object_pairs_hook=unique)
+    return opened(content)
+
+
+def opened(content: Any) -> dict[str, Any]:
+    """The object without its digest, which fits, and with its version, kind and keys checked."""
     require(isinstance(content, dict), "the file holds no JSON object")
     require(content.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
     version = content.get("version")
     require(version == 1 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
-    require(content.get("kind") == "induced frequencies", "the kind is not 'induced frequencies'")
-    keys(content, {"format", "version", "kind", "case", "claim", "contour", "roots", "identity", "sha256"})
-    given = content.pop("sha256")
-    canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    require(hashlib.sha256(canonical.encode("ascii")).hexdigest() == given, "the digest does not fit the content")
-    return dict(content)
+    kind = content.get("kind")
+    require(isinstance(kind, str) and kind in KINDS, "the kind is not known to this verifier")
+    keys(content, {"format", "version", "kind", "sha256"} | KINDS[kind])
+    rest = {key: value for key, value in content.items() if key != "sha256"}
+    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
+    require(digest == content["sha256"], "the digest does not fit the content")
+    return rest
 
 
 def keys(value: Any, names: set[str], optional: frozenset[str] = frozenset()) -> None:
@@ -145,7 +159,11 @@ def real(text: Any, name: str) -> Real:
     require(match is not None and bool(match[2]) == bool(match[5]), f"{name} is not an exact number")
     assert match is not None
     value = Fraction(int(match[3]), int(match[4] or 1)) * (-1 if match[1] else 1)
-    return Real(value, None) if match[2] else Real(value * abs(value) ** 3, value)
+    return Real(value, None) if match[2] else rational_real(value)
+
+
+def rational_real(value: Fraction) -> Real:
+    return Real(value * abs(value) ** 3, value)
 
 
 def ball(x: Fraction) -> Any:
@@ -462,6 +480,8 @@ def delta(n: Numbers, z: Roots, q: Any, r: Any) -> tuple[Any, Any]:
 
 
 def det(rows: Sequence[Sequence[Any]]) -> Any:
+    if len(rows) > 4 and isinstance(rows[0][0], Dual):
+        return det_of_duals(rows)
     if len(rows) > 4:
         return acb_mat([list(row) for row in rows]).det()
     if len(rows) == 1:
@@ -532,19 +552,19 @@ def positive_root(x: Any) -> Any:
     return arb(0) if x <= 0 else arb(0).union(arb(x.upper()).sqrt())
 
 
-def scaled(n: Numbers, z: Roots, factor: Any) -> Any:
-    """R det(I − κK M), factor = 2πi κ, where an upper root a may meet a lower root c: R cancels by algebra."""
+def scaled(n: Numbers, z: Roots, factor: Any, unit: Any = 1) -> Any:
+    """R det(unit·I − κK M), factor = 2πi κ, where an upper root a may meet a lower root c: R cancels by algebra."""
     (a, b), (c, e) = z.upper, z.lower
     if len(n.eta) > 2:
-        return det(bordered_rows(n, z, factor))
+        return det(bordered_rows(n, z, factor, unit))
     # R c_a + R c_b with R c_a = (b − c)(b − e)/(a − b), R c_b = −(a − c)(a − e)/(a − b)
-    value = z.resultant - factor * sum(n.eta, arb(0)) * (a + b) * -2
+    value = unit * z.resultant - factor * sum(n.eta, arb(0)) * (a + b) * -2
     if len(n.eta) == 2:
         # R c_j c_l (1 − e^{i(p_j − p_l)d}), e.g. (b − e)/((a − b)(a − c)(c − e)) (1 − …) for j, l = a, c
         d = n.x[1] - n.x[0]
         pairs = (b - e) * entire(a - c, d) - (b - c) * entire(a - e, d)
         pairs += (a - c) * entire(b - e, d) - (a - e) * entire(b - c, d)
-        value -= factor**2 * n.eta[0] * n.eta[1] * pairs / ((a - b) * (c - e))
+        value = unit * value - factor * factor * (n.eta[0] * n.eta[1]) * pairs / ((a - b) * (c - e))
     return value
 
 
@@ -575,13 +595,13 @@ def edge_waves(n: Numbers, z: Roots) -> list[list[Any]]:
     return rows
 
 
-def edge_rows(n: Numbers, waves: list[list[Any]], factor: Any) -> list[list[Any]]:
-    """I − κK M, factor = 2πi κ."""
-    return [[int(i == k) - factor * w * n.eta[k] for k, w in enumerate(row)] for i, row in enumerate(waves)]
+def edge_rows(n: Numbers, waves: list[list[Any]], factor: Any, unit: Any = 1) -> list[list[Any]]:
+    """unit·I − κK M, factor = 2πi κ."""
+    return [[int(i == k) * unit - factor * w * n.eta[k] for k, w in enumerate(row)] for i, row in enumerate(waves)]
 
 
-def bordered_rows(n: Numbers, z: Roots, factor: Any) -> list[list[Any]]:
-    """A matrix whose determinant is R det(I − κK M), finite where the nearest roots a (above) and c (below) meet.
+def bordered_rows(n: Numbers, z: Roots, factor: Any, unit: Any = 1) -> list[list[Any]]:
+    """A matrix with determinant R det(unit·I − κK M), finite where the nearest roots a (above) and c (below) meet.
 
     K/(2πi) = c_a e^{ia(x_i − x_k)} + F_ik with F finite: the pole of K at a = c has rank one.
     """
@@ -591,20 +611,22 @@ def bordered_rows(n: Numbers, z: Roots, factor: Any) -> list[list[Any]]:
     for i, xi in enumerate(n.x):
         row = []
         for k, xk in enumerate(n.x):
-            x = xi - xk
+            x = xi - xk if i != k else arb(0)
             if i >= k:
                 f = (I * b * x).exp() / ((b - a) * (b - c) * (b - e))
             else:
                 g_a, g_c = (a - b) * (a - e), (c - b) * (c - e)
                 gap = -entire(a - c, x) / g_a - (a + c - b - e) / (g_a * g_c)
                 f = -(I * e * x).exp() / ((e - a) * (e - b) * (e - c)) - (I * c * x).exp() * gap
-            row.append(int(i == k) - factor * f * n.eta[k])
+            row.append(int(i == k) * unit - factor * f * n.eta[k])
         rows.append([*row, factor * (b - c) * (b - e) / (a - b) * (I * a * xi).exp()])
     return [*rows, [*(eta * (-I * a * x).exp() for eta, x in zip(n.eta, n.x, strict=True)), z.resultant]]
 
 
 def entire(z: Any, x: Any) -> Any:
     """(1 − e^{izx})/z."""
+    if isinstance(z, Dual):
+        return z.entire(x)
     w = z * x / 2
     if w.abs_lower() > 0.5:
         return (1 - (2 * I * w).exp()) / z
@@ -1007,6 +1029,11 @@ def check_inside(contour: Any, roots: list[Root]) -> None:
 
 def check(content: dict[str, Any]) -> str:
     """The claim in words, if every step of the certificate holds."""
+    return check_crossings(content) if content["kind"] == "crossings" else check_frequencies(content)[0]
+
+
+def check_frequencies(content: dict[str, Any]) -> tuple[str, list[Root]]:
+    """The claim in words and the roots, if every step of a certificate of induced frequencies holds."""
     p, contour = problem(content["case"]), content["contour"]
     require(isinstance(contour, dict) and contour.get("kind") in ("edge", "line", "rectangle"), "no known contour")
     rectangle = contour["kind"] == "rectangle"
@@ -1026,7 +1053,7 @@ def check(content: dict[str, Any]) -> str:
                 count = count_on_edge(p, n, points)
             else:
                 count = count_on_line(n, points)
-    return conclude(content, contour["kind"], roots, count)
+    return conclude(content, contour["kind"], roots, count), roots
 
 
 def conclude(content: dict[str, Any], kind: str, roots: list[Root], count: int) -> str:
@@ -1058,6 +1085,725 @@ def unstable(claimed: Any, roots: list[Root]) -> int:
         require(above or below, f"root {k} may have either sign of Im q")
         number += found.multiplicity if below else 0
     require(claimed == number and type(claimed) is int, f"{number} roots have Im q < 0, not the number claimed")
+    return number
+
+
+# --- crossings: numbers with slopes ---------------------------------------------------------------------------
+
+
+class Dual:
+    """value + x·ε + t·ε' to first order: a number and its slopes along x and t, in balls.
+
+    Constants may be balls or integers. The slopes of balls of arguments hold all slopes over these balls.
+    """
+
+    __slots__ = ("t", "value", "x")
+
+    def __init__(self, value: Any, x: Any, t: Any) -> None:
+        self.value, self.x, self.t = value, x, t
+
+    def __add__(self, other: Any) -> Dual:
+        if isinstance(other, Dual):
+            return Dual(self.value + other.value, self.x + other.x, self.t + other.t)
+        return Dual(self.value + other, self.x, self.t)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Dual:
+        return Dual(-self.value, -self.x, -self.t)
+
+    def __sub__(self, other: Any) -> Dual:
+        if isinstance(other, Dual):
+            return Dual(self.value - other.value, self.x - other.x, self.t - other.t)
+        return Dual(self.value - other, self.x, self.t)
+
+    def __rsub__(self, other: Any) -> Dual:
+        return Dual(other - self.value, -self.x, -self.t)
+
+    def __mul__(self, other: Any) -> Dual:
+        if isinstance(other, Dual):
+            a, b = self.value, other.value
+            return Dual(a * b, a * other.x + self.x * b, a * other.t + self.t * b)
+        return Dual(self.value * other, self.x * other, self.t * other)
+
+    __rmul__ = __mul__
+
+    def inverse(self) -> Dual:
+        u = 1 / self.value
+        rate = -(u * u)
+        return Dual(u, rate * self.x, rate * self.t)
+
+    def __truediv__(self, other: Any) -> Dual:
+        return self * (other.inverse() if isinstance(other, Dual) else 1 / other)
+
+    def __rtruediv__(self, other: Any) -> Dual:
+        u: Dual = self.inverse() * other
+        return u
+
+    def exp(self) -> Dual:
+        e = self.value.exp()
+        return Dual(e, e * self.x, e * self.t)
+
+    def mid(self) -> Any:
+        return self.value.mid()
+
+    def entire(self, length: Any) -> Dual:
+        """(1 − e^{izx})/z of a dual z and a length x, which may be dual."""
+        x = length.value if isinstance(length, Dual) else length
+        rate = entire_slope(self.value, x)
+        result = Dual(entire(self.value, x), rate * self.x, rate * self.t)
+        if isinstance(length, Dual):
+            along = -I * (I * self.value * x).exp()
+            result = Dual(result.value, result.x + along * length.x, result.t + along * length.t)
+        return result
+
+
+def entire_slope(z: Any, x: Any) -> Any:
+    """The derivative of (1 − e^{izx})/z along z: x² times −Σ_{k≥2} i^k (k − 1) w^{k−2}/k!, w = zx."""
+    w = z * x
+    if w.abs_lower() > 0.5:
+        wave = (I * w).exp()
+        return -((1 - wave) / z + I * x * wave) / z
+    terms, top = 18, arb(abs(w).upper())
+    total, power, unit, factorial = acb(0), acb(1), acb(-1), 2  # unit = i^k, factorial = k!
+    for k in range(2, terms):
+        total -= unit * power * (k - 1) / factorial
+        power, unit, factorial = power * w, unit * I, factorial * (k + 1)
+    # (k − 1)/k! ≤ 1/(k − 2)!, and Σ_{k≥n} s^{k−2}/(k − 2)! ≤ s^{n−2} e^s/(n − 2)!
+    rest = arb(0, (top ** (terms - 2) * top.exp() / math.factorial(terms - 2)).upper())
+    return x * x * (total + acb(rest, rest))
+
+
+def det_of_duals(rows: Sequence[Sequence[Dual]]) -> Dual:
+    """The product rule: row by row replaced by its slopes."""
+    values = [[entry.value for entry in row] for row in rows]
+    slopes = []
+    for along in ("x", "t"):
+        rates = [[getattr(entry, along) for entry in row] for row in rows]
+        slopes.append(sum((det([*values[:k], rates[k], *values[k + 1 :]]) for k in range(len(rows))), acb(0)))
+    return Dual(det(values), *slopes)
+
+
+# --- crossings: a family of cases ------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Family:
+    """A case with one free parameter t, on the line q = x + i·height, in balls at the present precision.
+
+    The function is R·F, which has the zeros of F: F = Δ, or, for a free level u of all masses,
+    det[(1 − u)I − u(1 + q²)KM].
+    """
+
+    case: Numbers
+    parameter: str
+    height: Any
+
+    def at(self, t: Any) -> Numbers:
+        """The numbers at t; the places of "distance" are put round 0, where their differences are thinnest."""
+        n = self.case
+        if self.parameter == "alpha":
+            return Numbers(t, n.axial, n.eta_b, n.eta, n.x)
+        if self.parameter == "eta_b":
+            return Numbers(n.alpha, n.axial, t, n.eta, n.x)
+        if self.parameter == "distance":
+            return Numbers(n.alpha, n.axial, n.eta_b, n.eta, tuple(t * k for k in self.places))
+        return n
+
+    @property
+    def places(self) -> list[Any]:
+        last = len(self.case.eta) - 1
+        return [arb(2 * k - last) / 2 for k in range(last + 1)]
+
+    def weights(self, q: Any, t: Any) -> tuple[Any, Any]:
+        """(2πi κ, unit) in det[unit·I − κKM], κ = 2q²/π and unit = 1; or κ = u(1 + q²) and unit = 1 − u."""
+        square = q * q
+        return (2 * arb.pi() * I * t * (1 + square), 1 - t) if self.parameter == "level" else (4 * I * square, 1)
+
+
+class Box:
+    """x and t in a box: their middles, exact, and what they move by, balls about 0."""
+
+    def __init__(self, family: Family, x: Any, t: Any, dx: Any, dt: Any) -> None:
+        still = arb(0)
+        self.family, self.x0, self.t0, self.dx, self.dt = family, x, t, dx, dt
+        self.q0 = acb(x, family.height)
+        self.q, self.t = acb(x + dx, family.height), t + dt
+        self.middle, self.over = family.at(t), family.at(self.t)
+        self.r0, self.r = self.q0 - I * self.middle.eta_b, self.q - I * self.over.eta_b
+        self.dalpha = dt if family.parameter == "alpha" else still
+        self.deta = dt if family.parameter == "eta_b" else still
+        require(self.over.eta_b > 0 and family.height <= 0, "a box may meet a cut")
+
+    def centre(self) -> Box:
+        """The middle alone."""
+        still = arb(0)
+        return Box(self.family, self.x0, self.t0, still, still)
+
+    def quartic(self, p: Any) -> Any:
+        """D(p) over the box, as its value at the middle and what x, α and η_b change, without any cancellation."""
+        g, u = self.r0 - self.middle.alpha * p, self.dx - self.dalpha * p
+        change = u * (2 * g + u) - 2 * I * self.deta * (g + u + I * self.middle.eta_b)
+        return quartic(self.middle, p, self.r0) - 4 * change
+
+    def weights(self) -> tuple[Any, Any]:
+        return self.family.weights(self.q, self.t)
+
+
+# --- crossings: p-roots over a box -----------------------------------------------------------------------------
+
+
+@dataclass
+class Branch:
+    """One p-root over a box: `area` holds this root only, `root` holds it; D(seed) lies in `value`."""
+
+    seed: Any
+    value: Any
+    area: Any
+    root: Any
+
+
+@dataclass(frozen=True)
+class Branches:
+    """The p-roots over a box, with sides: all four apart, or an upper and a lower one in one ball (`met`)."""
+
+    roots: Roots
+    met: bool
+    order: tuple[Branch, ...] = ()  # of a, b, c, e, if none is met
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Two p-roots on one side; of the other two, both on the side `sign`, the sum and the product are known."""
+
+    known: tuple[Any, Any]
+    sign: int
+    total: Any
+    product: Any
+
+
+def branch(box: Box, seed: Any) -> Branch | None:
+    """The one p-root near the seed, for every point of the box: interval Newton, or None."""
+    value = box.quartic(seed)
+    reach = abs(value / D_p(box.middle, seed, box.r0)) + abs(seed) * arb(2) ** (4 - flint.ctx.prec)
+    for widening in (1.5, 2.5):
+        size = arb(0, (reach * widening).upper())
+        area = seed + acb(size, size)
+        image = seed - value / D_p(box.over, area, box.r)
+        if image.is_finite() and area.contains_interior(image):
+            return Branch(seed, value, area, image)
+    return None
+
+
+def branches(box: Box, seeds: Sequence[complex]) -> Branches | Beside | None:
+    """All p-roots over the box, as far as needed: None if more than two of them are not told apart."""
+    fine = flint.ctx.prec > 64
+    points = [polished(box.middle, box.r0, acb(z)) if fine else acb(z) for z in seeds]
+    found = [branch(box, point) for point in points]
+    known = alone(one for one in found if one is not None)
+    if len(known) == 3:  # three different roots: the last one, by the sum 0 of all
+        point, last = points[found.index(None)], -(known[0].root + known[1].root + known[2].root)
+        known = alone([*known, Branch(point, box.quartic(point), last, last)])
+    if len(known) not in (2, 4):
+        return None
+    if len(known) == 4:
+        sharpen(known)
+    sides = [side_of(box, one) for one in known]
+    upper = [one for one, side in zip(known, sides, strict=True) if side > 0]
+    lower = [one for one, side in zip(known, sides, strict=True) if side < 0]
+    if len(upper) + len(lower) != len(known):
+        return None
+    if len(known) == 2:
+        return with_lost_pair(box.over, [one.root for one in upper], [one.root for one in lower])
+    require(len(upper) == 2, "a p-root is on the wrong side")
+    roots = Roots((upper[0].root, upper[1].root), (lower[0].root, lower[1].root))
+    return Branches(roots, False, (*upper, *lower))
+
+
+def alone(found: Iterable[Branch]) -> list[Branch]:
+    """Those whose balls meet no other: they hold different roots."""
+    every = list(found)
+    return [one for one in every if not any(one.root.overlaps(o.root) for o in every if o is not one)]
+
+
+def sharpen(found: Sequence[Branch]) -> None:
+    """D(m) = Π (m − p') gives p = m − D(m)/Π (m − p') over the three others."""
+    areas = [one.root for one in found]
+    for k, one in enumerate(found):
+        others = acb(1)
+        for j, area in enumerate(areas):
+            if j != k:
+                others *= one.seed - area
+        sharper = one.seed - one.value / others
+        if sharper.is_finite() and sharper.rad() < one.root.rad():
+            one.root = sharper
+
+
+def side_of(box: Box, one: Branch) -> int:
+    """+1 above the real axis, −1 below it, 0 if open. No cut meets the box, so it may be told at the middle."""
+    imag = one.root.imag
+    if not (imag > 0 or imag < 0):
+        still = branch(box.centre(), one.seed)
+        if still is None or not one.area.contains(still.root):
+            return 0
+        imag = still.root.imag
+    return 1 if imag > 0 else -1 if imag < 0 else 0
+
+
+def with_lost_pair(n: Numbers, upper: list[Any], lower: list[Any]) -> Branches | Beside:
+    """The other two of the four roots by Vieta: sum s, product s² − 4A − π, with −s and π of the known two."""
+    one, two = [*upper, *lower]
+    total = -(one + two)
+    product = total * total - 4 * n.A - one * two
+    if not (upper and lower):
+        return Beside((one, two), -1 if upper else 1, total, product)
+    size = arb(0, abs(total * total / 4 - product).upper().sqrt().upper())
+    pair = total / 2 + acb(size, size)
+    return Branches(Roots((pair, upper[0]), (pair, lower[0])), True)
+
+
+def seeds_at(box: Box, start: Sequence[complex]) -> list[complex]:
+    """Approximate p-roots at the middle, from those of a neighbour: Weierstrass's iteration in floats."""
+    n, r = box.middle, complex(box.r0)
+    quadratic, linear = 4 * float(n.A), 8 * float(n.alpha) * r
+    constant = 4 * (float(n.beta2) - r * r)
+    z = list(start)
+    for _ in range(60):
+        change = 0.0
+        for k, p in enumerate(z):
+            others = (p - z[k - 1]) * (p - z[k - 2]) * (p - z[k - 3])
+            step = (((p * p - quadratic) * p + linear) * p + constant) / (others or 1e-30)
+            z[k] = p - step
+            change = max(change, abs(step) / (1 + abs(p)))
+        if change < 1e-13:
+            break
+    return z
+
+
+def first_seeds(q: float) -> list[complex]:
+    size = 1 + math.sqrt(2 * q)
+    return [size * unit * complex(0.95, 0.3) for unit in (1, 1j, -1, -1j)]
+
+
+# --- crossings: values and slopes ------------------------------------------------------------------------------
+
+
+def natural(box: Box, z: Branches | Beside) -> Any:
+    """A ball of R·F, or of F where two p-roots of one side may meet."""
+    factor, unit = box.weights()
+    if isinstance(z, Branches):
+        return times_resultant(box.over, z.roots, factor, unit)
+    n, size = box.over, range(len(box.over.eta))
+    gaps = [[n.x[i] - n.x[j] if i != j else arb(0) for j in size] for i in size]
+    rows = [[wave_beside(z, gaps[i][j], 1 if i >= j else -1) * n.eta[j] for j in size] for i in size]
+    return det([[int(i == j) * unit - factor * rows[i][j] for j in size] for i in size])
+
+
+def times_resultant(n: Numbers, z: Roots, factor: Any, unit: Any) -> Any:
+    """R det(unit·I − κKM); for many masses by the waves of all p-roots, if no upper root is near a lower one."""
+    if len(n.eta) > 2 and all(abs(u.mid() - v.mid()) > 1 for u in z.upper for v in z.lower):
+        return z.resultant * det(edge_rows(n, edge_waves(n, z), factor, unit))
+    return scaled(n, z, factor, unit)
+
+
+def wave_beside(z: Beside, xi: Any, ahead: int) -> Any:
+    """K(ξ)/(2πi) where the two roots s/2 ± δ on one side may meet: cos δξ and (sin δξ)/δξ are functions of δ².
+
+    With g(p) = (p − k)(p − l) for the other two roots k, l, g(s/2 ± δ) = G ± 2sδ, and R = g(s/2 + δ) g(s/2 − δ):
+    the divided difference of e^{ipξ}/g(p) is e^{isξ/2} [iξG (sin δξ)/δξ − 2s cos δξ]/R.
+    """
+    (k, m), s = z.known, z.total
+    at_k, at_m = (p * p - s * p + z.product for p in z.known)
+    if ahead != z.sign and not xi.is_zero():
+        return ahead * ((I * k * xi).exp() / at_k - (I * m * xi).exp() / at_m) / (k - m)
+    square = s * s / 4 - z.product
+    cosine, sinc = cosine_and_sinc(square * xi * xi)
+    wave = (I * s * xi / 2).exp() * (I * xi * (3 * s * s / 4 + square + k * m) * sinc - 2 * s * cosine)
+    return z.sign * wave / (at_k * at_m)
+
+
+def cosine_and_sinc(square: Any) -> tuple[Any, Any]:
+    """cos z and (sin z)/z as functions of z²: 1 up to |z²| cosh|z|/2 and |z²| cosh|z|/6, or as they stand."""
+    size = arb(abs(square).upper())
+    if size > 0.5:
+        z = square.sqrt()
+        return z.cos(), z.sinc()
+    bound = size * size.sqrt().cosh()
+    wide, narrow = (arb(0, (bound / k).upper()) for k in (2, 6))
+    return 1 + acb(wide, wide), 1 + acb(narrow, narrow)
+
+
+def value_and_slopes(box: Box, z: Branches | Beside | None) -> tuple[Any, Any, Any] | None:
+    """R·F at the middle and its derivatives along x and t over the box, where all p-roots are apart."""
+    if not isinstance(z, Branches) or z.met:
+        return None
+    centre = box.centre()
+    still = [branch(centre, one.seed) for one in z.order]
+    a, b, c, e = [s.root if s and one.area.contains(s.root) else None for s, one in zip(still, z.order, strict=True)]
+    if a is None or b is None or c is None or e is None:
+        return None
+    value = times_resultant(centre.over, Roots((a, b), (c, e)), *centre.weights())
+    slope = times_resultant(moving(box), moving_roots(box, z.roots), *moving_weights(box))
+    if not (value.is_finite() and slope.x.is_finite() and slope.t.is_finite()):
+        return None
+    return value, slope.x, slope.t
+
+
+def moving(box: Box) -> Numbers:
+    """The numbers over the box; distances move with t, and all else that does is in the p-roots."""
+    n = box.over
+    if box.family.parameter != "distance":
+        return n
+    return Numbers(n.alpha, n.axial, n.eta_b, n.eta, tuple(Dual(box.t * k, arb(0), k) for k in box.family.places))
+
+
+def moving_roots(box: Box, z: Roots) -> Roots:
+    """Each p-root with its slopes −D_x/D_p and −D_t/D_p, D_p the product of its distances from the others."""
+    n, every, parameter = box.over, [*z.upper, *z.lower], box.family.parameter
+    result = []
+    for k, p in enumerate(every):
+        inverse = 8 * residue(z, k)
+        lean = (box.r - n.alpha * p) * inverse
+        rate = acb(0)
+        if parameter == "alpha":
+            rate = -lean * p
+        if parameter == "eta_b":
+            rate = I * (n.alpha * p - box.q) * inverse
+        result.append(Dual(p, lean, rate))
+    return Roots((result[0], result[1]), (result[2], result[3]))
+
+
+def moving_weights(box: Box) -> tuple[Any, Any]:
+    factor, unit = box.weights()
+    if box.family.parameter == "level":
+        turn = 2 * arb.pi() * I
+        return Dual(factor, 2 * turn * box.t * box.q, turn * (1 + box.q * box.q)), Dual(unit, acb(0), acb(-1))
+    return Dual(factor, 8 * I * box.q, acb(0)), unit
+
+
+def linear(f: Any, fx: Any, ft: Any, determinant: Any) -> tuple[Any, Any]:
+    """(u, v) real with fx u + ft v = f, by Cramer's rule on real and imaginary parts."""
+    return (f.real * ft.imag - f.imag * ft.real) / determinant, (fx.real * f.imag - fx.imag * f.real) / determinant
+
+
+def confirms_crossing(content: dict[str, Any], value: Any) -> bool:
+    """Whether a crossing would pass: for a maker of certificates, which may take a smaller reach."""
+    try:
+        check_crossing(free_problem(content), crossing(value))
+    except Refused:
+        return False
+    return True
+
+
+def one_zero(family: Family, x: Any, t: Any, dx: Any, dt: Any) -> Any:
+    """Proves that the box x ± dx, t ± dt holds exactly one zero (Krawczyk); Im(conj(F_q) F_t) over the box."""
+    box = Box(family, x, t, arb(0, dx), arb(0, dt))
+    z = branches(box, seeds_at(box, first_seeds(float(x))))
+    found = value_and_slopes(box, z)
+    require(found is not None, "p-roots cannot be told apart")
+    assert found is not None
+    f, fx, ft = found
+    mx, mt = fx.mid(), ft.mid()
+    determinant = (mx.conjugate() * mt).imag
+    u, v = linear(f, mx, mt, determinant)
+    xx, tx = linear(mx - fx, mx, mt, determinant)
+    xt, tt = linear(mt - ft, mx, mt, determinant)
+    move_x, move_t = xx * box.dx + xt * box.dt - u, tx * box.dx + tt * box.dt - v
+    inside = move_x.is_finite() and move_t.is_finite()
+    inside = inside and box.dx.contains_interior(move_x) and box.dt.contains_interior(move_t)
+    require(inside, "interval Newton does not confirm it")
+    return (fx.conjugate() * ft).imag
+
+
+# --- crossings: no others ----------------------------------------------------------------------------------------
+
+Span = tuple[float, float, float, float]  # x from, x to, t from, t to
+
+
+def tested(family: Family, span: Span, start: Sequence[complex]) -> tuple[bool, bool, list[complex]]:
+    """(whether the box is proved to hold no zero, whether to halve it along x if not, p-roots near its middle)."""
+    x0, x1, t0, t1 = span
+    x, t = (x0 + x1) / 2, (t0 + t1) / 2
+    dx, dt = (max(b - m, m - a) * (1 + 2.0**-50) for a, m, b in ((x0, x, x1), (t0, t, t1)))
+    box = Box(family, arb(x), arb(t), arb(0, dx), arb(0, dt))
+    seeds = seeds_at(box, start)
+    ratio = dx / (1 + x0) / dt
+    z = branches(box, seeds)
+    if z is None:
+        return False, ratio > 1, seeds
+    value = natural(box, z)
+    if value.is_finite() and not value.contains(0):
+        return True, False, seeds
+    found = value_and_slopes(box, z)
+    if found is None:
+        return False, ratio > 1, seeds
+    f, fx, ft = found
+    if by_slopes(box, f, fx, ft) or (family.parameter == "level" and x0 == 0 and not fx.imag.contains(0)):
+        return True, False, seeds
+    # slopes of wide boxes mislead: no box becomes a sliver
+    across = ratio > 8 or (ratio > 0.125 and float(fx.abs_upper()) * dx > float(ft.abs_upper()) * dt)
+    return False, across, seeds
+
+
+def by_slopes(box: Box, f: Any, fx: Any, ft: Any) -> bool:
+    """f + fx dx + ft dt ≠ 0 by the mean value theorem: some real component of it has one sign over the box."""
+    for normal in (f.mid(), I * fx.mid(), I * ft.mid()):
+        n = normal.conjugate()
+        component = (f * n).real + (fx * n).real * box.dx + (ft * n).real * box.dt
+        if component > 0 or component < 0:
+            return True
+    return False
+
+
+def halves(span: Span, across: bool) -> tuple[Span, Span]:
+    x0, x1, t0, t1 = span
+    if across:
+        x = math.sqrt(x0 * x1) if x0 > 1 else 2.0 if x1 > 4 else (x0 + x1) / 2
+        return (x0, x, t0, t1), (x, x1, t0, t1)
+    t = (t0 + t1) / 2
+    return (x0, x1, t0, t), (x0, x1, t, t1)
+
+
+def prove_free(family: Family, region: Span, holes: Sequence[Span]) -> int:
+    """Proves by bisection that the region holds no zero outside of the holes; the number of boxes it took."""
+    stack, number = [(region, first_seeds(1.0))], 0
+    limit = min(MAX_BOXES, MAX_BOX_WORK // len(family.case.eta) ** 2)
+    while stack:
+        span, start = stack.pop()
+        number += 1
+        require(number <= limit, f"{limit} boxes do not prove that there are no other crossings")
+        if any(within(span, hole) for hole in holes):
+            continue
+        free, across, seeds = tested(family, span, start)
+        if not free:
+            x0, x1, t0, t1 = span
+            wide = x1 - x0 > 2.0**-44 * max(1.0, x1) or t1 - t0 > 2.0**-44 * max(1.0, t1)
+            require(wide, f"there may be another crossing near x = {x0:.12g}, t = {t0:.12g}")
+            stack += [(half, seeds) for half in halves(span, across)]
+    return number
+
+
+def within(span: Span, hole: Span) -> bool:
+    return hole[0] <= span[0] and span[1] <= hole[1] and hole[2] <= span[2] and span[3] <= hole[3]
+
+
+def outward(low: Fraction, high: Fraction) -> tuple[float, float]:
+    """Floats that enclose [low, high]."""
+    a, b = float(low), float(high)
+    return a if a <= low else math.nextafter(a, -math.inf), b if b >= high else math.nextafter(b, math.inf)
+
+
+def inward(low: Fraction, high: Fraction) -> tuple[float, float]:
+    """Floats within [low, high]."""
+    a, b = float(low), float(high)
+    return a if a >= low else math.nextafter(a, math.inf), b if b <= high else math.nextafter(b, -math.inf)
+
+
+# --- crossings: the certificate ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Free:
+    """A problem with one free parameter from start to end, and the line Im q = height, all exact."""
+
+    problem: Problem
+    parameter: str
+    start: Fraction
+    end: Fraction
+    height: Fraction
+
+    def family(self) -> Family:
+        """In balls at the present precision."""
+        return Family(numbers(self.problem), self.parameter, ball(self.height))
+
+    def at(self, t: Fraction) -> Problem:
+        """The problem at t, not for "level"."""
+        p, value = self.problem, rational_real(t)
+        if self.parameter == "alpha":
+            return replace(p, alpha=value)
+        if self.parameter == "eta_b":
+            return replace(p, eta_b=value)
+        return replace(p, places=tuple(rational_real(k * t) for k in range(len(p.places))))
+
+
+def rational(text: Any, name: str) -> Fraction:
+    value = real(text, name).rational
+    require(value is not None, f"{name} is not rational")
+    assert value is not None
+    return value
+
+
+def free_problem(content: dict[str, Any]) -> Free:
+    """The family, proved admissible: N < 1, and no cut meets Im q ≤ height for any t."""
+    p, values = problem(content["case"]), content["family"]
+    keys(values, {"parameter", "start", "end"})
+    parameter, height = values["parameter"], rational(content["height"], "height")
+    start, end = rational(values["start"], "start"), rational(values["end"], "end")
+    require(parameter in ("alpha", "eta_b", "distance", "level"), "the parameter is not known")
+    require(start < end, "start is not below end")
+    require(height <= 0, "a line above the real axis is not known to this verifier")
+    require(parameter == "eta_b" or p.eta_b.quartic > 0, "there is no damping")
+    require(start >= 0 and (parameter == "alpha" or parameter == "level" or start > 0), "start is too small")
+    if parameter == "level":
+        require(start == 0 and end == 1 and height == 0, "a free level runs from 0 to 1 on the real axis")
+    if parameter == "distance":
+        first, count = p.places[min(1, len(p.places) - 1)].quartic, sum(len(group) for group in p.masses)
+        even = all(place.quartic == k**4 * first for k, place in enumerate(p.places))
+        require(1 < count == len(p.places) and even and first > 0, "the masses do not stand at 0, d, 2d, …")
+    free = Free(p, parameter, start, end, height)
+    with precision(64):
+        require(free.family().case.axial < 1, "the beam buckles without any load")
+    return free
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """One zero (x, t) within one unit of the last place of each; alone within `reach` of the middle."""
+
+    x: Fraction
+    dx: Fraction
+    t: Fraction
+    dt: Fraction
+    direction: int
+    reach: Fraction
+    bits: int
+
+
+def crossing(value: Any) -> Crossing:
+    keys(value, {"x", "x_exponent", "t", "t_exponent", "direction", "reach"})
+    numbers, bits = [], 0
+    for name in ("x", "t"):
+        exponent = integer(value[f"{name}_exponent"], -MAX_BITS, 60, "an exponent")
+        m = mantissa(value[name])
+        require(m > 0, "a crossing is not at positive x and t")
+        require(m.bit_length() <= MAX_BITS, "a crossing has too many digits")
+        numbers += [m * Fraction(2) ** exponent, Fraction(2) ** exponent]
+        bits = max(bits, m.bit_length(), -exponent)
+    direction, reach = integer(value["direction"], -1, 1, "a direction"), dyadic(value["reach"])
+    require(direction != 0 and reach > 0, "a direction or a reach is 0")
+    x, dx, t, dt = numbers
+    return Crossing(x, dx, t, dt, direction, reach, bits)
+
+
+def check_crossing(free: Free, c: Crossing) -> None:
+    """Proves that one zero is within a unit of the last places, with the direction claimed, and no other nearby."""
+    require(c.dx < c.x and c.dx <= c.reach and c.dt <= c.reach, "a reach is less than a unit of the last place")
+    require(free.start < c.t - c.dt and c.t + c.dt < free.end, "it is not inside of the range")
+    with precision(max(64, c.bits + 48)):
+        family = free.family()
+        x, t = ball(c.x), ball(c.t)
+        turn = c.direction * one_zero(family, x, t, ball(c.dx), ball(c.dt))
+        require(turn > 0, "its direction is not as claimed")
+        one_zero(family, x, t, ball(c.reach), ball(c.reach))
+
+
+def check_each(free: Free, values: Any) -> list[Crossing]:
+    """All crossings, each proved, in order: by t, and for a free level by η."""
+    require(isinstance(values, list) and len(values) <= MAX_CROSSINGS, "crossings are no list, or too many")
+    found = [crossing(value) for value in values]
+    require(sum(c.bits for c in found) <= MAX_ALL_BITS, "the crossings have too many digits in all")
+    for k, c in enumerate(found):
+        try:
+            check_crossing(free, c)
+        except Refused as error:
+            raise Refused(f"crossing {k}: {error}") from None
+    spans = [(c.t - c.dt, c.t + c.dt) for c in found]
+    if free.parameter == "level":
+        spans = [level_span(c) for c in found]
+    require(all(a[1] < b[0] for a, b in pairwise(spans)), "the crossings are not in order, or not apart")
+    return found
+
+
+def level_span(c: Crossing) -> tuple[Fraction, Fraction]:
+    """The ends of 2η/π = (1 + 1/x²) u/(1 − u)."""
+    low, high = c.t - c.dt, c.t + c.dt
+    return (1 + 1 / (c.x + c.dx) ** 2) * low / (1 - low), (1 + 1 / (c.x - c.dx) ** 2) * high / (1 - high)
+
+
+def check_far(free: Free, reach: Fraction) -> None:
+    """No zero has |q − iη_b| ≥ reach for any t, part by part of the range."""
+    parts, number = [(free.start, free.end)], 0
+    while parts:
+        low, high = parts.pop()
+        number += 1
+        family = free.family()
+        try:
+            far_field(family.at(ball(low).union(ball(high))), ball(reach))
+        except Refused as error:
+            require(number < MAX_FAR_PARTS and (high - low) * 2**20 > free.end - free.start, str(error))
+            middle = (low + high) / 2
+            parts += [(low, middle), (middle, high)]
+
+
+def check_crossings(content: dict[str, Any]) -> str:
+    """The claim in words, if every step of a certificate of crossings holds."""
+    free, reach = free_problem(content), dyadic(content["radius"])
+    found = check_each(free, content["crossings"])
+    counts = check_counts(free, found, content["base"], content["claim"])
+    with precision(64):
+        require(reach > 0, "the radius is not positive")
+        check_far(free, reach)
+        holes = [(*inward(c.x - c.reach, c.x + c.reach), *inward(c.t - c.reach, c.t + c.reach)) for c in found]
+        region = (0.0, outward(Fraction(0), reach)[1], *outward(free.start, free.end))
+        prove_free(free.family(), region, holes)
+    name = "the level of the masses" if free.parameter == "level" else free.parameter
+    ends = "" if free.parameter == "level" else f" from {free.start} to {free.end}"
+    return (
+        f"exactly {len(found)} crossing{'' if len(found) == 1 else 's'} of Im q = {free.height} for {name}{ends}; "
+        f"induced frequencies below it before, between and after: {', '.join(map(str, counts))}"
+    )
+
+
+def check_counts(free: Free, found: Sequence[Crossing], base: Any, claim: Any) -> list[int]:
+    """The numbers of roots below the line, from one that is proved: each crossing is two roots, q and −q̄."""
+    keys(claim, {"counts"})
+    place, below = (0, 0) if free.parameter == "level" else check_base(free, found, base)
+    require(free.parameter != "level" or base is None, "a free level needs no base")
+    changes = [2 * c.direction for c in found]
+    counts = [below - sum(changes[k:place]) + sum(changes[place:k]) for k in range(len(found) + 1)]
+    require(min(counts) >= 0, "a number of roots is negative")
+    claimed = claim["counts"]
+    agree = isinstance(claimed, list) and all(type(n) is int for n in claimed) and claimed == counts
+    require(agree, f"the numbers of roots are {counts}"[:200] + ", not those claimed")
+    return counts
+
+
+def check_base(free: Free, found: Sequence[Crossing], base: Any) -> tuple[int, int]:
+    """(how many crossings lie before the base, how many roots are below the line there)."""
+    keys(base, {"t", "certificate"})
+    t = rational(base["t"], "the base's t")
+    require(free.start <= t <= free.end, "the base is not in the range")
+    before = [c.t + c.dt < t for c in found]
+    require(all(b or t < c.t - c.dt for b, c in zip(before, found, strict=True)), "the base is a crossing")
+    try:
+        content = opened(base["certificate"])
+        require(content["kind"] == "induced frequencies", "it is of another kind")
+        require(same(problem(content["case"]), free.at(t)), "it is of another case")
+        _, roots = check_frequencies(content)
+        require(content["contour"]["kind"] != "rectangle", "it is of a rectangle only")
+        return sum(before), roots_below(roots, free.height)
+    except Refused as error:
+        raise Refused(f"the base: {error}") from None
+
+
+def same(one: Problem, two: Problem) -> bool:
+    """The same exact numbers."""
+
+    def values(p: Problem) -> list[Any]:
+        numbers = [p.alpha, p.eta_b, p.eta_n, p.eta_s, *p.places]
+        return [[x.quartic for x in numbers], [[m.quartic for m in group] for group in p.masses]]
+
+    return values(one) == values(two)
+
+
+def roots_below(roots: Sequence[Root], height: Fraction) -> int:
+    """How many have Im q < height; each is proved to lie above or below."""
+    number = 0
+    for k, found in enumerate(roots):
+        with precision(found.bits + 64):
+            imag, line = found.box.imag, ball(height)
+            require(imag < line or imag > line, f"root {k} may lie on either side of the line")
+            number += found.multiplicity if imag < line else 0
     return number
 
 
