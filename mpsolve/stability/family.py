@@ -1,0 +1,70 @@
+"""A case with one free real parameter t, and what a box [x] × [t] with q = x + i·height needs of it.
+
+The function whose zeros are sought is R det[unit·I − κ K M] with κ = 2q²/π and unit = 1 (then it is R·Δ); or, for a
+free level of all masses, κ = u (1 + q²), unit = 1 − u, where (1 + q²) u/(1 − u) = 2ηq²/π runs through (0, ∞) as u
+does through (0, 1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from mpsolve.model.branch import ALONG_ALPHA, ALONG_DAMPING, Motion, Track, track
+from mpsolve.model.exact import Exact
+from mpsolve.model.parameters import Case
+
+Parameter = Literal["alpha", "eta_b", "distance", "level"]
+
+
+@dataclass(frozen=True)
+class Family:
+    """`case` with its parameter set free, on the line Im q = height.
+
+    "distance": the masses stand at 0, d, 2d, …. "level": the masses are η·eta_m.
+    """
+
+    case: Case
+    parameter: Parameter
+    height: Exact = Exact.parse(0, "height")  # noqa: RUF009
+    _fixed: dict[Any, Track] = field(default_factory=dict, compare=False, repr=False)
+
+    def at(self, arithmetic: Any, t: Any) -> Track:
+        """The numbers of the case at t; those that stay the same are kept for each arithmetic and precision."""
+        key = type(arithmetic), getattr(arithmetic, "bits", 0)
+        if key not in self._fixed:
+            self._fixed[key] = track(self.case, arithmetic)
+        model = self._fixed[key]
+        if self.parameter == "alpha":
+            return replace(model, alpha=t)
+        if self.parameter == "eta_b":
+            return replace(model, eta_b=t)
+        if self.parameter == "distance":
+            return replace(model, positions=tuple(k * t for k in range(len(model.eta_m))))
+        return model
+
+    def case_at(self, t: Exact) -> Case:
+        """The case at an exact t (not for a free mass level)."""
+        if self.parameter == "alpha":
+            return _changed(self.case, alpha=t)
+        if self.parameter == "eta_b":
+            return _changed(self.case, eta_b=t)
+        if self.parameter == "distance":
+            return _changed(self.case, positions=[t * k for k in range(self.case.count)])
+        raise ValueError("a free mass level has no case of its own")
+
+    def motion(self, count: int) -> Motion:
+        """The direction of t, for derivatives of the kernel."""
+        if self.parameter == "alpha":
+            return ALONG_ALPHA
+        if self.parameter == "eta_b":
+            return ALONG_DAMPING
+        if self.parameter == "distance":
+            return Motion(positions=tuple(range(count)))
+        return Motion()
+
+
+def _changed(case: Case, **changes: Any) -> Case:
+    values: dict[str, Any] = {name: getattr(case, name) for name in ("alpha", "eta_b", "eta_n", "eta_s")}
+    values |= {"eta_m": case.eta_m, "positions": case.positions} | changes
+    return Case(**values)

@@ -1,0 +1,143 @@
+"""All real zeros (x, t) of a family in a region, proved complete; what is undecided comes back as strips of t."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+import numpy as np
+
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.stability.exclude import Region, exclude, grid, inside
+from mpsolve.stability.family import Family
+from mpsolve.stability.zero import BITS, Zero, approach, isolate, value
+
+arb = flint.arb
+_ROUNDS = 12
+_LEVELS = 6  # of halving in each round but the first
+_BALLS = 600  # evaluations in balls a round
+_MERGE = 1.5
+
+Tell = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Strip:
+    """start ≤ t ≤ end: what happens there is open, for the reason given."""
+
+    start: float
+    end: float
+    reason: str
+
+
+@dataclass(frozen=True)
+class Zeros:
+    """The zeros, by ascending t: all that lie outside of the strips."""
+
+    zeros: tuple[Zero, ...]
+    strips: tuple[Strip, ...]
+    evaluations: int
+
+
+def all_zeros(
+    family: Family, reach: float, t0: float, t1: float, budget: int = 3_000_000, tell: Tell | None = None
+) -> Zeros:
+    """Every zero with 0 ≤ x ≤ reach and t0 ≤ t ≤ t1 (0 < x for a free mass level)."""
+    boxes, evaluations = grid(reach, t0, t1), 0
+    found: list[Zero] = []
+    reasons: dict[tuple[int, int], str] = {}
+    for turn in range(_ROUNDS):
+        if tell is not None:
+            tell("excluding", turn / _ROUNDS)
+        holes = np.array([zero.hole for zero in found]).reshape(-1, 4)
+        few, levels = (160, 64) if not turn else (0, _LEVELS)
+        cover = exclude(family, boxes, holes, few, levels, budget - evaluations)
+        boxes, evaluations = cover.open, evaluations + cover.evaluations
+        boxes, spent = _by_balls(family, boxes, holes)
+        evaluations += spent
+        if not len(boxes) or evaluations > budget:
+            break
+        for x, t in _centres(boxes) if len(boxes) <= _BALLS else ():
+            point = approach(family, x, t)
+            if point is None or any(_within(point, zero) for zero in found):
+                continue
+            try:
+                found.append(isolate(family, *point))
+            except PrecisionError as error:
+                reasons[round(1e6 * float(point[0])), round(1e6 * float(point[1]))] = str(error)
+    span = _hull(t0, t1)
+    kept = [zero for zero in _distinct(found) if zero.t.overlaps(span) and not zero.x < 0]
+    return Zeros(tuple(sorted(kept, key=lambda z: float(z.t.mid()))), _strips(boxes, reasons), evaluations)
+
+
+def _by_balls(family: Family, boxes: Region, holes: Region) -> tuple[Region, int]:
+    """The boxes that balls cannot free either."""
+    if len(boxes) > _BALLS:
+        return boxes, 0
+    stack, left, spent = [tuple(map(float, box)) for box in boxes], [], 0
+    with ball_arithmetic(BITS) as field:
+        while stack:
+            x0, x1, t0, t1 = box = stack.pop()
+            spent += 1
+            if inside(np.array([box]), holes)[0]:
+                continue
+            try:
+                f = value(family, field, _hull(x0, x1), _hull(t0, t1))
+                if f.is_finite() and not f.contains(0):
+                    continue
+            except PrecisionError:
+                pass
+            left.append(box)
+    return np.array(left).reshape(-1, 4), spent
+
+
+def _hull(a: float, b: float) -> Any:
+    return arb(a).union(arb(b))
+
+
+def _within(point: tuple[Any, Any], zero: Zero) -> bool:
+    x0, x1, t0, t1 = zero.hole
+    return x0 <= float(point[0]) <= x1 and t0 <= float(point[1]) <= t1
+
+
+def _distinct(found: list[Zero]) -> list[Zero]:
+    """One of those whose boxes of uniqueness hold each other's zero."""
+    result: list[Zero] = []
+    for zero in found:
+        if not any(_within((zero.x.mid(), zero.t.mid()), other) for other in result):
+            result.append(zero)
+    return result
+
+
+def _centres(boxes: Region) -> list[tuple[float, float]]:
+    """The middles of the clusters that the boxes form, and of their largest box."""
+    rest, centres = list(range(len(boxes))), []
+    while rest:
+        cluster, rest = [rest[0]], rest[1:]
+        for k in cluster:
+            near = [j for j in rest if _touch(boxes[k], boxes[j])]
+            cluster += near
+            rest = [j for j in rest if j not in near]
+        x0, x1, t0, t1 = boxes[cluster].T
+        centres.append(((x0.min() + x1.max()) / 2, (t0.min() + t1.max()) / 2))
+    return centres
+
+
+def _touch(a: Any, b: Any) -> bool:
+    dx, dt = _MERGE * max(a[1] - a[0], b[1] - b[0]), _MERGE * max(a[3] - a[2], b[3] - b[2])
+    return bool(a[0] - dx <= b[1] and b[0] - dx <= a[1] and a[2] - dt <= b[3] and b[2] - dt <= a[3])
+
+
+def _strips(boxes: Region, reasons: dict[tuple[int, int], str]) -> tuple[Strip, ...]:
+    """The t-ranges of the open boxes, merged."""
+    spans: list[list[float]] = []
+    for _, _, t0, t1 in sorted(boxes.tolist(), key=lambda box: box[2]):
+        if spans and t0 <= spans[-1][1]:
+            spans[-1][1] = max(spans[-1][1], t1)
+        else:
+            spans.append([t0, t1])
+    reason = "; ".join(reasons.values()) or "the region is not resolved at this effort: allow a larger budget"
+    return tuple(Strip(a, b, reason) for a, b in spans)
