@@ -1,4 +1,4 @@
-"""The command `mpsolve`: certify a case, verify certificates, derive the model.
+"""The command `mpsolve`: certify a case, verify certificates, derive the model; the rest is in cli_stability.py.
 
 Exit status: 0 if what was asked for is proved (an unstable case too) or valid; 1 if it is undecided or
 invalid, or if the certificate could not be written; 2 for input that cannot be used. Standard output carries
@@ -10,37 +10,18 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
+
+from mpsolve.cli_stability import COMMANDS
+from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
 
 if TYPE_CHECKING:
     from mpsolve.model.inputfile import InputFile
     from mpsolve.spectrum.certify import Spectrum
     from mpsolve.spectrum.region import Region
-
-UNDECIDED = 1
-BAD_INPUT = 2
-
-
-@contextmanager
-def _one_sentence() -> Iterator[None]:
-    """Turns an error that mpsolve raises on purpose into its sentence on stderr, and the exit status."""
-    from mpsolve.errors import InputError, MpsolveError
-
-    try:
-        yield
-    except InputError as error:
-        status, message = BAD_INPUT, str(error)
-    except MpsolveError as error:
-        status, message = UNDECIDED, str(error)
-    else:
-        return
-    click.echo(f"mpsolve: {message}", err=True)
-    sys.exit(status)
 
 
 def _show_version(context: click.Context, _option: click.Parameter, asked: bool) -> None:
@@ -82,13 +63,13 @@ def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | 
     Exit status 0: proved, stable or not. 1: undecided, with the reason and what helps, or the certificate
     could not be written. 2: the input cannot be used.
     """
-    with _one_sentence():
+    with one_sentence():
         from mpsolve.model.inputfile import read_input
         from mpsolve.spectrum.certify import certify as prove
 
         source = read_input(file)
-        path = _certificate_path(source.path, output)
-        with _progress() as tell:
+        path = certificate_path(source.path, output)
+        with progress() as tell:
             spectrum = prove(source.case, digits=digits, region=_region(region), progress=tell)
         _report(spectrum, source, path, as_json)
     sys.exit(0 if spectrum.proved else UNDECIDED)
@@ -106,22 +87,6 @@ def _region(text: str) -> Region:
     if len(bounds) != 4:
         raise InputError("region", f"is {text!r}: give sheet, unstable, or RE_MIN,RE_MAX,IM_MIN,IM_MAX")
     return Rectangle(*bounds)
-
-
-def _certificate_path(source: Path, output: Path | None) -> Path:
-    """Where the certificate goes; InputError, before any work is done, if it cannot be a file there."""
-    from mpsolve.errors import InputError
-
-    path = output or Path(f"{source.stem}.certificate.json")
-    if not path.parent.is_dir():
-        raise InputError(
-            "output", f"{path.parent} is no directory: make it, or give another path for the certificate"
-        )
-    if path.is_dir():
-        raise InputError("output", f"{path} is a directory: give the path of a file for the certificate")
-    if path.exists() and path.samefile(source):
-        raise InputError("output", f"{path} is the input file: give another path for the certificate")
-    return path
 
 
 def _report(spectrum: Spectrum, source: InputFile, path: Path, as_json: bool) -> None:
@@ -143,36 +108,11 @@ def _report(spectrum: Spectrum, source: InputFile, path: Path, as_json: bool) ->
 
         click.echo(json.dumps(as_data(spectrum, physical, source.title, saved), indent=1, ensure_ascii=False))
     else:
-        _print(spectrum, physical, source.title, saved)
+        from mpsolve.report.text import document
+
+        show(document(spectrum, physical, source.title, saved))
     if failure is not None:
         raise failure
-
-
-def _print(*report: Any) -> None:
-    """To a terminal in its width and with colour; else as plain text."""
-    from mpsolve.report.text import document, render
-
-    if sys.stdout.isatty():
-        from rich.console import Console
-
-        Console().print(document(*report))
-    else:
-        click.echo(render(*report), nl=False)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str, float], None] | None]:
-    """A bar on stderr for the stage that is told; None where stderr is not a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (TextColumn("{task.description:<10}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=1.0)
-        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
 
 
 @cli.command()
@@ -198,10 +138,14 @@ def verify(files: tuple[Path, ...]) -> None:
 @click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses.")
 def derive(latex: bool, masses: int) -> None:
     """Derive the model symbolically, from the equation of motion to the kernel, and print every step."""
-    with _one_sentence():
+    with one_sentence():
         from mpsolve.model.derivation import derivation, render
 
         click.echo(render(derivation(masses), "latex" if latex else "text"), nl=False)
+
+
+for command in COMMANDS:
+    cli.add_command(command)
 
 
 def main() -> None:

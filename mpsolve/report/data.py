@@ -67,7 +67,7 @@ def as_data(
         "unstable": spectrum.unstable,
         "radius": None if spectrum.radius is None else radius_text(spectrum.radius),
         "case": spectrum.case.as_dict(),
-        "physical": None if physical is None else _physical(physical),
+        "physical": None if physical is None else physical_data(physical),
         "units": _DIMENSIONLESS_UNITS if physical is None else _UNITS,
         "roots": [_root(root, physical, spectrum.digits) for root in spectrum.roots],
         "proved": list(proved(spectrum)),
@@ -76,7 +76,8 @@ def as_data(
     }
 
 
-def _physical(physical: PhysicalCase) -> dict[str, Any]:
+def physical_data(physical: PhysicalCase) -> dict[str, Any]:
+    """The case in SI units as exact texts."""
     beam: dict[str, Any] = {name: str(getattr(physical, name)) for name in _BEAM}
     return beam | {"mass": [{"M": str(x.M), "position": str(x.position)} for x in physical.masses]}
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, ROUND_FLOOR, localcontext
+from decimal import Decimal as Exactly
 from typing import Any
 
 from flint import fmpq, fmpz
@@ -62,6 +64,48 @@ def proved_digits(ball: Any, limit: int) -> str:
     ('2.500', '0.25')
     """
     return decimal(ball, limit).text
+
+
+def fixed_digits(ball: Any, limit: int) -> str:
+    """The correctly rounded decimal of every point of `ball`: no digit that the ball does not fix.
+
+    ball: a finite flint.arb, of any precision. The text has `limit` ≥ 1 digits, or fewer where two points of the
+    ball round differently; it is within half a unit in its last place of them all (a half is rounded up). An exact
+    number that has fewer digits ends without zeros. Raises PrecisionError if not even one digit is fixed.
+
+    >>> from flint import arb
+    >>> fixed_digits(arb(2.5, 0.0009), 10), fixed_digits(arb(1) / 4, 10)
+    ('2.50', '0.25')
+    """
+    if not ball.is_finite():
+        raise PrecisionError("a number that is to be printed is not bounded: raise the precision")
+    middle, spread = _ratio(ball.mid()), _ratio(ball.rad())
+    if not spread and not middle:
+        return "0"
+    place = _exponent(abs(middle) + spread) + 1 - limit
+    if spread:
+        place = max(place, _exponent(2 * spread))  # below that, the ends are more than a unit apart
+    while True:  # ends: from 10^place ≥ 20·(|middle| + spread) on, both ends round to 0
+        low, high = _rounded(middle - spread, place), _rounded(middle + spread, place)
+        if low.digits == high.digits and len(str(abs(low.digits))) <= limit:
+            break
+        place += 1
+    if not low.digits:
+        raise PrecisionError("no digit of a number that is to be printed is proved: raise the precision")
+    return (_without_zeros(low) if not spread and not low.radius else low).text
+
+
+def outward(x: float, limit: int, up: bool) -> str:
+    """The decimal of at most `limit` digits next to the finite float x that is not below it (up), or not above it.
+
+    >>> outward(0.123456, 3, up=True), outward(0.123456, 3, up=False)
+    ('0.124', '0.123')
+    """
+    rounding = ROUND_CEILING if up else ROUND_FLOOR
+    with localcontext(prec=limit, rounding=rounding):
+        rounded = +Exactly(x)
+    text = f"{rounded:f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def decimal(ball: Any, limit: int) -> Decimal:

@@ -40,9 +40,14 @@ def render(
     are in the unit of the dimensionless time τ. certificate: the path where the certificate was saved.
     Raises InputError if `physical` is not the case of the spectrum.
     """
+    return plain(document(spectrum, physical, title, certificate))
+
+
+def plain(report: Group) -> str:
+    """A report as plain text of `WIDTH` columns."""
     stream = io.StringIO()
     console = Console(file=stream, width=WIDTH, force_terminal=False, color_system=None, legacy_windows=False)
-    console.print(document(spectrum, physical, title, certificate), soft_wrap=False)
+    console.print(report, soft_wrap=False)
     return "\n".join(line.rstrip() for line in stream.getvalue().splitlines()) + "\n"
 
 
@@ -56,23 +61,25 @@ def document(
     stated = verdict(spectrum)
     parts: list[Any] = [Text(title, style="bold"), Text("")] if title else []
     parts += [Text(stated, style=_COLOUR.get(stated.partition(":")[0], "bold")), Text("")]
-    parts += _section("Case", _case(spectrum, physical))
+    parts += section("Case", _case(spectrum, physical))
     motions = vibrations(spectrum, physical)
     if motions:
-        parts += _section("Induced frequencies", _motions(motions, physical))
-        parts += _section("Roots q, certified digits", _roots(motions, spectrum.digits))
-    parts += _section("Proved", Text("\n".join(proved(spectrum) or ("Nothing yet.",))))
-    parts += _section("Assumed, not proved", Text(ASSUMED))[:-1]
+        parts += section("Induced frequencies", _motions(motions, physical))
+        parts += section("Roots q, certified digits", _roots(motions, spectrum.digits))
+    parts += section("Proved", Text("\n".join(proved(spectrum) or ("Nothing yet.",))))
+    parts += section("Assumed, not proved", Text(ASSUMED))[:-1]
     if certificate is not None:
-        parts += [Text(""), *_section("Certificate", _certificate(os.fspath(certificate)))[:-1]]
+        parts += [Text(""), *section("Certificate", certificate_text(os.fspath(certificate)))[:-1]]
     return Group(*parts)
 
 
-def _section(heading: str, body: Any) -> list[Any]:
+def section(heading: str, body: Any) -> list[Any]:
+    """A heading, the body indented, and an empty line."""
     return [Text(heading, style="bold"), Padding(body, (0, 0, 0, 2)), Text("")]
 
 
-def _grid(columns: int) -> Table:
+def columns_of(columns: int) -> Table:
+    """An empty table of so many columns, without lines."""
     table = Table.grid(padding=(0, 2))
     for _ in range(columns):
         table.add_column(overflow="fold")
@@ -80,13 +87,13 @@ def _grid(columns: int) -> Table:
 
 
 def _case(spectrum: Spectrum, physical: PhysicalCase | None) -> Table:
-    table = _grid(3)
-    for row in [*(_beam(physical) if physical else ()), *_ratios(spectrum.case), *_limits(spectrum)]:
+    table = columns_of(3)
+    for row in [*(beam_rows(physical) if physical else ()), *ratio_rows(spectrum.case), *_limits(spectrum)]:
         table.add_row(*(Text(cell) for cell in row))
     return table
 
 
-def _beam(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
+def beam_rows(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
     """Rows of quantity, value and meaning, in SI units."""
     for name, unit, meaning in (
         ("EI", "N m²", "bending stiffness of the beam"),
@@ -105,7 +112,7 @@ def _beam(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
     yield "v_cr", f"{shown(physical.v_cr)} m/s", "critical velocity √(k/m)/χ"
 
 
-def _ratios(case: Case) -> Iterator[tuple[str, str, str]]:
+def ratio_rows(case: Case) -> Iterator[tuple[str, str, str]]:
     """Rows of the dimensionless parameters."""
     yield "α", shown(case.alpha), "velocity ratio v/v_cr"
     yield "η_b", shown(case.eta_b), "damping ratio c/(2√(mk))"
@@ -158,7 +165,7 @@ def _several(motion: Vibration) -> str:
 
 def _roots(motions: tuple[Vibration, ...], digits: int) -> Table:
     """Every proved digit: a pair q, −q̄ in one row, or in two where a row would be too long."""
-    table = _grid(2)
+    table = columns_of(2)
     with ball_arithmetic(working_bits(digits)):
         for j, motion in enumerate(motions, 1):
             for label, number in _root(j, motion, digits):
@@ -178,5 +185,6 @@ def _root(j: int, motion: Vibration, digits: int) -> list[tuple[str, str]]:
     return [(f"Re q{j} =", pair + real), (f"Im q{j} =", imag)]
 
 
-def _certificate(path: str) -> Text:
+def certificate_text(path: str) -> Text:
+    """Where the certificate is, and how to check it."""
     return Text(f"{path}\nCheck it with: mpsolve verify {shlex.quote(path)}")

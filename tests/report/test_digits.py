@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.report.digits import decimal, proved_digits
+from mpsolve.report.digits import decimal, fixed_digits, outward, proved_digits
 
 EXACT = mpmath.MPContext()
 EXACT.prec = 4000
@@ -75,6 +75,64 @@ def test_sharp_balls_fill_the_limit(m: int, e: int, limit: int) -> None:
 )
 def test_as_it_is_written(ball: arb, limit: int, text: str, radius: str) -> None:
     assert (decimal(ball, limit).text, decimal(ball, limit).radius_text) == (text, radius)
+
+
+@given(mantissas, powers, st.integers(0, 10**9), powers, st.integers(1, 60))
+@example(9999999999, 0, 1, -20, 10)
+@example(15, -1, 1, -20, 1)
+@example(-(10**40), 0, 0, 0, 3)
+def test_fixed_digits_are_those_of_every_point(m: int, e: int, r: int, f: int, limit: int) -> None:
+    with ball_arithmetic(300):
+        ball = arb(m) * arb(2) ** e + arb(0, arb(r) * arb(2) ** f)
+    try:
+        text = fixed_digits(ball, limit)
+    except PrecisionError:
+        assert ball.contains(0) or ball.rel_accuracy_bits() < 5
+        return
+    assert all(abs(EXACT.mpf(text) - end) <= last_unit(text) / 2 for end in ends(ball))
+    figures = text.partition("e")[0].lstrip("-0.").replace(".", "")
+    assert len(figures) <= limit or text.isdigit()
+
+
+@pytest.mark.parametrize(
+    ("ball", "limit", "text"),
+    [
+        (arb(0), 5, "0"),
+        (arb(1) / 4, 30, "0.25"),
+        (arb(1) / 4, 1, "0.3"),
+        (arb(123456.5, 3), 30, "1.235e5"),
+        (arb(2.5, 0.0009), 10, "2.50"),
+        (arb(2.5, 0.0009), 2, "2.5"),
+        (arb(2.5, 0.0009), 1, "0e1"),
+        (arb(9.999999, 1e-9), 3, "10.0"),
+        (arb(-0.125, 1e-9), 3, "-0.125"),
+        (arb(0.0999996, 1e-9), 3, "0.100"),
+    ],
+)
+def test_fixed_digits_as_they_are_written(ball: arb, limit: int, text: str) -> None:
+    if text == "0e1":  # both 2 and 3 are roundings of its points
+        with pytest.raises(PrecisionError, match="no digit"):
+            fixed_digits(ball, limit)
+    else:
+        assert fixed_digits(ball, limit) == text
+
+
+@pytest.mark.parametrize("ball", [arb(0, 1), arb(0.5, 0.4), arb(0, 2.0**-40)])
+def test_no_fixed_digit(ball: arb) -> None:
+    with pytest.raises(PrecisionError, match="no digit of a number"):
+        fixed_digits(ball, 10)
+
+
+def test_fixed_digits_of_an_unbounded_ball() -> None:
+    with pytest.raises(PrecisionError, match="raise the precision"):
+        fixed_digits(arb(1) / arb(0, 1), 10)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False), st.integers(1, 20))
+def test_outward(x: float, limit: int) -> None:
+    low, high = outward(x, limit, up=False), outward(x, limit, up=True)
+    assert EXACT.mpf(low) <= EXACT.mpf(x) <= EXACT.mpf(high)
+    assert len(high.strip("-0.").replace(".", "").strip("0")) <= limit
 
 
 def test_ten_thousand_digits() -> None:

@@ -1,0 +1,83 @@
+"""What the commands share: errors as one sentence with an exit status, progress, reports, paths."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from rich.console import Group
+
+UNDECIDED = 1
+BAD_INPUT = 2
+
+
+@contextmanager
+def one_sentence() -> Iterator[None]:
+    """Turns an error that mpsolve raises on purpose into its sentence on stderr, and the exit status."""
+    from mpsolve.errors import InputError, MpsolveError
+
+    try:
+        yield
+    except InputError as error:
+        status, message = BAD_INPUT, str(error)
+    except MpsolveError as error:
+        status, message = UNDECIDED, str(error)
+    else:
+        return
+    click.echo(f"mpsolve: {message}", err=True)
+    sys.exit(status)
+
+
+def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:
+    """Where the certificate goes, NAME.kind.certificate.json by default.
+
+    Raises InputError, before any work is done, if it cannot be a file there.
+    """
+    path = output or Path(f"{source.stem}{kind and f'.{kind}'}.certificate.json")
+    return checked_output(path, source, "the certificate")
+
+
+def checked_output(path: Path, source: Path, what: str) -> Path:
+    """The path itself; InputError if `what` cannot be a file there, or if that is the input file."""
+    from mpsolve.errors import InputError
+
+    if not path.parent.is_dir():
+        raise InputError("output", f"{path.parent} is no directory: make it, or give another path for {what}")
+    if path.is_dir():
+        raise InputError("output", f"{path} is a directory: give the path of a file for {what}")
+    if path.exists() and source.exists() and path.samefile(source):
+        raise InputError("output", f"{path} is the input file: give another path for {what}")
+    return path
+
+
+def show(report: Group) -> None:
+    """To a terminal in its width and with colour; else as plain text."""
+    if sys.stdout.isatty():
+        from rich.console import Console
+
+        Console().print(report)
+    else:
+        from mpsolve.report.text import plain
+
+        click.echo(plain(report), nl=False)
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str, float], None] | None]:
+    """A bar on stderr for the stage that is told; None where stderr is not a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description:<10}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=1.0)
+        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
