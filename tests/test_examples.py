@@ -49,8 +49,10 @@ def test_certificates_are_those_of_the_cases_and_valid() -> None:
     """certs/ holds one file a case; each passes the verifier, and two of them are proved again, to the same roots."""
     certificates = load("certificates")
     files = {path.stem: path for path in certificates.FOLDER.glob("*.json")}
-    assert files.keys() == certificates.CASES.keys()
-    for path in files.values():
+    ranges = load("crossings").RESULTS.keys()
+    assert files.keys() == certificates.CASES.keys() | ranges
+    slow = ranges - {"crossing_masses_d1.1_alpha0.99"}  # the script .ci/run verifies every file
+    for path in (path for name, path in files.items() if name not in slow):
         verdict = verify(path)
         assert verdict.valid, f"{path.name}: {verdict.reason}"
     for name in ("rail_60e1", "unstable_d1.5_alpha0.67"):

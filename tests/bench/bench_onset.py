@@ -1,0 +1,74 @@
+"""One proved onset velocity against the obvious alternative: bisection in α around an uncertified root search.
+
+The alternative asks cxroots for the number of roots in a rectangle below the real axis, and halves the bracket
+until the onset has 8 digits. It proves nothing: a stable window, a root beyond the rectangle or a miscount go unseen.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from measure import median, seconds
+
+from mpsolve import Case, onset_velocity
+from mpsolve.fields import Float64
+from mpsolve.model.branch import track
+from mpsolve.model.characteristic import characteristic, characteristic_rate
+
+NEEDS = "the comparison needs cxroots: pip install '.[bench]'"
+ETA_B, ETA_M, PLACES = "0.05", (70, 70), (0, "1.5")
+BRACKET, DIGITS = (0.5, 0.9), 8
+
+
+def unstable(cxroots: Any, alpha: float, method: str) -> bool:
+    """Whether cxroots counts a root in 0.01 < Re q < 1, −0.5 < Im q < 0."""
+    model = track(Case(alpha=alpha, eta_b=ETA_B, eta_m=ETA_M, positions=PLACES), Float64())
+
+    def f(q: Any) -> Any:
+        return characteristic(model, np.asarray(q, dtype=complex))
+
+    def df(q: Any) -> Any:
+        return characteristic_rate(model, np.asarray(q, dtype=complex))[1]
+
+    return bool(cxroots.Rectangle((0.01, 1), (-0.5, 0)).count_roots(f, df, int_method=method) > 0)
+
+
+def bisected(cxroots: Any, method: str) -> float:
+    low, high = BRACKET
+    while high - low > 10.0**-DIGITS:
+        middle = (low + high) / 2
+        low, high = (low, middle) if unstable(cxroots, middle, method) else (middle, high)
+    return (low + high) / 2
+
+
+def compare(cxroots: Any, method: str = "romb") -> None:
+    answers: list[float] = []
+    ours = median(lambda: onset_velocity(ETA_B, ETA_M, PLACES, digits=30), repeats=3)
+    thousand = median(lambda: onset_velocity(ETA_B, ETA_M, PLACES, digits=1000), repeats=3)
+    theirs = median(lambda: answers.append(bisected(cxroots, method)), repeats=1)
+    proved = onset_velocity(ETA_B, ETA_M, PLACES, digits=30).alpha
+    print(
+        f"onset, 30 digits, proved {seconds(ours)}   1000 digits: {thousand / ours:.2f} of that (goal: 5 or less)   "
+        f"bisection with cxroots ({method}), {DIGITS} digits {seconds(theirs)}   ratio {theirs / ours:.1f}"
+    )
+    assert abs(float(proved.mid()) - answers[0]) < 1e-6
+
+
+def test_bisection_finds_the_proved_onset() -> None:
+    compare(pytest.importorskip("cxroots", reason=NEEDS))
+
+
+def main(method: str) -> None:
+    try:
+        import cxroots
+    except ImportError:
+        print(f"skipped: {NEEDS}")
+        return
+    compare(cxroots, method)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else "romb")
