@@ -12,6 +12,15 @@ if TYPE_CHECKING:
     from mpsolve.spectrum.certify import Spectrum, Status, certify
     from mpsolve.spectrum.enclose import RootBall
     from mpsolve.spectrum.region import Rectangle
+    from mpsolve.stability.chart import stability_chart
+    from mpsolve.stability.cuts import cut_points
+    from mpsolve.stability.distance import critical_distance
+    from mpsolve.stability.limiting import limiting_mass
+    from mpsolve.stability.lines import frequency_lines
+    from mpsolve.stability.masses import crossing_masses
+    from mpsolve.stability.sensitivity import damping_sensitivity
+    from mpsolve.stability.table import onset_table
+    from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
 __version__ = "0.1.0"
 
@@ -26,6 +35,16 @@ __all__ = [
     "Spectrum",
     "Status",
     "RootBall",
+    "crossing_masses",
+    "unstable_velocities",
+    "onset_velocity",
+    "limiting_mass",
+    "critical_distance",
+    "cut_points",
+    "frequency_lines",
+    "damping_sensitivity",
+    "onset_table",
+    "stability_chart",
     "verify",
     "Verdict",
     "MpsolveError",
@@ -44,6 +63,16 @@ _HOME = {
     "Spectrum": "spectrum.certify",
     "Status": "spectrum.certify",
     "RootBall": "spectrum.enclose",
+    "crossing_masses": "stability.masses",
+    "unstable_velocities": "stability.velocities",
+    "onset_velocity": "stability.velocities",
+    "limiting_mass": "stability.limiting",
+    "critical_distance": "stability.distance",
+    "cut_points": "stability.cuts",
+    "frequency_lines": "stability.lines",
+    "damping_sensitivity": "stability.sensitivity",
+    "onset_table": "stability.table",
+    "stability_chart": "stability.chart",
     "verify": "certificate.verify",
     "Verdict": "certificate.verify",
     "MpsolveError": "errors",
