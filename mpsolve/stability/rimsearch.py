@@ -17,6 +17,7 @@ from mpsolve.model.branch import Track, track
 from mpsolve.model.parameters import Case
 from mpsolve.spectrum.far import far_radius
 from mpsolve.stability.exclude import inside
+from mpsolve.stability.krawczyk import ball_of, contracted, newton_step
 from mpsolve.stability.rim import edge_ball, slopes_ball, value_ball
 from mpsolve.stability.rimboxes import Region, assess
 from mpsolve.stability.search import Strip
@@ -229,17 +230,7 @@ def _approach(case: Case, p: float, t: float) -> tuple[Any, Any] | None:
 
 
 def _newton_step(model: Track, p: Any, t: Any) -> tuple[Any, Any] | None:
-    f, along_p, along_t = (z.mid() for z in slopes_ball(replace(model, alpha=t), p))
-    det = (along_p.conjugate() * along_t).imag
-    if det.contains(0) or not f.is_finite():
-        return None
-    return _solve(f, along_p, along_t, det)
-
-
-def _solve(f: Any, along_p: Any, along_t: Any, det: Any) -> tuple[Any, Any]:
-    """(u, v) real with along_p u + along_t v = f: Cramer's rule on real and imaginary parts."""
-    u = (f.real * along_t.imag - f.imag * along_t.real) / det
-    return u, (along_p.real * f.imag - along_p.imag * f.real) / det
+    return newton_step(*slopes_ball(replace(model, alpha=t), p))
 
 
 def _isolate(case: Case, discs: Track, p: Any, t: Any) -> EdgeZero:
@@ -253,8 +244,8 @@ def _isolate(case: Case, discs: Track, p: Any, t: Any) -> EdgeZero:
         wide = 0.0
         for k, reach in enumerate(reaches.tolist()):
             if seen.sure[k] and not wide:
-                f, along_p, along_t = (_ball(z, k) for z in (seen.value, seen.along_p, seen.along_alpha))
-                if _contracts(f, along_p, along_t, arb(middle), arb(along), reach) is not None:
+                f, along_p, along_t = (ball_of(z, k) for z in (seen.value, seen.along_p, seen.along_alpha))
+                if contracted(f, along_p, along_t, arb(middle), arb(along), reach, reach) is not None:
                     wide = 0.999 * reach
         for k in range(8, 46, 2):
             image = _krawczyk(model, p, t, 2.0**-k)
@@ -266,11 +257,6 @@ def _isolate(case: Case, discs: Track, p: Any, t: Any) -> EdgeZero:
     )
 
 
-def _ball(z: Any, k: int) -> Any:
-    m, r = complex(z.m[k]), float(np.broadcast_to(z.r, z.m.shape)[k])
-    return acb(arb(m.real, r), arb(m.imag, r))
-
-
 def _krawczyk(model: Track, p: Any, t: Any, reach: float) -> tuple[Any, Any] | None:
     """The image of the box p ± reach, t ± reach, if it is proved to hold exactly one zero."""
     spread = arb(0, reach)
@@ -279,23 +265,7 @@ def _krawczyk(model: Track, p: Any, t: Any, reach: float) -> tuple[Any, Any] | N
         f = value_ball(replace(model, alpha=t), p)
     except PrecisionError:
         return None
-    return _contracts(f, along_p, along_t, p, t, reach)
-
-
-def _contracts(f: Any, along_p: Any, along_t: Any, p: Any, t: Any, reach: Any) -> tuple[Any, Any] | None:
-    """x − Y f + (I − Y J)(X − x), Y the inverse of the slopes' midpoint, if it lies in the interior of the box X."""
-    mp, mt = along_p.mid(), along_t.mid()
-    det = (mp.conjugate() * mt).imag
-    if det.contains(0) or not (along_p.is_finite() and along_t.is_finite()):
-        return None
-    u, v = _solve(f, mp, mt, det)
-    pp, tp = _solve(mp - along_p, mp, mt, det)
-    pt, tt = _solve(mt - along_t, mp, mt, det)
-    spread = arb(0, reach)
-    move_p, move_t = -u + (pp + pt) * spread, -v + (tp + tt) * spread
-    if spread.contains_interior(move_p) and spread.contains_interior(move_t):
-        return p + move_p, t + move_t
-    return None
+    return contracted(f, along_p, along_t, p, t, reach, reach)
 
 
 def _within(point: tuple[Any, Any], zero: EdgeZero) -> bool:

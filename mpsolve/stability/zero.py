@@ -7,9 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import flint
-import numpy as np
 
-from mpsolve.discs import Discs
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import ALONG_Q, Track
@@ -22,6 +20,7 @@ from mpsolve.model.characteristic import (
 )
 from mpsolve.stability.exclude import local
 from mpsolve.stability.family import Family
+from mpsolve.stability.krawczyk import ball_of, contracted, newton_step
 
 acb, arb = flint.acb, flint.arb
 BITS = 64
@@ -106,16 +105,7 @@ def approach(family: Family, x: float, t: float, steps: int = 12) -> tuple[Any, 
 
 
 def _newton_step(family: Family, field: Any, x: Any, t: Any) -> tuple[Any, Any] | None:
-    f, fx, ft = (z.mid() for z in slopes(family, field, x, t))
-    det = (fx.conjugate() * ft).imag
-    if det.contains(0) or not f.is_finite():
-        return None
-    return _solve(f, fx, ft, det)
-
-
-def _solve(f: Any, fx: Any, ft: Any, det: Any) -> tuple[Any, Any]:
-    """(u, v) real with fx u + ft v = f: Cramer's rule on real and imaginary parts."""
-    return (f.real * ft.imag - f.imag * ft.real) / det, (fx.real * f.imag - fx.imag * f.real) / det
+    return newton_step(*slopes(family, field, x, t))
 
 
 def isolate(family: Family, x: Any, t: Any) -> Zero:
@@ -149,15 +139,10 @@ def _widest(family: Family, x: Any, t: Any) -> float:
     with ball_arithmetic(BITS):
         for k, reach in enumerate(reaches):
             if good[k]:
-                f, fx, ft = (_ball(z, k) for z in (value, along_x, along_t))
-                if _contracts(f, fx, ft, arb(x), arb(t), reach, reach) is not None:
+                f, fx, ft = (ball_of(z, k) for z in (value, along_x, along_t))
+                if contracted(f, fx, ft, arb(x), arb(t), reach, reach) is not None:
                     return reach
     return 0.0
-
-
-def _ball(z: Discs, k: int) -> Any:
-    m, r = complex(z.m[k]), float(np.broadcast_to(z.r, z.m.shape)[k])
-    return acb(arb(m.real, r), arb(m.imag, r))
 
 
 def _krawczyk(family: Family, field: Any, x: Any, t: Any, dx: Any, dt: Any) -> tuple[Any, Any] | None:
@@ -165,24 +150,7 @@ def _krawczyk(family: Family, field: Any, x: Any, t: Any, dx: Any, dt: Any) -> t
     _, fx, ft = slopes(family, field, arb(x, dx), arb(t, dt))
     if not (fx.is_finite() and ft.is_finite()):
         return None
-    return _contracts(value(family, field, x, t), fx, ft, x, t, dx, dt)
-
-
-def _contracts(f: Any, fx: Any, ft: Any, x: Any, t: Any, dx: Any, dt: Any) -> tuple[Any, Any] | None:
-    """x − Y f + (I − Y J)(X − x), Y the inverse of the slopes' midpoint, if it lies in the interior of the box."""
-    mx, mt = fx.mid(), ft.mid()
-    centre = (mx.conjugate() * mt).imag
-    u, v = _solve(f, mx, mt, centre)
-    xx, tx = _solve(mx - fx, mx, mt, centre)
-    xt, tt = _solve(mt - ft, mx, mt, centre)
-    spread_x, spread_t = arb(0, dx), arb(0, dt)
-    move_x = -u + xx * spread_x + xt * spread_t
-    move_t = -v + tx * spread_x + tt * spread_t
-    if not (move_x.is_finite() and move_t.is_finite()):
-        return None
-    if not (spread_x.contains_interior(move_x) and spread_t.contains_interior(move_t)):
-        return None
-    return x + move_x, t + move_t
+    return contracted(value(family, field, x, t), fx, ft, x, t, dx, dt)
 
 
 def _direction(family: Family, field: Any, x: Any, t: Any) -> int:

@@ -1,0 +1,53 @@
+"""Two real equations, given as one complex function f of two real unknowns: Newton's step and Krawczyk's test."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import flint
+import numpy as np
+
+from mpsolve.discs import Discs
+
+acb, arb = flint.acb, flint.arb
+
+
+def newton_step(f: Any, fx: Any, ft: Any) -> tuple[Any, Any] | None:
+    """(u, v) with fx u + ft v = f at midpoints; None where the slopes are parallel. Heuristic."""
+    f, fx, ft = f.mid(), fx.mid(), ft.mid()
+    det = (fx.conjugate() * ft).imag
+    if det.contains(0) or not f.is_finite():
+        return None
+    return _solve(f, fx, ft, det)
+
+
+def _solve(f: Any, fx: Any, ft: Any, det: Any) -> tuple[Any, Any]:
+    """(u, v) real with fx u + ft v = f: Cramer's rule on real and imaginary parts."""
+    return (f.real * ft.imag - f.imag * ft.real) / det, (fx.real * f.imag - fx.imag * f.real) / det
+
+
+def contracted(f: Any, fx: Any, ft: Any, x: Any, t: Any, dx: Any, dt: Any) -> tuple[Any, Any] | None:
+    """The image of the box x ± dx, t ± dt, in which it is proved to hold exactly one zero, or None.
+
+    f at (x, t), fx and ft over the box: (x, t) − Y f + (I − Y J)(X − (x, t)), Y the inverse of the slopes'
+    midpoint, lies in the interior of the box.
+    """
+    mx, mt = fx.mid(), ft.mid()
+    det = (mx.conjugate() * mt).imag
+    if det.contains(0) or not (fx.is_finite() and ft.is_finite()):
+        return None
+    u, v = _solve(f, mx, mt, det)
+    xx, tx = _solve(mx - fx, mx, mt, det)
+    xt, tt = _solve(mt - ft, mx, mt, det)
+    spread_x, spread_t = arb(0, dx), arb(0, dt)
+    move_x = -u + xx * spread_x + xt * spread_t
+    move_t = -v + tx * spread_x + tt * spread_t
+    if spread_x.contains_interior(move_x) and spread_t.contains_interior(move_t):
+        return x + move_x, t + move_t
+    return None
+
+
+def ball_of(z: Discs, k: int) -> Any:
+    """The disc number k as a ball."""
+    m, r = complex(z.m[k]), float(np.broadcast_to(z.r, z.m.shape)[k])
+    return acb(arb(m.real, r), arb(m.imag, r))
