@@ -157,11 +157,12 @@ def where(condition: Any, yes: Discs, no: Discs) -> Discs:
 
 def exponential_quotient(w: Discs) -> Discs:
     """(e^w − 1)/w, entire in w."""
-    series = np.ones_like(w.m)
+    close = w.upper <= 2
+    m, series = np.where(close, w.m, 0), np.ones_like(w.m)
     for k in range(2 * _TERMS, 1, -1):
-        series = 1 + series * w.m / k
+        series = 1 + series * m / k
     # |E'| ≤ e^{|w|}/2 and |E| ≤ e^{|w|}, with e^{|w|} ≤ e² < 7.4 where |w| ≤ 2
-    near = Discs(series, np.where(w.upper <= 2, 3.7 * w.r + 7.4 * 2.0**-44, np.inf))
+    near = Discs(series, np.where(close, 3.7 * w.r + 7.4 * 2.0**-44, np.inf))
     far = (w.exp() - 1) * w.inverse()
     return where(near.r < far.r, near, far)
 

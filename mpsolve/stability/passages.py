@@ -79,13 +79,29 @@ def passages(
     budget = budget or _BUDGET // max(1, family.case.merged.count - 1) ** 2
     radius = _radius(family, start, end)
     found = all_zeros(family, radius, _down(start), _up(end), budget, tell)
-    events = _events(*_within(family, found.zeros, list(found.strips), start, end, digits))
+    zeros, strips = _within(family, found.zeros, list(found.strips), start, end, digits)
+    first = 0 if family.parameter == "level" else None
+    return counted(family, start, end, radius, zeros, strips, found.evaluations, first)
+
+
+def counted(
+    family: Family,
+    start: Exact,
+    end: Exact,
+    radius: float,
+    zeros: list[Zero],
+    strips: list[Strip],
+    evaluations: int,
+    first: int | None,
+) -> Passages:
+    """The passages with the numbers of roots below the line; `first` is that at the start, if it is known."""
+    events = _events(zeros, strips)
     gaps = _gaps(events, start, end)
     counts: list[int | None] = [None] * len(gaps)
     bases = []
     for run in _runs(events):
-        if family.parameter == "level" and run[0] == 0:
-            counts[0] = place = 0
+        if first is not None and run[0] == 0:
+            counts[0], place = first, 0
         elif family.parameter == "level":
             continue
         else:
@@ -96,7 +112,7 @@ def passages(
             counts[place] = base.below
         _spread(events, counts, run, place)
         assert all((counts[k] or 0) >= 0 for k in run), "a passage contradicts the certified count"
-    return Passages(family, start, end, radius, events, tuple(counts), tuple(bases), found.evaluations)
+    return Passages(family, start, end, radius, events, tuple(counts), tuple(bases), evaluations)
 
 
 def _radius(family: Family, start: Exact, end: Exact) -> float:

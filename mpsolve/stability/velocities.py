@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -19,7 +20,7 @@ from mpsolve.spectrum.certify import Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
 from mpsolve.stability.masses import checked_digits
-from mpsolve.stability.passages import Passages, passages
+from mpsolve.stability.passages import Passages, counted, passages
 from mpsolve.stability.search import Strip, Tell
 from mpsolve.stability.zero import Zero
 
@@ -253,17 +254,30 @@ def _end(event: Zero | Strip | None, limit: Exact) -> tuple[Any, Any | None]:
 
 
 def _undamped(case: Case, low: Exact, high: Exact, digits: int) -> UnstableRanges:
-    """Below α_C the energy in the moving frame is conserved and positive: stable, whatever the masses."""
+    """Without damping: stable below α_C, since the energy in the moving frame is conserved and positive there.
+
+    From α_C on the cut covers the real axis, and roots of the lower half-plane come and go through it: at the cut
+    points below the cut.
+    """
+    from mpsolve.stability.cuts import cut_points
+
     with ball_arithmetic(128) as balls:
         critical = critical_velocity_ratio(case, balls)
         if high.ball() < critical:
             return UnstableRanges("alpha", low, high, (), (), (), Status.PROVED, "", digits)
-        from_here = max(float(low), float(critical.lower()))
-    reason = (
-        "without damping the branch cut covers the real axis from alpha_C on, so that no root crosses it: "
-        "give some damping, or certify single cases"
+        below, from_here = bool(low.ball() < critical), float(critical.lower())
+    model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
+    found = cut_points(*model, (low, high), digits)
+    strips = [strip for strip in found.strips if strip.end > from_here]
+    zeros = [
+        Zero(point.q.real, point.alpha, (math.nan, math.nan), (0.0, 0.0), 1 if point.appears else -1)
+        for point in found
+        if point.side == "below"
+    ]
+    passed = counted(
+        Family(case, "alpha"), low, high, math.nan, zeros, strips, found.evaluations, 0 if below else None
     )
-    strip = Strip(from_here, float(high), reason)
-    return UnstableRanges(
-        "alpha", low, high, (), ((strip.start, strip.end),), (strip,), Status.UNDECIDED, reason, digits
-    )
+    intervals, unknown = _intervals(passed)
+    status = Status.PROVED if passed.proved else Status.UNDECIDED
+    reason = passed.strips[0].reason if passed.strips else "" if passed.proved else "no certified count could be had"
+    return UnstableRanges("alpha", low, high, intervals, unknown, passed.strips, status, reason, digits, passed)

@@ -9,7 +9,7 @@ import flint
 import pytest
 from oracle import Truth
 
-from mpsolve import Case, certify
+from mpsolve import Case, Exact, certify
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.stability.velocities import onset_velocity, unstable_velocities
@@ -137,10 +137,17 @@ def test_without_damping_the_energy_decides_below_the_critical_velocity() -> Non
     assert len(stable) == 0
     open_above = unstable_velocities(0, (70, 70), (0, 1), alpha=("0.5", "1.1"))
     assert not open_above.proved
-    assert len(open_above) == 0
     ((start, end),) = open_above.unknown
     assert 0.999 < start <= 1
-    assert end == 1.1
+    assert 1 < end < 1.05
+    (above,) = open_above  # from the end of the strip on: proved by the cut points and a certified count
+    assert (above.q_start, above.q_end) == (None, None)
+    assert above.end.overlaps(Exact("1.1").ball())
+    assert above.roots == certify(Case(alpha="1.08", eta_b=0, eta_m=(70, 70), positions=(0, 1)), digits=15).unstable
+    assert above.roots == 2
+    closed = unstable_velocities(0, (70, 70), (0, 1), alpha=("1.06", "1.1"))
+    assert closed.proved
+    assert [interval.roots for interval in closed] == [2]
     onset = onset_velocity(0, (70, 70), (0, 1), alpha=("0.5", "1.1"))
     assert not onset.proved
     assert onset.alpha is None
