@@ -132,12 +132,12 @@ def test_undecided(run: Run, more: list[str]) -> None:
     text = flat(result.stdout)
     assert (result.exit_code, result.stderr) == (1, "")
     assert text.startswith("UNDECIDED: ")
-    assert "≤ α ≤ 1.1 (0.1 wide): without damping" in text
+    assert "is open: the edge of the cut is not resolved at this effort" in text
     assert "A shorter range (--from, --to)" in text
     assert not list(Path().glob("*.json"))
     data = json.loads(run("onset", "undamped.toml", "--to", "1.1", "--json", *more).stdout)
     assert (data["status"], data["proved"], data["certificate"]) == ("undecided", "", None)
-    assert data["strips"][0]["end"] == 1.1
+    assert 1 < data["strips"][0]["end"] < 1.05
 
 
 def test_crossings(run: Run) -> None:
@@ -181,7 +181,7 @@ def test_table(run: Run) -> None:
 
 
 def test_a_table_with_open_entries(run: Run) -> None:
-    Path("open.toml").write_text(TABLE.replace("[0.05]", "[0]"), encoding="utf-8")
+    Path("open.toml").write_text(TABLE.replace("[0.05]", "[0]").replace("1.05", "0.99"), encoding="utf-8")
     result = run("table", "open.toml", "--workers", 1, "-o", "a.json")
     assert (result.exit_code, result.stdout) == (1, "2 entries: 2 undecided.\na.json\n")
 

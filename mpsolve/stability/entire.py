@@ -34,16 +34,17 @@ def _narrower(one: Any, two: Any) -> Any:
     if isinstance(one, Dual):
         slopes = [_narrower(a, b) for a, b in zip(one.slopes, two.slopes, strict=True)]
         return Dual(_narrower(one.value, two.value), slopes)
-    return where(one.r < two.r, one, two)
+    return where(~(two.r <= one.r), one, two)  # nan loses
 
 
 def quotient_rate_discs(w: Discs) -> Discs:
     """E'(w) = ∫₀¹ t e^{tw} dt = Σ w^k/(k! (k + 2)), entire in w."""
-    series = np.full_like(w.m, 1 / (_TERMS + 2))
+    close = w.upper <= 2
+    m, series = np.where(close, w.m, 0), np.full_like(w.m, 1 / (_TERMS + 2))
     for k in range(_TERMS, 0, -1):
-        series = 1 / (k + 1) + series * w.m / k
+        series = 1 / (k + 1) + series * m / k
     # |E''| ≤ e^{|w|}/3 and |E'| ≤ e^{|w|}/2, with e^{|w|} ≤ e² < 7.4 where |w| ≤ 2; the rest is below 2^−80
-    near = Discs(series, np.where(w.upper <= 2, 2.5 * w.r + 3.7 * 2.0**-44, np.inf))
+    near = Discs(series, np.where(close, 2.5 * w.r + 3.7 * 2.0**-44, np.inf))
     far = (w.exp() - exponential_quotient(w)) * w.inverse()
     return where(near.r < far.r, near, far)
 

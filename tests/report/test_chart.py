@@ -86,13 +86,15 @@ def test_data(chart: StabilityChart) -> None:
     assert data["columns"][1]["points"] == [vars(chart.columns[1].points[0])]
 
 
-def test_undamped_columns_are_open_above_the_critical_velocity() -> None:
+def test_undamped_columns_are_open_next_to_the_critical_velocity() -> None:
     found = stability_chart(SPEC | {"fixed": {"eta_b": 0, "masses": 1}}, workers=1)
     assert not found.proved
-    below, above = found.columns[0].bands
-    assert (below.start, below.unstable, above.end, above.unstable) == (0, 0, 1.4, None)
+    below, strip, above = found.columns[0].bands
+    assert (below.start, below.unstable, strip.unstable) == (0, 0, None)
+    assert (above.end, above.unstable) == (pytest.approx(1.4), 2)
     assert abs(below.end - 1) < 1e-9
-    assert below.end == above.start
+    assert (below.end, strip.end) == (strip.start, above.start)
+    assert strip.end < 1.05
 
 
 def test_the_picture(chart: StabilityChart, ax: Any) -> None:
