@@ -120,20 +120,21 @@ class Discs:
 
     def exp(self) -> Discs:
         """e^z; radius ∞ where r > 1 or |z| > 2^20."""
-        halvings = np.ceil(np.log2(np.fmax(self.size, 0.25))) + 1  # any number is right; this one is quick
-        steps = int(min(np.max(halvings, initial=0), 21))
-        z = self.m * 2.0**-steps
-        value = np.ones_like(z)
-        for k in range(_TERMS, 0, -1):
-            value = 1 + value * z / k
-        for _ in range(steps):
-            value = value * value
-        # Horner's scheme on |z| ≤ 1/2 keeps a relative error below 2^−46, and each squaring doubles it
-        relative = 2.0 ** (steps - 46)
-        size = _modulus(value)
-        good = (self.r <= 1) & (_modulus(z) <= 0.5) & (size < 1e100)
-        r = size * (self.r * (1 + self.r) * (1 + relative) + relative) * _UP + _TINY
-        return Discs(value, np.where(good, r, np.inf))
+        with np.errstate(all="ignore"):
+            halvings = np.ceil(np.log2(np.fmax(self.size, 0.25))) + 1  # any number is right; this one is quick
+            steps = int(min(np.max(halvings, initial=0), 21))
+            z = self.m * 2.0**-steps
+            value = np.ones_like(z)
+            for k in range(_TERMS, 0, -1):
+                value = 1 + value * z / k
+            for _ in range(steps):
+                value = value * value
+            # Horner's scheme on |z| ≤ 1/2 keeps a relative error below 2^−46, and each squaring doubles it
+            relative = 2.0 ** (steps - 46)
+            size = _modulus(value)
+            good = (self.r <= 1) & (_modulus(z) <= 0.5) & (size < 1e100)
+            r = size * (self.r * (1 + self.r) * (1 + relative) + relative) * _UP + _TINY
+            return Discs(np.where(good, value, 0), np.where(good, r, np.inf))
 
 
 def _disc(m: Any, r: Any) -> Discs:
