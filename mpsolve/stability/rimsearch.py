@@ -320,7 +320,7 @@ def _sharpened(case: Case, rough: EdgeZero, digits: int) -> EdgeZero:
         model = track(case, field)
         for slack in range(2, 20, 3):
             image = _krawczyk(model, p, t, 2.0 ** (slack - goal))
-            if image is not None and rough.p.overlaps(image[0]) and rough.alpha.overlaps(image[1]):
+            if image is not None and rough.p.contains(image[0]) and rough.alpha.contains(image[1]):
                 return _described(model, rough, *image)
     raise PrecisionError(f"a cut point could not be sharpened to {digits} digits")
 

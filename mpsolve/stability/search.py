@@ -107,9 +107,15 @@ def _distinct(found: list[Zero]) -> list[Zero]:
     """One of those whose boxes of uniqueness hold each other's zero."""
     result: list[Zero] = []
     for zero in found:
-        if not any(_within((zero.x.mid(), zero.t.mid()), other) for other in result):
+        if not any(_holds(other, zero) for other in result):
             result.append(zero)
     return result
+
+
+def _holds(one: Zero, other: Zero) -> bool:
+    """Whether the whole ball of the other zero lies where only one zero is: then they are the same."""
+    x0, x1, t0, t1 = one.hole
+    return bool(other.x > x0 and other.x < x1 and other.t > t0 and other.t < t1)
 
 
 def _centres(boxes: Region) -> list[tuple[float, float]]:
