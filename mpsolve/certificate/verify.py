@@ -1757,7 +1757,8 @@ def check_crossings(content: dict[str, Any]) -> str:
 def check_counts(free: Free, found: Sequence[Crossing], base: Any, claim: Any) -> list[int]:
     """The numbers of roots below the line, from one that is proved: each crossing is two roots, q and −q̄."""
     keys(claim, {"counts"})
-    place, below = (0, 0) if free.parameter == "level" else check_base(free, found, base)
+    known = free.parameter == "level" or (free.parameter == "alpha" and free.start == 0 and base is None)
+    place, below = (0, 0) if known else check_base(free, found, base)
     require(free.parameter != "level" or base is None, "a free level needs no base")
     changes = [2 * c.direction for c in found]
     counts = [below - sum(changes[k:place]) + sum(changes[place:k]) for k in range(len(found) + 1)]

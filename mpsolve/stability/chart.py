@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -18,11 +18,12 @@ from mpsolve.report.digits import fixed_digits
 from mpsolve.report.statement import ASSUMED
 from mpsolve.stability import specs
 from mpsolve.stability.passages import Passages
-from mpsolve.stability.pool import run
+from mpsolve.stability.pool import run_bunches
 from mpsolve.stability.search import Strip, Tell
 from mpsolve.stability.specs import Grid
 from mpsolve.stability.table import checked_suffix
-from mpsolve.stability.velocities import UnstableRanges, unstable_velocities
+from mpsolve.stability.together import Search, together
+from mpsolve.stability.velocities import UnstableRanges, velocities_search
 from mpsolve.stability.zero import Zero
 
 FORMAT = "mpsolve chart"
@@ -164,15 +165,21 @@ def stability_chart(
     for k, value in enumerate(x.values, 1):
         with specs.errors_at({x.parameter: f"x.values[{k}]"}):
             jobs.append(_Job(specs.case_of(fixed | {x.parameter: value}, masses), alpha, digits))
-    return StabilityChart(title, digits, shown, alpha, x, tuple(run(_column, jobs, workers, progress, "chart")))
+    columns = run_bunches(_columns, jobs, workers, progress, "chart")
+    return StabilityChart(title, digits, shown, alpha, x, tuple(columns))
 
 
-def _column(job: _Job) -> Column:
+def _columns(jobs: Sequence[_Job]) -> list[Column]:
+    return together([_column(job) for job in jobs])
+
+
+def _column(job: _Job) -> Search[Column]:
     case = job.case
     digits = max(_LEAST, job.digits + _GUARD)
     low, high = map(float, job.alpha)
     try:
-        found = unstable_velocities(case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s, job.alpha, digits)
+        model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
+        found = yield from velocities_search(*model, job.alpha, digits)
         zeros = found.passages.zeros if found.passages is not None else ()
         points = tuple(
             Point(fixed_digits(zero.t, job.digits), fixed_digits(zero.x, job.digits), zero.direction)

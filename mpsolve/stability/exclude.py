@@ -1,8 +1,13 @@
-"""No zero in a region [x] × [t] outside of given holes: subdivision in rigorous float64, many boxes at once."""
+"""No zero in a region [x] × [t] outside of given holes: subdivision in rigorous float64, many boxes at once.
+
+A region may have two parameters, [x] × [t] × [s]. Many regions of families that are alike share one sweep, since a
+sweep over few boxes costs as much as one over a thousand.
+"""
 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,13 +18,29 @@ from mpsolve.dual import Dual
 from mpsolve.model.boxes import part, root_discs, root_slopes
 from mpsolve.model.branch import ALONG_Q, Track
 from mpsolve.model.scaled import SplitRoots, scaled_characteristic
-from mpsolve.stability.family import Family
+from mpsolve.stability.family import Family, moved
 
 _CHUNK = 8192
 _SMALL = 2.0**-9  # boxes of this width in t are looked at one by one
 _OUT = 1 + 2.0**-50  # half-widths of boxes are rounded outward
 
-Region = Any  # float64 array of shape (n, 4): x from, x to, t from, t to
+Region = Any  # float64 array of shape (n, 4): x from, x to, t from, t to; (n, 6) with a second parameter
+
+
+@dataclass(frozen=True)
+class Job:
+    """Subdivide `boxes` until each is proved to hold no zero or lies in a hole, or `few` boxes are left.
+
+    The few are those that surround a zero, or a point where the formulas lose their grip: balls deal with them.
+    It ends with what is open after so many levels, or when the budget of boxes is spent.
+    """
+
+    family: Family
+    boxes: Region
+    holes: Region
+    few: int = 160
+    levels: int = 64
+    budget: int = 3_000_000
 
 
 @dataclass(frozen=True)
@@ -30,32 +51,46 @@ class Cover:
     evaluations: int
 
 
-def exclude(
-    family: Family, region: Region, holes: Region, few: int = 160, levels: int = 64, budget: int = 3_000_000
-) -> Cover:
-    """Subdivides `region` until each box is proved to hold no zero or lies in a hole, or `few` boxes are left.
+def exclude(job: Job) -> Cover:
+    """One job alone."""
+    return exclude_all([job])[0]
 
-    The few are those that surround a zero, or a point where the formulas lose their grip: balls deal with them.
-    Stops with what is open after so many levels, or when the budget of boxes is spent.
-    """
-    arithmetic, evaluations = DiscField(), 0
-    boxes = np.asarray(region, dtype=float).reshape(-1, 4)
-    for level in range(levels):
-        if evaluations > budget or len(boxes) <= (few if level else 0) or (few and _small(boxes)):
-            break
-        evaluations += len(boxes)
-        halves = []
+
+def exclude_all(jobs: Sequence[Job]) -> list[Cover]:
+    """The jobs' covers. The families must be alike: same parameters, same number of masses."""
+    families, field = [job.family for job in jobs], DiscField()
+    width = 2 + 2 * len(families[0].parameters)
+    boxes = np.concatenate([np.asarray(job.boxes, dtype=float).reshape(-1, width) for job in jobs])
+    owner = np.repeat(np.arange(len(jobs)), [len(np.asarray(job.boxes).reshape(-1, width)) for job in jobs])
+    spent = np.zeros(len(jobs), dtype=int)
+    done: list[Any] = [None] * len(jobs)
+    for level in itertools.count():
+        for k, job in enumerate(jobs):
+            if done[k] is None and _ended(job, boxes, owner == k, level, spent[k]):
+                done[k] = boxes[owner == k]
+        active = np.array([left is None for left in done])
+        if not active.any():
+            return [Cover(left, int(number)) for left, number in zip(done, spent, strict=True)]
+        boxes, owner = boxes[active[owner]], owner[active[owner]]
+        spent += np.bincount(owner, minlength=len(jobs))
+        halves, owners = [], []
         for start in range(0, len(boxes), _CHUNK):
-            chunk = boxes[start : start + _CHUNK]
-            free, across = _tested(family, arithmetic, chunk)
-            keep = ~(free | inside(chunk, holes))
-            halves.append(_halved(chunk[keep], across[keep]))
-        boxes = np.concatenate(halves)
-    return Cover(boxes, evaluations)
+            chunk, whose = boxes[start : start + _CHUNK], owner[start : start + _CHUNK]
+            free, axis = _tested(families, whose, field, chunk)
+            keep = ~free
+            for k in np.unique(whose):
+                keep &= ~((whose == k) & inside(chunk, jobs[k].holes))
+            halves.append(_halved(chunk[keep], axis[keep]))
+            owners.append(np.concatenate([whose[keep], whose[keep]]))
+        boxes, owner = np.concatenate(halves), np.concatenate(owners)
+    raise AssertionError("unreachable")
 
 
-def _small(boxes: Region) -> bool:
-    return bool(np.max(boxes[:, 3] - boxes[:, 2], initial=0) < _SMALL)
+def _ended(job: Job, boxes: Region, mine: Any, level: int, spent: int) -> bool:
+    number = int(np.count_nonzero(mine))
+    if level >= job.levels or spent > job.budget or number <= (job.few if level else 0):
+        return True
+    return bool(job.few) and bool(np.max(boxes[mine, 3] - boxes[mine, 2], initial=0) < _SMALL)
 
 
 def grid(x1: float, t0: float, t1: float, rows: int = 12) -> Region:
@@ -71,41 +106,85 @@ def grid(x1: float, t0: float, t1: float, rows: int = 12) -> Region:
 def inside(boxes: Region, holes: Region) -> Any:
     """Whether each box lies in a hole."""
     found = np.zeros(len(boxes), dtype=bool)
-    for x0, x1, t0, t1 in holes:
-        found |= (boxes[:, 0] >= x0) & (boxes[:, 1] <= x1) & (boxes[:, 2] >= t0) & (boxes[:, 3] <= t1)
+    for hole in holes:
+        within = np.ones(len(boxes), dtype=bool)
+        for k in range(0, len(hole), 2):
+            within &= (boxes[:, k] >= hole[k]) & (boxes[:, k + 1] <= hole[k + 1])
+        found |= within
     return found
 
 
-def _halved(boxes: Region, across: Any) -> Region:
-    """Both halves of each box, along x where `across`, else along t."""
-    x0, x1, t0, t1 = boxes.T
-    with np.errstate(all="ignore"):
-        x = np.where(x0 > 1, np.sqrt(x0 * x1), np.where(x1 > 4, 2.0, (x0 + x1) / 2))
-    t = (t0 + t1) / 2
-    first = np.stack([x0, np.where(across, x, x1), t0, np.where(across, t1, t)], axis=1)
-    second = np.stack([np.where(across, x, x0), x1, np.where(across, t0, t), t1], axis=1)
+def _halved(boxes: Region, axis: Any) -> Region:
+    """Both halves of each box, along x where `axis` is 0, else along the parameter of that number."""
+    first, second = boxes.copy(), boxes.copy()
+    for k in range(boxes.shape[1] // 2):
+        low, high = boxes[:, 2 * k], boxes[:, 2 * k + 1]
+        middle = (low + high) / 2
+        if not k:
+            with np.errstate(all="ignore"):
+                middle = np.where(low > 1, np.sqrt(low * high), np.where(high > 4, 2.0, middle))
+        first[:, 2 * k + 1] = np.where(axis == k, middle, high)
+        second[:, 2 * k] = np.where(axis == k, middle, low)
     return np.concatenate([first, second])
 
 
-def _tested(family: Family, field: DiscField, boxes: Region) -> tuple[Any, Any]:
-    """(proved to hold no zero, whether to halve along x) of each box."""
-    x0, x1, t0, t1 = boxes.T
-    x, t = (x0 + x1) / 2, (t0 + t1) / 2
-    dx, dt = np.maximum(x1 - x, x - x0) * _OUT, np.maximum(t1 - t, t - t0) * _OUT
-    across = (x1 - x0) / (1 + x0) > t1 - t0
-    height = field.number(family.height)
-    q = Discs(x + 1j * height.m, dx + height.r)
-    model = arrays(family.at(field, Discs(t, dt)), len(boxes))
+def _middles(boxes: Region) -> tuple[list[Any], list[Any]]:
+    """The middles of x and of the parameters, and the half-widths, rounded outward."""
+    sides = [(boxes[:, k], boxes[:, k + 1]) for k in range(0, boxes.shape[1], 2)]
+    middles = [(low + high) / 2 for low, high in sides]
+    reaches = [np.maximum(h - m, m - l) * _OUT for (l, h), m in zip(sides, middles, strict=True)]
+    return middles, reaches
+
+
+def _models(families: Sequence[Family], owner: Any, field: Any, values: Sequence[Any]) -> Track:
+    """The numbers of each box's own family at `values`, as arrays of one disc a box."""
+    fixed = [family.fixed(field) for family in families]
+    model = fixed[0]
+    if len(fixed) > 1:
+        model = replace(
+            model,
+            alpha=_gathered([one.alpha for one in fixed], owner),
+            axial=_gathered([one.axial for one in fixed], owner),
+            eta_b=_gathered([one.eta_b for one in fixed], owner),
+            eta_m=tuple(_gathered(column, owner) for column in zip(*(one.eta_m for one in fixed), strict=True)),
+            positions=tuple(_gathered(column, owner) for column in zip(*(one.positions for one in fixed), strict=True)),
+        )
+    for name, value in zip(families[0].parameters, values, strict=True):
+        model = moved(model, name, value)
+    return arrays(model, len(owner))
+
+
+def _gathered(discs: Sequence[Discs], owner: Any) -> Discs:
+    return Discs(np.array([disc.m for disc in discs])[owner], np.array([disc.r for disc in discs])[owner])
+
+
+def _frequencies(families: Sequence[Family], owner: Any, field: Any, x: Any, reach: Any) -> Discs:
+    heights = [field.number(family.height) for family in families]
+    height = heights[0] if len(heights) == 1 else _gathered(heights, owner)
+    return Discs(x + 1j * height.m, reach + height.r)
+
+
+def _tested(families: Sequence[Family], owner: Any, field: DiscField, boxes: Region) -> tuple[Any, Any]:
+    """(proved to hold no zero, the axis along which to halve) of each box."""
+    family = families[0]
+    (x, *middles), (dx, *reaches) = _middles(boxes)
+    values = [Discs(t, dt) for t, dt in zip(middles, reaches, strict=True)]
+    widths = np.stack([2 * dx / (1 + boxes[:, 0]), *(2 * dt for dt in reaches)])
+    axis = np.argmax(widths, axis=0)
+    q = _frequencies(families, owner, field, x, dx)
+    model = _models(families, owner, field, values)
     with np.errstate(all="ignore"):
         found = root_discs(model, q)
-        value = _value(family, field, model, found.roots, q, Discs(t, dt))
+        value = _value(family, field, model, found.roots, q, values)
         free = found.known & value.nonzero()
-        if len(model.eta_m) == 2 and not family.height:
+        if len(model.eta_m) == 2 and not any(one.height for one in families):
             free |= found.apart & _outweighed(model, found.roots)
         more = found.apart & ~free
         if more.any():
-            free[more], across[more] = _by_slopes(family, field, boxes[more], part(model, more), found.roots, more, q)
-    return free, across
+            roots = SplitRoots(*(p[more] for p in (found.roots.a, found.roots.b, found.roots.c, found.roots.e)))
+            over = part(model, more), roots, q[more], [value[more] for value in values]
+            free[more], axis[more] = _by_slopes(families, owner[more], field, boxes[more], over)
+    return free, axis
 
 
 def _outweighed(model: Track, z: SplitRoots) -> Any:
@@ -139,68 +218,73 @@ def arrays(model: Track, count: int) -> Track:
     return replace(model, alpha=alpha, eta_b=eta_b)
 
 
-def _value(family: Family, field: Any, model: Track, roots: SplitRoots, q: Any, t: Any) -> Any:
-    if family.parameter == "level":
-        return scaled_characteristic(model, roots, [t * (q * q + 1)], 1 - t)[0]
+def _value(family: Family, field: Any, model: Track, roots: SplitRoots, q: Any, values: Sequence[Any]) -> Any:
+    if "level" in family.parameters:
+        u = values[family.parameters.index("level")]
+        return scaled_characteristic(model, roots, [u * (q * q + 1)], 1 - u)[0]
     return scaled_characteristic(model, roots, [q * q * 2 / field.pi])[0]
 
 
 def _by_slopes(
-    family: Family, field: DiscField, boxes: Region, model: Track, roots: SplitRoots, keep: Any, q: Discs
+    families: Sequence[Family], owner: Any, field: DiscField, boxes: Region, over: tuple[Any, Any, Any, Any]
 ) -> tuple[Any, Any]:
     """The mean value theorem: the value at the middle, and the slopes over the box."""
-    z = SplitRoots(*(p[keep] for p in (roots.a, roots.b, roots.c, roots.e)))
-    x0, x1, t0, t1 = boxes.T
-    x, t = (x0 + x1) / 2, (t0 + t1) / 2
-    dx, dt = np.maximum(x1 - x, x - x0) * _OUT, np.maximum(t1 - t, t - t0) * _OUT
-    value, known = _at_middle(family, field, x, t)
-    slopes = _slopes(family, model, z, q[keep], Discs(t, dt))
-    spans = [slope * Discs(np.zeros(len(boxes)), h) for slope, h in zip(slopes, (dx, dt), strict=True)]
-    free = known & (value + spans[0] + spans[1]).nonzero()
-    if family.parameter == "level":
+    middles, reaches = _middles(boxes)
+    value, known = _at_middle(families, owner, field, middles)
+    slopes = _slopes(families[0], *over)
+    nought = np.zeros(len(boxes))
+    spans = [slope * Discs(nought, h) for slope, h in zip(slopes, reaches, strict=True)]
+    free = known & sum(spans, value).nonzero()
+    if "level" in families[0].parameters:
         # the function is real at q = 0: its imaginary part is q times the slope's, which must not vanish for q > 0
-        free |= (x0 == 0) & (np.abs(slopes[0].m.imag) > slopes[0].r)
+        free |= (boxes[:, 0] == 0) & (np.abs(slopes[0].m.imag) > slopes[0].r)
+    # slopes of wide boxes mislead: no box becomes a sliver, more than 8 times as wide along one axis as another
+    widths = np.stack([reaches[0] / (1 + boxes[:, 0]), *reaches[1:]])
+    gains = np.stack([span.r for span in spans])
     with np.errstate(invalid="ignore"):
-        ratio = dx / (1 + x0) / dt  # slopes of wide boxes mislead: no box becomes a sliver
-        across = np.where(ratio > 8, True, np.where(ratio < 1 / 8, False, spans[0].r > spans[1].r))
-    return free, across
+        slim = widths * 8 < widths.max(axis=0)
+        axis = np.argmax(np.where(slim, -1.0, gains), axis=0)
+    return free, axis
 
 
-def _at_middle(family: Family, field: DiscField, x: Any, t: Any) -> tuple[Discs, Any]:
+def _at_middle(families: Sequence[Family], owner: Any, field: DiscField, middles: list[Any]) -> tuple[Discs, Any]:
     """The value at points, and where it is known."""
-    height = field.number(family.height)
-    q = Discs(x + 1j * height.m, height.r + 0 * x)
-    model = arrays(family.at(field, Discs(t)), len(x))
+    x, values = middles[0], [Discs(t) for t in middles[1:]]
+    q = _frequencies(families, owner, field, x, 0 * x)
+    model = _models(families, owner, field, values)
     found = root_discs(model, q)
-    return _value(family, field, model, found.roots, q, Discs(t)), found.known
+    return _value(families[0], field, model, found.roots, q, values), found.known
 
 
-def _slopes(family: Family, model: Track, z: SplitRoots, q: Discs, t: Discs) -> tuple[Discs, Discs]:
-    """The derivatives along x and t over boxes whose p-roots z are apart."""
-    motion = family.motion(len(model.eta_m))
-    rates = root_slopes(model, z, q, (ALONG_Q, motion))
+def _slopes(family: Family, model: Track, z: SplitRoots, q: Discs, values: Sequence[Discs]) -> list[Discs]:
+    """The derivatives along x and the parameters over boxes whose p-roots z are apart."""
+    motions = [ALONG_Q, *family.motions(len(model.eta_m))]
+    order = range(len(motions))
+    rates = root_slopes(model, z, q, motions)
     dual = SplitRoots(*(Dual(p, s) for p, s in zip((z.a, z.b, z.c, z.e), rates, strict=True)))
-    steps = motion.positions or (0,) * len(model.eta_m)
-    positions = tuple(Dual(p, [0, step]) for p, step in zip(model.positions, steps, strict=True))
+    still = (0,) * len(model.eta_m)
+    steps = zip(*(motion.positions or still for motion in motions), strict=True)
+    positions = tuple(Dual(p, step) for p, step in zip(model.positions, steps, strict=True))
     field = DualField()
     moving = replace(model, field=field, positions=positions)
-    along_x, along_t = _value(family, field, moving, dual, Dual(q, [1, 0]), Dual(t, [0, 1])).slopes
-    return along_x, along_t
+    arguments = [Dual(v, [int(j == k) for j in order]) for k, v in enumerate([q, *values])]
+    slopes: list[Discs] = _value(family, field, moving, dual, arguments[0], arguments[1:]).slopes
+    return slopes
 
 
-def local(family: Family, x: float, t: float, reaches: Any) -> tuple[Any, Any, Any, Any]:
-    """For the boxes x ± reach, t ± reach: value at the middle, slopes along x and t over the box, and where valid.
+def local(family: Family, centre: Sequence[float], reaches: Any) -> tuple[Any, list[Any], Any]:
+    """For the boxes centre ± reach (x, then the parameters): value at the middle, slopes over the box, where valid.
 
     Of the family's function times R, which has the same zeros.
     """
-    field, count = DiscField(), len(reaches)
-    xs, ts, reaches = np.full(count, x), np.full(count, t), np.asarray(reaches) * _OUT
-    height = field.number(family.height)
-    q, over = Discs(xs + 1j * height.m, reaches + height.r), Discs(ts, reaches)
-    model = arrays(family.at(field, over), count)
+    field, count, owner = DiscField(), len(reaches), np.zeros(len(reaches), dtype=int)
+    middles, reaches = [np.full(count, v) for v in centre], np.asarray(reaches) * _OUT
+    values = [Discs(t, reaches) for t in middles[1:]]
+    q = _frequencies([family], owner, field, middles[0], reaches)
+    model = _models([family], owner, field, values)
     with np.errstate(all="ignore"):
         found = root_discs(model, q)
-        value, known = _at_middle(family, field, xs, ts)
-        along_x, along_t = _slopes(family, model, found.roots, q, over)
-    good = found.apart & known & np.isfinite(along_x.r) & np.isfinite(along_t.r)
-    return value, along_x, along_t, good
+        value, known = _at_middle([family], owner, field, middles)
+        slopes = _slopes(family, model, found.roots, q, values)
+    good = found.apart & known & np.logical_and.reduce([np.isfinite(slope.r) for slope in slopes])
+    return value, slopes, good

@@ -15,8 +15,9 @@ from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
 from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS, Status
 from mpsolve.stability.family import Family
-from mpsolve.stability.passages import Passages, passages
-from mpsolve.stability.search import Strip
+from mpsolve.stability.passages import Passages, passing
+from mpsolve.stability.search import Strip, Tell
+from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import mass_level
 
 _GUARD = 6  # digits of q and u beyond those of η
@@ -75,6 +76,7 @@ def crossing_masses(
     eta_n: Number = 0,
     eta_s: Number = 0,
     digits: int = 30,
+    tell: Tell | None = None,
 ) -> CrossingMasses:
     """Every mass level η in (0, ∞), masses η·proportions, at which a root of Δ, eq. (26), crosses the real axis.
 
@@ -85,6 +87,20 @@ def crossing_masses(
     >>> crossing_masses("0.99", "0.1", (0, "1.1"))[0].eta.str(8, radius=False)
     '21.885373'
     """
+    return alone(crossings_search(alpha, eta_b, positions, proportions, eta_n, eta_s, digits, tell))
+
+
+def crossings_search(
+    alpha: Number,
+    eta_b: Number,
+    positions: Number | Iterable[Number],
+    proportions: Number | Iterable[Number] | None = None,
+    eta_n: Number = 0,
+    eta_s: Number = 0,
+    digits: int = 30,
+    tell: Tell | None = None,
+) -> Search[CrossingMasses]:
+    """`crossing_masses` as a search, for together.py."""
     places = list(positions) if isinstance(positions, Iterable) and not isinstance(positions, str) else [positions]
     shares = [1] * len(places) if proportions is None else proportions
     case = Case(alpha=alpha, eta_b=eta_b, eta_m=shares, positions=places, eta_n=eta_n, eta_s=eta_s)
@@ -93,7 +109,7 @@ def crossing_masses(
         return _undamped(case, digits)
     family = Family(case, "level")
     try:
-        found = passages(family, Exact.parse(0, "u"), Exact.parse(1, "u"), digits + _GUARD)
+        found = yield from passing(family, Exact.parse(0, "u"), Exact.parse(1, "u"), digits + _GUARD, None, tell)
     except PrecisionError as error:
         return CrossingMasses(case, (), (None,), Status.UNDECIDED, str(error), digits)
     return _result(case, found, digits)

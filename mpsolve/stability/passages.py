@@ -22,6 +22,7 @@ from mpsolve.spectrum.enclose import Symmetry
 from mpsolve.spectrum.far import far_radius
 from mpsolve.stability.family import Family
 from mpsolve.stability.search import Strip, Tell, all_zeros
+from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import BITS, Zero, sharpen
 
 arb = flint.arb
@@ -76,12 +77,28 @@ def passages(
 
     For a free mass level u the range is (0, 1) and no count is needed: for small masses no root is below Im q = 0.
     """
+    return alone(passing(family, start, end, digits, budget, tell))
+
+
+def passing(
+    family: Family, start: Exact, end: Exact, digits: int, budget: int | None = None, tell: Tell | None = None
+) -> Search[Passages]:
+    """`passages` as a search, for together.py."""
     budget = budget or _BUDGET // max(1, family.case.merged.count - 1) ** 2
     radius = _radius(family, start, end)
-    found = all_zeros(family, radius, _down(start), _up(end), budget, tell)
+    found = yield from all_zeros(family, radius, _down(start), _up(end), budget, tell)
     zeros, strips = _within(family, found.zeros, list(found.strips), start, end, digits)
-    first = 0 if family.parameter == "level" else None
-    return counted(family, start, end, radius, zeros, strips, found.evaluations, first)
+    return counted(family, start, end, radius, zeros, strips, found.evaluations, _first(family, start))
+
+
+def _first(family: Family, start: Exact) -> int | None:
+    """The number of roots below Im q = 0 at the start of the range, where theory knows it.
+
+    For small masses it is 0. At rest and damped it is 0 too: the energy of beam and masses is positive for N < 1 and
+    does not grow, as the motion of a root with Im q < 0 would make it (SPEC.md, section 9).
+    """
+    at_rest = family.parameter == "alpha" and not start and family.case.eta_b > 0 and family.height <= 0
+    return 0 if family.parameter == "level" or at_rest else None
 
 
 def counted(

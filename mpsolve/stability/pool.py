@@ -33,6 +33,23 @@ def unpack(packed: PackedBall) -> Any:
     return arb(*packed)
 
 
+_BUNCH = 16  # pieces of work that are done side by side, where this is quicker than one by one
+_BUNCHES = 8  # few pieces make at least so many bunches, so that processors have something to share
+
+
+def run_bunches(
+    work: Callable[[Sequence[Job]], list[Result]],
+    jobs: Sequence[Job],
+    workers: int | None = None,
+    tell: Tell | None = None,
+    stage: str = "working",
+) -> list[Result]:
+    """The results of work(bunch) for bunches of jobs in order, the same bunches for any number of workers; see `run`."""
+    size = min(_BUNCH, -(-len(jobs) // _BUNCHES)) or 1
+    bunches = [jobs[k : k + size] for k in range(0, len(jobs), size)]
+    return [result for results in run(work, bunches, workers, tell, stage) for result in results]
+
+
 def run(
     work: Callable[[Job], Result],
     jobs: Sequence[Job],

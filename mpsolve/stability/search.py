@@ -11,8 +11,9 @@ import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.stability.exclude import Region, exclude, grid, inside
+from mpsolve.stability.exclude import Job, Region, grid, inside
 from mpsolve.stability.family import Family
+from mpsolve.stability.together import Search
 from mpsolve.stability.zero import BITS, Zero, approach, isolate, value
 
 arb = flint.arb
@@ -44,8 +45,8 @@ class Zeros:
 
 def all_zeros(
     family: Family, reach: float, t0: float, t1: float, budget: int = 3_000_000, tell: Tell | None = None
-) -> Zeros:
-    """Every zero with 0 ≤ x ≤ reach and t0 ≤ t ≤ t1 (0 < x for a free mass level)."""
+) -> Search[Zeros]:
+    """Every zero with 0 ≤ x ≤ reach and t0 ≤ t ≤ t1 (0 < x for a free mass level): a search, for together.py."""
     boxes, evaluations = grid(reach, t0, t1), 0
     found: list[Zero] = []
     reasons: dict[tuple[int, int], str] = {}
@@ -54,7 +55,7 @@ def all_zeros(
             tell("excluding", turn / _ROUNDS)
         holes = np.array([zero.hole for zero in found]).reshape(-1, 4)
         few, levels = (160, 64) if not turn else (0, _LEVELS)
-        cover = exclude(family, boxes, holes, few, levels, budget - evaluations)
+        cover = yield Job(family, boxes, holes, few, levels, budget - evaluations)
         boxes, evaluations = cover.open, evaluations + cover.evaluations
         boxes, spent = _by_balls(family, boxes, holes)
         evaluations += spent

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
@@ -16,11 +16,12 @@ from mpsolve.model.parameters import Case
 from mpsolve.report.digits import fixed_digits
 from mpsolve.report.strips import UNIT, remark
 from mpsolve.stability import specs
-from mpsolve.stability.masses import crossing_masses
-from mpsolve.stability.pool import PackedBall, pack, run, unpack
+from mpsolve.stability.masses import crossings_search
+from mpsolve.stability.pool import PackedBall, pack, run_bunches, unpack
 from mpsolve.stability.search import Tell
 from mpsolve.stability.specs import Grid
-from mpsolve.stability.velocities import Interval, onset_velocity, unstable_velocities
+from mpsolve.stability.together import Search, together
+from mpsolve.stability.velocities import Interval, onset_search, velocities_search
 
 Quantity = Literal["onset velocity", "onset mass", "unstable velocities"]
 EntryStatus = Literal["proved", "stable", "unstable", "undecided"]
@@ -221,7 +222,7 @@ def onset_table(
         for i in range(len(rows.values))
         for j in range(len(columns.values))
     ]
-    entries = run(_solve, jobs, workers, progress, "table")
+    entries = run_bunches(_solve_all, jobs, workers, progress, "table")
     width = len(columns.values)
     lines = tuple(tuple(entries[k : k + width]) for k in range(0, len(entries), width))
     return OnsetTable(title, quantity, digits, shown, alpha, rows, columns, lines)
@@ -274,19 +275,24 @@ def _job(
         return _Job(quantity, specs.case_of(values, masses), alpha, digits)
 
 
-def _solve(job: _Job) -> Entry:
+def _solve_all(jobs: Sequence[_Job]) -> list[Entry]:
+    return together([_solve(job) for job in jobs])
+
+
+def _solve(job: _Job) -> Search[Entry]:
     digits = max(_LEAST, job.digits + _GUARD)
+    kinds = {"onset mass": _mass, "onset velocity": _onset, "unstable velocities": _ranges}
     try:
-        if job.quantity == "onset mass":
-            return _mass(job, digits)
-        return _onset(job, digits) if job.quantity == "onset velocity" else _ranges(job, digits)
+        return (yield from kinds[job.quantity](job, digits))
     except PrecisionError as error:
         return Entry("undecided", None, str(error))
 
 
-def _mass(job: _Job, digits: int) -> Entry:
+def _mass(job: _Job, digits: int) -> Search[Entry]:
     case = job.case
-    found = crossing_masses(case.alpha, case.eta_b, case.positions, None, case.eta_n, case.eta_s, digits)
+    found = yield from crossings_search(
+        case.alpha, case.eta_b, case.positions, None, case.eta_n, case.eta_s, digits
+    )
     if not found.proved:
         return Entry("undecided", None, found.reason + remark("the level u of all masses", found.strips, UNIT))
     if not len(found):
@@ -294,11 +300,12 @@ def _mass(job: _Job, digits: int) -> Entry:
     return _number(found[0].eta, job.digits, found.certificate)
 
 
-def _onset(job: _Job, digits: int) -> Entry:
+def _onset(job: _Job, digits: int) -> Search[Entry]:
     assert job.alpha is not None
     low, high = job.alpha
     case = job.case
-    onset = onset_velocity(case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s, (low, high), digits)
+    model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
+    onset = yield from onset_search(*model, (low, high), digits)
     if not onset.proved:
         return Entry("undecided", None, onset.reason + remark("alpha", onset.ranges.strips, job.alpha))
     if onset.alpha is None:
@@ -309,10 +316,11 @@ def _onset(job: _Job, digits: int) -> Entry:
     return _number(onset.alpha, job.digits, onset.certificate)
 
 
-def _ranges(job: _Job, digits: int) -> Entry:
+def _ranges(job: _Job, digits: int) -> Search[Entry]:
     assert job.alpha is not None
     case = job.case
-    found = unstable_velocities(case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s, job.alpha, digits)
+    model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
+    found = yield from velocities_search(*model, job.alpha, digits)
     if not found.proved:
         return Entry("undecided", None, found.reason + remark("alpha", found.strips, job.alpha))
     if not len(found):

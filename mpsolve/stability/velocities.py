@@ -20,8 +20,9 @@ from mpsolve.spectrum.certify import Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
 from mpsolve.stability.masses import checked_digits
-from mpsolve.stability.passages import Passages, counted, passages
+from mpsolve.stability.passages import Passages, counted, passing
 from mpsolve.stability.search import Strip, Tell
+from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import Zero
 
 arb = flint.arb
@@ -97,11 +98,25 @@ def unstable_velocities(
     >>> [interval.start.str(10, radius=False) for interval in unstable_velocities("0.05", (70, 70), (0, "1.5"))]
     ['0.6669189573']
     """
+    return alone(velocities_search(eta_b, eta_m, positions, eta_n, eta_s, alpha, digits, tell))
+
+
+def velocities_search(
+    eta_b: Number,
+    eta_m: Number | Iterable[Number],
+    positions: Number | Iterable[Number] | None = None,
+    eta_n: Number = 0,
+    eta_s: Number = 0,
+    alpha: tuple[Number, Number] = (0, Fraction(7, 5)),
+    digits: int = 30,
+    tell: Tell | None = None,
+) -> Search[UnstableRanges]:
+    """`unstable_velocities` as a search, for together.py."""
     case, low, high = _admitted(eta_b, eta_m, positions, eta_n, eta_s, alpha)
     digits = checked_digits(digits)
     if not case.eta_b:
         return _undamped(case, low, high, digits)
-    return unstable_ranges(Family(case, "alpha"), low, high, digits, tell)
+    return (yield from ranges_search(Family(case, "alpha"), low, high, digits, tell))
 
 
 def onset_velocity(
@@ -121,6 +136,20 @@ def onset_velocity(
     >>> onset_velocity("0.05", (70, 70), (0, 1)).alpha.str(10, radius=False)
     '0.9619574863'
     """
+    return alone(onset_search(eta_b, eta_m, positions, eta_n, eta_s, alpha, digits, tell))
+
+
+def onset_search(
+    eta_b: Number,
+    eta_m: Number | Iterable[Number],
+    positions: Number | Iterable[Number] | None = None,
+    eta_n: Number = 0,
+    eta_s: Number = 0,
+    alpha: tuple[Number, Number] = (0, 2),
+    digits: int = 30,
+    tell: Tell | None = None,
+) -> Search[Onset]:
+    """`onset_velocity` as a search, for together.py."""
     case, low, high = _admitted(eta_b, eta_m, positions, eta_n, eta_s, alpha)
     digits = checked_digits(digits)
     if not case.eta_b:
@@ -130,7 +159,7 @@ def onset_velocity(
     while True:
         stride = _STRIDE if expected is None else Fraction(round(expected * 1000) + 10, 1000) - end.as_fraction()
         end, expected = min(high, Exact.parse(end.as_fraction() + stride, "alpha"), key=float), None
-        scan = unstable_ranges(family, low, end, digits, tell)
+        scan = yield from ranges_search(family, low, end, digits, tell)
         if len(scan) or scan.unknown or end >= high:
             return _first(scan)
 
@@ -197,10 +226,17 @@ def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
 
 def unstable_ranges(family: Family, low: Exact, high: Exact, digits: int, tell: Tell | None = None) -> UnstableRanges:
     """The ranges of the family's parameter with a root below its line; for damped cases."""
+    return alone(ranges_search(family, low, high, digits, tell))
+
+
+def ranges_search(
+    family: Family, low: Exact, high: Exact, digits: int, tell: Tell | None = None
+) -> Search[UnstableRanges]:
+    """`unstable_ranges` as a search, for together.py."""
     from mpsolve.certificate.crossings import crossings_certificate
 
     try:
-        found = passages(family, low, high, digits, tell=tell)
+        found = yield from passing(family, low, high, digits, tell=tell)
     except PrecisionError as error:
         everything = ((float(low), float(high)),)
         strip = Strip(float(low), float(high), str(error))

@@ -135,7 +135,7 @@ def _widest(family: Family, x: Any, t: Any) -> float:
     """The largest 2^−k for which discs prove that the box x ± 2^−k, t ± 2^−k holds one zero; or 0."""
     reaches = [2.0**-k for k in range(3, 24)]
     x, t = float(x), float(t)
-    value, along_x, along_t, good = local(family, x, t, reaches)
+    value, (along_x, along_t), good = local(family, (x, t), reaches)
     with ball_arithmetic(BITS):
         for k, reach in enumerate(reaches):
             if good[k]:

@@ -72,6 +72,7 @@ SINGLE = (
 )
 MADE = {
     "alpha": ALPHA,
+    "at rest": (ALPHA[0], "0", "7/10", *ALPHA[3:5], None, [0, 2]),
     "distance": DISTANCE,
     "level": FREE_LEVEL,
     "below": BELOW,
@@ -274,6 +275,8 @@ CHANGES: dict[str, tuple[str, Change, str]] = {
     "other proportions": ("level", setting("case", "eta_m", 0, to="1000001/1000000"), "crossing 0: interval Newton"),
     "no base": ("alpha", setting("base", to=None), "missing"),
     "a base of a level": ("level", lambda c: c.update(base=json.loads(original("alpha"))["base"]), "no base"),
+    "at rest, but another count": ("at rest", setting("claim", "counts", to=[2, 4]), "not those claimed"),
+    "at rest, but not from 0 on": ("at rest", setting("family", "start", to="1/1000"), "missing"),
     "another place of the base": ("alpha", setting("base", "t", to="69/100"), "base: it is of another case"),
     "a base out of the range": ("alpha", setting("base", "t", to="3/5"), "base is not in the range"),
     "a base of another alpha": ("alpha", based_at("0.65"), "base: it is of another case"),

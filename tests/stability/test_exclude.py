@@ -13,7 +13,7 @@ from oracle import Truth
 
 from mpsolve import Case
 from mpsolve.discs import DiscField
-from mpsolve.stability.exclude import _halved, _tested, exclude, grid, inside, local
+from mpsolve.stability.exclude import Job, _halved, _tested, exclude, exclude_all, grid, inside, local
 from mpsolve.stability.family import Family
 from mpsolve.stability.zero import approach
 
@@ -79,7 +79,7 @@ def test_no_box_with_a_zero_is_free(name: str) -> None:
     low_t, high_t = np.maximum(t - widths[2], t / 2), np.minimum(t + widths[3], t + (1 - t) / 2 if t < 1 else t + 1)
     boxes = np.stack([np.maximum(x - widths[0], 0), x + widths[1], low_t, high_t], axis=1)
     boxes[:300, 0] = 0
-    free, _ = _tested(family, DiscField(), boxes)
+    free, _ = _tested([family], np.zeros(len(boxes), dtype=int), DiscField(), boxes)
     assert not free.any()
 
 
@@ -91,7 +91,7 @@ def test_most_boxes_off_the_zeros_are_free(name: str) -> None:
     turn = rng.uniform(0, 2 * np.pi, 400)
     dx, dt = 0.3 * x * np.cos(turn), 0.3 * min(t, abs(1 - t)) * np.sin(turn)
     boxes = np.stack([x + dx, x + dx + 1e-4, t + dt, t + dt + 1e-4], axis=1)
-    free, _ = _tested(family, DiscField(), boxes)
+    free, _ = _tested([family], np.zeros(len(boxes), dtype=int), DiscField(), boxes)
     assert free.mean() > 0.9
 
 
@@ -99,24 +99,24 @@ def test_most_boxes_off_the_zeros_are_free(name: str) -> None:
 def test_subdivision_keeps_the_zero_and_little_else(name: str) -> None:
     family, x, t = zero_of(name)
     region = np.array([[0.7 * x, 1.3 * x, 0.99 * t, 1.005 * t]])
-    cover = exclude(family, region, NONE, 0, 9)
+    cover = exclude(Job(family, region, NONE, 0, 9))
     held = cover.open
     near = np.abs(held[:, 0] - x) + np.abs(held[:, 2] - t)
     assert ((held[:, 0] <= x) & (x <= held[:, 1]) & (held[:, 2] <= t) & (t <= held[:, 3])).any()
     assert len(held) < 200
     assert np.min(near) < 0.05
     hole = np.array([[0.5 * x, 1.5 * x, 0.9 * t, 1.1 * t]])
-    assert len(exclude(family, region, hole, 0, 9).open) == 0
+    assert len(exclude(Job(family, region, hole, 0, 9)).open) == 0
 
 
 def test_a_region_without_a_zero_is_freed_and_budget_and_levels_end_the_search() -> None:
     family, _, _ = FAMILIES["one mass, alpha"]
     region = grid(3.0, 0.2, 0.9)
-    cover = exclude(family, region, NONE, 0)
+    cover = exclude(Job(family, region, NONE, 0))
     assert len(cover.open) == 0
     assert cover.evaluations >= len(region)
-    assert len(exclude(family, region, NONE, 0, budget=-1).open) == len(region)
-    assert len(exclude(family, region, NONE, 0, levels=0).open) == len(region)
+    assert len(exclude(Job(family, region, NONE, 0, budget=-1)).open) == len(region)
+    assert len(exclude(Job(family, region, NONE, 0, levels=0)).open) == len(region)
 
 
 # --- covering ---------------------------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ boxes_of = st.tuples(st.floats(0, 1e4), st.floats(1e-12, 1e4), st.floats(0, 3), 
 def test_halves_share_an_edge_and_make_up_the_box(data: list[Any]) -> None:
     boxes = np.array([(x, x + dx, t, t + dt) for x, dx, t, dt, _ in data])
     across = np.array([along for *_, along in data])
-    halves = _halved(boxes, across)
+    halves = _halved(boxes, np.where(across, 0, 1))
     assert halves.shape == (2 * len(boxes), 4)
     for box, along, one, two in zip(boxes, across, halves[: len(boxes)], halves[len(boxes) :], strict=True):
         low, high = (0, 1) if along else (2, 3)
@@ -192,7 +192,7 @@ def test_local_values_and_slopes_hold_the_truth(name: str) -> None:
     rng = np.random.default_rng(9)
     x, t = x * 1.02, t * 0.99
     reaches = 2.0 ** -np.array([6.0, 10, 20])
-    value, along_x, along_t, good = local(family, x, t, reaches)
+    value, (along_x, along_t), good = local(family, (x, t), reaches)
     assert good.any()
     step = 1e-12
     for k in np.flatnonzero(good):
