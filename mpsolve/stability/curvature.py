@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import flint
@@ -20,7 +21,7 @@ from mpsolve.stability.family import Family
 acb, arb = flint.acb, flint.arb
 
 
-class _Nested:
+class NestedBalls:
     """Dual numbers of dual numbers over balls: second derivatives in q and the unit of distance."""
 
     i = acb(0, 1)
@@ -44,15 +45,20 @@ def motion_with_distance(track: Track, q: Any, d: Any) -> tuple[Any, Any]:
 
     By implicit differentiation of F = R·Δ, which has the same roots. Raises `PrecisionError`.
     """
+    roots = split_balls(track, q)
+    first, second = _implicit(second_order(track, NestedBalls(), roots, [acb(q), acb(d)], acb(1)))
+    if not (first.is_finite() and second.is_finite()):
+        raise PrecisionError("the slope of Δ may vanish on the ball of a root: split it")
+    return first, second
+
+
+def split_balls(track: Track, q: Any) -> SplitRoots:
+    """The four p-roots in balls. Raises `PrecisionError`."""
     pair = pairing(track, q)
     field: Ball = track.field
     over, under = field.sqrt(pair.discriminant(1)), field.sqrt(pair.discriminant(-1))
     half = pair.s / 2
-    roots = SplitRoots(half + over, half - over, -half + under, -half - under)
-    first, second = _implicit(_second_order(track, _Nested(), roots, acb(q), acb(d), acb(1)))
-    if not (first.is_finite() and second.is_finite()):
-        raise PrecisionError("the slope of Δ may vanish on the ball of a root: split it")
-    return first, second
+    return SplitRoots(half + over, half - over, -half + under, -half - under)
 
 
 def _implicit(F: Any) -> tuple[Any, Any]:
@@ -62,23 +68,33 @@ def _implicit(F: Any) -> tuple[Any, Any]:
     return first, -((f_d.slopes[1] + f_q.slopes[1] * first * 2 + f_q.slopes[0] * first * first) / value.slopes[0])
 
 
-def _second_order(track: Track, field: Any, z: SplitRoots, q: Any, d: Any, one: Any) -> Any:
-    """F = R·Δ as a dual number of dual numbers in q and d; `one` is 1 in the arithmetic."""
-    r, none = q - track.field.i * track.eta_b, one * 0
-    roots = [_root(track, p, r, none) for p in (z.a, z.b, z.c, z.e)]
-    frequency = Dual(Dual(q, [one, none]), [Dual(one, [none, none]), Dual(none, [none, none])])
-    unit = Dual(Dual(d, [none, one]), [Dual(none, [none, none]), Dual(one, [none, none])])
-    places = tuple(unit * k for k in range(len(track.eta_m)))
+def second_order(track: Track, field: Any, z: SplitRoots, arguments: Sequence[Any], one: Any) -> Any:
+    """F = R·Δ as a dual number of dual numbers in q, d and, if it is given, t, by which all masses are multiplied.
+
+    `one` is 1 in the arithmetic.
+    """
+    q, d, *mass = [_variable(value, k, len(arguments), one) for k, value in enumerate(arguments)]
+    r, none = arguments[0] - track.field.i * track.eta_b, one * 0
+    roots = [_root(track, p, r, none, len(arguments)) for p in (z.a, z.b, z.c, z.e)]
+    places = tuple(d * k for k in range(len(track.eta_m)))
     moving = Track(field, track.alpha, track.axial, track.eta_b, track.eta_m, places, track.cuts_on_line)
-    return scaled_characteristic(moving, SplitRoots(*roots), [frequency * frequency * 2 / field.pi])[0]
+    kappa = q * q * 2 / field.pi
+    return scaled_characteristic(moving, SplitRoots(*roots), [kappa * mass[0] if mass else kappa])[0]
 
 
-def _root(track: Track, p: Any, r: Any, none: Any) -> Dual:
+def _variable(value: Any, number: int, count: int, one: Any) -> Dual:
+    none, order = one * 0, range(count)
+    units = [one if k == number else none for k in order]
+    return Dual(Dual(value, units), [Dual(unit, [none] * count) for unit in units])
+
+
+def _root(track: Track, p: Any, r: Any, none: Any, count: int) -> Dual:
     """p(q) with p_q = −D_q/D_p and p_qq = −(D_qq + 2 D_pq p_q + D_pp p_q²)/D_p."""
     slope = (p * p - track.A * 2) * p * 4 + track.alpha * r * 8
     first = (track.alpha * p - r) * -8 / slope
     second = -((track.alpha * first * 16 - 8 + (p * p * 12 - track.A * 8) * first * first) / slope)
-    return Dual(Dual(p, [first, none]), [Dual(first, [second, none]), Dual(none, [none, none])])
+    rest = [none] * (count - 1)
+    return Dual(Dual(p, [first, *rest]), [Dual(first, [second, *rest]), *(Dual(none, [none, *rest]) for _ in rest)])
 
 
 def convex_branch(family: Family, edges: Any, roots: Any) -> bool:
@@ -110,7 +126,8 @@ class _Tubes:
             kappa = Discs(middle) * Discs(middle) * 2 / field.pi
             at = arrays(family.at(field, Discs(d.m)), len(middle))
             value = scaled_characteristic(at, still.roots, [kappa])[0]
-            self.second = _second_order(self.model, DualField(), over.roots, self.q, d, Discs(np.ones_like(middle)))
+            one = Discs(np.ones_like(middle))
+            self.second = second_order(self.model, DualField(), over.roots, [self.q, d], one)
             along_q, along_d = self.second.value.slopes
             step = (value + along_d * Discs(np.zeros_like(middle), d.r)) / along_q
             self.image = Discs(middle) - step

@@ -132,7 +132,7 @@ def _middles(boxes: Region) -> tuple[list[Any], list[Any]]:
     """The middles of x and of the parameters, and the half-widths, rounded outward."""
     sides = [(boxes[:, k], boxes[:, k + 1]) for k in range(0, boxes.shape[1], 2)]
     middles = [(low + high) / 2 for low, high in sides]
-    reaches = [np.maximum(h - m, m - l) * _OUT for (l, h), m in zip(sides, middles, strict=True)]
+    reaches = [np.maximum(b - m, m - a) * _OUT for (a, b), m in zip(sides, middles, strict=True)]
     return middles, reaches
 
 
@@ -147,7 +147,9 @@ def _models(families: Sequence[Family], owner: Any, field: Any, values: Sequence
             axial=_gathered([one.axial for one in fixed], owner),
             eta_b=_gathered([one.eta_b for one in fixed], owner),
             eta_m=tuple(_gathered(column, owner) for column in zip(*(one.eta_m for one in fixed), strict=True)),
-            positions=tuple(_gathered(column, owner) for column in zip(*(one.positions for one in fixed), strict=True)),
+            positions=tuple(
+                _gathered(column, owner) for column in zip(*(one.positions for one in fixed), strict=True)
+            ),
         )
     for name, value in zip(families[0].parameters, values, strict=True):
         model = moved(model, name, value)
@@ -222,7 +224,10 @@ def _value(family: Family, field: Any, model: Track, roots: SplitRoots, q: Any, 
     if "level" in family.parameters:
         u = values[family.parameters.index("level")]
         return scaled_characteristic(model, roots, [u * (q * q + 1)], 1 - u)[0]
-    return scaled_characteristic(model, roots, [q * q * 2 / field.pi])[0]
+    kappa = q * q * 2 / field.pi
+    if "mass" in family.parameters:
+        kappa = kappa * values[family.parameters.index("mass")]
+    return scaled_characteristic(model, roots, [kappa])[0]
 
 
 def _by_slopes(

@@ -14,14 +14,15 @@ from mpsolve.model.branch import ALONG_ALPHA, ALONG_DAMPING, Motion, Track, trac
 from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
 
-Parameter = Literal["alpha", "eta_b", "distance", "level"]
+Parameter = Literal["alpha", "eta_b", "distance", "level", "mass"]
 
 
 @dataclass(frozen=True)
 class Family:
     """`case` with its parameter set free, on the line Im q = height.
 
-    "distance": the masses stand at 0, d, 2d, …. "level": the masses are η·eta_m. `second` is free as well if given.
+    "distance": the masses stand at 0, d, 2d, …. "level": the masses are η·eta_m; "mass": they are t·eta_m. `second`
+    is free as well if given.
     """
 
     case: Case
@@ -35,7 +36,7 @@ class Family:
         return (self.parameter,) if self.second is None else (self.parameter, self.second)
 
     def at(self, arithmetic: Any, *values: Any) -> Track:
-        """The numbers of the case at these values of its parameters (a level apart, which is no number of the case)."""
+        """The numbers of the case at these values of its parameters (levels and masses apart: they go into κ)."""
         model = self.fixed(arithmetic)
         for name, value in zip(self.parameters, values, strict=True):
             model = moved(model, name, value)
@@ -56,11 +57,11 @@ class Family:
     def case_at(self, t: Exact) -> Case:
         """The case at an exact t (not for a free mass level)."""
         if self.parameter == "alpha":
-            return _changed(self.case, alpha=t)
+            return changed(self.case, alpha=t)
         if self.parameter == "eta_b":
-            return _changed(self.case, eta_b=t)
+            return changed(self.case, eta_b=t)
         if self.parameter == "distance":
-            return _changed(self.case, positions=[t * k for k in range(self.case.count)])
+            return changed(self.case, positions=[t * k for k in range(self.case.count)])
         raise ValueError("a free mass level has no case of its own")
 
     def motion(self, count: int) -> Motion:
@@ -84,7 +85,8 @@ def moved(model: Track, name: Parameter, value: Any) -> Track:
     return model
 
 
-def _changed(case: Case, **changes: Any) -> Case:
+def changed(case: Case, **changes: Any) -> Case:
+    """The case with other values for some of its keys."""
     values: dict[str, Any] = {name: getattr(case, name) for name in ("alpha", "eta_b", "eta_n", "eta_s")}
     values |= {"eta_m": case.eta_m, "positions": case.positions} | changes
     return Case(**values)

@@ -1,4 +1,4 @@
-"""Two real equations, given as one complex function f of two real unknowns: Newton's step and Krawczyk's test."""
+"""Newton's step and Krawczyk's test: for a complex function of two real unknowns, and for n real equations."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from mpsolve.discs import Discs
 
-acb, arb = flint.acb, flint.arb
+acb, arb, arb_mat = flint.acb, flint.arb, flint.arb_mat
 
 
 def newton_step(f: Any, fx: Any, ft: Any) -> tuple[Any, Any] | None:
@@ -44,6 +44,27 @@ def contracted(f: Any, fx: Any, ft: Any, x: Any, t: Any, dx: Any, dt: Any) -> tu
     move_t = -v + tx * spread_x + tt * spread_t
     if spread_x.contains_interior(move_x) and spread_t.contains_interior(move_t):
         return x + move_x, t + move_t
+    return None
+
+
+def contracted_all(values: Any, jacobian: Any, centre: Any, reaches: Any) -> list[Any] | None:
+    """As `contracted`, for n real equations in n real unknowns: the image of the box centre ± reaches, or None.
+
+    values: at the centre, arb of length n; jacobian: over the box, rows of arb, shape (n, n).
+    """
+    n = len(centre)
+    slopes = arb_mat(n, n, [entry for row in jacobian for entry in row])
+    middle = arb_mat(n, n, [entry.mid() for row in jacobian for entry in row])
+    try:
+        inverse = middle.inv()
+    except ZeroDivisionError:
+        return None
+    inverse = arb_mat(n, n, [entry.mid() for entry in inverse.entries()])  # any matrix will do, an exact one is sharp
+    one = arb_mat(n, n, [int(j == k) for j in range(n) for k in range(n)])
+    spread = arb_mat(n, 1, [arb(0, reach) for reach in reaches])
+    move = (one - inverse * slopes) * spread - inverse * arb_mat(n, 1, list(values))
+    if all(spread[k, 0].contains_interior(move[k, 0]) for k in range(n)):
+        return [centre[k] + move[k, 0] for k in range(n)]
     return None
 
 

@@ -44,7 +44,7 @@ def run_bunches(
     tell: Tell | None = None,
     stage: str = "working",
 ) -> list[Result]:
-    """The results of work(bunch) for bunches of jobs in order, the same bunches for any number of workers; see `run`."""
+    """The results of work(bunch) for bunches of jobs in order, the same for any number of workers; see `run`."""
     size = min(_BUNCH, -(-len(jobs) // _BUNCHES)) or 1
     bunches = [jobs[k : k + size] for k in range(0, len(jobs), size)]
     return [result for results in run(work, bunches, workers, tell, stage) for result in results]

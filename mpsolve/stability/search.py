@@ -57,8 +57,9 @@ def all_zeros(
         few, levels = (160, 64) if not turn else (0, _LEVELS)
         cover = yield Job(family, boxes, holes, few, levels, budget - evaluations)
         boxes, evaluations = cover.open, evaluations + cover.evaluations
-        boxes, spent = _by_balls(family, boxes, holes)
-        evaluations += spent
+        if turn:  # the first time, holes about the zeros are the better remedy
+            boxes, spent = _by_balls(family, boxes, holes)
+            evaluations += spent
         if not len(boxes) or evaluations > budget:
             break
         for x, t in _centres(boxes) if len(boxes) <= _BALLS else ():
@@ -120,22 +121,26 @@ def _holds(one: Zero, other: Zero) -> bool:
 
 
 def _centres(boxes: Region) -> list[tuple[float, float]]:
-    """The middles of the clusters that the boxes form, and of their largest box."""
-    rest, centres = list(range(len(boxes))), []
-    while rest:
-        cluster, rest = [rest[0]], rest[1:]
-        for k in cluster:
-            near = [j for j in rest if _touch(boxes[k], boxes[j])]
-            cluster += near
-            rest = [j for j in rest if j not in near]
-        x0, x1, t0, t1 = boxes[cluster].T
-        centres.append(((x0.min() + x1.max()) / 2, (t0.min() + t1.max()) / 2))
+    """The middles of the clusters that the boxes form."""
+    x0, x1, t0, t1 = boxes.T
+    touch = _near(x0, x1) & _near(t0, t1)
+    rest, centres = np.ones(len(boxes), dtype=bool), []
+    while rest.any():
+        cluster = np.zeros(len(boxes), dtype=bool)
+        fresh = np.arange(len(boxes)) == np.argmax(rest)
+        while fresh.any():
+            cluster |= fresh
+            fresh = touch[fresh].any(axis=0) & ~cluster
+        rest &= ~cluster
+        centres.append(tuple((low[cluster].min() + high[cluster].max()) / 2 for low, high in ((x0, x1), (t0, t1))))
     return centres
 
 
-def _touch(a: Any, b: Any) -> bool:
-    dx, dt = _MERGE * max(a[1] - a[0], b[1] - b[0]), _MERGE * max(a[3] - a[2], b[3] - b[2])
-    return bool(a[0] - dx <= b[1] and b[0] - dx <= a[1] and a[2] - dt <= b[3] and b[2] - dt <= a[3])
+def _near(low: Any, high: Any) -> Any:
+    """Which intervals are nearly as close as their widths, shape (n, n)."""
+    width = high - low
+    slack = _MERGE * np.maximum(width[:, None], width)
+    return (low[:, None] - slack <= high) & (low - slack <= high[:, None])
 
 
 def _strips(boxes: Region, reasons: dict[tuple[int, int], str]) -> tuple[Strip, ...]:

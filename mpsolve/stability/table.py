@@ -290,9 +290,7 @@ def _solve(job: _Job) -> Search[Entry]:
 
 def _mass(job: _Job, digits: int) -> Search[Entry]:
     case = job.case
-    found = yield from crossings_search(
-        case.alpha, case.eta_b, case.positions, None, case.eta_n, case.eta_s, digits
-    )
+    found = yield from crossings_search(case.alpha, case.eta_b, case.positions, None, case.eta_n, case.eta_s, digits)
     if not found.proved:
         return Entry("undecided", None, found.reason + remark("the level u of all masses", found.strips, UNIT))
     if not len(found):

@@ -49,7 +49,7 @@ class Zero:
         return x - dx, x + dx, t - dt, t + dt
 
 
-def mass_level(zero: Zero) -> Any:
+def mass_level(zero: Any) -> Any:
     """η = πx/(2q²), x = (1 + q²) u/(1 − u), of a zero of a free mass level."""
     square = zero.x * zero.x
     return arb.pi() * (1 + square) * zero.t / (1 - zero.t) / (2 * square)

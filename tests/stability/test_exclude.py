@@ -201,3 +201,39 @@ def test_local_values_and_slopes_hold_the_truth(name: str) -> None:
         slopes = (at(u + step, v) - at(u - step, v)) / (2 * step), (at(u, v + step) - at(u, v - step)) / (2 * step)
         for disc, exact in ((value, at(0, 0)), (along_x, slopes[0]), (along_t, slopes[1])):
             assert abs(exact - complex(disc.m[k])) <= float(disc.r[k]) + 1e-9 * (1 + abs(exact))
+
+
+# --- many jobs, and a second parameter ----------------------------------------------------------------------------
+
+
+def test_jobs_that_share_a_sweep_keep_their_zeros_and_leave_what_they_leave_alone() -> None:
+    jobs = []
+    for eta, alpha in ((20, 1.0), (30, 0.97), (60, 0.96)):
+        family = Family(Case(alpha=0, eta_b="0.1", eta_m=(eta, eta), positions=(0, 1)), "alpha")
+        x, t = (float(v) for v in approach(family, 0.2, alpha) or ())
+        jobs.append((x, t, Job(family, np.array([[0.7 * x, 1.3 * x, 0.99 * t, 1.005 * t]]), NONE, 0, 9)))
+    for (x, t, job), cover in zip(jobs, exclude_all([job for *_, job in jobs]), strict=True):
+        held = cover.open
+        assert ((held[:, 0] <= x) & (x <= held[:, 1]) & (held[:, 2] <= t) & (t <= held[:, 3])).any()
+        assert np.allclose(held, exclude(job).open)
+
+
+def test_no_box_in_three_dimensions_with_a_zero_is_free() -> None:
+    """Masses t·20 at the distance d: the zero at each d of a row of distances, in boxes of any shape about it."""
+    rng = np.random.default_rng(5)
+    family = Family(Case(alpha="0.99", eta_b="0.1", eta_m=(20, 20), positions=(0, 1)), "mass", second="distance")
+    for d in (0.9, 1.1, 1.3):
+        alone = Family(Case(alpha="0.99", eta_b="0.1", eta_m=(20, 20), positions=(0, str(d))), "level")
+        point = approach(alone, 0.2, 0.3)
+        assert point is not None
+        x, u = (float(v) for v in point)
+        t = np.pi * (1 + x * x) * u / (1 - u) / (2 * x * x)
+        widths = 10.0 ** rng.uniform(-9, -0.3, (6, 1500))
+        sides = [(v - widths[2 * k] * v, v + widths[2 * k + 1] * v) for k, v in enumerate((x, t, d))]
+        boxes = np.stack([side for pair in sides for side in pair], axis=1)
+        free, axis = _tested([family], np.zeros(len(boxes), dtype=int), DiscField(), boxes)
+        assert not free.any()
+        assert set(np.unique(axis)) <= {0, 1, 2}
+        beside = boxes + np.array([0, 0, 0.2 * t, 0.2 * t, 0, 0])
+        small = (widths < 1e-3).all(axis=0)
+        assert _tested([family], np.zeros(int(small.sum()), dtype=int), DiscField(), beside[small])[0].all()

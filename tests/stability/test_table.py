@@ -171,7 +171,7 @@ def test_what_cannot_be_computed_is_undecided(monkeypatch: pytest.MonkeyPatch) -
     def fail(*_: object) -> None:
         raise PrecisionError("too wide")
 
-    monkeypatch.setattr(table, "onset_velocity", fail)
+    monkeypatch.setattr(table, "onset_search", fail)
     entry = one(fixed={"eta_b": "0.05"})
     assert (entry.status, entry.reason) == ("undecided", "too wide")
 
@@ -189,7 +189,7 @@ def test_examples_are_what_they_say(
         jobs.extend(given)
         return [Entry("stable")] * len(given)
 
-    monkeypatch.setattr(table, "run", collect)
+    monkeypatch.setattr(table, "run_bunches", collect)
     found = onset_table(EXAMPLES / f"{name}.toml")
     assert (len(found.entries), len(found.entries[0])) == shape
     assert found.title
