@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from mpsolve.certificate.verify import Verdict, verify
     from mpsolve.errors import CertificateError, InputError, MpsolveError
+    from mpsolve.fast.follow import Outcome
+    from mpsolve.fast.frequencies import Frequencies, frequencies
+    from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.model.exact import Exact
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -35,6 +38,11 @@ __all__ = [
     "Spectrum",
     "Status",
     "RootBall",
+    "frequencies",
+    "Frequencies",
+    "Outcome",
+    "seeds",
+    "Seeds",
     "crossing_masses",
     "unstable_velocities",
     "onset_velocity",
@@ -63,6 +71,11 @@ _HOME = {
     "Spectrum": "spectrum.certify",
     "Status": "spectrum.certify",
     "RootBall": "spectrum.enclose",
+    "frequencies": "fast.frequencies",
+    "Frequencies": "fast.frequencies",
+    "Outcome": "fast.follow",
+    "seeds": "fast.seeds",
+    "Seeds": "fast.seeds",
     "crossing_masses": "stability.masses",
     "unstable_velocities": "stability.velocities",
     "onset_velocity": "stability.velocities",

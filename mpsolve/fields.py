@@ -106,6 +106,15 @@ class Float64:
             np.where(near, carrier * x**3 * third, far_third),
         )
 
+    def one_minus_exp(self, z: Any, x: Any) -> Any:
+        """(1 − e^{izx})/z, entire in z; 1 − e^{iv} = −2i e^{iv/2} sin(v/2) near 0."""
+        v = z * x
+        near = np.abs(v) < 1e-3
+        if not near.any():
+            return (1 - np.exp(1j * v)) / z
+        series = -1j * x * (1 + 1j * v / 2 * (1 + 1j * v / 3 * (1 + 1j * v / 4 * (1 + 1j * v / 5))))
+        return np.where(near, series, (1 - np.exp(1j * v)) / np.where(near, 1, z))
+
     def det(self, rows: Sequence[Sequence[Any]]) -> Any:
         if len(rows) <= 2:
             return laplace_det(rows)

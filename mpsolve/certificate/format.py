@@ -48,13 +48,14 @@ def _lines(value: Any) -> str:
     return json.dumps(value, allow_nan=False)
 
 
-def write_whole(path: Path, text: str) -> Path:
-    """Writes `text` beside `path` first and then moves it there."""
+def write_whole(path: Path, content: str | bytes) -> Path:
+    """Writes `content` (text as UTF-8) beside `path` first and then moves it there."""
+    data = content if isinstance(content, bytes) else content.encode()
     try:
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
-            with os.fdopen(handle, "w", encoding="utf-8") as file:
-                file.write(text)
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
                 file.flush()
                 os.fsync(file.fileno())
             os.chmod(name, 0o644)

@@ -1,0 +1,208 @@
+"""Starting guesses for other solvers: certified roots over a grid, each with a proved basin of Newton's method."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import flint
+import numpy as np
+
+from mpsolve.certificate.format import write_whole
+from mpsolve.errors import InputError, MpsolveError, PrecisionError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.branch import track
+from mpsolve.model.characteristic import characteristic
+from mpsolve.model.exact import Exact, Number
+from mpsolve.model.parameters import Case
+from mpsolve.spectrum.certify import certify
+from mpsolve.spectrum.cluster import Taylor, taylor
+from mpsolve.stability.pool import run
+from mpsolve.stability.search import Tell
+
+FORMAT, VERSION = "mpsolve seeds", 1
+PARAMETERS = ("alpha", "eta_b", "eta_m", "d", "eta_n", "eta_s", "mass_ratio")
+CLAIM = (
+    "From any start with |q - seed| <= radius, Newton's method on Delta converges to the one root in that disc, and "
+    "each step at least halves the distance to it; a step with an error of at most radius/4 stays in the disc."
+)
+_BITS = 96
+_WIDER = 1.001  # the proof is for a disc that also holds the one about the root itself
+_CIRCLES, _ARCS, _SHRINK = 10, 32, 3
+
+Row = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Seeds:
+    """Row k: the case `cases[k]` (exact texts in the order of PARAMETERS), a root q[k] and its proved radius[k].
+
+    q: complex128, shape (n,), all the roots of a case together, sorted by (Re q, Im q), each within |q|·10^−15 of
+    the root; radius: float64. undecided: the cases whose roots are not all there, which have no row. The claim
+    is CLAIM, for exact arithmetic.
+    """
+
+    cases: tuple[Row, ...]
+    q: Any
+    radius: Any
+    undecided: tuple[Row, ...]
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Writes .npz, .csv (rows alone) or .json. InputError for another name, CertificateError if it fails."""
+        file = Path(path)
+        writers: dict[str, Callable[[], str | bytes]] = {".npz": self._npz, ".csv": self._csv, ".json": self._json}
+        if file.suffix.lower() not in writers:
+            raise InputError("output", f"{path} does not end in {', '.join(writers)}: give a name that does")
+        return write_whole(file, writers[file.suffix.lower()]())
+
+    def _npz(self) -> bytes:
+        buffer = io.BytesIO()
+        columns = np.array(self.cases, dtype=str).reshape(-1, len(PARAMETERS)).T
+        content: dict[str, Any] = dict(zip(PARAMETERS, columns, strict=True))
+        content["undecided"] = np.array(self.undecided, dtype=str).reshape(-1, len(PARAMETERS))
+        np.savez(buffer, q=self.q, radius=self.radius, claim=np.array(CLAIM), **content)
+        return buffer.getvalue()
+
+    def _csv(self) -> str:
+        buffer = io.StringIO()
+        table = csv.writer(buffer, lineterminator="\n")
+        table.writerow([*PARAMETERS, "q_re", "q_im", "radius"])
+        for case, q, radius in zip(self.cases, self.q.tolist(), self.radius.tolist(), strict=True):
+            table.writerow([*case, repr(q.real), repr(q.imag), repr(radius)])
+        return buffer.getvalue()
+
+    def _json(self) -> str:
+        rows = zip(self.cases, self.q.tolist(), self.radius.tolist(), strict=True)
+        content = {
+            "format": FORMAT,
+            "version": VERSION,
+            "claim": CLAIM,
+            "parameters": PARAMETERS,
+            "seeds": [{"case": case, "q": [q.real, q.imag], "radius": radius} for case, q, radius in rows],
+            "undecided": self.undecided,
+        }
+        return json.dumps(content, indent=1) + "\n"
+
+
+def seeds(
+    alpha: Sequence[Number],
+    eta_b: Sequence[Number],
+    eta_m: Sequence[Number],
+    d: Sequence[Number],
+    eta_n: Sequence[Number] = (0,),
+    eta_s: Sequence[Number] = (0,),
+    mass_ratio: Sequence[Number] = (1,),
+    *,
+    workers: int = 1,
+    tell: Tell | None = None,
+) -> Seeds:
+    """A table over all combinations of the values given, rational each: masses eta_m at 0, mass_ratio·eta_m at d.
+
+    mass_ratio = 0 is a single mass. Every root of the sheet is there, proved by `certify`, or the case is named as
+    undecided. workers as in `frequencies`. InputError for values that no case can have, before any work is done.
+    """
+    given = (alpha, eta_b, eta_m, d, eta_n, eta_s, mass_ratio)
+    grids = []
+    for name, values in zip(PARAMETERS, given, strict=True):
+        if isinstance(values, str) or not isinstance(values, (Sequence, np.ndarray)) or not len(values):
+            raise InputError(name, f"is {values!r}: give a list of one or more values")
+        grids.append([str(Exact.parse(value, name)) for value in values])
+    rows = list(product(*grids))
+    for row in rows:
+        if not _case(row).cuts_on_line:
+            raise InputError(
+                "eta_b", f"of the case {row} leaves no sheet with its cuts on a line: lower it, or eta_n"
+            )
+    results = run(_seeds_of, rows, workers, tell, "proving")
+    found = [(row, q, radius) for row, pairs in zip(rows, results, strict=True) for q, radius in pairs or ()]
+    return Seeds(
+        tuple(row for row, _, _ in found),
+        np.array([q for _, q, _ in found], dtype=complex),
+        np.array([radius for _, _, radius in found], dtype=float),
+        tuple(row for row, pairs in zip(rows, results, strict=True) if pairs is None),
+    )
+
+
+def _case(row: Row) -> Case:
+    alpha, eta_b, eta_m, d, eta_n, eta_s, ratio = map(Exact, row)
+    if ratio.sign < 0:
+        raise InputError("mass_ratio", f"is {ratio.short()}: give a ratio from 0")
+    two = ratio.sign > 0
+    return Case(
+        alpha=alpha,
+        eta_b=eta_b,
+        eta_m=[eta_m, eta_m * ratio] if two else [eta_m],
+        positions=[Exact(0), d] if two else [0],
+        eta_n=eta_n,
+        eta_s=eta_s,
+    )
+
+
+def _seeds_of(row: Row) -> list[tuple[complex, float]] | None:
+    """(q, radius) of every root; None where a proof fails."""
+    case = _case(row)
+    try:
+        spectrum = certify(case, 30)
+        if not spectrum.proved:
+            return None
+        return [(complex(root.q.mid()), basin(case, root.q)) for root in spectrum.roots]
+    except MpsolveError:
+        return None
+
+
+def basin(case: Case, root: Any) -> float:
+    """A radius ρ about the float64 midpoint c of the root's ball: Newton's method on Δ from |q − c| ≤ ρ is proved
+    to halve the distance to the root z with every step. Raises `PrecisionError` where no ρ can be proved.
+
+    Let |Δ' − Δ'(c)| ≤ e in the disc. Newton's step from q ends at z + (1 − a/b)(q − z), where b = Δ'(q) and a is a
+    mean of Δ' between z and q, so that |1 − a/b| ≤ 2e/(|Δ'(c)| − e) ≤ 1/2 if e ≤ |Δ'(c)|/5. The same shows that
+    z is alone.
+    """
+    centre = complex(root.mid())
+    best = 0.0
+    with ball_arithmetic(_BITS) as field:
+        model, c = track(case, field), flint.acb(centre.real, centre.imag)
+        for k in range(_CIRCLES):
+            outer = abs(centre) * 2.0 ** (-1 - k)
+            if outer <= 2 * best:
+                break
+            try:
+                bound = _on_circle(model, c, outer)
+                series = taylor(lambda q: characteristic(model, q), c, flint.arb(outer), bound, _SHRINK)
+            except PrecisionError:
+                continue
+            radii = (outer * 2.0 ** (-1 - j / 4) for j in range(48))
+            best = max(best, next((radius for radius in radii if _contracts(series, _WIDER * radius)), 0.0))
+        if best > 0 and abs(flint.acb(root) - c) < (_WIDER - 1) / 2 * best:
+            return best
+    raise PrecisionError(
+        f"no basin could be proved about {centre:.6g}: the root is too close to a cut or another root"
+    )
+
+
+def _on_circle(model: Any, c: Any, r: float) -> Any:
+    """A bound of |Δ| on |q − c| = r, and so within: the cuts are unbounded, a disc whose rim meets none is free of
+    them. `PrecisionError` where an arc may meet a cut.
+    """
+    bound = flint.arb(0)
+    for k in range(_ARCS):
+        turn = (2 * k + 1 + flint.arb(0, 1)) / _ARCS
+        bound = bound.max(flint.arb(characteristic(model, c + r * flint.acb(turn).exp_pi_i()).abs_upper()))
+    if not bound.is_finite():
+        raise PrecisionError("the arcs of a circle are too wide: take a smaller circle")
+    return bound
+
+
+def _contracts(series: Taylor, radius: float) -> bool:
+    """e ≤ |a₁|/5 with e = Σ k |a_k| ρ^(k−1), k ≥ 2, whose end is bounded by |a_k| ≤ bound/outer^k."""
+    rho, x, n = flint.arb(radius), radius / series.outer, len(series.coefficients)
+    tail = series.bound / series.outer * x ** (n - 1) * (n - (n - 1) * x) / (1 - x) ** 2
+    e = sum((k * abs(series.coefficients[k]) * rho ** (k - 1) for k in range(2, n)), tail)
+    return bool(x < 1 and 5 * e <= abs(series.coefficients[1]))
