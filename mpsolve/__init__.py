@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from mpsolve.model.exact import Exact
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
+    from mpsolve.model.receptance import receptance
     from mpsolve.spectrum.certify import Spectrum, Status, certify
     from mpsolve.spectrum.enclose import RootBall
     from mpsolve.spectrum.region import Rectangle
@@ -33,6 +34,7 @@ __all__ = [
     "Mass",
     "Exact",
     "read_case",
+    "receptance",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -66,6 +68,7 @@ _HOME = {
     "Mass": "model.parameters",
     "Exact": "model.exact",
     "read_case": "model.inputfile",
+    "receptance": "model.receptance",
     "certify": "spectrum.certify",
     "Rectangle": "spectrum.region",
     "Spectrum": "spectrum.certify",
