@@ -5,14 +5,18 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve.certificate.verify import Verdict, verify
-    from mpsolve.errors import CertificateError, InputError, MpsolveError
+    from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.model.exact import Exact
     from mpsolve.model.inputfile import read_case
+    from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.model.receptance import receptance
+    from mpsolve.motion.beam import BeamResponse, finite_beam
+    from mpsolve.motion.solve import HarmonicSolution, Response, harmonic_solution, response
+    from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.spectrum.certify import Spectrum, Status, certify
     from mpsolve.spectrum.enclose import RootBall
     from mpsolve.spectrum.region import Rectangle
@@ -25,6 +29,7 @@ if TYPE_CHECKING:
     from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
     from mpsolve.stability.velocities import onset_velocity, unstable_velocities
+    from mpsolve.studies.run import Study, open_study, study
 
 __version__ = "0.1.0"
 
@@ -55,11 +60,27 @@ __all__ = [
     "damping_sensitivity",
     "onset_table",
     "stability_chart",
+    "Load",
+    "response",
+    "Response",
+    "harmonic_solution",
+    "HarmonicSolution",
+    "envelope",
+    "superposition",
+    "merged",
+    "transient_importance",
+    "deflection_shape",
+    "finite_beam",
+    "BeamResponse",
+    "study",
+    "open_study",
+    "Study",
     "verify",
     "Verdict",
     "MpsolveError",
     "InputError",
     "CertificateError",
+    "StudyError",
 ]
 
 _HOME = {
@@ -89,11 +110,27 @@ _HOME = {
     "damping_sensitivity": "stability.sensitivity",
     "onset_table": "stability.table",
     "stability_chart": "stability.chart",
+    "Load": "model.load",
+    "response": "motion.solve",
+    "Response": "motion.solve",
+    "harmonic_solution": "motion.solve",
+    "HarmonicSolution": "motion.solve",
+    "envelope": "motion.study",
+    "superposition": "motion.study",
+    "merged": "motion.study",
+    "transient_importance": "motion.study",
+    "deflection_shape": "motion.study",
+    "finite_beam": "motion.beam",
+    "BeamResponse": "motion.beam",
+    "study": "studies.run",
+    "open_study": "studies.run",
+    "Study": "studies.run",
     "verify": "certificate.verify",
     "Verdict": "certificate.verify",
     "MpsolveError": "errors",
     "InputError": "errors",
     "CertificateError": "errors",
+    "StudyError": "errors",
 }
 
 

@@ -1,4 +1,4 @@
-"""The command `mpsolve`: certify a case, verify certificates, derive the model; the rest is in cli_stability.py.
+"""The command `mpsolve`: certify a case, verify, derive; the other commands are in the modules cli_*.py.
 
 Exit status: 0 if what was asked for is proved (an unstable case too) or valid; 1 if it is undecided or
 invalid, or if the certificate could not be written; 2 for input that cannot be used. Standard output carries
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve.cli_stability import COMMANDS
+from mpsolve import cli_response, cli_stability, cli_study
 from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
 
 if TYPE_CHECKING:
@@ -144,8 +144,9 @@ def derive(latex: bool, masses: int) -> None:
         click.echo(render(derivation(masses), "latex" if latex else "text"), nl=False)
 
 
-for command in COMMANDS:
-    cli.add_command(command)
+for module in (cli_stability, cli_response, cli_study):
+    for command in module.COMMANDS:
+        cli.add_command(command)
 
 
 def main() -> None:

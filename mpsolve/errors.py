@@ -21,3 +21,7 @@ class PrecisionError(MpsolveError, ArithmeticError):
 
 class CertificateError(MpsolveError):
     """A certificate cannot be written or read; the message names the file and the cause."""
+
+
+class StudyError(MpsolveError):
+    """A study cannot be stored or read; the message names the file, the cause and what helps."""

@@ -83,6 +83,11 @@ class Float64:
             best = np.where(np.imag(s) > np.imag(best), s, best)
         return best
 
+    def ranked_sum(self, a2: Any, a1: Any, a0: Any, rank: int) -> Any:
+        """As `dominant_sum`, but the one of this rank (0, 1, 2) by imaginary part, the largest first."""
+        sums = np.stack(np.broadcast_arrays(*(self.upper(self.sqrt(y)) for y in cardano(a2, a1, a0))))
+        return np.take_along_axis(sums, np.argsort(-sums.imag, axis=0)[rank : rank + 1], 0)[0]
+
     def largest_real_root(self, a2: Any, a1: Any, a0: Any) -> Any:
         roots = np.stack(np.broadcast_arrays(*cardano(a2, a1, a0)))
         real = np.abs(roots.imag) <= 1e-7 * np.max(np.abs(roots), axis=0)
@@ -199,6 +204,13 @@ class MP:
     def dominant_sum(self, a2: Any, a1: Any, a0: Any) -> Any:
         with self.context.workprec(3 * self.bits):
             s = max((self.upper(self.sqrt(y)) for y in self._cardano(a2, a1, a0)), key=lambda s: self.context.im(s))
+        return +s
+
+    def ranked_sum(self, a2: Any, a1: Any, a0: Any, rank: int) -> Any:
+        """As `dominant_sum`, but the one of this rank (0, 1, 2) by imaginary part, the largest first."""
+        with self.context.workprec(3 * self.bits):
+            sums = [self.upper(self.sqrt(y)) for y in self._cardano(a2, a1, a0)]
+            s = sorted(sums, key=lambda s: -self.context.im(s))[rank]
         return +s
 
     def _cardano(self, a2: Any, a1: Any, a0: Any) -> list[Any]:

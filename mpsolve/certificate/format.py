@@ -6,9 +6,11 @@ import hashlib
 import json
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from mpsolve.errors import CertificateError
 from mpsolve.model.parameters import Case
@@ -49,13 +51,23 @@ def _lines(value: Any) -> str:
 
 
 def write_whole(path: Path, content: str | bytes) -> Path:
-    """Writes `content` (text as UTF-8) beside `path` first and then moves it there."""
-    data = content if isinstance(content, bytes) else content.encode()
+    """Writes `content` beside `path` first and then moves it there."""
+    with whole_file(path) as file:
+        file.write(content.encode("utf-8") if isinstance(content, str) else content)
+    return path
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[BinaryIO]:
+    """A file beside `path` that is moved there at the end, or removed after an error.
+
+    Raises CertificateError if it cannot be written.
+    """
     try:
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
             with os.fdopen(handle, "wb") as file:
-                file.write(data)
+                yield file
                 file.flush()
                 os.fsync(file.fileno())
             os.chmod(name, 0o644)
@@ -66,7 +78,6 @@ def write_whole(path: Path, content: str | bytes) -> Path:
     except OSError as error:
         cause = error.strerror or str(error)
         raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
-    return path
 
 
 def make_certificate(case: Case, count: Count, roots: tuple[RootBall, ...]) -> Certificate:

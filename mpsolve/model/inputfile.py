@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase, errors_under
 
 MAX_BYTES = 1_000_000
@@ -40,7 +41,14 @@ _DIMENSIONLESS = {
     "eta_n": "the axial force ratio, compression positive",
     "eta_s": "the Pasternak modulus ratio",
 }
-_TOP = {"title": "a text", "physical": "a section", "mass": "a section", "dimensionless": "a section"}
+_LOAD = {
+    "constant": "the constant force ratio",
+    "amplitude": "the amplitude ratio of the harmonic force",
+    "frequency": "the dimensionless excitation frequency",
+    "phase": "the phase in rad",
+}
+_SECTIONS = ("physical", "mass", "dimensionless", "load")
+_TOP = {"title": "a text"} | dict.fromkeys(_SECTIONS, "a section")
 _REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
 
 
@@ -52,11 +60,15 @@ class _Written(str):
 
 @dataclass(frozen=True)
 class InputFile:
-    """A case that has passed every check, with the title ("" if none) and the path of its file."""
+    """A case that has passed every check, with the title ("" if none), the path of its file, and its loads.
+
+    loads: those of [[load]], one for each mass, or None; the forces of a physical case are those of its masses.
+    """
 
     case: Case | PhysicalCase
     title: str
     path: Path
+    loads: tuple[Load, ...] | None = None
 
 
 def read_case(path: str | Path) -> Case | PhysicalCase:
@@ -69,7 +81,8 @@ def read_input(path: str | Path) -> InputFile:
 
     The file holds either [physical] (EI, m, k, v; c, kp, N default to 0; SI units) with one or more [[mass]]
     (M, position; P, P_A, omega_f, phi_f default to 0), or [dimensionless] (alpha, eta_b, eta_m, positions;
-    eta_n, eta_s default to 0), and may have a title. Raises InputError under the key at fault, such as
+    eta_n, eta_s default to 0) with no [[load]] or one for each mass (constant defaults to 1; amplitude, frequency,
+    phase to 0), and may have a title. Raises InputError under the key at fault, such as
     physical.EI, mass[2].M or dimensionless.eta_m[1] (counted from 1), or under the path if the file cannot
     be read.
     """
@@ -80,7 +93,10 @@ def read_input(path: str | Path) -> InputFile:
     if type(title) is not str:
         raise InputError("title", f'is {_kind(title)}, not a text: write title = "…"')
     if "dimensionless" in content:
-        return InputFile(_dimensionless(content), title, file)
+        case = _dimensionless(content)
+        return InputFile(case, title, file, _loads(content, case))
+    if "load" in content:
+        raise InputError("load", "stands without [dimensionless]: give P, P_A, omega_f, phi_f in [[mass]]")
     if "physical" in content:
         return InputFile(_physical(content), title, file)
     if "mass" in content:
@@ -134,6 +150,22 @@ def _dimensionless(content: Mapping[str, Any]) -> Case:
             if not isinstance(table[name], list):
                 raise InputError(name, f"is {_kind(table[name])}, not a list: write {name} = [ … ]")
         return Case(**table)
+
+
+def _loads(content: Mapping[str, Any], case: Case) -> tuple[Load, ...] | None:
+    if "load" not in content:
+        return None
+    entries = content["load"]
+    if not isinstance(entries, list):
+        raise InputError("load", f"is {_kind(entries)}: write [[load]] in double brackets for each mass")
+    loads = []
+    for j, entry in enumerate(entries, 1):
+        table = _table(entry, f"load[{j}]", _LOAD)
+        with errors_under(f"load[{j}]."):
+            loads.append(Load(**table))
+    if len(loads) != case.count:
+        raise InputError("load", f"has {len(loads)} entries for {case.count} masses: give one [[load]] for each")
+    return tuple(loads)
 
 
 def _physical(content: Mapping[str, Any]) -> PhysicalCase:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import io
-import os
-import tempfile
 import textwrap
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.errors import CertificateError, InputError
+from mpsolve.certificate.format import write_whole
+from mpsolve.errors import InputError
 from mpsolve.stability.chart import GUIDE, Column, StabilityChart
 
 if TYPE_CHECKING:
@@ -43,7 +42,7 @@ def picture(chart: StabilityChart, path: Path) -> Path:
         draw(chart, figure.add_subplot())
         stream = io.BytesIO()
         figure.savefig(stream, format=kind, dpi=160, metadata=undated[kind], facecolor="white")
-    return _write(path, stream.getvalue())
+    return write_whole(path, stream.getvalue())
 
 
 def draw(chart: StabilityChart, ax: Axes) -> Axes:
@@ -144,21 +143,3 @@ def _marker(direction: int) -> dict[str, Any]:
 def _open(chart: StabilityChart) -> str:
     widths = [band.end - band.start for column in chart.columns for band in column.bands if band.unstable is None]
     return f"undecided (the widest: {max(widths):.3g} in α)"
-
-
-def _write(path: Path, content: bytes) -> Path:
-    """Writes beside the file first and then moves it there."""
-    try:
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(content)
-            os.chmod(name, 0o644)
-            os.replace(name, path)
-        except BaseException:
-            os.unlink(name)
-            raise
-    except OSError as error:
-        cause = error.strerror or str(error)
-        raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
-    return path

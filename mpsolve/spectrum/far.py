@@ -69,7 +69,10 @@ def _require(condition: bool, what: str) -> None:
 
 @dataclass(frozen=True)
 class Asymptotics:
-    """Enclosures for all |w| ≥ W: P_k; C_k = (c/4)(1 + 2cαu + E_k); X; q² = (w⁴/4) gain; |P_k − c| ≤ spread."""
+    """Enclosures for all |w| ≥ W: P_k; C_k = (c/4)(1 + 2cαu + E_k); X; q² = (w⁴/4) gain; |P_k − c| ≤ spread.
+
+    drift: bounds of |P_k − c + c²αu|, analytic in u and 0 to first order.
+    """
 
     W: Any
     P: tuple[Any, ...]
@@ -79,6 +82,7 @@ class Asymptotics:
     gain: Any
     X: Any
     spread: Any
+    drift: tuple[Any, ...]
 
 
 _UNITS = (acb(1), acb(0, 1), acb(-1), acb(0, -1))
@@ -88,7 +92,7 @@ def asymptotics(track: Track, W: float) -> Asymptotics:
     """Encloses P_k and C_k for every |u| ≤ 1/W by interval Newton about c − c²αu."""
     alpha, A, reach = track.alpha, track.A, (1 / arb(W)).upper()
     u = acb(arb(0, reach), arb(0, reach))
-    P, C, E = [], [], []
+    P, C, E, drift = [], [], [], []
     for c in _UNITS:
         slope = -alpha * c * c
         # Q(c + slope u): the terms of order 0 and 1 cancel
@@ -103,6 +107,7 @@ def asymptotics(track: Track, W: float) -> Asymptotics:
         correction = -value / _quartic_slope(track, u, ball)
         _require(correction.is_finite() and bool(acb(size, size).contains_interior(correction)), "the p-roots")
         P.append(image)
+        drift.append(arb(abs(correction).upper()))
         # Q'(P) = 4c³ (1 − x), x = 2cαu − y, with y of second order
         rest = slope * u
         cubic = 4 * (3 * c * c * correction + 3 * c * (rest + correction) ** 2 + (rest + correction) ** 3)
@@ -115,7 +120,7 @@ def asymptotics(track: Track, W: float) -> Asymptotics:
     gain = (1 + 2 * acb(0, 1) * track.eta_b * u * u) ** 2
     X = -acb(0, 1) * gain * (acb(1, 1) + E[0] + acb(0, 1) * E[1]) / 4  # 2αu (c₀² + c₁²) = 0
     spread = _largest([abs(p - c) for p, c in zip(P, _UNITS, strict=True)])
-    return Asymptotics(arb(W), tuple(P), tuple(C), tuple(E), 2 * alpha * u, gain, X, spread)
+    return Asymptotics(arb(W), tuple(P), tuple(C), tuple(E), 2 * alpha * u, gain, X, spread, tuple(drift))
 
 
 def _quartic_slope(track: Track, u: Any, P: Any) -> Any:

@@ -6,7 +6,8 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
+from threading import Thread
 from typing import Any, TypeVar
 
 from flint import arb
@@ -37,6 +38,38 @@ _BUNCH = 16  # pieces of work that are done side by side, where this is quicker 
 _BUNCHES = 8  # few pieces make at least so many bunches, so that processors have something to share
 
 
+WORKER_ENDED = (
+    "a worker process ended before its work was done: allow fewer workers, and in a script call this under "
+    'if __name__ == "__main__":'
+)
+
+
+def checked_workers(workers: int | None) -> int:
+    """The number of processes, all processors if None; InputError for a number that cannot be."""
+    if workers is None:
+        return os.cpu_count() or 1
+    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
+        raise InputError("workers", f"is {workers!r}: give a whole number from 1")
+    return workers
+
+
+def process_pool(workers: int) -> ProcessPoolExecutor:
+    """Spawned processes that end when this one does, even if it is killed."""
+    return ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_end_with_parent)
+
+
+def _end_with_parent() -> None:
+    """Each worker holds both ends of the queue of jobs, so that it would wait for ever after a killed parent."""
+    parent = parent_process()
+    assert parent is not None
+
+    def watch() -> None:
+        parent.join()
+        os._exit(1)
+
+    Thread(target=watch, daemon=True).start()
+
+
 def run_bunches(
     work: Callable[[Sequence[Job]], list[Result]],
     jobs: Sequence[Job],
@@ -63,15 +96,11 @@ def run(
     piece that is done. Processes are spawned, so that a script must call this under `if __name__ == "__main__":`.
     InputError for a number of workers that cannot be; MpsolveError if a process dies.
     """
-    if workers is None:
-        workers = os.cpu_count() or 1
-    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
-        raise InputError("workers", f"is {workers!r}: give a whole number from 1")
-    workers = min(workers, len(jobs))
+    workers = min(checked_workers(workers), len(jobs))
     if workers <= 1:
         return _here(work, jobs, tell, stage)
     results: dict[int, Result] = {}
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+    with process_pool(workers) as pool:
         try:
             places = {pool.submit(work, job): place for place, job in enumerate(jobs)}
             for future in as_completed(places):
@@ -79,8 +108,7 @@ def run(
                 if tell is not None:
                     tell(stage, len(results) / len(jobs))
         except BrokenProcessPool:
-            advice = 'allow fewer workers, and in a script call this under if __name__ == "__main__":'
-            raise MpsolveError(f"a worker process ended before its work was done: {advice}") from None
+            raise MpsolveError(WORKER_ENDED) from None
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise

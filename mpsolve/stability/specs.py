@@ -69,7 +69,7 @@ def load(spec: Mapping[str, Any] | str | os.PathLike[str], known: Mapping[str, s
     elif isinstance(spec, (str, os.PathLike)):
         content = _toml(_text(Path(spec)), os.fspath(spec))
     else:
-        raise InputError("spec", f"is {_kind_of(spec)}: give a mapping, or the path of a TOML file")
+        raise InputError("spec", f"is {kind_of(spec)}: give a mapping, or the path of a TOML file")
     _check_keys(content, known, "")
     return content
 
@@ -77,7 +77,7 @@ def load(spec: Mapping[str, Any] | str | os.PathLike[str], known: Mapping[str, s
 def title(content: Mapping[str, Any]) -> str:
     text = content.get("title", "")
     if type(text) is not str:
-        raise InputError("title", f'is {_kind_of(text)}, not a text: write title = "…"')
+        raise InputError("title", f'is {kind_of(text)}, not a text: write title = "…"')
     return text
 
 
@@ -97,7 +97,7 @@ def choice(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> st
     if value in allowed:
         return str(value)
     near = get_close_matches(value.lower(), allowed, n=1, cutoff=0.5) if isinstance(value, str) else []
-    stated = repr(str(value)[:40]) if isinstance(value, str) else _kind_of(value)
+    stated = repr(str(value)[:40]) if isinstance(value, str) else kind_of(value)
     raise InputError(key, f'is {stated}: did you mean "{near[0]}"?' if near else f"is {stated}: give one of {listed}")
 
 
@@ -105,7 +105,7 @@ def grid(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> Grid
     """The grid in the section `key`, over one of the parameters `allowed`."""
     if key not in content:
         raise InputError(key, f"is missing: add [{key}] with parameter and values")
-    table = _section(content[key], key, _GRID)
+    table = section(content[key], key, _GRID)
     for name in _GRID:
         if name not in table:
             raise InputError(f"{key}.{name}", f"is missing: give {_GRID[name]}")
@@ -119,7 +119,7 @@ def grid(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> Grid
 
 def fixed(content: Mapping[str, Any], grids: Mapping[str, Grid]) -> dict[str, Any]:
     """The section [fixed], without a parameter that a grid of these keys gives; its values are not looked at."""
-    table = dict(_section(content.get("fixed", {}), "fixed", _FIXED))
+    table = dict(section(content.get("fixed", {}), "fixed", _FIXED))
     for key, one in grids.items():
         if one.parameter in table:
             raise InputError(f"fixed.{one.parameter}", f"is given in {key} too: keep one of the two")
@@ -137,7 +137,7 @@ def velocity_range(table: Mapping[str, Any], default: tuple[Any, Any]) -> tuple[
     """The range alpha = [lo, hi] of [fixed]."""
     value = table.get("alpha", default)
     if isinstance(value, str) or not isinstance(value, (list, tuple)):
-        raise InputError("fixed.alpha", f"is {_kind_of(value)}, but alpha is looked for: give a range [lo, hi]")
+        raise InputError("fixed.alpha", f"is {kind_of(value)}, but alpha is looked for: give a range [lo, hi]")
     low, high = checked_range(value, "fixed.alpha")
     if low < 0:
         raise InputError("fixed.alpha", f"starts at {low.short()}: a velocity ratio is not negative")
@@ -145,8 +145,12 @@ def velocity_range(table: Mapping[str, Any], default: tuple[Any, Any]) -> tuple[
 
 
 def case_of(values: Mapping[str, Any], masses: int) -> Case:
-    """`masses` equal masses at 0, d, 2d, …; missing alpha and eta_m are 0 and 1. InputError under its parameter."""
-    if values.get("d") == ONE_MASS:
+    """`masses` masses at 0, d, 2d, …; InputError under the parameter at fault.
+
+    The first is eta_m, the others are eta_m·mass_ratio (1 if missing; 0: no other mass). A missing alpha is 0.
+    """
+    share = Exact.parse(values.get("mass_ratio", 1), "mass_ratio")
+    if values.get("d") == ONE_MASS or not share:
         masses = 1
     places: list[Any] = [0]
     if masses > 1:
@@ -162,7 +166,11 @@ def case_of(values: Mapping[str, Any], masses: int) -> Case:
     ratio = Exact.parse(values["eta_m"], "eta_m")
     optional = {name: values[name] for name in ("eta_n", "eta_s") if name in values}
     return Case(
-        alpha=values.get("alpha", 0), eta_b=values["eta_b"], eta_m=[ratio] * masses, positions=places, **optional
+        alpha=values.get("alpha", 0),
+        eta_b=values["eta_b"],
+        eta_m=[ratio, *[ratio * share] * (masses - 1)],
+        positions=places,
+        **optional,
     )
 
 
@@ -177,9 +185,34 @@ def errors_at(places: Mapping[str, str]) -> Iterator[None]:
         raise InputError(place, str(error).removeprefix(f"{error.key}: ")) from None
 
 
-def _section(value: object, key: str, known: Mapping[str, str]) -> Mapping[str, Any]:
+def steps(given: Mapping[Any, Any], key: str) -> tuple[Fraction, Fraction, int]:
+    """start, step and number of start, start + step, … up to stop, which counts if whole steps lead there."""
+    ends = rationals(given, key, _RANGE)
+    start, stop, step = ends["start"], ends["stop"], ends["step"]
+    if not step or (stop - start) / step < 0:
+        stated = f"is {label(Exact.parse(step))}, which does not lead from start to stop"
+        raise InputError(f"{key}.step", f"{stated}: change its sign or value")
+    return start, step, (stop - start) // step + 1
+
+
+def rationals(given: Mapping[Any, Any], key: str, known: Mapping[str, str]) -> dict[str, Fraction]:
+    """The numbers in a table that has all keys of `known`, each with its meaning, and no other."""
+    _check_keys(given, known, f"{key}.")
+    numbers = {}
+    for name, meaning in known.items():
+        if name not in given:
+            raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
+        exact = Exact.parse(given[name], f"{key}.{name}")
+        if not exact.is_rational:
+            raise InputError(f"{key}.{name}", "is irrational: give a decimal or a ratio p/q")
+        numbers[name] = exact.as_fraction()
+    return numbers
+
+
+def section(value: object, key: str, known: Mapping[str, str]) -> Mapping[str, Any]:
+    """The table under `key`, with no key that is not in `known`."""
     if not isinstance(value, Mapping):
-        raise InputError(key, f"is {_kind_of(value)}, not a section: give {', '.join(known)} in it")
+        raise InputError(key, f"is {kind_of(value)}, not a section: give {', '.join(known)} in it")
     _check_keys(value, known, f"{key}.")
     return value
 
@@ -188,7 +221,7 @@ def _values(given: object, key: str, parameter: str) -> tuple[Value, ...]:
     if isinstance(given, Mapping):
         return _stepped(given, key)
     if not isinstance(given, (list, tuple)):
-        raise InputError(key, f"is {_kind_of(given)}: give a list, or {{start = …, stop = …, step = …}}")
+        raise InputError(key, f"is {kind_of(given)}: give a list, or {{start = …, stop = …, step = …}}")
     if not given:
         raise InputError(key, "is empty: give at least one value")
     if len(given) > MAX_VALUES:
@@ -201,27 +234,13 @@ def _value(given: object, key: str, parameter: str) -> Value:
 
 
 def _stepped(given: Mapping[Any, Any], key: str) -> tuple[Value, ...]:
-    """start, start + step, … up to stop, which is among them if a whole number of steps leads there."""
-    _check_keys(given, _RANGE, f"{key}.")
-    ends: dict[str, Fraction] = {}
-    for name, meaning in _RANGE.items():
-        if name not in given:
-            raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
-        exact = Exact.parse(given[name], f"{key}.{name}")
-        if not exact.is_rational:
-            raise InputError(f"{key}.{name}", "is irrational: give a decimal or a ratio p/q")
-        ends[name] = exact.as_fraction()
-    start, stop, step = ends["start"], ends["stop"], ends["step"]
-    if not step or (stop - start) / step < 0:
-        stated = f"is {label(Exact.parse(step))}, which does not lead from start to stop"
-        raise InputError(f"{key}.step", f"{stated}: change its sign or value")
-    number = (stop - start) // step + 1
+    start, step, number = steps(given, key)
     if number > MAX_VALUES:
         raise InputError(f"{key}.step", f"makes {number} values: give a step that makes at most {MAX_VALUES}")
     return tuple(Exact.parse(start + k * step) for k in range(number))
 
 
-def _kind_of(value: object) -> str:
+def kind_of(value: object) -> str:
     """The name of the type of `value` in TOML, or in Python where TOML has none."""
     if isinstance(value, (dict, list, str, bool, int)):
         return _kind(value)

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from mpsolve.errors import InputError
 from mpsolve.model.inputfile import MAX_BYTES, read_case, read_input
+from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -246,3 +247,43 @@ def test_a_path_that_cannot_be_read_is_named(written: Path, path: str, reason: s
     written.write_text(PLAIN, encoding="utf-8")
     with pytest.raises(InputError, match=f": ({reason})"):
         read_input(written.parent / path)
+
+
+LOADED = """[dimensionless]
+alpha = 0.5
+eta_b = 0.1
+eta_m = [70, 70]
+positions = [0, 1]
+"""
+
+
+def test_loads_of_a_dimensionless_case(tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(LOADED, encoding="utf-8")
+    assert read_input(path).loads is None
+    path.write_text(LOADED + "[[load]]\nconstant = 2\n[[load]]\namplitude = 0.1\nfrequency = 0.3\n", encoding="utf-8")
+    assert read_input(path).loads == (Load(2), Load(amplitude="0.1", frequency="0.3"))
+
+
+@pytest.mark.parametrize(
+    ("entries", "key"),
+    [
+        ("[[load]]\n", "load"),
+        ("[load]\nconstant = 1\n", "load"),
+        ("[[load]]\nconstant = 1\n[[load]]\nforce = 2\n", r"load\[2\].force"),
+        ("[[load]]\nconstant = 1\n[[load]]\nphase = 'x'\n", r"load\[2\].phase"),
+    ],
+)
+def test_loads_that_cannot_be_used(tmp_path: Path, entries: str, key: str) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(LOADED + entries, encoding="utf-8")
+    with pytest.raises(InputError, match=key):
+        read_input(path)
+
+
+def test_loads_beside_a_physical_case(tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    text = "[physical]\nEI = 1\nm = 1\nk = 1\nv = 1\n[[mass]]\nM = 1\nposition = 0\n[[load]]\nconstant = 1\n"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match="load"):
+        read_input(path)

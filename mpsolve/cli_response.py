@@ -1,0 +1,153 @@
+"""The commands about the motion in time: response, compare."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mpsolve.cli_tools import checked_output, one_sentence
+
+if TYPE_CHECKING:
+    from mpsolve.model.inputfile import InputFile
+    from mpsolve.motion.solve import Response
+
+_FILE = click.argument("file", type=click.Path(path_type=Path))
+_END = click.option("--to", "end", default="100", show_default=True, help="The last time τ.")
+_POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="Times.")
+_SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
+
+
+@click.command()
+@_FILE
+@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, help=f"FILE{', '.join(_SUFFIXES)}.")
+@_END
+@_POINTS
+@click.option("--xi", help="Positions ξ in the moving frame, as 0,1.5.  [default: those of the masses]")
+def response(file: Path, output: Path, end: str, points: int, xi: str | None) -> None:
+    """Compute the motion from rest of the case in FILE (TOML), in float64 over certified frequencies.
+
+    The loads are those of the file; without any, one unit constant force acts on each mass. Exit status 0: written.
+    1: it could not be computed or written. 2: the input cannot be used.
+    """
+    with one_sentence():
+        kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
+        source, tau = _source(file), _times(end, points)
+        from mpsolve.motion.solve import response as respond
+
+        places = None if xi is None else [x.strip() for x in xi.split(",")]
+        found = respond(source.case, source.loads, places, tau)
+        _save(found, output, kind, source.title)
+        click.echo("\n".join(_summary(found)))
+        click.echo(str(output))
+
+
+@click.command()
+@_FILE
+@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, help="FILE.csv, .png, .svg, .pdf.")
+@_END
+@_POINTS
+def compare(file: Path, output: Path, end: str, points: int) -> None:
+    """Hold the motion of the rear contact point against superposition, one merged mass, and a finite beam.
+
+    Superposition: each mass alone, results added. Merged: one mass with the sum of all masses and loads at the
+    position of the rear mass. Exit status as for response.
+    """
+    with one_sentence():
+        kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
+        source, tau = _source(file), _times(end, points)
+        curves, notes = _curves(source, tau)
+        _save_curves(curves, tau, output, kind, source.title)
+        reference = curves["complete"]
+        for name, curve in list(curves.items())[1:]:
+            click.echo(f"{name}: differs from the complete solution by at most {abs(curve - reference).max():.6g}")
+        for note in notes:
+            click.echo(note)
+        click.echo(str(output))
+
+
+COMMANDS = (response, compare)
+
+
+def _source(file: Path) -> InputFile:
+    from mpsolve.model.inputfile import read_input
+
+    return read_input(file)
+
+
+def _times(end: str, points: int) -> Any:
+    import numpy as np
+
+    from mpsolve.errors import InputError
+    from mpsolve.model.exact import Exact
+
+    last = Exact.parse(end, "--to")
+    if not last > 0:
+        raise InputError("--to", f"is {end}: give a time above 0")
+    return np.linspace(0.0, float(last), points)
+
+
+def _suffix(path: Path, known: tuple[str, ...]) -> str:
+    from mpsolve.errors import InputError
+
+    kind = path.suffix.lower()
+    if kind not in known:
+        raise InputError("output", f"{path} ends in {kind or 'nothing'!r}: give one of {', '.join(known)}")
+    return kind
+
+
+def _save(found: Response, path: Path, kind: str, title: str) -> None:
+    if kind == ".csv":
+        from mpsolve.motion.output import columns, save_columns
+
+        save_columns(columns(found), path)
+    elif kind == ".npz":
+        from mpsolve.motion.output import save_arrays
+
+        save_arrays(found, path)
+    else:
+        from mpsolve.motion.figures import save_history
+
+        save_history(found, path, title)
+
+
+def _summary(found: Response) -> list[str]:
+    lines = [f"initial conditions met within {found.misfit:.1e} of the size of the parts (float64)."]
+    for pair in found.harmonic_pairs:
+        lines.append(f"induced frequency {pair.q:.8g}: amplitude {abs(pair.amplitude[0]):.8g} at ξ = {found.xi[0]:g}")
+    for j, (time, note) in enumerate(zip(found.contact_loss, found.contact_note, strict=True), 1):
+        said = note or (
+            "contact is kept at the given times" if time is None else f"contact is lost at τ = {time:.6g}"
+        )
+        lines.append(f"mass {j}: {said}.")
+    return lines
+
+
+def _curves(source: InputFile, tau: Any) -> tuple[dict[str, Any], list[str]]:
+    from mpsolve.errors import InputError, PrecisionError
+    from mpsolve.motion.beam import finite_beam
+    from mpsolve.motion.solve import response as respond
+    from mpsolve.motion.study import merged, superposition
+
+    whole = respond(source.case, source.loads, None, tau)
+    curves = {"complete": whole.w[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
+    curves["superposition"] = sum(part.w[0] for part in superposition(source.case, source.loads, whole.xi, tau))
+    curves["one merged mass"] = merged(source.case, source.loads, whole.xi, tau).w[0]
+    try:
+        beam = finite_beam(source.case, source.loads, tau=tau)
+    except (InputError, PrecisionError) as error:  # the other curves stand without it
+        return curves, [f"finite beam: left out, {error}"]
+    curves["finite beam"] = beam.displacement[0]
+    return curves, [f"finite beam: estimated error {beam.error.total:.2g}"]
+
+
+def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str) -> None:
+    if kind == ".csv":
+        from mpsolve.motion.output import save_columns
+
+        save_columns({"tau": tau, **curves}, path)
+    else:
+        from mpsolve.motion.figures import save_curves
+
+        save_curves(curves, tau, path, title)

@@ -1,0 +1,174 @@
+"""The commands about studies of many cases: study, export, status."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    from mpsolve.studies.run import Progress, Study
+
+_STORE = click.argument("store", type=click.Path(path_type=Path))
+_JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+
+
+@click.command()
+@click.argument("file", metavar="SPEC", type=click.Path(path_type=Path))
+@click.option(
+    "-o", "--output", required=True, type=click.Path(path_type=Path), help="The store, such as study.sqlite."
+)
+@click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
+@click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786, instead of processes.")
+def study(file: Path, output: Path, workers: int | None, dask: str | None) -> None:
+    """Compute all cases of the study that SPEC (TOML) describes, and store the results.
+
+    What the store holds already is not computed again: an interrupted study goes on where it was. Exit status 0:
+    every case has an answer. 1: some are undecided, unresolved or refused, or the store cannot be written. 2: the
+    input cannot be used.
+    """
+    with one_sentence():
+        from mpsolve.errors import InputError
+        from mpsolve.studies.run import AHEAD
+        from mpsolve.studies.run import study as compute
+
+        if dask is not None and workers is not None:
+            raise InputError("--workers", "is given, but --dask leaves that to the cluster: give one of the two")
+        checked_output(output, file, "the store")
+        with _cluster(dask) as (executor, size), _progress() as tell:
+            made = compute(file, executor, store=output, workers=workers, progress=tell, ahead=max(AHEAD, 2 * size))
+        click.echo(_sentence(made))
+    sys.exit(0 if made.answered else UNDECIDED)
+
+
+@click.command()
+@_STORE
+@click.option("--to", required=True, type=click.Choice(("csv", "json", "npz", "parquet")), help="The format.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Path.  [default: NAME.FORMAT in the working directory]"
+)
+def export(store: Path, to: str, output: Path | None) -> None:
+    """Write the results in STORE to a file for other programs.
+
+    Exit status 0: all cases are there. 1: the study is not complete (the finished cases are written), or a file
+    cannot be read or written. 2: the input cannot be used.
+    """
+    with one_sentence():
+        from mpsolve.studies.run import open_study
+
+        found = open_study(store)
+        path = checked_output(output or Path(f"{store.stem}.{to}"), store, "the export")
+        if path.suffix.lower() != f".{to}":
+            path = path.with_name(f"{path.name}.{to}")
+        click.echo(found.save(path))
+        if not found.complete:
+            click.echo(
+                f"mpsolve: {found.finished} of {found.total} cases are finished; the others are missing", err=True
+            )
+    sys.exit(0 if found.complete else UNDECIDED)
+
+
+@click.command()
+@_STORE
+@_JSON
+def status(store: Path, as_json: bool) -> None:
+    """Tell what is in STORE: which study, how many cases are finished, and with what result.
+
+    Exit status 0: it is complete. 1: it is not, or the store cannot be read. 2: the input cannot be used.
+    """
+    with one_sentence():
+        from mpsolve.studies.run import open_study
+
+        found = open_study(store)
+        click.echo(_data(found) if as_json else _report(found))
+    sys.exit(0 if found.complete else UNDECIDED)
+
+
+COMMANDS = (study, export, status)
+
+
+def _sentence(found: Study) -> str:
+    counts = ", ".join(f"{number} {name}" for name, number in found.tally.items())
+    return f"{found.finished} of {found.total} cases finished{counts and f': {counts}'}.\n{found.path}"
+
+
+def _report(found: Study) -> str:
+    spec = found.spec.canonical
+    lines = [
+        f"{section}.{name} = {_short(value)}" for section, table in spec.items() for name, value in table.items()
+    ]
+    return "\n".join([*([found.spec.title] if found.spec.title else []), *lines, _sentence(found)])
+
+
+def _short(value: Any) -> str:
+    import json
+
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= 90 else text[:87] + "…"
+
+
+def _data(found: Study) -> str:
+    import json
+
+    from mpsolve.studies.blocks import ENGINE
+
+    content = {
+        "format": "mpsolve study status",
+        "version": 1,
+        "title": found.spec.title,
+        "engine": ENGINE,
+        "spec": found.spec.canonical,
+        "total": found.total,
+        "finished": found.finished,
+        "tally": dict(found.tally),
+    }
+    return json.dumps(content, indent=1, ensure_ascii=False)
+
+
+@contextmanager
+def _cluster(address: str | None) -> Iterator[tuple[Executor | None, int]]:
+    """The executor of a Dask cluster and the number of its threads; None, 0 without an address."""
+    if address is None:
+        yield None, 0
+        return
+    from mpsolve.errors import InputError, StudyError
+
+    try:
+        from distributed import Client
+    except ImportError:
+        raise InputError("--dask", "needs the package distributed: pip install 'mpsolve[dask]'") from None
+    try:
+        client = Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise StudyError(f"no Dask scheduler answers at {address} ({error}): start one, or correct it") from None
+    with client:
+        yield client.get_executor(), sum(client.nthreads().values())
+
+
+@contextmanager
+def _progress() -> Iterator[Progress | None]:
+    """A bar on stderr with the rate and the time left; None where stderr is not a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True, speed_estimate_period=120) as bar:
+        task = bar.add_task("", total=None, rate="")
+
+        def tell(finished: int, total: int) -> None:
+            bar.update(task, completed=finished, total=total)
+            speed = bar.tasks[0].speed
+            bar.update(task, rate=f"{speed:.3g} cases/s" if speed else "")
+
+        yield tell

@@ -1,0 +1,46 @@
+"""The motion in time: steady, unsteady harmonic and truly transient parts, (20)–(36)."""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mpsolve.motion.beam import BeamError, BeamResponse, finite_beam
+    from mpsolve.motion.solve import HarmonicPair, HarmonicSolution, Response, harmonic_solution, response
+    from mpsolve.motion.study import (
+        Envelope,
+        Importance,
+        deflection_shape,
+        envelope,
+        merged,
+        superposition,
+        transient_importance,
+    )
+
+__all__ = [
+    "response",
+    "Response",
+    "harmonic_solution",
+    "HarmonicSolution",
+    "HarmonicPair",
+    "envelope",
+    "Envelope",
+    "superposition",
+    "merged",
+    "transient_importance",
+    "Importance",
+    "deflection_shape",
+    "finite_beam",
+    "BeamResponse",
+    "BeamError",
+]
+
+_HOME = (
+    dict.fromkeys(__all__[:5], "solve") | dict.fromkeys(__all__[5:12], "study") | dict.fromkeys(__all__[12:], "beam")
+)
+
+
+def __getattr__(name: str) -> Any:
+    """Public names load on first use."""
+    if name not in _HOME:
+        raise AttributeError(f"module 'mpsolve.motion' has no attribute {name!r}")
+    return getattr(import_module(f"mpsolve.motion.{_HOME[name]}"), name)

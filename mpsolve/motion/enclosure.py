@@ -1,0 +1,246 @@
+"""The motion in time in proved balls: steady, unsteady harmonic and truly transient part, (20)–(36).
+
+The transient part is the integral of W̃ over a contour that is lifted across the cuts, less the poles above it that
+belong to the other parts. What is proved on the way:
+
+    which poles the contour passes       rigorous_path.py, from the certified induced frequencies
+    that nothing else is passed          rigorous_sheet.py near, rigorous_tail.py far out
+    the integral                         rigorous_quadrature.py
+    what is cut off                      rigorous_tail.py
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+import mpmath
+import numpy as np
+
+from mpsolve.discs import DiscField
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.branch import Track, track
+from mpsolve.model.exact import Exact, Number
+from mpsolve.model.load import Load, loads_of
+from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.motion.rigorous_forces import Setting, setting
+from mpsolve.motion.rigorous_path import Guide, Route, float_track, guide, require_gap, route
+from mpsolve.motion.rigorous_quadrature import panels
+from mpsolve.motion.rigorous_sheet import prove_clear
+from mpsolve.motion.rigorous_sum import Samples, physical_start
+from mpsolve.motion.rigorous_tail import far_start, tail
+from mpsolve.motion.rigorous_waves import BallWave, induced, steady
+from mpsolve.spectrum.certify import Spectrum, certify
+
+acb, arb = flint.acb, flint.arb
+
+MAX_TIME, MAX_DIGITS = 2_000, 100
+_GUARD_BITS = 48
+_LOWERED = (1.0, 0.6, 0.35, 0.2, 0.1)  # the height of the path, where zeros or branch points lie below it
+_NODES = 12_000  # about: where the path ends at the latest
+_EXTENT = 100
+
+
+@dataclass(frozen=True)
+class Enclosure:
+    """Balls (flint.arb) of the motion from rest, each of shape (len(xi), len(tau)), as for `Response`.
+
+    w is proved to hold steady + harmonic + transient. nodes: how often W̃ was evaluated.
+    """
+
+    case: Case
+    loads: tuple[Load, ...]
+    xi: tuple[Exact, ...]
+    tau: tuple[Exact, ...]
+    w: Any
+    steady: Any
+    harmonic: Any
+    transient: Any
+    nodes: int
+
+
+def enclose_response(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    digits: int = 15,
+    spectrum: Spectrum | None = None,
+) -> Enclosure:
+    """The motion in balls proved to hold it, of a beam from rest under one or two masses below the critical velocity.
+
+    loads, xi, tau, spectrum as for `response`. digits: the balls aim at a radius of 10^−digits times the displacement
+    of a unit force; they are returned whatever their radius is. At early times the transient part decays with an
+    algebraic tail only, so that the radius grows towards τ = 0: there, where w = 0, to 1e-12 … 1e-6, the more the
+    farther apart the masses and the smaller the mass ratios.
+
+    Takes seconds: some thousand evaluations of W̃, which serve all positions and times.
+
+    Raises InputError for input that has no meaning and for the regimes not covered (three masses, velocities without
+    a gap between the cuts, overdamping), PrecisionError where a step of the proof fails; both say what helps.
+    """
+    forces = loads_of(case, loads)
+    if isinstance(case, PhysicalCase):
+        case = case.dimensionless
+    if not (isinstance(digits, int) and 1 <= digits <= MAX_DIGITS):
+        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {MAX_DIGITS}")
+    places, times = _checked(case, xi, tau)
+    spectrum = _checked_spectrum(case, spectrum, digits)
+    with ball_arithmetic(math.ceil(digits * math.log2(10)) + _GUARD_BITS) as field:
+        model, given = track(case, field), setting(case, forces, places, field)
+        forced, free = steady(model, given), induced(model, given, spectrum)
+        taus = [t.ball() for t in times]
+        parts = [_summed(waves, len(places), taus) for waves in (forced, free)]
+        cut, count = _transient(case, model, given, [*forced, *free], digits, taus, places)
+        return Enclosure(case, forces, places, times, sum(parts) + cut, parts[0], parts[1], cut, count)
+
+
+@dataclass(frozen=True)
+class PreciseMotion:
+    """mpmath numbers for the motion from rest, shape (len(xi), len(tau)) each, as for `Response`.
+
+    Each is within 10^−digits of the truth, in units of the displacement of a unit force: a proved bound.
+    """
+
+    case: Case
+    loads: tuple[Load, ...]
+    xi: tuple[Exact, ...]
+    tau: tuple[Exact, ...]
+    digits: int
+    w: Any
+    steady: Any
+    harmonic: Any
+    transient: Any
+
+
+def precise_response(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None,
+    xi: Iterable[Number] | Number | None,
+    tau: Iterable[Number] | Number,
+    digits: int,
+    spectrum: Spectrum | None = None,
+) -> PreciseMotion:
+    """The middles of the balls of `enclose_response`; PrecisionError if a ball is wider than 10^−digits."""
+    found = enclose_response(case, loads, xi, tau, min(digits + 3, MAX_DIGITS), spectrum)
+    parts = found.w, found.steady, found.harmonic, found.transient
+    limit = arb(10) ** -digits
+    for k, time in enumerate(found.tau):
+        widest = max((ball.rad() for part in parts for ball in part[:, k]), key=float)
+        if not widest < limit:
+            raise PrecisionError(
+                f"at τ = {time.short()} the motion is known to {float(widest):.1e} only, not to {digits} decimals: "
+                "the truly transient part decays slowly near τ = 0; ask for later times or fewer digits"
+            )
+    values = [np.vectorize(_middle, otypes=[object])(part) for part in parts]
+    return PreciseMotion(found.case, found.loads, found.xi, found.tau, digits, *values)
+
+
+def _middle(ball: Any) -> Any:
+    """The middle of a ball as an mpmath number, exactly."""
+    mantissa, exponent = ball.mid().man_exp()
+    return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(int(mantissa), int(exponent)))
+
+
+def _checked(case: Case, xi: Any, tau: Any) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
+    require_gap(case)
+    count = case.merged.count
+    if count > 2:
+        raise InputError("balls", f"cover one or two masses, not {count}: ask for float64 values")
+    places = case.merged.positions if xi is None else _exact(xi, "xi")
+    times = _exact(tau, "tau")
+    if any(t.sign < 0 for t in times):
+        raise InputError("tau", "holds a time before 0, where the motion starts: give no earlier time")
+    if any(float(t) > MAX_TIME for t in times):
+        raise InputError("tau", f"holds a time beyond {MAX_TIME}, the longest for which balls are computed")
+    for x in places:
+        if not float(case.positions[0]) - _EXTENT <= float(x) <= float(case.positions[-1]) + _EXTENT:
+            raise InputError("xi", f"holds {x.short()}, more than {_EXTENT} from the masses: give nearer positions")
+    return tuple(places), times
+
+
+def _exact(values: Any, key: str) -> tuple[Exact, ...]:
+    given = values if isinstance(values, Iterable) and not isinstance(values, (str, bytes)) else [values]
+    return tuple(Exact.parse(value, f"{key}[{j}]") for j, value in enumerate(given, 1))
+
+
+def _checked_spectrum(case: Case, spectrum: Spectrum | None, digits: int) -> Spectrum:
+    if spectrum is None:
+        spectrum = certify(case, digits=max(digits + 8, 20))
+    elif spectrum.case != case or spectrum.region != "sheet":
+        raise InputError(
+            "spectrum", 'is not that of this case on the whole sheet: pass certify(case, region="sheet")'
+        )
+    if not spectrum.proved:
+        raise PrecisionError(f"the induced frequencies are undecided: {spectrum.reason}")
+    return spectrum
+
+
+def _summed(waves: list[BallWave], rows: int, taus: list[Any]) -> Any:
+    total = np.full((rows, len(taus)), arb(0), dtype=object)
+    for wave in waves:
+        total += np.array([[wave.at(row, t) for t in taus] for row in range(rows)], dtype=object).reshape(total.shape)
+    return total
+
+
+def _transient(
+    case: Case, model: Track, given: Setting, poles: list[BallWave], digits: int, taus: list[Any], places: Any
+) -> tuple[Any, int]:
+    total = np.full((len(places), len(taus)), arb(0), dtype=object)
+    if not total.size:
+        return total, 0
+    times = np.array([float(t) for t in taus])
+    spots = [float(x) for x in (*places, *case.positions)]
+    plane: Any = DiscField()
+    discs = track(case, plane)
+    way, seeds, clear = _lifted(case, model, discs, poles, max(spots) - min(spots), times.max())
+    goal = arb(10) ** -digits
+    end = _end(model, way, given, clear, times.min(), goal)
+    cut_off, fall = tail(model, way, given.tones, given.gaps, end), model.eta_b + way.delta * arb(end)
+    tolerances = np.maximum(float(goal), float(max(cut_off, key=float)) * np.exp(-times * float(fall))) / 1000
+    found = panels(discs, seeds, way, given.discs, given.disc_gaps, end, times, tolerances)
+    if not physical_start(model, way, found):
+        raise PrecisionError("the sheet at the start of the path could not be proved: change a parameter slightly")
+    samples = Samples(model, seeds, way, found, given.balls, given.gaps)
+    for column, t in enumerate(taus):
+        sums = zip(samples.integral(t, goal / 100), found.errors(t), cut_off, strict=True)
+        for row, (value, error, rest) in enumerate(sums):
+            spread = error / model.field.pi + rest * (-t * fall).exp()
+            total[row, column] = value / model.field.pi + arb(0, spread.upper())
+    above = [pole for pole in poles if not way.passes_above(model, pole.q)]
+    return total - _summed(above, len(places), taus), samples.count
+
+
+def _lifted(
+    case: Case, model: Track, discs: Track, poles: list[BallWave], extent: float, last: float
+) -> tuple[Route, Guide, float]:
+    """A path below which no zero and no branch point lies, with proof, and where its far field begins."""
+    obstacles = [complex(pole.q.mid()) for pole in poles]
+    for factor in _LOWERED:
+        way = route(case, model, obstacles, extent, last, factor)
+        seeds = guide(float_track(case), way)
+        try:
+            clear, _ = far_start(model, way)
+            prove_clear(model, discs, seeds, way, clear)
+        except PrecisionError:
+            if factor == _LOWERED[-1]:
+                raise
+            continue
+        return way, seeds, clear
+    raise AssertionError("unreachable")
+
+
+def _end(model: Track, way: Route, given: Setting, clear: float, first: float, goal: Any) -> float:
+    """Where the path is cut off: what is left is below the goal at the first time, or the path is long enough."""
+    end, longest = 1.02 * clear + 1, _NODES * way.delta / 10
+    while end < longest:
+        rest = tail(model, way, given.tones, given.gaps, end)
+        fall = (-arb(first) * (model.eta_b + way.delta * arb(end))).exp()
+        if all(bound * fall < goal for bound in rest):
+            break
+        end *= 1.2
+    return end

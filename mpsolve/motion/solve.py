@@ -1,0 +1,375 @@
+"""The motion of the beam and of the contact points in time: the sum of its three parts, in float64."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+import numpy as np
+
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.fields import Float64
+from mpsolve.model.branch import Track, track
+from mpsolve.model.exact import Exact, Number
+from mpsolve.model.load import Load, loads_of
+from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.motion.contour import deformed_contour
+from mpsolve.motion.forcing import Tone, tones
+from mpsolve.motion.sheets import sections
+from mpsolve.motion.transient import Motion, contour_integral
+from mpsolve.motion.waves import Wave, induced_waves, steady_waves
+from mpsolve.spectrum.certify import Spectrum, certify
+
+if TYPE_CHECKING:
+    from mpsolve.motion.enclosure import Enclosure, PreciseMotion
+
+MISFIT = 1e-8  # of the initial conditions, relative to the steady and harmonic parts, above which nothing is returned
+_LARGEST = 700.0  # of an exponent in float64
+
+
+@dataclass(frozen=True)
+class HarmonicPair:
+    """A pair q, −q̄ of induced frequencies and what it contributes, Re(amplitude(ξ) e^{iqτ}).
+
+    q: complex, Re q ≥ 0 (Re q = 0: a single frequency). amplitude: complex, shape (len(xi),). contribution: shape
+    (len(xi), len(tau)).
+    """
+
+    q: complex
+    multiplicity: int
+    amplitude: Any
+    contribution: Any
+
+
+@dataclass(frozen=True)
+class HarmonicSolution:
+    """The steady and the unsteady harmonic part, (36), without the truly transient part; float64.
+
+    steady (with its part steady_harmonic at the frequencies of the forces) and harmonic: shape (len(xi), len(tau)),
+    in units of w_st = χ/(2k) times the unit force. velocity of the contact points and contact forces: shape (masses,
+    len(tau)), for masses at one position in common.
+    """
+
+    steady: Any
+    steady_harmonic: Any
+    harmonic: Any
+    harmonic_pairs: tuple[HarmonicPair, ...]
+    velocity: Any
+    force: Any
+
+    @property
+    def w(self) -> Any:
+        return self.steady + self.harmonic
+
+
+@dataclass(frozen=True)
+class Response:
+    """The motion from rest: w = steady + harmonic + transient, each of shape (len(xi), len(tau)); float64 results.
+
+    Displacements in units of w_st = χ/(2k) times the unit force of the loads, downward positive; τ and ξ of (10).
+    steady_harmonic: the part of `steady` at the frequencies of the forces. harmonic_pairs: `harmonic` by pairs of
+    induced frequencies. velocity, acceleration: of the contact points, shape (masses, len(tau)). contact_forces:
+    P_j(τ) − M_j ẅ of (2), same shape, in units of the unit force, compression positive. contact_loss: for each mass
+    the first time at which its contact force falls to zero, linear between the given times, or None; contact_note
+    says why it cannot be known ("" if it can). misfit: the largest displacement or velocity at τ = 0, which must
+    vanish, relative to the size of the parts: an estimate of the error.
+    """
+
+    case: Case
+    loads: tuple[Load, ...]
+    xi: Any
+    tau: Any
+    steady: Any
+    steady_harmonic: Any
+    harmonic: Any
+    transient: Any
+    harmonic_pairs: tuple[HarmonicPair, ...]
+    velocity: Any
+    acceleration: Any
+    contact_forces: Any
+    contact_loss: tuple[float | None, ...]
+    contact_note: tuple[str, ...]
+    misfit: float
+
+    @property
+    def w(self) -> Any:
+        return self.steady + self.harmonic + self.transient
+
+
+@overload
+def response(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+    digits: None = None,
+    balls: Literal[False] = False,
+) -> Response: ...
+@overload
+def response(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+    *,
+    digits: int,
+    balls: Literal[False] = False,
+) -> PreciseMotion: ...
+@overload
+def response(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+    digits: int | None = None,
+    *,
+    balls: Literal[True],
+) -> Enclosure: ...
+def response(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+    digits: int | None = None,
+    balls: bool = False,
+) -> Response | PreciseMotion | Enclosure:
+    """The motion of an infinite beam from rest under moving masses and forces, (20)–(36).
+
+    loads: one for each mass, by default those of `loads_of`. xi: positions in the moving frame, by default the
+    positions of the masses. tau ≥ 0: the times. spectrum: `certify(case)`, if it is known already. digits: mpmath
+    numbers instead of float64, each proved right to so many decimals; balls=True: the balls themselves, to 15 digits
+    unless told; both for one or two masses below the critical velocity (enclosure.py). Raises InputError for input
+    that has no meaning, PrecisionError where the parts cannot be computed or do not meet the initial conditions; both
+    say what helps.
+    """
+    if balls or digits is not None:
+        from mpsolve.motion.enclosure import enclose_response, precise_response
+
+        if balls:
+            return enclose_response(case, loads, xi, tau, 15 if digits is None else digits, spectrum)
+        assert digits is not None
+        return precise_response(case, loads, xi, tau, digits, spectrum)
+    problem = prepare(case, loads, spectrum)
+    places, times = checked_places(xi, problem.model), checked_times(tau)
+    return problem.response(places, times)
+
+
+def harmonic_solution(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+    digits: int | None = None,
+) -> HarmonicSolution:
+    """The steady and the unsteady harmonic part alone, (36); arguments and errors as for `response`.
+
+    digits: mpmath numbers with as many digits (relative to the largest part) in arrays of objects, not float64; xi
+    and tau then are exact numbers, and `spectrum` has to have 10 digits more.
+    """
+    if digits is not None:
+        from mpsolve.motion.precise import precise_harmonic
+
+        return precise_harmonic(case, loads, xi, tau, spectrum, digits)
+    problem = prepare(case, loads, spectrum)
+    return problem.harmonic(checked_places(xi, problem.model), checked_times(tau))
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A case with its loads, and the waves of its closed-form parts."""
+
+    case: Case
+    loads: tuple[Load, ...]
+    model: Track
+    tones: tuple[Tone, ...]
+    steady: tuple[Wave, ...]
+    induced: tuple[Wave, ...]
+
+    def harmonic(self, xi: Any, tau: Any) -> HarmonicSolution:
+        growth = max((-wave.q.imag for wave in self.induced), default=0.0) * np.max(tau, initial=0.0)
+        if growth > _LARGEST:
+            raise InputError("tau", f"reaches {np.max(tau):g}, where the motion exceeds e^{growth:.0f}: end earlier")
+        steady = [self._motion(wave, xi, tau) for wave in self.steady]
+        zero = Motion(*(np.zeros((n, len(tau))) for n in (len(xi), self.count, self.count)))
+        forced = sum(steady[1:], zero)
+        pairs, harmonic = [], zero
+        for wave in self.induced:
+            part = self._motion(wave, xi, tau)
+            harmonic = harmonic + part
+            amplitude = wave.amplitude(self.model, xi)
+            pairs.append(HarmonicPair(wave.q, wave.multiplicity, amplitude, part.displacement))
+        total = steady[0] + forced
+        return HarmonicSolution(
+            total.displacement,
+            forced.displacement,
+            harmonic.displacement,
+            tuple(pairs),
+            total.velocity + harmonic.velocity,
+            total.force + harmonic.force,
+        )
+
+    @property
+    def count(self) -> int:
+        return len(self.model.positions)
+
+    def _motion(self, wave: Wave, xi: Any, tau: Any) -> Motion:
+        turn = np.exp(1j * wave.q * tau)
+        contacts = 1j * wave.q * wave.amplitude(self.model, self.model.positions)
+        rows = (wave.amplitude(self.model, xi), contacts, np.array(wave.S) / 4)
+        return Motion(*((row[:, None] * turn).real for row in rows))
+
+    def transient(self, xi: Any, tau: Any) -> Motion:
+        above = {wave.q: wave for wave in self.induced if wave.q.imag > self.model.eta_b}
+        reach = (
+            float(np.min(xi, initial=self.model.positions[0])),
+            float(np.max(xi, initial=self.model.positions[-1])),
+        )
+        contour = deformed_contour(self.model, self.tones, sections(self.case), list(above), reach)
+        part = contour_integral(self.model, self.tones, contour, xi, tau)
+        for q in contour.left_out:
+            part = part + -self._motion(above[q], xi, tau)
+        return part
+
+    def response(self, xi: Any, tau: Any) -> Response:
+        # the contact points and τ = 0 are always computed, to hold the result against the initial conditions
+        places, times = np.concatenate([self.model.positions, xi]), np.concatenate([[0.0], tau])
+        closed, cut = self.harmonic(places, times), self.transient(places, times)
+        misfit = _misfit(closed, cut)
+        if not misfit < MISFIT:
+            raise PrecisionError(
+                f"steady, harmonic and transient part miss the initial conditions by {misfit:.1e} of their size: "
+                "this case is too close to a branch point or a double root, or its masses are too light or too close "
+                "to each other for float64; change a parameter slightly, or merge the masses"
+            )
+        velocity, force = (x[:, 1:] for x in (closed.velocity + cut.velocity, closed.force + cut.force))
+        own = _own_forces(self, force, tau)
+        first = [contact_loss(load, row, tau) for load, row in zip(self.loads, own[0], strict=True)]
+        keep = slice(self.count, None), slice(1, None)
+        pairs = tuple(
+            HarmonicPair(p.q, p.multiplicity, p.amplitude[keep[0]], p.contribution[keep])
+            for p in closed.harmonic_pairs
+        )
+        return Response(
+            self.case,
+            self.loads,
+            xi,
+            tau,
+            closed.steady[keep],
+            closed.steady_harmonic[keep],
+            closed.harmonic[keep],
+            cut.displacement[keep],
+            pairs,
+            velocity[self.group],
+            own[1],
+            own[0],
+            tuple(time for time, _ in first),
+            tuple(note for _, note in first),
+            misfit,
+        )
+
+    @property
+    def group(self) -> list[int]:
+        """For each mass the number of its position."""
+        places = list(dict.fromkeys(self.case.positions))
+        return [places.index(place) for place in self.case.positions]
+
+
+def prepare(
+    case: Case | PhysicalCase, loads: Iterable[Load] | None = None, spectrum: Spectrum | None = None
+) -> Problem:
+    """The certified induced frequencies and the residues there; errors as for `response`."""
+    forces = loads_of(case, loads)
+    if isinstance(case, PhysicalCase):
+        case = case.dimensionless
+    spectrum = proved_spectrum(case, spectrum)
+    field = Float64()
+    return Problem(
+        case,
+        forces,
+        track(case, field),
+        tones(case, forces, field),
+        steady_waves(case, forces),
+        induced_waves(case, forces, spectrum),
+    )
+
+
+def proved_spectrum(case: Case, spectrum: Spectrum | None, digits: int = 30) -> Spectrum:
+    """The given spectrum of the case, or a new one with these digits; PrecisionError if it is undecided."""
+    if spectrum is None:
+        spectrum = certify(case, digits)
+    elif spectrum.case != case or spectrum.region != "sheet":
+        raise InputError(
+            "spectrum", 'is not that of this case on the whole sheet: pass certify(case, region="sheet")'
+        )
+    if not spectrum.proved:
+        raise PrecisionError(f"the induced frequencies are undecided: {spectrum.reason}")
+    return spectrum
+
+
+def checked_places(xi: Any, model: Track) -> Any:
+    """The positions in float64, those of the masses by default."""
+    return np.array(model.positions) if xi is None else _numbers(xi, "xi")
+
+
+def checked_times(tau: Any) -> Any:
+    times = _numbers(tau, "tau")
+    if np.any(times < 0):
+        raise InputError("tau", f"holds {times.min():g}: the motion starts at 0, give no earlier time")
+    return times
+
+
+def _numbers(values: Any, key: str) -> Any:
+    if isinstance(values, np.ndarray) and values.dtype.kind in "fiu":
+        numbers = np.atleast_1d(values).astype(float)
+    else:
+        given = [values] if isinstance(values, (str, bytes)) or not isinstance(values, Iterable) else list(values)
+        numbers = np.array([float(Exact.parse(x, f"{key}[{j}]")) for j, x in enumerate(given, 1)], float)
+    if numbers.ndim != 1 or not np.all(np.isfinite(numbers)):
+        raise InputError(key, "is no list of finite numbers: give one dimension of them")
+    return numbers
+
+
+def _misfit(closed: HarmonicSolution, cut: Motion) -> float:
+    """The largest |w| and |w_τ| at τ = 0 (the first time), relative to the largest part of either."""
+    places = (closed.steady, closed.harmonic, cut.displacement)
+    speeds = (closed.velocity, cut.velocity)
+    size = max(float(np.max(np.abs(part[:, 0]))) for part in (*places, *speeds))
+    missed = max(float(np.max(np.abs(sum(part[:, 0] for part in parts)))) for parts in (places, speeds))
+    return missed / size if missed else 0.0
+
+
+def _own_forces(problem: Problem, force: Any, tau: Any) -> tuple[Any, Any]:
+    """Contact forces and accelerations of the single masses, from the common ones of each position."""
+    ratios = [float(eta) for eta in problem.case.eta_m]
+    contact, acceleration = np.empty((2, len(ratios), len(tau)))
+    applied = np.array([_applied(load, tau) for load in problem.loads])
+    for j, k in enumerate(problem.group):
+        together = [m for m, other in enumerate(problem.group) if other == k]
+        # (2) in the units of (13): P − f = (η_M/2) w_ττ
+        acceleration[j] = 2 * (applied[together].sum(0) - force[k]) / sum(ratios[m] for m in together)
+        contact[j] = applied[j] - ratios[j] / 2 * acceleration[j]
+    return contact, acceleration
+
+
+def _applied(load: Load, tau: Any) -> Any:
+    constant, amplitude, omega, phase = map(float, (load.constant, load.amplitude, load.frequency, load.phase))
+    return constant + amplitude * np.sin(omega * tau + phase)
+
+
+def contact_loss(load: Load, force: Any, tau: Any) -> tuple[float | None, str]:
+    """The first time at which the contact force falls through zero, and why it is unknown ("" if it is not)."""
+    if load.constant.sign <= 0:
+        return None, "no constant force presses this mass on the beam, so its contact cannot be judged"
+    order = np.argsort(tau)
+    t, f = tau[order], force[order]
+    falls = np.flatnonzero((f[:-1] > 0) & (f[1:] <= 0))
+    if not len(falls):
+        return None, ""
+    k = int(falls[0])
+    return float(t[k] + (t[k + 1] - t[k]) * f[k] / (f[k] - f[k + 1])), ""

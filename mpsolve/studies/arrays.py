@@ -1,0 +1,122 @@
+"""Exports of a study as arrays: NPZ for NumPy, Parquet for data frames. Numbers are float64 there."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import ExitStack
+from itertools import islice
+from typing import Any, BinaryIO
+from zipfile import ZipFile, ZipInfo
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.stability.specs import ONE_MASS
+from mpsolve.studies.blocks import STATUSES, Result
+from mpsolve.studies.design import Value
+from mpsolve.studies.run import stored_results
+from mpsolve.studies.store import Store
+
+_ROWS = 16_384  # cases in memory at a time
+_Row = tuple[int, dict[str, Value], Result]
+
+
+def write_npz(source: Store, target: BinaryIO) -> None:
+    """Arrays over the finished cases, as `numpy.load` reads them.
+
+    index int64; each parameter float64 (d: nan for one mass); status int8, an index into status_names; count and
+    unstable int32, −1 where not known; q complex128 (cases, n): each root as often as it counts, then nan.
+    """
+    number, width = sum(source.tally().values()), source.width()
+    columns = _columns(source, width)
+    with ExitStack() as stack, ZipFile(target, "w") as archive:
+        files = {name: stack.enter_context(tempfile.TemporaryFile()) for name in columns}
+        for name, (kind, shape) in columns.items():
+            header = {"descr": np.dtype(kind).str, "fortran_order": False, "shape": (number, *shape)}
+            np.lib.format.write_array_header_1_0(files[name], header)
+        for rows in _bunches(source):
+            for name, column in _arrays(source, rows, width).items():
+                files[name].write(column.astype(columns[name][0]).tobytes())
+        for name, file in files.items():
+            file.seek(0)
+            with archive.open(ZipInfo(f"{name}.npy"), "w", force_zip64=True) as member:
+                shutil.copyfileobj(file, member, 1 << 20)
+        with archive.open(ZipInfo("status_names.npy"), "w", force_zip64=True) as member:
+            np.lib.format.write_array(member, np.array(STATUSES[source.spec.kind]))
+
+
+def _columns(source: Store, width: int) -> dict[str, tuple[str, tuple[int, ...]]]:
+    """The type, little-endian on every machine, and the shape of an element of each array."""
+    parameters = dict.fromkeys(source.spec.names, ("<f8", ()))
+    plain = {"status": ("i1", ()), "count": ("<i4", ()), "unstable": ("<i4", ())}
+    return {"index": ("<i8", ()), **parameters, **plain, "q": ("<c16", (width,))}
+
+
+def _bunches(source: Store) -> Iterator[list[_Row]]:
+    rows = stored_results(source)
+    while bunch := list(islice(rows, _ROWS)):
+        yield bunch
+
+
+def _arrays(source: Store, rows: list[_Row], width: int) -> dict[str, Any]:
+    statuses = STATUSES[source.spec.kind]
+    q = np.full((len(rows), width), complex(np.nan, np.nan))
+    for place, (_, _, result) in zip(q, rows, strict=True):
+        roots = [complex(float(root.re), float(root.im)) for root in result.roots for _ in range(root.multiplicity)]
+        place[: len(roots)] = roots
+    return {
+        "index": np.array([index for index, _, _ in rows]),
+        **{name: np.array([_float(values[name]) for _, values, _ in rows]) for name in source.spec.names},
+        "status": np.array([statuses.index(result.status) for _, _, result in rows]),
+        "count": np.array([-1 if result.count is None else result.count for _, _, result in rows]),
+        "unstable": np.array([-1 if result.unstable is None else result.unstable for _, _, result in rows]),
+        "q": q,
+    }
+
+
+def _float(value: Value) -> float:
+    return float("nan") if value == ONE_MASS else float(value)
+
+
+def write_parquet(source: Store, target: BinaryIO) -> None:
+    """index int64; each parameter double (d: null for one mass); status, reason text; count, unstable int32 or null;
+    re, im lists of double and multiplicity a list of int32, an element a root; for certified results also re_text,
+    im_text: the decimals, right to one unit in the last digit. The spec is in the metadata, under "mpsolve".
+    """
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError:
+        raise InputError("to", "parquet needs pyarrow: pip install 'mpsolve[parquet]'") from None
+
+    certified = source.spec.kind == "certified"
+    double, int32, text = pyarrow.float64(), pyarrow.int32(), pyarrow.string()
+    fields = [("index", pyarrow.int64()), *((name, double) for name in source.spec.names)]
+    fields += [("status", text), ("reason", text), ("count", int32), ("unstable", int32)]
+    fields += [("re", pyarrow.list_(double)), ("im", pyarrow.list_(double)), ("multiplicity", pyarrow.list_(int32))]
+    fields += [("re_text", pyarrow.list_(text)), ("im_text", pyarrow.list_(text))] if certified else []
+    schema = pyarrow.schema(fields, metadata={"mpsolve": source.spec.text})
+    with parquet.ParquetWriter(target, schema) as writer:
+        for rows in _bunches(source):
+            writer.write_table(pyarrow.Table.from_pylist([_row(row, certified) for row in rows], schema=schema))
+
+
+def _row(row: _Row, certified: bool) -> dict[str, Any]:
+    index, values, result = row
+    roots = result.roots
+    content: dict[str, Any] = {
+        "index": index,
+        **{name: None if value == ONE_MASS else float(value) for name, value in values.items()},
+        "status": result.status,
+        "reason": result.reason,
+        "count": result.count,
+        "unstable": result.unstable,
+        "re": [float(root.re) for root in roots],
+        "im": [float(root.im) for root in roots],
+        "multiplicity": [root.multiplicity for root in roots],
+    }
+    if certified:
+        content |= {"re_text": [root.re for root in roots], "im_text": [root.im for root in roots]}
+    return content

@@ -1,0 +1,186 @@
+"""Studies: results over as many cases as one likes, by any executor, in a file that a second run completes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mpsolve.errors import InputError, StudyError
+from mpsolve.stability.pool import WORKER_ENDED, checked_workers, process_pool
+from mpsolve.studies.blocks import GOOD, Block, Result, checked, work
+from mpsolve.studies.design import Value
+from mpsolve.studies.spec import Spec, read_spec
+from mpsolve.studies.store import Store
+
+Progress = Callable[[int, int], None]
+AHEAD = 64  # blocks that are handed to an executor at a time; it bounds the memory
+
+
+@dataclass(frozen=True)
+class Study:
+    """What a store holds of a study. tally: the number of finished cases of each status."""
+
+    path: Path
+    spec: Spec
+    tally: Mapping[str, int]
+
+    @property
+    def total(self) -> int:
+        """The number of cases."""
+        return self.spec.total
+
+    @property
+    def finished(self) -> int:
+        """The number of cases that have a result, of whatever status."""
+        return sum(self.tally.values())
+
+    @property
+    def complete(self) -> bool:
+        return self.finished == self.total
+
+    @property
+    def answered(self) -> bool:
+        """Whether every case is finished and neither undecided, unresolved nor refused.
+
+        In a certified study that is a proof of each; in a float64 study only where the status says "certified".
+        """
+        return sum(self.tally.get(status, 0) for status in GOOD) == self.total
+
+    def results(self, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
+        """(index, exact parameters, result) of each finished case from the index `start` on, one block in memory.
+
+        Raises StudyError if the file is damaged.
+        """
+        with Store.read(self.path) as store:
+            yield from stored_results(store, start)
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Writes .csv, .json, .npz or .parquet, whole or not at all; see mpsolve/studies/export.py.
+
+        Raises InputError for another name, CertificateError if it cannot be written, StudyError if the store is
+        damaged.
+        """
+        from mpsolve.studies.export import export
+
+        return export(self.path, path)
+
+
+def study(
+    spec: Mapping[str, Any] | str | os.PathLike[str],
+    executor: Executor | None = None,
+    *,
+    store: str | os.PathLike[str],
+    workers: int | None = None,
+    progress: Progress | None = None,
+    ahead: int = AHEAD,
+) -> Study:
+    """Computes what `spec` (a mapping, or the path of a TOML file) describes and `store` does not hold yet.
+
+        title = "…"                      # may be left out
+        [study]
+        kind = "certified"               # or "float64": quick, proved only where its status is "certified"
+        digits = 15                      # certified digits of each root, 15 to 10000
+        region = "sheet"                 # or "unstable", or {re_min, re_max, im_min, im_max}
+        certificates = false             # true: keep the certificate of each case
+        masses = 2                       # at 0, d, 2d: 1, 2 or 3
+        design = { kind = "grid" }       # every combination; "list": the first values together, the second, …;
+                                         # { kind = "random" or "quasi-random", count = 1000, seed = 0 }
+        [parameters]                     # alpha, eta_b, eta_m, d; mass_ratio (1), eta_n (0), eta_s (0)
+        alpha = { start = 0.1, stop = 1.2, step = 0.01 }
+        eta_b = 0.05
+        eta_m = [50, 70]
+        d = 1.5                          # { low = 1, high = 2 } in a random design
+
+    executor: any concurrent.futures.Executor whose workers can import mpsolve; None: `workers` processes (all
+    processors if None; 1: this one), spawned, so that a script must call this under `if __name__ == "__main__":`.
+    Results do not depend on it. Each block of cases (one certified case; some thousand in float64) is stored when
+    it is done: after an interruption the same call goes on, and computes damaged blocks anew. `ahead`: blocks that
+    are handed out at a time, at least twice the number of workers. progress(finished, total) hears of each block.
+
+    Raises InputError under the key at fault, or if the store is that of another study; StudyError if it cannot be
+    written or is damaged, or if a worker ends before its work is done.
+    """
+    plan, path = read_spec(spec), Path(store)
+    if isinstance(ahead, bool) or not isinstance(ahead, int) or ahead < 1:
+        raise InputError("ahead", f"is {ahead!r}: give a whole number from 1")
+    workers = checked_workers(workers)
+    with Store.create(path, plan) as file:
+        finished = sum(file.tally().values())
+        missing = (number for number in range(plan.blocks) if not file.holds(number))
+        for block in _computed(plan, missing, executor, workers, ahead):
+            file.put(block)
+            finished = min(finished + len(plan.indices(block.number)), plan.total)
+            if progress is not None:
+                progress(finished, plan.total)
+    return open_study(path)
+
+
+def open_study(path: str | os.PathLike[str]) -> Study:
+    """The study in the file at `path`, complete or not. InputError if there is none, StudyError if it is damaged."""
+    with Store.read(Path(path)) as store:
+        tally = store.tally()
+        others = store.other_engines()
+        if others and not tally:
+            stated = f"{path} holds results of another version only ({', '.join(others)})"
+            raise StudyError(f"{stated}: use that one, or run the study again with this one")
+        return Study(Path(path), store.spec, tally)
+
+
+def stored_results(store: Store, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
+    """See `Study.results`."""
+    spec = store.spec
+    for block in store.blocks(start // spec.block):
+        for index, (values, result) in zip(
+            spec.indices(block.number), zip(*checked(spec, block, store.path), strict=True), strict=True
+        ):
+            if index >= start:
+                yield index, values, result
+
+
+def _computed(
+    spec: Spec, numbers: Iterable[int], executor: Executor | None, workers: int, ahead: int
+) -> Iterator[Block]:
+    """The blocks with these numbers, in the order in which they are done."""
+    if executor is not None:
+        yield from _by(executor, spec.text, numbers, ahead)
+    elif min(workers, spec.blocks) == 1:
+        for number in numbers:
+            yield work(spec.text, number)
+    else:
+        pool = process_pool(min(workers, spec.blocks))
+        try:
+            yield from _by(pool, spec.text, numbers, 4 * workers)
+        except BaseException as error:
+            pool.shutdown(wait=False, cancel_futures=True)
+            if isinstance(error, BrokenProcessPool):
+                raise StudyError(f"{WORKER_ENDED}; what is finished is stored, and the same call goes on") from None
+            raise
+        pool.shutdown()
+
+
+def _by(executor: Executor, text: str, numbers: Iterable[int], ahead: int) -> Iterator[Block]:
+    """At most `ahead` blocks are under way at a time."""
+    waiting: set[Future[Block]] = set()
+    try:
+        for number in numbers:
+            waiting.add(executor.submit(work, text, number))
+            if len(waiting) >= ahead:
+                yield from _next(waiting)
+        while waiting:
+            yield from _next(waiting)
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+def _next(waiting: set[Future[Block]]) -> Iterator[Block]:
+    """Waits for a block, and takes all that are done."""
+    done, _ = wait(waiting, return_when=FIRST_COMPLETED)
+    waiting -= done
+    for future in done:
+        yield future.result()

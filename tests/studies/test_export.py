@@ -1,0 +1,193 @@
+"""Exports: one content in four formats, of any number of cases in a bounded memory."""
+
+from __future__ import annotations
+
+import csv
+import json
+import tracemalloc
+from fractions import Fraction
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mpsolve import InputError, Study, StudyError, open_study, study
+from mpsolve.errors import CertificateError
+from mpsolve.studies.arrays import write_npz, write_parquet
+from mpsolve.studies.blocks import STATUSES, Block, Result, Root, key, pack
+from mpsolve.studies.export import KINDS, value_text, write_csv, write_json
+from mpsolve.studies.spec import read_spec
+from mpsolve.studies.store import Store
+
+SPECS: dict[str, dict[str, Any]] = {
+    "certified": {
+        "study": {"kind": "certified", "digits": 25},
+        "parameters": {"alpha": "0.67", "eta_b": "0.05", "eta_m": "root4(24010001)", "d": ["one mass", "1.5"]},
+    },
+    "float64": {
+        "study": {"kind": "float64"},
+        "parameters": {"alpha": ["0.67", "2/3"], "eta_b": ["0.05", 1], "eta_m": 70, "d": ["one mass", "1.5"]},
+    },
+}
+
+
+@pytest.fixture(scope="module", params=SPECS)
+def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Study:
+    spec = SPECS[request.param]
+    return study(spec, store=tmp_path_factory.mktemp("study") / "study.sqlite", workers=1)
+
+
+def test_csv(made: Study) -> None:
+    with made.save(made.path.with_suffix(".csv")).open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == made.total
+    for row, (index, values, result) in zip(rows, made.results(), strict=True):
+        assert int(row["index"]) == index
+        for name, value in values.items():
+            assert row[name] == value_text(value)
+            if isinstance(value, Fraction):
+                assert Fraction(row[name]) == value
+        assert (row["status"], row["reason"]) == (result.status, result.reason)
+        assert row["count"] == ("" if result.count is None else str(result.count))
+        for k, root in enumerate(result.roots, 1):
+            assert (row[f"re_{k}"], row[f"im_{k}"]) == (str(root.re), str(root.im))
+        assert row.get(f"re_{result.width + 1}", "") == ""
+
+
+def test_json(made: Study) -> None:
+    text = made.save(made.path.with_suffix(".json")).read_text("utf-8")
+    content = json.loads(text)
+    assert read_spec(content["spec"]).canonical == made.spec.canonical
+    assert (content["total"], content["tally"]) == (made.total, dict(made.tally))
+    for line, case, (index, values, result) in zip(
+        text.splitlines()[-made.total - 1 : -1], content["cases"], made.results(), strict=True
+    ):
+        assert json.loads(line.removesuffix(",")) == case
+        assert case["index"] == index
+        assert case["parameters"] == {name: value_text(value) for name, value in values.items()}
+        assert (case["status"], case["count"], case["unstable"]) == (result.status, result.count, result.unstable)
+        for entry, root in zip(case["roots"], result.roots, strict=True):
+            if made.spec.kind == "float64":
+                assert entry == [root.re, root.im]
+            else:
+                assert entry["re"] == {"value": root.re, "radius": root.re_radius}
+                assert float(entry["im"]["radius"]) < 1e-24
+
+
+def test_npz(made: Study) -> None:
+    arrays = np.load(made.save(made.path.with_suffix(".npz")))
+    assert arrays["q"].shape == (made.total, 4)
+    assert arrays["status_names"].tolist() == list(STATUSES[made.spec.kind])
+    for k, (index, values, result) in enumerate(made.results()):
+        assert arrays["index"][k] == index
+        for name, value in values.items():
+            assert arrays[name][k] == float(value) if value != "one mass" else np.isnan(arrays[name][k])
+        assert arrays["status_names"][arrays["status"][k]] == result.status
+        assert arrays["count"][k] == (-1 if result.count is None else result.count)
+        assert arrays["unstable"][k] == (-1 if result.unstable is None else result.unstable)
+        for q, root in zip_longest(arrays["q"][k], result.roots):
+            assert q == complex(float(root.re), float(root.im)) if root else np.isnan(q)
+
+
+def test_parquet(made: Study) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet", reason="Parquet needs the extra `parquet`")
+    table = parquet.read_table(made.save(made.path.with_suffix(".parquet")))
+    assert read_spec(json.loads(table.schema.metadata[b"mpsolve"])).canonical == made.spec.canonical
+    for row, (index, values, result) in zip(table.to_pylist(), made.results(), strict=True):
+        assert (row["index"], row["status"], row["reason"]) == (index, result.status, result.reason)
+        assert row["d"] == (None if values["d"] == "one mass" else float(values["d"]))
+        assert (row["count"], row["unstable"]) == (result.count, result.unstable)
+        assert row["re"] == [float(root.re) for root in result.roots]
+        assert row["multiplicity"] == [root.multiplicity for root in result.roots]
+        if made.spec.kind == "certified":
+            assert row["im_text"] == [root.im for root in result.roots]
+
+
+def test_without_pyarrow(made: Study, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "pyarrow", None)
+    with pytest.raises(InputError, match=r"pip install 'mpsolve\[parquet\]'"):
+        made.save(made.path.with_name("other.parquet"))
+    assert not made.path.with_name("other.parquet").exists()
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (Fraction(67, 100), "0.67"),
+        (Fraction(100), "100"),
+        (Fraction(1, 3), "1/3"),
+        (Fraction(1, 10**9), "0.000000001"),
+        (Fraction(1, 10**30), f"1/{10**30}"),
+        (Fraction(1234567890123456, 10), "617283945061728/5"),
+        ("one mass", "one mass"),
+    ],
+)
+def test_values_are_written_exactly(value: Any, text: str) -> None:
+    assert value_text(value) == text
+
+
+def test_a_multiple_root_stands_as_often_as_it_counts(tmp_path: Path, certified: dict[str, Any]) -> None:
+    path, spec = tmp_path / "study.sqlite", read_spec(certified)
+    double = Result("proved", "", 3, 0, (Root("0.1", "0.2", "1e-9", "1e-9", 2, "none"), Root("3", "4", "0", "0")))
+    with Store.create(path, spec) as store:
+        store.put(Block(0, key(spec, [spec.values(0)]), pack([double]), 3, '{"proved": 1}').sealed)
+    lines = open_study(path).save(tmp_path / "a.csv").read_text("utf-8").splitlines()
+    assert lines[0].endswith("re_1,im_1,re_2,im_2,re_3,im_3")
+    assert lines[1].endswith("0.1,0.2,0.1,0.2,3,4")
+    q = np.load(open_study(path).save(tmp_path / "a.npz"))["q"]
+    assert q.tolist() == [[0.1 + 0.2j, 0.1 + 0.2j, 3 + 4j]]
+
+
+def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path, certified: dict[str, Any]) -> None:
+    made = study(certified, store=tmp_path / "study.sqlite", workers=1)
+    with Store.create(made.path, made.spec) as store:
+        last = list(store.blocks())[-1]
+        store.put(Block(last.number, last.key, b"damaged", last.width, last.tally, last.seal))
+    for kind in KINDS:
+        file = tmp_path / f"a.{kind}"
+        file.write_text("before")
+        with pytest.raises(StudyError, match="damaged results of the cases 3 to 3"):
+            made.save(file)
+        assert file.read_text() == "before"
+    with pytest.raises(InputError, match=r"does not end in \.csv, \.json, \.npz, \.parquet"):
+        made.save(tmp_path / "a.txt")
+    with pytest.raises(CertificateError, match="cannot be written"):
+        made.save(tmp_path / "none" / "a.csv")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
+        ["study.sqlite", *(f"a.{kind}" for kind in KINDS)]
+    )
+
+
+def test_nothing_to_export(tmp_path: Path, certified: dict[str, Any]) -> None:
+    Store.create(tmp_path / "study.sqlite", read_spec(certified)).__exit__(None, None, None)
+    with pytest.raises(StudyError, match="holds no results"):
+        open_study(tmp_path / "study.sqlite").save(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize("writer", [write_csv, write_json, write_npz, write_parquet], ids=lambda f: f.__name__)
+def test_memory_does_not_grow_with_the_study(tmp_path: Path, writer: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Four times as many cases take less than twice the memory, far below 500 MB."""
+    if writer is write_parquet:
+        pytest.importorskip("pyarrow", reason="Parquet needs the extra `parquet`")
+    monkeypatch.setattr("mpsolve.studies.spec._BLOCK", (400, 400))  # less work than real blocks
+    monkeypatch.setattr("mpsolve.studies.arrays._ROWS", 300)  # so that blocks and rows take turns
+    parameters = {"alpha": {"start": 0, "stop": 1, "step": "1e-4"}, "eta_b": "0.05", "eta_m": 40}
+    spec = read_spec({"study": {"kind": "float64", "masses": 1}, "parameters": parameters})
+    result = Result("tracked", "", 2, 0, (Root(-0.5, 0.25), Root(0.5, 0.25)))
+    peaks = []
+    for blocks in (2, 8):
+        path = tmp_path / f"{blocks}.sqlite"
+        with Store.create(path, spec) as store:
+            for number in range(blocks):
+                indices = spec.indices(number)
+                name = key(spec, [spec.values(index) for index in indices])
+                data = pack([result] * len(indices))
+                store.put(Block(number, name, data, 2, json.dumps({"tracked": len(indices)})).sealed)
+        with Store.read(path) as store, path.with_suffix(".out").open("wb") as target:
+            tracemalloc.start()
+            writer(store, target)
+            peaks.append(tracemalloc.get_traced_memory()[1])
+            tracemalloc.stop()
+    assert peaks[1] < 2 * peaks[0] < 100e6
