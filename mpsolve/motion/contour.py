@@ -4,8 +4,8 @@ Everything below the cut line Im q = η_b is left by residues, until the contour
 there each section of the line (sheets.py) is lifted on its own sheet: a finite one to (half) an ellipse between its
 branch points, the last one to a parabola. On the sheet that continues the last section, Δ has an infinite chain of
 zeros near Im p = ln 2/(2 × length), below which the parabola has to stay. What a mass does as if it were alone has
-no such chain and is integrated along a ray, where it decays quickly; only what the masses do to each other remains
-on the parabola. The half plane Re q < 0 gives the complex conjugate.
+no such chain and is integrated along a steeper path, where it decays quickly; only what the masses do to each other
+remains on the parabola. The half plane Re q < 0 gives the complex conjugate.
 """
 
 from __future__ import annotations

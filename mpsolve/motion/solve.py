@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -230,8 +230,11 @@ class Problem:
             float(np.min(xi, initial=self.model.positions[0])),
             float(np.max(xi, initial=self.model.positions[-1])),
         )
-        contour = deformed_contour(self.model, self.tones, sections(self.case), list(above), reach)
-        part = contour_integral(self.model, self.tones, contour, xi, tau)
+        # tolerances are those of unit forces: the motion is linear in the loads
+        size = max((abs(a) for tone in self.tones for a in tone.amplitudes), default=0.0) or 1.0
+        scaled = [replace(tone, amplitudes=tuple(a / size for a in tone.amplitudes)) for tone in self.tones]
+        contour = deformed_contour(self.model, scaled, sections(self.case), list(above), reach)
+        part = contour_integral(self.model, scaled, contour, xi, tau) * size
         for q in contour.left_out:
             part = part + -self._motion(above[q], xi, tau)
         return part

@@ -34,6 +34,9 @@ class Motion:
         pairs = ((self.displacement, other.displacement), (self.velocity, other.velocity), (self.force, other.force))
         return Motion(*(a + b for a, b in pairs))
 
+    def __mul__(self, factor: float) -> Motion:
+        return Motion(self.displacement * factor, self.velocity * factor, self.force * factor)
+
     def __neg__(self) -> Motion:
         return Motion(-self.displacement, -self.velocity, -self.force)
 

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import event, given, settings
 from hypothesis import strategies as st
-from oracle import Truth, cases
-
-sys.path.insert(0, str(Path(__file__).parent))
 from laplace import Inversion
+from oracle import Truth, cases
 
 from mpsolve import Case, InputError, MpsolveError, certify
 from mpsolve.errors import PrecisionError
+from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load
 from mpsolve.motion import harmonic_solution, response
 
@@ -239,3 +236,13 @@ def test_evenly_spaced_times_make_no_difference(count: int) -> None:
     even = np.linspace(0, 50, count + 1)[1:]
     bent = np.append(even, 51.23)
     assert np.allclose(response(case, None, (0, 1), bent).w[:, :-1], response(case, None, (0, 1), even).w, atol=1e-12)
+
+
+@pytest.mark.parametrize("size", ["1e-4", 300_000])
+def test_the_size_of_the_loads_costs_no_accuracy(size: Any) -> None:
+    """Forces in newtons and tiny ones get the same relative accuracy as unit forces."""
+    case = Case(alpha="0.5", eta_b="0.05", eta_m=70)
+    unit = response(case, [Load(1, "0.3", "0.4", 1)], tau=(0.5, 5, 50))
+    scaled = response(case, [Load(size, Exact("0.3") * Exact(size), "0.4", 1)], tau=(0.5, 5, 50))
+    assert np.allclose(scaled.w, unit.w * float(size), rtol=1e-11, atol=0)
+    assert np.allclose(scaled.contact_forces, unit.contact_forces * float(size), rtol=1e-9, atol=0)

@@ -160,7 +160,7 @@ def test_a_single_column(ax: Any) -> None:
 
 
 def test_the_example(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(charts, "run", lambda _work, jobs, *_: [MADE.columns[0]] * len(jobs))
+    monkeypatch.setattr(charts, "run_bunches", lambda _work, jobs, *_: [MADE.columns[0]] * len(jobs))
     found = stability_chart(EXAMPLES / "stability_chart.toml")
     assert found.x.labels == tuple(map(str, range(30, 75, 5)))
     assert found.fixed == {"masses": "2", "eta_b": "0.05", "d": "1.5"}
