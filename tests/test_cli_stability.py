@@ -200,7 +200,7 @@ def test_a_table_that_cannot_be_written_is_printed(run: Run, monkeypatch: pytest
 def test_chart(run: Run) -> None:
     result = run("chart", "chart.toml", "-o", "a.json", "--workers", 1)
     assert (result.exit_code, result.stdout) == (0, "1 of 1 columns proved.\na.json\n")
-    pytest.importorskip("matplotlib", reason="a picture needs the extra `plot`")
+    pytest.importorskip("matplotlib", reason="a picture needs matplotlib")
     assert run("chart", "chart.toml", "-o", "a.svg", "--workers", 1).exit_code == 0
     assert Path("a.svg").read_text("utf-8").startswith("<?xml")
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from matplotlib.figure import Figure
 
 from mpsolve import verify
 
@@ -30,15 +31,16 @@ def test_it_can_be_imported(name: str) -> None:
 
 
 def test_picture(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib", reason="the picture needs the extra `plot`")
     picture = load("picture")
     assert (picture.SPECTRUM.count, picture.SPECTRUM.stable) == (4, True)
     assert abs(picture.Q_LM - 0.7678098053) < 1e-10
     assert [round(float(motion.frequency), 4) for motion in picture.VIBRATIONS] == [2.9393, 3.6425]
     assert [round(float(motion.time), 3) for motion in picture.VIBRATIONS] == [4.265, 6.047]
-    low, high = picture.IM_MIN, picture.IM_MAX
+    ax = Figure().add_subplot()
+    assert picture.draw(ax) is ax
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     for root in picture.SPECTRUM.roots:
-        assert abs(float(root.q.real.mid())) < picture.RE_LIMIT
+        assert left < float(root.q.real.mid()) < right
         assert low < float(root.q.imag.mid()) < high
     first, second = picture.visualize(tmp_path / "a.svg"), picture.visualize(tmp_path / "b.svg")
     assert first.read_bytes() == second.read_bytes()

@@ -1,8 +1,7 @@
-"""Pictures of a response, by matplotlib (the extra `plot`): each function draws on the Axes it is given."""
+"""Pictures of a response, by matplotlib: each function draws on the Axes it is given."""
 
 from __future__ import annotations
 
-import io
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mpsolve.certificate.format import write_whole
-from mpsolve.errors import InputError
 from mpsolve.motion.solve import Response
+from mpsolve.report.figures import rendered, require_matplotlib
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
@@ -57,12 +56,10 @@ def draw_shape(found: Response, ax: Axes, time: int = -1) -> Axes:
 
 def animation(found: Response, milliseconds: int = 40) -> FuncAnimation:
     """The shape as it moves, one picture for each time; `animation.save(path, writer="pillow")` makes a GIF."""
-    try:
-        from matplotlib.animation import FuncAnimation
-        from matplotlib.figure import Figure
-    except ImportError:
-        raise _missing() from None
+    require_matplotlib()
+    from matplotlib.animation import FuncAnimation
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(7.2, 3.6), layout="constrained")
     FigureCanvasAgg(figure)
@@ -103,19 +100,12 @@ def save_curves(curves: Mapping[str, Any], tau: Any, path: Path, title: str = ""
 
 
 def _save(panels: Sequence[Callable[[Any], Any]], path: Path, title: str) -> Path:
-    try:
-        from matplotlib.figure import Figure
-    except ImportError:
-        raise _missing() from None
+    require_matplotlib()
+    from matplotlib.figure import Figure
+
     figure = Figure(figsize=(8.0, 2.8 * len(panels) + 0.6), layout="constrained")
     for k, panel in enumerate(panels):
         panel(figure.add_subplot(len(panels), 1, k + 1))
     if title:
         figure.suptitle(title, fontsize=11)
-    stream = io.BytesIO()
-    figure.savefig(stream, format=path.suffix.lower()[1:], dpi=160, facecolor="white")
-    return write_whole(path, stream.getvalue())
-
-
-def _missing() -> InputError:
-    return InputError("matplotlib", "is needed for a picture, and missing: pip install 'mpsolve[plot]'")
+    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))

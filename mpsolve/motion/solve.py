@@ -96,6 +96,12 @@ class Response:
     def w(self) -> Any:
         return self.steady + self.harmonic + self.transient
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        from mpsolve.report.html_cards import response_html
+
+        return response_html(self)
+
 
 @overload
 def response(

@@ -1,26 +1,26 @@
-"""The picture of a stability chart, by matplotlib (the extra `plot`)."""
+"""The picture of a stability chart, by matplotlib."""
 
 from __future__ import annotations
 
-import io
 import textwrap
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.format import write_whole
-from mpsolve.errors import InputError
+from mpsolve.report.figures import COLOUR, Look, save_figure
 from mpsolve.stability.chart import GUIDE, Column, StabilityChart
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# Okabe and Ito's palette, which the colour-blind tell apart; the number of unstable roots is in the legend too
-_FILLS = ("#FFFFFF", "#F5C28A", "#E07B39", "#A23B1A", "#5C1A0B")  # 0, 2, 4, 6, 8 or more
 _OPEN, _HATCH = "#BBBBBB", "#666666"
-_INTO, _BACK, _LINE = "#D55E00", "#0072B2", "#444444"
+_LINE = "#444444"
 _SYMBOLS = {"eta_m": "$η_M$", "d": "$d$", "eta_b": "$η_b$", "eta_n": "$η_N$", "eta_s": "$η_S$", "masses": "masses"}
-_AXES = {"eta_m": "mass ratio $η_M$ of each mass", "d": "distance $d$ of neighbouring masses, in units of $1/χ$"}
+_AXES = {
+    "eta_m": "mass ratio $η_M$ of each mass",
+    "d": "distance $d$ of neighbouring masses, in units of $1/χ$",
+    "factor": "all masses, as a multiple of those of this case",
+}
 
 
 def picture(chart: StabilityChart, path: Path) -> Path:
@@ -28,59 +28,53 @@ def picture(chart: StabilityChart, path: Path) -> Path:
 
     Raises InputError if matplotlib is missing, CertificateError if the file cannot be written.
     """
-    try:
-        import matplotlib as mpl
-        from matplotlib.figure import Figure
-    except ImportError:
-        message = "is needed for a picture, and missing: pip install 'mpsolve[plot]', or ask for .json"
-        raise InputError("matplotlib", message) from None
-    style: Any = {"svg.hashsalt": "mpsolve", "svg.fonttype": "path", "font.size": 10, "axes.linewidth": 0.8}
-    kind = path.suffix.lower()[1:]
-    undated: Any = {"svg": {"Date": None, "Creator": None}, "pdf": {"CreationDate": None}, "png": {"Software": None}}
-    with mpl.rc_context(style):
-        figure = Figure(figsize=(8.4, 6.2), layout="constrained")
-        draw(chart, figure.add_subplot())
-        stream = io.BytesIO()
-        figure.savefig(stream, format=kind, dpi=160, metadata=undated[kind], facecolor="white")
-    return write_whole(path, stream.getvalue())
+    return save_figure(lambda ax: draw(chart, ax), path, (8.4, 6.2))
 
 
-def draw(chart: StabilityChart, ax: Axes) -> Axes:
-    """The chart on `ax`: filled columns by the number of unstable roots, points where it changes; returns `ax`."""
+def draw(chart: StabilityChart, ax: Axes, look: Look = COLOUR) -> Axes:
+    """The chart on `ax`, with title and legend: see `paint`; returns `ax`."""
+    paint(chart, ax, look)
+    ax.set_title("\n".join(filter(None, (chart.title, _fixed(chart)))), loc="left", fontsize=11)
+    place: Any = {"loc": "outside lower center", "ncols": 3, "frameon": False}
+    said = textwrap.fill(GUIDE, 110)
+    ax.figure.legend(handles=legend_handles(chart, look), fontsize=9, title=said, title_fontsize=8.5, **place)
+    return ax
+
+
+def paint(chart: StabilityChart, ax: Axes, look: Look = COLOUR) -> Axes:
+    """Filled columns by the number of unstable roots, points where it changes; returns `ax`."""
     places = [float(value) for value in chart.x.values if not isinstance(value, str)]
     order = sorted(range(len(places)), key=places.__getitem__)
     places, columns = [places[k] for k in order], [chart.columns[k] for k in order]
     edges = _edges(places)
     for column, (left, right) in zip(columns, pairwise(edges), strict=True):
-        _fill(column, left, right, ax)
+        _fill(column, left, right, ax, look)
     for (x, here), (y, there) in pairwise(zip(places, columns, strict=True)):
         for a, b in _joined(here, there):
             ax.plot((x, y), (a, b), color=_LINE, linewidth=0.9, linestyle=":")
     for x, column in zip(places, columns, strict=True):
         ax.axvline(x, color=_LINE, linewidth=0.5, alpha=0.3)
         for point in column.points:
-            ax.plot(x, float(point.alpha), **_marker(point.direction))
+            ax.plot(x, float(point.alpha), **_marker(point.direction, look))
     low, high = map(float, chart.alpha)
     ax.set(xlim=(edges[0], edges[-1]), ylim=(low, high), xlabel=_AXES[chart.x.parameter], ylabel="velocity ratio $α$")
     ax.set_xticks(places, minor=True)
     ax.tick_params(which="minor", length=3, color=_LINE)
-    ax.set_title("\n".join(filter(None, (chart.title, _fixed(chart)))), loc="left", fontsize=11)
-    _legend(chart, ax)
     return ax
 
 
-def _fill(column: Column, left: float, right: float, ax: Axes) -> None:
+def _fill(column: Column, left: float, right: float, ax: Axes, look: Look) -> None:
     from matplotlib.patches import Rectangle
 
     for band in column.bands:
-        look: Any = {"facecolor": _OPEN, "edgecolor": _HATCH, "hatch": "///"}
+        style: Any = {"facecolor": _OPEN, "edgecolor": _HATCH, "hatch": "///"}
         if band.unstable is not None:
-            look = {"facecolor": _filled(band.unstable), "edgecolor": "none"}
-        ax.add_patch(Rectangle((left, band.start), right - left, band.end - band.start, linewidth=0, **look))
+            style = {"facecolor": _filled(band.unstable, look), "edgecolor": "none"}
+        ax.add_patch(Rectangle((left, band.start), right - left, band.end - band.start, linewidth=0, **style))
 
 
-def _filled(unstable: int) -> str:
-    return _FILLS[min(unstable // 2, len(_FILLS) - 1)]
+def _filled(unstable: int, look: Look) -> str:
+    return look.counts[min(unstable // 2, len(look.counts) - 1)]
 
 
 def _edges(places: list[float]) -> list[float]:
@@ -114,7 +108,8 @@ def _fixed(chart: StabilityChart) -> str:
     return ", ".join(f"{_SYMBOLS[name]} = {value}" for name, value in chart.fixed.items())
 
 
-def _legend(chart: StabilityChart, ax: Axes) -> None:
+def legend_handles(chart: StabilityChart, look: Look = COLOUR) -> list[Any]:
+    """A handle for each look that the chart has, with its label."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -122,22 +117,25 @@ def _legend(chart: StabilityChart, ax: Axes) -> None:
     handles: list[Any] = []
     for number in sorted(n for n in found if n is not None):
         text = f"{number} unstable roots" if number else "stable"
-        handles.append(Patch(facecolor=_filled(number), edgecolor=_LINE, linewidth=0.5, label=text))
+        handles.append(Patch(facecolor=_filled(number, look), edgecolor=_LINE, linewidth=0.5, label=text))
     if None in found:
         handles.append(Patch(facecolor=_OPEN, edgecolor=_HATCH, hatch="///", label=_open(chart)))
     directions = {point.direction for column in chart.columns for point in column.points}
     if 1 in directions:
-        handles.append(Line2D([], [], label="two roots become unstable", **_marker(1)))
+        handles.append(Line2D([], [], label="two roots become unstable", **_marker(1, look)))
     if -1 in directions:
-        handles.append(Line2D([], [], label="two roots become stable", **_marker(-1)))
-    place: Any = {"loc": "outside lower center", "ncols": 3, "frameon": False}
-    said = textwrap.fill(GUIDE, 110)
-    ax.figure.legend(handles=handles, fontsize=9, title=said, title_fontsize=8.5, **place)
+        handles.append(Line2D([], [], label="two roots become stable", **_marker(-1, look)))
+    return handles
 
 
-def _marker(direction: int) -> dict[str, Any]:
+def _marker(direction: int, look: Look) -> dict[str, Any]:
     into = direction > 0
-    return {"marker": "^" if into else "v", "color": _INTO if into else _BACK, "markersize": 5, "linestyle": ""}
+    return {
+        "marker": "^" if into else "v",
+        "color": look.unstable if into else look.stable,
+        "markersize": 5,
+        "linestyle": "",
+    }
 
 
 def _open(chart: StabilityChart) -> str:

@@ -147,9 +147,14 @@ def _motions(motions: tuple[Vibration, ...], physical: PhysicalCase | None) -> T
     table = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False)
     for heading in ("", f"frequency [{units[0]}]", f"growth rate [{units[1]}]", f"time [{units[2]}]", ""):
         table.add_column(Text(heading), justify="right" if heading else "left")
-    for j, motion in enumerate(motions, 1):
-        table.add_row(*(Text(cell) for cell in _motion(j, motion)))
+    for row in motion_rows(motions):
+        table.add_row(*(Text(cell) for cell in row))
     return table
+
+
+def motion_rows(motions: tuple[Vibration, ...]) -> Iterator[tuple[str, ...]]:
+    """Rows of name, frequency, growth rate, time and trend."""
+    return (_motion(j, motion) for j, motion in enumerate(motions, 1))
 
 
 def _motion(j: int, motion: Vibration) -> tuple[str, ...]:

@@ -61,6 +61,12 @@ class Spectrum:
             return None
         return self.unstable == 0
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        from mpsolve.report.html_cards import spectrum_html
+
+        return spectrum_html(self)
+
 
 def certify(
     case: Case | PhysicalCase,

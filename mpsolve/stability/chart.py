@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -113,7 +113,7 @@ class StabilityChart:
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Writes the picture (.png, .svg, .pdf) or the data (.json).
 
-        Raises InputError for another name or where matplotlib (the extra `plot`) is missing, CertificateError if
+        Raises InputError for another name or where matplotlib is missing, CertificateError if
         the file cannot be written.
         """
         file = Path(path)
@@ -167,6 +167,22 @@ def stability_chart(
             jobs.append(_Job(specs.case_of(fixed | {x.parameter: value}, masses), alpha, digits))
     columns = run_bunches(_columns, jobs, workers, progress, "chart")
     return StabilityChart(title, digits, shown, alpha, x, tuple(columns))
+
+
+def case_chart(
+    case: Case,
+    factors: Sequence[Fraction],
+    alpha: tuple[Exact, Exact],
+    digits: int = 15,
+    workers: int | None = None,
+    progress: Tell | None = None,
+) -> StabilityChart:
+    """The chart of a case over all its masses times each of the `factors` > 0; it may have any masses and places."""
+    scaled = [replace(case, eta_m=tuple(ratio * factor for ratio in case.eta_m)) for factor in factors]
+    columns = run_bunches(_columns, [_Job(one, alpha, digits) for one in scaled], workers, progress, "chart")
+    x = Grid("factor", tuple(Exact.parse(factor, "factors") for factor in factors))
+    fixed = {name: specs.label(getattr(case, name)) for name in ("eta_b", "eta_n", "eta_s")}
+    return StabilityChart("", digits, {"masses": str(case.count)} | fixed, alpha, x, tuple(columns))
 
 
 def _columns(jobs: Sequence[_Job]) -> list[Column]:

@@ -134,6 +134,12 @@ class OnsetTable:
 
         return latex_text(self)
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        from mpsolve.report.html_cards import table_html
+
+        return table_html(self)
+
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Writes .csv, .json or .tex, whole or not at all.
 

@@ -32,7 +32,7 @@ def chart() -> StabilityChart:
 
 @pytest.fixture
 def ax() -> Any:
-    pytest.importorskip("matplotlib", reason="a picture needs the extra `plot`")
+    pytest.importorskip("matplotlib", reason="a picture needs matplotlib")
     from matplotlib.figure import Figure
 
     return Figure().add_subplot()
@@ -132,7 +132,7 @@ def test_open_strips_are_hatched_and_counts_coloured(ax: Any) -> None:
 
 @pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
 def test_files(kind: str, tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib", reason="a picture needs the extra `plot`")
+    pytest.importorskip("matplotlib", reason="a picture needs matplotlib")
     first, second = MADE.save(tmp_path / f"a.{kind}"), MADE.save(tmp_path / f"b.{kind.upper()}")
     assert first.read_bytes() == second.read_bytes()
     assert len(first.read_bytes()) > 5000
@@ -148,7 +148,7 @@ def test_data_as_a_file(tmp_path: Path) -> None:
 
 def test_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
-    with pytest.raises(InputError, match=r"^matplotlib: is needed .* pip install 'mpsolve\[plot\]'"):
+    with pytest.raises(InputError, match=r"^matplotlib: is needed .* pip install matplotlib"):
         MADE.save(tmp_path / "a.png")
 
 

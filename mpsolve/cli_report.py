@@ -1,0 +1,50 @@
+"""The command about one case as a whole: report."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
+
+
+@click.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Path of the page.  [default: NAME.html in the working directory]",
+)
+@click.option("--digits", type=int, default=30, show_default=True, help="Certified digits of the roots, 15 to 10000.")
+def report(file: Path, output: Path | None, digits: int) -> None:
+    """Write a page about the case in FILE (TOML): verdict, margins, roots, figures, response, certificates.
+
+    The page is one HTML file that needs no network. It takes about a minute. Exit status 0: all that can be asked of
+    the case is proved, stable or not. 1: a part is undecided, as the page says, or the page could not be written.
+    2: the input cannot be used.
+    """
+    with one_sentence():
+        from mpsolve.model.inputfile import read_input
+        from mpsolve.model.parameters import PhysicalCase
+        from mpsolve.report.answer import Source
+        from mpsolve.report.figures import require_matplotlib
+        from mpsolve.report.page import save_page
+        from mpsolve.report.page_parts import gather
+        from mpsolve.report.statement import verdict
+
+        given = read_input(file)
+        path = checked_output(output or Path(f"{given.path.stem}.html"), given.path, "the page")
+        require_matplotlib()
+        physical = given.case if isinstance(given.case, PhysicalCase) else None
+        case = given.case.dimensionless if isinstance(given.case, PhysicalCase) else given.case
+        with progress() as tell:
+            parts = gather(Source(case, physical, given.title), digits, tell, given.loads)
+            save_page(parts, path, given.path.stem)
+        click.echo(f"{verdict(parts.spectrum)}\n{path}")
+    sys.exit(0 if parts.proved else UNDECIDED)
+
+
+COMMANDS = (report,)

@@ -1,0 +1,123 @@
+"""What a notebook shows of a Spectrum, a Response, an OnsetTable: a table, and a figure where it says more."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from mpsolve.errors import InputError
+from mpsolve.report.figures import figure_of
+from mpsolve.report.figures_svg import inline_svg
+from mpsolve.report.html_environment import rendered_template
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.axes import Axes
+
+    from mpsolve.motion.solve import Response
+    from mpsolve.spectrum.certify import Spectrum
+    from mpsolve.stability.table import OnsetTable
+
+_TEMPLATE = "card.html.j2"
+
+
+def spectrum_html(spectrum: Spectrum) -> str:
+    """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
+    from mpsolve.report.figures_plane import q_plane
+    from mpsolve.report.statement import proved, verdict
+    from mpsolve.report.text import motion_rows
+    from mpsolve.report.vibration import vibrations
+
+    motions = vibrations(spectrum)
+    rows = [
+        (name, *_parts(motion.root.q), frequency, rate.replace("-", "−"), doing)
+        for motion, (name, frequency, rate, _, doing) in zip(motions, motion_rows(motions), strict=True)
+    ]
+    name = f"spectrum-{_mark(spectrum.case.as_dict())}"
+    return rendered_template(
+        _TEMPLATE,
+        head=verdict(spectrum),
+        caption="Induced frequencies, in units of τ",
+        headings=("", "Re q", "Im q", "frequency [1/τ]", "growth rate [1/τ]", ""),
+        rows=rows,
+        notes=proved(spectrum),
+        svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane"),
+    )
+
+
+def response_html(response: Response) -> str:
+    """Extremes of each contact point and force, and the displacements over time; float64, dimensionless."""
+    from mpsolve.report.figures_response import displacements
+
+    rows = [
+        (f"displacement at ξ = {place:.6g}", f"{row.min():.6g}", f"{row.max():.6g}")
+        for place, row in zip(response.xi, response.w, strict=True)
+    ]
+    rows += [
+        (f"contact force of mass {k}", f"{row.min():.6g}", f"{row.max():.6g}")
+        for k, row in enumerate(response.contact_forces, 1)
+    ]
+    notes = [
+        f"mass {k}: contact is lost at τ = {loss:.6g}"
+        for k, loss in enumerate(response.contact_loss, 1)
+        if loss is not None
+    ]
+    notes.append(f"Computed in float64, not proved; the initial conditions are missed by {response.misfit:.0e}.")
+    return rendered_template(
+        _TEMPLATE,
+        head=f"Response for τ from {response.tau.min():.6g} to {response.tau.max():.6g}",
+        caption="Least and greatest values",
+        headings=("", "least", "greatest"),
+        rows=rows,
+        notes=notes,
+        svg=_svg(
+            lambda ax: displacements(response, ax), f"response-{_mark(response.case.as_dict())}", "Displacements"
+        ),
+    )
+
+
+def table_html(table: OnsetTable) -> str:
+    """The entries as they stand in the table, and what they mean."""
+    from mpsolve.report.tables import notes, proved_sentence
+
+    rows = [
+        (label, *(entry.text for entry in row))
+        for label, row in zip(table.row_grid.labels, table.entries, strict=True)
+    ]
+    remarks = [
+        f"{table.row_grid.labels[i]}, {table.column_grid.labels[j]}: {reason}" for i, j, reason in notes(table)
+    ]
+    return rendered_template(
+        _TEMPLATE,
+        head=table.title or table.quantity,
+        caption=", ".join((table.quantity, *(f"{name} = {value}" for name, value in table.fixed.items()))),
+        headings=(f"{table.row_grid.parameter} \\ {table.column_grid.parameter}", *table.column_grid.labels),
+        rows=rows,
+        notes=[proved_sentence(table), *remarks],
+        svg="",
+    )
+
+
+def _parts(q: Any) -> tuple[str, str]:
+    """Re q and Im q in eight digits."""
+    from mpsolve.fields import ball_arithmetic
+    from mpsolve.report.digits import proved_digits
+
+    with ball_arithmetic(128):
+        real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)
+    return ("±" if q.real else "") + real, imag.replace("-", "−")
+
+
+def _mark(case: dict[str, Any]) -> str:
+    """A short name of the case, so that two figures of one notebook do not share ids."""
+    import hashlib
+
+    return hashlib.sha256(repr(case).encode()).hexdigest()[:8]
+
+
+def _svg(draw: Callable[[Axes], Axes], name: str, title: str) -> str:
+    """The figure, or nothing where matplotlib is missing: the table says it all."""
+    try:
+        return inline_svg(figure_of(draw), name, title, "Its numbers are in the table.")
+    except InputError:
+        return ""

@@ -1,0 +1,161 @@
+"""The report as one page: a single HTML file that needs no network, with its figures, numbers and certificates."""
+
+from __future__ import annotations
+
+import base64
+import shlex
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from mpsolve import __version__
+from mpsolve.certificate.format import write_whole
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.parameters import PhysicalCase
+from mpsolve.report.digits import decimal
+from mpsolve.report.html_environment import rendered_template
+from mpsolve.report.page_data import Proof, page_data, proofs
+from mpsolve.report.page_figures import ball_pictures, chart_picture, line_pictures, plane_pictures, response_pictures
+from mpsolve.report.page_parts import Parts
+from mpsolve.report.page_words import Card, card, here_text
+from mpsolve.report.statement import ASSUMED, limits, proved, verdict
+from mpsolve.report.text import beam_rows, motion_rows, ratio_rows, shown
+from mpsolve.report.vibration import Vibration, vibrations, working_bits
+
+TEMPLATE = "page.html.j2"
+
+
+@dataclass(frozen=True)
+class Download:
+    """A certificate as a link: the address holds the file itself."""
+
+    proof: Proof
+    address: str
+    command: str
+
+
+def save_page(parts: Parts, path: Path, stem: str) -> Path:
+    """Writes the page, whole or not at all; CertificateError if it cannot be written. stem: of the certificates."""
+    return write_whole(path, report_page(parts, stem))
+
+
+def report_page(parts: Parts, stem: str) -> str:
+    """The page as HTML. Raises InputError if matplotlib is missing."""
+    return rendered_template(TEMPLATE, **_context(parts, stem))
+
+
+def _context(parts: Parts, stem: str) -> dict[str, Any]:
+    source, spectrum = parts.source, parts.spectrum
+    word, _, rest = verdict(spectrum).partition(": ")
+    certificates = proofs(parts, stem)
+    motions = vibrations(spectrum, source.physical)
+    lines, chart = parts.lines.value, parts.chart.value
+    return {
+        "version": __version__,
+        "title": source.title or stem,
+        "word": word,
+        "sentence": rest[:1].upper() + rest[1:],
+        "stable": spectrum.stable,
+        "cards": [card(margin, source, spectrum.stable) for margin in parts.margins],
+        "here": {margin.name: here_text(margin, source) for margin in parts.margins},
+        "beam": None if source.physical is None else list(_beam(source.physical)),
+        "ratios": [*ratio_rows(source.case), *_limit_rows(parts)],
+        "motions": list(motion_rows(motions)),
+        "units": ("Hz", "1/s", "s") if source.physical is not None else ("1/τ", "1/τ", "τ"),
+        "digits": spectrum.digits,
+        "roots": [_digits(k, motion, spectrum.digits) for k, motion in enumerate(motions, 1)],
+        "spectrum": spectrum,
+        "plane": plane_pictures(parts),
+        "balls": ball_pictures(parts),
+        "lines": [] if lines is None else line_pictures(lines, parts),
+        "lines_reason": parts.lines.reason,
+        "counts_open": _open_counts(parts),
+        "chart": None if chart is None else chart_picture(chart, parts),
+        "chart_reason": parts.chart.reason,
+        "chart_table": [] if chart is None else _chart_rows(parts),
+        "response": response_pictures(parts),
+        "response_reason": parts.response.reason,
+        "loads_said": parts.loads_said,
+        "contact": _contact(parts),
+        "misfit": None if parts.response.value is None else f"{parts.response.value.misfit:.0e}",
+        "proved": proved(spectrum),
+        "margins_proved": [one for one in _cards(parts) if one.status == "proved"],
+        "margins_open": [one for one in _cards(parts) if one.status == "undecided"],
+        "assumed": ASSUMED,
+        "downloads": [_download(proof) for proof in certificates],
+        "data": page_data(parts, certificates),
+    }
+
+
+def _beam(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
+    for row in beam_rows(physical):
+        yield row
+        if row[0] == "v":
+            yield "", f"{shown(physical.v * Fraction(18, 5))} km/h", "the same"
+
+
+def _cards(parts: Parts) -> Iterable[Card]:
+    return (card(margin, parts.source, parts.spectrum.stable) for margin in parts.margins)
+
+
+def _limit_rows(parts: Parts) -> list[tuple[str, str, str]]:
+    meaning = {"α_C": "velocity ratio at which the cuts join", "q_lm": "limiting frequency, where the cuts begin"}
+    return [(name, value, meaning[name]) for name, value in limits(parts.spectrum).items()]
+
+
+def _digits(k: int, motion: Vibration, digits: int) -> tuple[str, str, str, str]:
+    """Name, real and imaginary part in all certified digits, and how many roots the ball holds."""
+    q = motion.root.q
+    with ball_arithmetic(working_bits(digits)):
+        real, imag = (decimal(x, digits + 2).text for x in (abs(q.real), q.imag))
+    return f"q{k}", ("±" if q.real else "") + real, imag.replace("-", "−"), str(motion.root.multiplicity)
+
+
+def _open_counts(parts: Parts) -> list[tuple[str, str]]:
+    """The velocity ratios of the lines at which the spectrum is undecided, and why."""
+    lines = parts.lines.value
+    if lines is None:
+        return []
+    return [(alpha.short(), reason) for alpha, reason in zip(lines.alpha, lines.reasons, strict=True) if reason]
+
+
+def _chart_rows(parts: Parts) -> list[tuple[str, str, str]]:
+    """For each column: the factor, what is proved on it, and what is open."""
+    chart = parts.chart.value
+    assert chart is not None
+    rows = []
+    for label, column in zip(chart.x.labels, chart.columns, strict=True):
+        said = "; ".join(
+            f"{'open' if band.unstable is None else f'{band.unstable} unstable' if band.unstable else 'stable'} "
+            f"{band.start:.6g} to {band.end:.6g}"
+            for band in column.bands
+        )
+        rows.append((label, said, column.reason))
+    return rows
+
+
+def _contact(parts: Parts) -> list[str]:
+    """A sentence about the contact of each mass."""
+    motion = parts.response.value
+    if motion is None:
+        return []
+    unit = 1.0 if parts.source.physical is None else 1 / float(parts.source.physical.time_scale)
+    said = []
+    for k, (loss, note) in enumerate(zip(motion.contact_loss, motion.contact_note, strict=True), 1):
+        if note:
+            said.append(f"Mass {k}: {note}.")
+        elif loss is None:
+            said.append(f"Mass {k} keeps pressing on the beam at all times shown.")
+        else:
+            time = f"t = {loss * unit:.4g} s" if parts.source.physical is not None else f"τ = {loss:.4g}"
+            said.append(
+                f"Mass {k}: its contact force first falls to zero at {time}; beyond that the model no longer holds."
+            )
+    return said
+
+
+def _download(proof: Proof) -> Download:
+    content = base64.b64encode(proof.certificate.text.encode("ascii")).decode("ascii")
+    return Download(proof, f"data:application/json;base64,{content}", f"mpsolve verify {shlex.quote(proof.name)}")

@@ -1,0 +1,142 @@
+"""Everything that a report shows of a case, computed part by part: one that is undecided never stops the others."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from mpsolve.errors import MpsolveError
+from mpsolve.model.exact import Exact
+from mpsolve.model.load import Load
+from mpsolve.model.parameters import Case
+from mpsolve.motion.solve import Response, response
+from mpsolve.report.answer import Source
+from mpsolve.report.page_margins import Margin, margins
+from mpsolve.spectrum.certify import Spectrum, certify
+from mpsolve.stability.chart import StabilityChart, case_chart
+from mpsolve.stability.lines import FrequencyLines, frequency_lines
+from mpsolve.stability.search import Tell
+
+GRAVITY = Exact.parse("9.80665")  # m/s², the standard acceleration
+LINE_POINTS = 25  # velocities of the frequency lines
+FACTORS = tuple(Fraction(k, 5) for k in range(1, 16))  # of the masses in the chart, the case's own among them
+_LEAST_TOP = Fraction(7, 5)  # of the velocity ratios in the chart
+_PERIODS = 12  # of the slowest induced frequency that the response shows
+_LONGEST = 1500.0  # of τ
+_QUIET = 120.0  # of τ, where there is no induced frequency
+_GROWTH = 6.0  # e-folds of an unstable motion that are shown
+_PER_PERIOD = 24  # times in a period of the fastest part
+_MOST_TIMES = 3000
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Part(Generic[T]):
+    """A result, or the reason why there is none."""
+
+    value: T | None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of the report of one case.
+
+    loads_said: what loads the response is computed for, in words.
+    """
+
+    source: Source
+    spectrum: Spectrum
+    margins: tuple[Margin, Margin, Margin]
+    lines: Part[FrequencyLines]
+    chart: Part[StabilityChart]
+    response: Part[Response]
+    loads_said: str
+
+    @property
+    def proved(self) -> bool:
+        """Whether all that can be asked of this case is proved: roots, margins, and the columns of the chart."""
+        charted = self.chart.value is not None and self.chart.value.proved
+        return self.spectrum.proved and charted and all(one.proved or not one.applies for one in self.margins)
+
+
+def gather(
+    source: Source,
+    digits: int = 30,
+    tell: Tell | None = None,
+    loads: tuple[Load, ...] | None = None,
+    line_points: int = LINE_POINTS,
+    factors: tuple[Fraction, ...] = FACTORS,
+) -> Parts:
+    """Computes every part. Raises InputError for `digits`.
+
+    loads: of the response, by default those of the case. line_points: velocities of the frequency lines; factors: of
+    all masses, the columns of the chart.
+    """
+    say = tell or (lambda _stage, _fraction: None)
+    case = source.case
+    spectrum = certify(case, digits, "sheet" if case.cuts_on_line else "unstable", progress=tell)
+    found = margins(case, tell)
+    say("lines", 0.0)
+    lines = attempted(lambda: _lines(case, line_points))
+    say("chart", 0.0)
+    top = _top(case, _LEAST_TOP)
+    factors = factors if case.eta_b else factors[1::3]  # without damping a column takes much longer
+    chart = attempted(lambda: case_chart(case, factors, (Exact.parse(0), top), workers=1, progress=tell))
+    say("response", 0.0)
+    given, said = loads_for(source, loads)
+    motion = attempted(lambda: response(source.case, given, tau=times(spectrum), spectrum=spectrum))
+    return Parts(source, spectrum, found, lines, chart, motion, said)
+
+
+def attempted(work: Callable[[], T]) -> Part[T]:
+    """The result of `work`, or the sentence of the error that mpsolve raises on purpose."""
+    try:
+        return Part(work())
+    except MpsolveError as error:
+        return Part(None, str(error))
+
+
+def loads_for(source: Source, loads: tuple[Load, ...] | None) -> tuple[tuple[Load, ...] | None, str]:
+    """The loads, in units of 1 N for a physical case, and what they are in words."""
+    if loads is not None:
+        return loads, "The loads are those of the input."
+    if source.physical is None:
+        return None, "Each mass carries the same constant unit load."
+    masses, unit = source.physical.masses, source.physical.time_scale
+    if any(mass.P or mass.P_A for mass in masses):
+        forces = tuple(Load(mass.P, mass.P_A, mass.omega_f / unit, mass.phi_f) for mass in masses)
+        return forces, "The loads are the forces P + P_A sin(ω_f t + φ_f) of the input."
+    weights = tuple(Load(mass.M * GRAVITY) for mass in masses)
+    return weights, f"The input gives no forces, so each mass carries its own weight, M · {GRAVITY.short()} m/s²."
+
+
+def times(spectrum: Spectrum) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    """Times τ that show the slowest induced vibration, its growth within bounds, and resolve the fastest."""
+    roots = [complex(root.q.mid()) for root in spectrum.roots]
+    slow = min((abs(q.real) for q in roots if abs(q.real) > 1e-3), default=0.0)
+    end = min(_LONGEST, _PERIODS * 2 * math.pi / slow) if slow else _QUIET
+    growth = max((-q.imag for q in roots), default=0.0)
+    if growth > 0:
+        end = min(end, _GROWTH / growth)
+    fast = max([1.0, *(abs(q.real) for q in roots)])
+    count = min(_MOST_TIMES, math.ceil(end * fast / (2 * math.pi) * _PER_PERIOD))
+    return np.linspace(0.0, end, max(count, 200))
+
+
+def _lines(case: Case, points: int) -> FrequencyLines:
+    """From slow to beyond the case's velocity, on decimals of three places."""
+    top = _top(case, Fraction(6, 5)).as_fraction()
+    grid = [round(top * k / points, 3) for k in range(1, points + 1)]
+    return frequency_lines(case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s, alpha=grid)
+
+
+def _top(case: Case, least: Fraction) -> Exact:
+    """A decimal of one place that leaves room above the case's own velocity ratio."""
+    return Exact.parse(max(least, Fraction(math.ceil(float(case.alpha) * 12), 10)))

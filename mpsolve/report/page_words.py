@@ -1,0 +1,146 @@
+"""The sentences of a page about margins: what may change by how much, in the units of the case."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.exact import Exact
+from mpsolve.report.answer import Source, number
+from mpsolve.report.digits import proved_digits
+from mpsolve.report.page_margins import Margin
+
+_PLACES = 5
+_BITS = 160
+_SYMBOL = {"velocity": "α", "mass": "η_M", "distance": "d"}
+_QUESTION = {
+    "velocity": "Velocity, all else as it is",
+    "mass": "All masses, in their proportions",
+    "distance": "Distance of neighbouring masses",
+}
+
+
+@dataclass(frozen=True)
+class Card:
+    """A margin in words. figure: the signed margin with its unit, or what stands in its place."""
+
+    name: str
+    question: str
+    figure: str
+    sentence: str
+    status: str
+
+
+def card(margin: Margin, source: Source, stable: bool | None) -> Card:
+    """The margin to the nearest change of stability; stable: of the case itself, None where undecided."""
+    question = _QUESTION[margin.name]
+    if not margin.applies:
+        return Card(margin.name, question, "none", f"Does not apply: {margin.reason}.", "none")
+    if not margin.proved:
+        return Card(margin.name, question, "undecided", f"Undecided: {margin.reason}.", "undecided")
+    with ball_arithmetic(_BITS):
+        near = margin.nearest
+        if near is None:
+            figure = "no limit" if margin.high is None else "no change"
+            return Card(margin.name, question, figure, _nothing(margin, source, stable), "proved")
+        shift = near - margin.here
+        sign, text = ("+" if shift > 0 else "−"), _shift(margin, source, abs(shift))
+        return Card(margin.name, question, f"{sign}{text}", _changes(margin, source, stable), "proved")
+
+
+def margin_data(margin: Margin, source: Source) -> dict[str, Any]:
+    """For machines: here, below, above, nearest and their distance from here, in the parameter and in `unit`."""
+    with ball_arithmetic(_BITS):
+        near = margin.nearest
+        factor, unit = _unit(margin, source)
+
+        def both(ball: Any | None) -> dict[str, Any] | None:
+            if ball is None or not margin.applies:
+                return None
+            return {"parameter": number(ball, 15), "in_unit": number(ball * factor, 15)}
+
+        return {
+            "name": margin.name,
+            "status": "proved" if margin.proved else "undecided" if margin.applies else "does not apply",
+            "reason": margin.reason,
+            "unit": unit,
+            "range": {"start": str(margin.low), "end": None if margin.high is None else str(margin.high)},
+            "here": both(margin.here),
+            "below": both(margin.below),
+            "above": both(margin.above),
+            "margin": None if near is None else both(near - margin.here),
+        }
+
+
+def _unit(margin: Margin, source: Source) -> tuple[Any, str]:
+    """The ball by which the parameter is multiplied, and the unit: km/h, kg (of the largest mass), m; or "", and 1.
+
+    The parameter of a dimensionless mass margin is multiplied by the largest mass ratio.
+    """
+    physical = source.physical
+    if margin.name == "velocity":
+        return (Exact.parse(1).ball(), "") if physical is None else (physical.v_cr.ball() * 18 / 5, "km/h")
+    if margin.name == "mass":
+        sizes = source.case.eta_m if physical is None else tuple(mass.M for mass in physical.masses)
+        return max(sizes).ball(), "" if physical is None else "kg"
+    return (Exact.parse(1).ball(), "") if physical is None else (1 / physical.chi.ball(), "m")
+
+
+def _value(margin: Margin, source: Source, ball: Any) -> str:
+    """A value of the parameter, such as 360.00 km/h or α = 0.67000."""
+    number, unit = _number(margin, source, ball)
+    return f"{number} {unit}" if unit else f"{_SYMBOL[margin.name]} = {number}"
+
+
+def _shift(margin: Margin, source: Source, ball: Any) -> str:
+    """A difference of the parameter, such as 328.26 km/h or 0.0030810 in α."""
+    number, unit = _number(margin, source, ball)
+    return f"{number} {unit}" if unit else f"{number} in {_SYMBOL[margin.name]}"
+
+
+def _number(margin: Margin, source: Source, ball: Any) -> tuple[str, str]:
+    factor, unit = _unit(margin, source)
+    return proved_digits(ball * factor, _PLACES), unit
+
+
+def _of(margin: Margin, source: Source) -> str:
+    """Of which mass the figure in kg is."""
+    same = len(set(source.case.eta_m)) == 1
+    if margin.name != "mass" or source.case.count == 1:
+        return ""
+    return " for each mass" if same else " for the largest mass"
+
+
+def _changes(margin: Margin, source: Source, stable: bool | None) -> str:
+    near = margin.nearest
+    assert near is not None
+    up = bool(near > margin.here)
+    becomes = {True: "becomes unstable", False: "becomes stable", None: "changes its stability"}[stable]
+    ratio = ""
+    if margin.here > 0:
+        ratio = f" ({proved_digits(100 * abs(near - margin.here) / margin.here, 3)} %)"
+    step = f"{_shift(margin, source, abs(near - margin.here))}{ratio} {'more' if up else 'less'} than now"
+    place = f"{'above' if up else 'below'} {_value(margin, source, near)}{_of(margin, source)}"
+    said = f"The case {becomes} {place}, which is {step}."
+    other = margin.below if up else margin.above
+    if other is not None:
+        said += f" On the other side it changes at {_value(margin, source, other)}."
+    return said
+
+
+def _nothing(margin: Margin, source: Source, stable: bool | None) -> str:
+    state = {True: "stable", False: "unstable", None: "the same"}[stable]
+    if margin.high is None:
+        whole = {"mass": "for every size of the masses", "distance": "at every distance"}[margin.name]
+        return f"The case is {state} {whole}, so there is no limit."
+    low, high = (_value(margin, source, end.ball()) for end in (margin.low, margin.high))
+    return f"The case stays {state} all the way from {low} to {high}, the range that was searched."
+
+
+def here_text(margin: Margin, source: Source) -> str:
+    """The case's own value."""
+    if not margin.applies:
+        return ""
+    with ball_arithmetic(_BITS):
+        return _value(margin, source, margin.here) + _of(margin, source)
