@@ -18,7 +18,7 @@ from mpsolve.motion.contour import deformed_contour
 from mpsolve.motion.forcing import Tone, tones
 from mpsolve.motion.sheets import sections
 from mpsolve.motion.transient import Motion, contour_integral
-from mpsolve.motion.waves import Wave, induced_waves, steady_waves
+from mpsolve.motion.waves import Wave, induced_waves, modulus, steady_waves
 from mpsolve.spectrum.certify import Spectrum, certify
 
 if TYPE_CHECKING:
@@ -95,6 +95,12 @@ class Response:
     @property
     def w(self) -> Any:
         return self.steady + self.harmonic + self.transient
+
+    @property
+    def envelope(self) -> Any:
+        """The bound of the unsteady harmonic part, Figures 3–8, shape (len(xi), len(tau))."""
+        pairs = [(pair.q, pair.amplitude) for pair in self.harmonic_pairs]
+        return modulus(pairs, self.tau) if pairs else np.zeros((len(self.xi), len(self.tau)))
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""

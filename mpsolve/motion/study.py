@@ -13,6 +13,7 @@ from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.solve import Response, checked_places, checked_times, prepare, response
+from mpsolve.motion.waves import modulus
 from mpsolve.spectrum.certify import Spectrum
 
 _REAL = 1e-12  # Im q below this part of |q| is a rounded 0
@@ -49,14 +50,14 @@ def envelope(
     problem = prepare(case, loads, spectrum)
     place, times = checked_places([xi], problem.model), checked_times(tau)
     terms = [(wave.q, complex(wave.amplitude(problem.model, place)[0])) for wave in problem.induced]
-    modulus = np.abs(sum((a * np.exp(1j * q * times) for q, a in terms), np.zeros(len(times), complex)))
+    size = modulus([(q, [a]) for q, a in terms], times)[0] if terms else np.zeros(len(times))
     sizes = tuple(abs(a) for _, a in terms)
     if any(abs(q.imag) > _REAL * abs(q) for q, _ in terms):
-        return Envelope(modulus, sizes, None, None, "the amplitudes grow or decay: the extremes depend on the times")
+        return Envelope(size, sizes, None, None, "the amplitudes grow or decay: the extremes depend on the times")
     if len(terms) > 2:
-        return Envelope(modulus, sizes, sum(sizes), None, "more than two pairs: only the bound from above is known")
+        return Envelope(size, sizes, sum(sizes), None, "more than two pairs: only the bound from above is known")
     padded = (*sizes, 0.0, 0.0)[:2]
-    return Envelope(modulus, sizes, sum(padded), abs(padded[0] - padded[1]), "")
+    return Envelope(size, sizes, sum(padded), abs(padded[0] - padded[1]), "")
 
 
 def superposition(

@@ -125,3 +125,9 @@ def _resonant(tone: Tone) -> str:
         f"with the frequency {tone.exact.short()} meet a branch point of the beam on its foundation (resonance), so "
         "that there is no steady state: change the frequency or the velocity, or add damping"
     )
+
+
+def modulus(pairs: Sequence[tuple[complex, Any]], tau: Any) -> Any:
+    """|Σ A_k e^{iq_kτ}| for pairs (q_k, A_k(ξ)), shape (len(ξ), len(τ)): what Re Σ A_k e^{iq_kτ} never exceeds."""
+    waves = [np.asarray(a)[:, None] * np.exp(1j * q * tau) for q, a in pairs]
+    return np.abs(sum(waves[1:], waves[0]))

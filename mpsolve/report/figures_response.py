@@ -8,8 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.motion.solve import Response
 from mpsolve.report.figures import COLOUR, Look
@@ -38,18 +36,10 @@ class Scale:
         return cls(1 / float(physical.time_scale), 1e3 * static, 1e-3, "s", "mm", "kN")
 
 
-def envelope(response: Response) -> Any:
-    """|Σ A_k e^{iq_k τ}| over the pairs, shape (len(xi), len(tau)): what the unsteady harmonic part cannot exceed."""
-    total = np.zeros((len(response.xi), len(response.tau)), complex)
-    for pair in response.harmonic_pairs:
-        total += pair.amplitude[:, None] * np.exp(1j * pair.q * response.tau)
-    return np.abs(total)
-
-
 def displacements(response: Response, ax: Axes, scale: Scale | None = None, look: Look = COLOUR) -> Axes:
     """w at each ξ over time, downward on the page too; dotted: the steady part ± the envelope; returns `ax`."""
     scale = scale or Scale()
-    t, bounds = response.tau * scale.time, envelope(response)
+    t, bounds = response.tau * scale.time, response.envelope
     for k in range(len(response.xi)):
         style = look.line(k)
         ax.plot(t, response.w[k] * scale.length, **style, label=f"contact point {k + 1}", gid=f"w-{k + 1}")

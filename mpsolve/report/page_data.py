@@ -15,7 +15,7 @@ from mpsolve.motion.solve import Response
 from mpsolve.report.answer import number
 from mpsolve.report.data import as_data
 from mpsolve.report.figures_plane import gap_end
-from mpsolve.report.figures_response import Scale, envelope
+from mpsolve.report.figures_response import Scale
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
 from mpsolve.stability.lines import FrequencyLines, LineEnd
@@ -127,7 +127,7 @@ def _response(motion: Response, scale: Scale, loads: str) -> dict[str, Any]:
         "t": _floats(motion.tau * scale.time),
         "w": [_floats(row * scale.length) for row in motion.w],
         "steady": [_floats(row * scale.length) for row in motion.steady],
-        "envelope": [_floats(row * scale.length) for row in envelope(motion)],
+        "envelope": [_floats(row * scale.length) for row in motion.envelope],
         "contact_force": [_floats(row * scale.force) for row in motion.contact_forces],
         "contact_loss": [None if loss is None else loss * scale.time for loss in motion.contact_loss],
         "contact_note": list(motion.contact_note),

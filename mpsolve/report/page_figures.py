@@ -12,7 +12,7 @@ from mpsolve.report.figures import SIZE, figure_of
 from mpsolve.report.figures_chart import stability_map
 from mpsolve.report.figures_lines import line_frequencies, line_growth
 from mpsolve.report.figures_plane import gap_end, q_plane, root_ball, roots_zoom, whole_contour
-from mpsolve.report.figures_response import Scale, contact_forces, displacements, envelope
+from mpsolve.report.figures_response import Scale, contact_forces, displacements
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.statement import radius_text
@@ -146,7 +146,7 @@ def response_pictures(parts: Parts) -> list[Picture]:
     if motion is None:
         return []
     scale = Scale.of(parts.source.physical)
-    w, bound = motion.w * scale.length, envelope(motion) * scale.length
+    w, bound = motion.w * scale.length, motion.envelope * scale.length
     force, unit = motion.contact_forces * scale.force, scale.length_name
     ends = f"to {motion.tau[-1] * scale.time:.4g} {scale.time_name}".removesuffix(" τ")
     said = " ".join(

@@ -163,7 +163,7 @@ def test_second_scales_agree_with_the_first(lines: Any) -> None:
 
 
 def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> None:
-    bound = figures_response.envelope(motion)
+    bound = motion.envelope
     assert np.all(abs(motion.harmonic) <= bound * (1 + 1e-12))
     for row, edge in zip(motion.harmonic, bound, strict=True):
         assert np.max(abs(row) / edge) > 0.99

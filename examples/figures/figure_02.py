@@ -1,0 +1,47 @@
+"""Figure 2: induced frequencies over the velocity ratio, without damping.
+
+a) η_M = 70, d = 0.5, 1, 1.5, real and imaginary part; b) the same for η_M = 40; c), d) η_M = 40, d = 2, 2.5, …, 4.5
+(the caption says the same of both: here d) enlarges the ends of the lines of c)); e) η_M = 10, d = 0.5, 1, 1.5.
+c) to e) show velocities below the critical one only. Black dotted: q_lm; dashed: one mass; dash-dot: one doubled
+mass; light grey to black: two masses by growing distance. The line of the higher pair ends at q_lm: the last
+velocities of the grid 0.01 with both pairs are 0.74, 0.86, 0.87 in b), 0.37, 0.66, 0.72 in e) (Section 4.2).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from induced import ALPHA, draw_lines, groups
+from style import page, run
+
+CLOSE = ("0.5", "1", "1.5")
+FAR = ("2", "2.5", "3", "3.5", "4", "4.5")
+SUBCRITICAL = 0.99
+DETAIL = {"xlim": (0.8, 0.96), "xticks": (0.8, 0.85, 0.9, 0.95), "ylim": (0.08, 0.2), "title": "d) detail of c)"}
+
+
+def visualize(path: Path | str = "figure_02.svg", alpha: Any = ALPHA) -> Path:
+    """Writes the picture and returns its path; `alpha`: the velocity ratios, ascending."""
+    below = alpha[alpha <= SUBCRITICAL]
+    with page(path, 4, 2, (3.4, 2.3)) as axes:
+        for letter, row, eta_m, top in (("a", axes[0], 70, 0.45), ("b", axes[1], 40, 0.55)):
+            found = groups(eta_m, CLOSE, alpha=alpha)
+            for ax, part in zip(row, ("real", "imag"), strict=True):
+                draw_lines(ax, part, found, alpha=alpha).set_title(f"{letter}) $η_M = {eta_m}$")
+            row[0].set_ylim(0, top)
+            row[1].set_ylim(bottom=0)
+        far = groups(40, FAR, alpha=below)
+        draw_lines(axes[2, 0], "real", far, alpha=below).set(title="c) $η_M = 40$", ylim=(0, 0.35))
+        draw_lines(axes[2, 1], "real", far, alpha=below).set(**DETAIL)
+        light = groups(10, CLOSE, alpha=below)
+        draw_lines(axes[3, 0], "real", light, alpha=below).set(title="e) $η_M = 10$", ylim=(0, 1))
+        for ax in axes[:2, 1]:
+            ax.legend(*axes[0, 0].get_legend_handles_labels(), loc="upper left")
+        axes[3, 1].legend(*axes[2, 0].get_legend_handles_labels(), title="c), d)", ncols=2, loc="center")
+        axes[3, 1].set_axis_off()
+    return Path(path)
+
+
+if __name__ == "__main__":
+    run(visualize, "figure_02")

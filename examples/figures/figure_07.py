@@ -1,0 +1,65 @@
+"""Figure 7: maximum and minimum of the envelopes of the unsteady harmonic part at the rear mass, without damping.
+
+η_M = 40, d = 0.5, 1, …, 4.5, over the velocity ratios at which both pairs of induced frequencies exist. With the
+amplitudes A₁, A₂ of the two pairs in (36) they are |A₁| + |A₂| and ||A₁| − |A₂||, two lines of one grey for each
+distance, light grey to black as it grows. They meet where the higher pair reaches the branch cut and its part fades.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from style import greys, page, run
+
+from mpsolve import cut_points, frequencies
+from mpsolve.fields import Float64
+from mpsolve.model.branch import Track, pairing
+from mpsolve.model.characteristic import characteristic_rate
+from mpsolve.motion.transform import contact_kernels, numerators, system
+
+ETA_M = 40.0
+DISTANCES = ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5")
+POINTS = 160
+
+
+def velocities(d: str, points: int = POINTS) -> Any:
+    """Velocity ratios from 0.01 almost to the proved one at which the higher pair ends, closer and closer."""
+    (end,) = cut_points(0, (ETA_M, ETA_M), (0, d), alpha=("0.01", "0.99"), digits=15)
+    return float(end.alpha.mid()) - (float(end.alpha.mid()) - 0.01) * np.linspace(1, 0.005, points) ** 2
+
+
+def amplitudes(d: str, alpha: Any) -> Any:
+    """|A_k| at ξ = 0 in float64, shape (len(alpha), 2), for unit constant forces; nan without both pairs."""
+    found = frequencies(alpha, 0, ETA_M, float(d))
+    half = np.sort(np.where(found.q.real > 0, found.q.real, np.nan), axis=-1)  # undamped and subcritical: all real
+    q = np.full((len(alpha), 2), np.nan)
+    both = found.count == 4
+    q[both] = half[both, :2]
+    model = Track(Float64(), alpha[:, None], 0.0, 0.0, (ETA_M, ETA_M), (0.0, float(d)), True)
+    with np.errstate(invalid="ignore"):
+        pair, force = pairing(model, q + 0j), 4 / (1j * q)  # F_j of (22)
+        contact = numerators(model, system(model, pair, q), [force, force])
+        kernels = contact_kernels(model, pair)[0]
+        slope = characteristic_rate(model, q + 0j)[1]
+        # twice: the mirror image −q̄ is in the real part
+        return np.abs(2j / slope * (contact[0] * kernels[0] + contact[1] * kernels[1]) / np.pi)
+
+
+def visualize(path: Path | str = "figure_07.svg", points: int = POINTS) -> Path:
+    """Writes the picture and returns its path; `points`: velocity ratios of each line."""
+    with page(path, 1, 1, (6.0, 3.6)) as axes:
+        ax = axes[0, 0]
+        for d, grey in zip(DISTANCES, greys(len(DISTANCES)), strict=True):
+            alpha = velocities(d, points)
+            first, second = amplitudes(d, alpha).T
+            ax.plot(alpha, first + second, color=grey, label=f"$\\hat d = {d}$")
+            ax.plot(alpha, abs(first - second), color=grey)
+        ax.set(xlabel="$α$", ylabel="greatest and least amplitude", xlim=(0, 1), ylim=(0, None))
+        ax.legend(ncols=2, loc="upper left")
+    return Path(path)
+
+
+if __name__ == "__main__":
+    run(visualize, "figure_07")

@@ -1,0 +1,63 @@
+"""Figure 10: the lowest imaginary part of all induced frequencies at α = 0.99; below zero the vibration grows.
+
+a) η_M = 70 over η_b = 0.04, 0.05, …, 0.99, at the critical distance of each η_b (the distance at which that part is
+lowest: 1.245 falling to 1.043). b) over η_M for η_b = 0.05, 0.1, 0.2, 0.5 (the caption prints 0.1 twice), at the
+critical distance for η_M = 70. Dotted: zero. Section 4.3 gives η_M = 21.9 as the limit for η_b = 0.1; that belongs to
+d = 1.1, and at the critical distance 20.73 is enough.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from style import LIMIT, greys, page, run
+
+from mpsolve import frequencies
+
+ALPHA = 0.99
+ETA_M = 70.0
+ETA_B: Any = np.arange(4, 100) / 100
+DISTANCES: Any = np.arange(100, 132, 2) / 100  # among which the critical one is looked for
+CURVES = (0.05, 0.1, 0.2, 0.5)  # η_b of b)
+MASSES: Any = np.arange(1.0, 101.0)
+
+
+def lowest(eta_b: Any, eta_m: Any, d: Any) -> Any:
+    """The least Im q at α = 0.99 in float64, nan where there is no induced frequency; the arrays broadcast."""
+    q = frequencies(ALPHA, eta_b, eta_m, d).q
+    least = np.where(np.isnan(q.real), np.inf, q.imag).min(axis=-1, initial=np.inf)
+    return np.where(np.isfinite(least), least, np.nan)
+
+
+def critical(eta_b: Any = ETA_B) -> tuple[Any, Any]:
+    """The distance of the lowest Im q for η_M = 70, and that Im q, for each η_b: a parabola through three samples."""
+    eta_b = np.asarray(eta_b, float)
+    sampled = lowest(eta_b[:, None], ETA_M, DISTANCES)
+    k = np.clip(sampled.argmin(axis=1), 1, len(DISTANCES) - 2)
+    before, here, after = (sampled[np.arange(len(eta_b)), k + j] for j in (-1, 0, 1))
+    shift = (before - after) / (2 * (before - 2 * here + after))
+    return DISTANCES[k] + shift * (DISTANCES[1] - DISTANCES[0]), here + shift * (after - before) / 4
+
+
+def visualize(path: Path | str = "figure_10.svg", eta_b: Any = ETA_B, masses: Any = MASSES) -> Path:
+    """Writes the picture and returns its path; `eta_b` of a), `masses` η_M of b)."""
+    with page(path, 1, 2, (3.4, 2.5)) as axes:
+        left, right = axes[0]
+        left.plot(eta_b, critical(eta_b)[1], color="black")
+        left.set(xlabel="$η_b$", xlim=(0, 1), title="a)")
+        places = critical(CURVES)[0]
+        for damping, d, grey in zip(CURVES, places, greys(len(CURVES)), strict=True):
+            name = f"$η_b = {damping:g}$, $\\hat d = {d:.2f}$"
+            right.plot(masses, lowest(damping, masses, d), color=grey, label=name)
+        right.set(xlabel="$η_M$", xlim=(0, float(masses[-1])), ylim=(-0.05, 0.1), title="b)")
+        right.legend()
+        for ax in (left, right):
+            ax.axhline(0, **LIMIT)
+            ax.set_ylabel("lowest Im $q$")
+    return Path(path)
+
+
+if __name__ == "__main__":
+    run(visualize, "figure_10")

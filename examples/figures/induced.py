@@ -1,0 +1,122 @@
+"""Induced frequencies over the velocity ratio, as lines: Figures 2 and 9.
+
+The roots are those of the fast path, in float64; roots of neighbouring velocities are joined by extrapolation, which
+is a way of drawing and no proof (`mpsolve.frequency_lines` proves). Without damping the velocities at which a line of
+two masses meets q_lm are proved, by `cut_points`, and the line is drawn up to there; with damping it ends at the last
+velocity of the grid.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from style import DOUBLED, LIMIT, SINGLE, greys
+
+from mpsolve import Case, cut_points, frequencies
+from mpsolve.fields import Float64
+from mpsolve.model.limits import limiting_frequency
+
+ALPHA: Any = np.arange(1, 141) / 100
+_LEAP = 0.02  # a root farther from where its line points to belongs to another line
+
+
+@dataclass(frozen=True)
+class Line:
+    """q[k] at alpha[k], Re q ≥ 0 (undamped also Im q ≥ 0: −q̄, and then q̄, −q, are induced frequencies too)."""
+
+    alpha: tuple[float, ...]
+    q: tuple[complex, ...]
+
+
+@dataclass(frozen=True)
+class Group:
+    """The lines of one system, and how they are drawn."""
+
+    name: str
+    lines: tuple[Line, ...]
+    look: dict[str, Any]
+
+
+def groups(eta_m: int, distances: Sequence[str], eta_b: str = "0", alpha: Any = ALPHA) -> list[Group]:
+    """One mass, one doubled mass, and two equal masses at each distance."""
+    single = Group("single mass", tuple(lines(eta_m, None, eta_b, alpha)), SINGLE)
+    doubled = Group("doubled mass", tuple(lines(2 * eta_m, None, eta_b, alpha)), DOUBLED)
+    shades = zip(distances, greys(len(distances)), strict=True)
+    pairs = [Group(f"$\\hat d = {d}$", tuple(lines(eta_m, d, eta_b, alpha)), {"color": grey}) for d, grey in shades]
+    return [*pairs, single, doubled]
+
+
+def lines(eta_m: int, d: str | None, eta_b: str = "0", alpha: Any = ALPHA) -> list[Line]:
+    """The frequency lines of two equal masses at the distance d, or of one mass (d None)."""
+    place, ratio = (1.0, 0) if d is None else (float(d), 1)
+    found = frequencies(alpha, float(eta_b), eta_m, place, mass_ratio=ratio)
+    with np.errstate(invalid="ignore"):
+        kept = (found.q.real >= 0) & ((found.q.imag >= 0) | (float(eta_b) > 0))
+    joined = join(alpha, [row[keep] for row, keep in zip(found.q, kept, strict=True)])
+    return joined if d is None or float(eta_b) else _to_the_cut(joined, eta_m, d, alpha)
+
+
+def join(alpha: Any, roots: Sequence[Any]) -> list[Line]:
+    """Lines through the roots of each velocity: each line goes on at the nearest root to its extrapolation."""
+    done: list[Line] = []
+    alive: list[tuple[list[float], list[complex]]] = []
+    for a, here in zip(alpha.tolist(), roots, strict=True):
+        near = [
+            (abs(_ahead(places, q, a) - z), k, m) for k, (places, q) in enumerate(alive) for m, z in enumerate(here)
+        ]
+        pairs: dict[int, int] = {}
+        for gap, k, m in sorted(near):
+            if gap < _LEAP and k not in pairs and m not in pairs.values():
+                pairs[k] = m
+        done += [Line(tuple(line[0]), tuple(line[1])) for k, line in enumerate(alive) if k not in pairs]
+        fresh = [([a], [complex(z)]) for m, z in enumerate(here) if m not in pairs.values()]
+        for k, m in pairs.items():
+            alive[k][0].append(a)
+            alive[k][1].append(complex(here[m]))
+        alive = [line for k, line in enumerate(alive) if k in pairs] + fresh
+    return done + [Line(tuple(line[0]), tuple(line[1])) for line in alive]
+
+
+def _ahead(alpha: list[float], q: list[complex], a: float) -> complex:
+    if len(q) < 2:
+        return q[-1]
+    return q[-1] + (q[-1] - q[-2]) * (a - alpha[-1]) / (alpha[-1] - alpha[-2])
+
+
+def _to_the_cut(joined: list[Line], eta_m: int, d: str, alpha: Any) -> list[Line]:
+    """The same lines, without damping, each with the proved point at which it ends or begins at q_lm."""
+    last = min(float(alpha[-1]), 0.99)  # below α_C = 1, where q_lm = 0
+    for point in cut_points(0, (eta_m, eta_m), (0, d), alpha=(float(alpha[0]), last), digits=15):
+        a, q = float(point.alpha.mid()), complex(point.q)
+        end = 0 if point.appears else -1
+        k = int(np.argmin([abs(line.q[end] - q) + abs(line.alpha[end] - a) for line in joined]))
+        line = joined[k]
+        before, after = (((a,), (q,)), ((), ())) if point.appears else (((), ()), ((a,), (q,)))
+        joined[k] = Line((*before[0], *line.alpha, *after[0]), (*before[1], *line.q, *after[1]))
+    return joined
+
+
+def limiting(eta_b: str, alpha: Any = ALPHA) -> Any:
+    """q_lm over α, nan from α_C on."""
+    q_lm = [limiting_frequency(Case(alpha=a, eta_b=eta_b, eta_m=1), Float64()) for a in alpha.tolist()]
+    return np.where(np.array(q_lm) > 0, q_lm, np.nan)
+
+
+def draw_lines(ax: Any, part: str, drawn: Sequence[Group], eta_b: str = "0", alpha: Any = ALPHA) -> Any:
+    """`part` ("real" or "imag") of all lines over α, with q_lm or the level of the cut, dotted; returns `ax`."""
+    height = float(eta_b)
+    for group in drawn:
+        for k, line in enumerate(group.lines):
+            # above the cut the physical sheet has roots too: thinner
+            thin = {"linewidth": 0.4} if height and line.q[-1].imag > height else {}
+            name = None if k else group.name
+            ax.plot(line.alpha, [getattr(q, part) for q in line.q], label=name, **(group.look | thin))
+    if part == "real":
+        ax.plot(alpha, limiting(eta_b, alpha), label="$q_{lm}$", **LIMIT)
+    elif height:
+        ax.axhline(height, **LIMIT)
+    ax.set(xlabel="$α$", ylabel=f"{'Re' if part == 'real' else 'Im'} $q$", xlim=(0, float(alpha[-1])))
+    return ax
