@@ -1,0 +1,1 @@
+"""The paper on trial: every printed claim, checked anew when the audit runs."""

@@ -1,0 +1,76 @@
+"""The report for terminals and for machines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from mpsolve.audit.claims import Claim, Finding, Verdict
+from mpsolve.audit.run import Report
+
+PAPER = "Dimitrovová, two moving proximate masses on a beam on a Pasternak viscoelastic foundation"
+_COLOUR = {
+    Verdict.PROVED: "green",
+    Verdict.REFUTED: "bold red",
+    Verdict.CONDITIONAL: "yellow",
+    Verdict.UNDECIDABLE: "magenta",
+    Verdict.SLIP: "cyan",
+    Verdict.AGREES: "green",
+    Verdict.DISAGREES: "bold red",
+}
+_CLAIM_WIDTH = 160  # characters of a claim in the table; all of it stands in the JSON and on the page
+
+
+def summary(report: Report) -> str:
+    """How many claims have each verdict."""
+    counts = ((verdict.value, report.count(verdict)) for verdict in Verdict)
+    return f"{len(report.entries)} claims: " + ", ".join(f"{n} {name}" for name, n in counts if n) + "."
+
+
+def document(report: Report) -> Group:
+    """A table with one row a claim, and the summary."""
+    table = Table(box=SIMPLE_HEAD, show_lines=True, pad_edge=False)
+    table.add_column("claim", no_wrap=True)
+    table.add_column("verdict", max_width=12)
+    table.add_column("as printed, and what is found", overflow="fold")
+    for claim, finding in report.entries:
+        table.add_row(claim.id, Text(finding.verdict.value, style=_COLOUR[finding.verdict]), _body(claim, finding))
+    return Group(table, Text(summary(report), style="bold"))
+
+
+def _body(claim: Claim, finding: Finding) -> Text:
+    text = claim.text if len(claim.text) <= _CLAIM_WIDTH else f"{claim.text[: _CLAIM_WIDTH - 1]}…"
+    body = Text(f"{text}\n", style="italic")
+    body.append(finding.sentence, style="not italic")
+    for line in finding.search[:3]:
+        body.append(f"\n→ {line}", style="not italic")
+    return body
+
+
+def as_data(report: Report) -> dict[str, Any]:
+    """Everything, as JSON takes it."""
+    return {
+        "paper": PAPER,
+        "summary": {verdict.value: report.count(verdict) for verdict in Verdict},
+        "complete": report.complete,
+        "claims": [
+            {
+                "id": claim.id,
+                "place": claim.place,
+                "claim": claim.text,
+                "printed": {name: list(values) for name, values in claim.printed.items()},
+                "looked at": {name: list(values) for name, values in claim.at.items()},
+                "verdict": finding.verdict.value,
+                "sentence": finding.sentence,
+                "numbers": [{"what": what, "value": value} for what, value in finding.numbers],
+                "proof": list(finding.steps),
+                "search": list(finding.search),
+                "certificates": list(report.files[claim.id]),
+            }
+            for claim, finding in report.entries
+        ],
+    }

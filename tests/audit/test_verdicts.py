@@ -1,0 +1,132 @@
+"""Verdicts follow the printed numbers: a wrong number is refuted, a right one in its place proved."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from mpsolve.audit.claims import Claim, Finding, Verdict
+from mpsolve.audit.run import all_claims
+
+CLAIMS = {claim.id: claim for claim in all_claims()}
+
+
+def found(name: str, at: dict | None = None, **printed: str) -> Finding:
+    """The finding of a claim with other printed numbers, or looked at elsewhere."""
+    claim: Claim = CLAIMS[name]
+    changed = {key: tuple(text.split("; ")) for key, text in printed.items()}
+    claim = replace(claim, printed={**claim.printed, **changed}, at={**claim.at, **(at or {})})
+    return claim.check(claim)
+
+
+def test_every_conclusion_has_a_claim() -> None:
+    numerals = ["i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii"]
+    assert all(any(name.partition("-")[0] == numeral for name in CLAIMS) for numeral in numerals)
+    assert len(CLAIMS) == len(all_claims())
+
+
+@pytest.mark.parametrize(
+    ("name", "right", "wrong"),
+    [
+        ("4.2-final-10", {}, {"alpha": "0.37; 0.67; 0.72"}),
+        ("4.2-final-40-near", {}, {"alpha": "0.74; 0.86; 0.88"}),
+        ("fig-8-variable", {}, {"alone": "0.5; 1"}),
+        ("fig-6-constant", {}, {"alone": "2; 2.5"}),
+        ("v-embedded-undamped", {}, {"lower": "outside"}),
+        ("ii", {}, {"limit": "α_C"}),
+        ("vi-mass", {}, {"way": "higher"}),
+        ("x", {}, {"range": "supercritical"}),
+        ("iv", {}, {"level": "2η_b"}),
+        ("fig-11-unstable", {"alpha": "0.8", "unstable": "0.8 1.5"}, {"alpha": "0.8", "unstable": "0.8 1"}),
+    ],
+)
+def test_a_right_number_is_proved_and_a_wrong_one_refuted(name: str, right: dict, wrong: dict) -> None:
+    assert found(name, **right).verdict is Verdict.PROVED
+    assert found(name, **wrong).verdict is Verdict.REFUTED
+
+
+def test_the_onset_of_section_4_3() -> None:
+    one = {"d": "1", "eta_m": "70"}
+    assert found("4.3-onset", **one, alpha="0.97").verdict is Verdict.PROVED
+    assert found("4.3-onset", **one, alpha="0.96").verdict is Verdict.REFUTED
+
+
+def test_the_limiting_masses_of_conclusion_xii_and_what_reproduces_them() -> None:
+    """Both printed numbers are refuted; the search finds d = 1.1, with the damping ratios exchanged, by itself."""
+    for name, other in (("xii-a", "0.1"), ("xii-b", "0.05")):
+        printed = found(name)
+        assert printed.verdict is Verdict.REFUTED
+        assert any("d = 1.1 both" in line and "exchanged" in line for line in printed.search)
+        assert any(f"η_b = {other}, d = 1.1" in line for line in printed.search)
+    assert found("xii-a", eta_m="33.1").verdict is Verdict.PROVED
+    assert found("xii-b", eta_m="20.8").verdict is Verdict.PROVED
+
+
+def test_the_order_of_the_lines_with_damping() -> None:
+    assert found("v-embedded-damped").verdict is Verdict.REFUTED
+    assert found("vi-outside-damped").verdict is Verdict.REFUTED
+    assert found("v-embedded-damped", at={"cases": ("0.05 0.5 40 1",)}).verdict is Verdict.UNDECIDABLE
+
+
+def test_numbers_of_pairs() -> None:
+    assert found("3-most-pairs").verdict is Verdict.REFUTED
+    assert found("3-most-pairs", pairs="6").verdict is Verdict.UNDECIDABLE
+    assert found("v-pairs-damped").verdict is Verdict.REFUTED
+    assert found("v-pairs-damped", high="3").verdict is Verdict.UNDECIDABLE
+    assert found("3-pairs").verdict is Verdict.CONDITIONAL
+    assert found("3-pairs", at={"alpha": ("0.5",)}).verdict is Verdict.UNDECIDABLE
+
+
+def test_four_signs_without_damping() -> None:
+    """Four purely imaginary roots at α = 1.4, η_M = 70, d = 2; none at α = 1.2."""
+    place = {"eta_m": ("70",), "d": ("2",)}
+    assert found("iii", at={**place, "alpha": ("1.4",)}).verdict is Verdict.REFUTED
+    assert found("iii", at={**place, "alpha": ("1.2",)}).verdict is Verdict.CONDITIONAL
+
+
+def test_distances() -> None:
+    assert found("vi-distance").verdict is Verdict.REFUTED
+    assert found("v-distance").verdict is Verdict.REFUTED
+    assert found("v-distance", at={"alpha": ()}).verdict is Verdict.UNDECIDABLE
+
+
+def test_the_subcritical_velocity() -> None:
+    assert found("4.3-subcritical").verdict is Verdict.CONDITIONAL
+    assert found("4.3-subcritical", eta_b="0.04:0.01:0.19").verdict is Verdict.PROVED
+    assert found("4.3-subcritical", alpha="1.01").verdict is Verdict.REFUTED
+
+
+def test_the_axis_that_a_root_crosses() -> None:
+    assert found("4.4-method").verdict is Verdict.SLIP
+    assert found("4.4-method", axis="real").verdict is Verdict.PROVED
+
+
+def test_amplitudes() -> None:
+    assert found("vii").verdict is Verdict.PROVED
+    assert found("vii", at={"alpha": ("0.5",)}).verdict is Verdict.UNDECIDABLE
+    assert found("fig-3").verdict is Verdict.REFUTED
+    assert found("fig-3", alpha="0.5; 0.8").verdict is Verdict.PROVED
+    assert found("fig-7").verdict is Verdict.PROVED
+    assert found("fig-7", at={"alpha": ("0.3", "0.5")}).verdict is Verdict.UNDECIDABLE
+    assert found("fig-A.2").verdict is Verdict.AGREES
+    assert found("fig-A.2", first="1").verdict is Verdict.DISAGREES
+    assert found("ix-distance").verdict is Verdict.CONDITIONAL
+    assert found("ix-distance", at={"eta_m": ("70",)}).verdict is Verdict.REFUTED
+    assert found("ix-distance", at={"eta_m": ("40",)}).verdict is Verdict.AGREES
+    assert found("5-not-damping").verdict is Verdict.REFUTED
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "verdict"),
+    [
+        ("xi", Verdict.CONDITIONAL),
+        ("4.3-limit", Verdict.CONDITIONAL),
+        ("fig-12-text", Verdict.CONDITIONAL),
+        ("fig-12-caption", Verdict.REFUTED),
+        ("fig-12-order", Verdict.PROVED),
+    ],
+)
+def test_long_checks(name: str, verdict: Verdict) -> None:
+    assert found(name).verdict is verdict
