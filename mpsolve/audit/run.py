@@ -12,7 +12,7 @@ from mpsolve.errors import CertificateError, InputError, MpsolveError
 from mpsolve.stability.pool import run
 from mpsolve.stability.search import Tell
 
-_LONG = ("xi-smooth-high", "xi-smooth-low", "i", "iii-imaginary", "iii", "fig-12-text", "xi")  # take longest: first
+_LONG = ("i", "xi-smooth-high", "xi-smooth-low", "iii", "fig-12-text", "xi")  # take longest: first
 
 
 @dataclass(frozen=True)
