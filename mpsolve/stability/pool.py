@@ -34,7 +34,7 @@ def unpack(packed: PackedBall) -> Any:
     return arb(*packed)
 
 
-_BUNCH = 16  # pieces of work that are done side by side, where this is quicker than one by one
+_BUNCH = 40  # pieces of work that are done side by side, where this is quicker than one by one
 _BUNCHES = 8  # few pieces make at least so many bunches, so that processors have something to share
 
 
