@@ -98,18 +98,18 @@ class Float64:
         near = np.abs(z) < 1e-2
         delta = np.sqrt(np.where(near, 1.0, delta2) + 0j)
         plus, minus = np.exp(1j * (sigma + delta) * x), np.exp(1j * (sigma - delta) * x)
-        far_cos, far_sin = (plus + minus) / 2, (plus - minus) / (2j * delta)
-        far_third = (x * far_cos - far_sin) / (2 * delta * delta)
+        cos, sin = (plus + minus) / 2, (plus - minus) / (2j * delta)
+        third = (x * cos - sin) / (2 * delta * delta)
         if not near.any():
-            return far_cos, far_sin, far_third
+            return cos, sin, third
         # Taylor in z = δ²x²: |z| < 1e-2 leaves an error below 1e-17
-        carrier = np.exp(1j * sigma * x)
-        cos, sinc, third = _taylor_waves(np.where(near, z, 0), 7)
-        return (
-            np.where(near, carrier * cos, far_cos),
-            np.where(near, carrier * x * sinc, far_sin),
-            np.where(near, carrier * x**3 * third, far_third),
+        cos, sin, third, near, sigma, z, x = (
+            np.array(v) for v in np.broadcast_arrays(cos, sin, third, near, sigma, z, x)
         )
+        carrier, x = np.exp(1j * sigma[near] * x[near]), x[near]
+        near_cos, near_sinc, near_third = _taylor_waves(z[near], 7)
+        cos[near], sin[near], third[near] = carrier * near_cos, carrier * x * near_sinc, carrier * x**3 * near_third
+        return cos, sin, third
 
     def one_minus_exp(self, z: Any, x: Any) -> Any:
         """(1 − e^{izx})/z, entire in z; 1 − e^{iv} = −2i e^{iv/2} sin(v/2) near 0."""
@@ -247,6 +247,8 @@ class MP:
         return cos, sin, (x * cos - sin) / (2 * delta2)
 
     def det(self, rows: Sequence[Sequence[Any]]) -> Any:
+        if len(rows) <= 2:
+            return laplace_det(rows)
         return self.context.det(self.context.matrix([list(row) for row in rows]))
 
 

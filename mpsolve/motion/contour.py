@@ -165,13 +165,14 @@ def _nodes(
 ) -> Nodes:
     contacts = np.isin(probe, track.positions)
 
-    def integrand(u: Any, q: Any, rate: Any) -> Any:
-        w, S = images(track, tones, Nodes(q, sums(u, q), None, part), probe)
-        return np.concatenate([w, _VELOCITY * q * w[contacts], _FORCE * S]) * rate
+    def integrand(u: Any, q: Any, rate: Any) -> tuple[Any, Any]:
+        s = sums(u, q)
+        w, S = images(track, tones, Nodes(q, s, None, part), probe)
+        return np.concatenate([w, _VELOCITY * q * w[contacts], _FORCE * S]) * rate, s
 
     panels = adaptive_panels(place, integrand, breaks, track.eta_b, _TOLERANCE, MOST_PANELS)
     q, rate = place(panels.nodes)
-    return Nodes(q, sums(panels.nodes, q), sign * panels.weights * rate, part)
+    return Nodes(q, panels.left, sign * panels.weights * rate, part)
 
 
 def _residues(track: Track, path: Lift, part: str, share: Callable[[complex], float]) -> Iterator[Nodes]:

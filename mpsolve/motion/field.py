@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 
 from mpsolve.model.branch import Pairing, Track
-from mpsolve.model.kernel import AHEAD, BEHIND, kernel
+from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 
 
 def kernels_at(track: Track, pair: Pairing, xi: Any, place: float) -> Any:
     """K(ξ − place, q), shape (len(xi), number of q)."""
     values = np.empty((len(xi), np.size(pair.s)), complex)
     gap = np.asarray(xi, float) - place
-    for side, where in ((AHEAD, gap >= 0), (BEHIND, gap < 0)):
+    values[gap == 0] = kernel_at_contact(track, pair)
+    for side, where in ((AHEAD, gap > 0), (BEHIND, gap < 0)):
         if where.any():
             values[where] = kernel(track, pair, side, np.abs(gap[where])[:, None])
     return values

@@ -105,15 +105,13 @@ class Lift:
     def sums_at(self, track: Track, u: Any, q: Any) -> Any:
         """s at the points q(u): next to a branch point the nearest, far out by rank, else as followed."""
         first, last = self.samples[0], self.samples[-1]
-        s = ranked(track, q, self.sheet)
         near = (u <= first) | ((u >= last) & self.closed)
         if self.sheet.rank:
             near |= u < last
-        if near.any():  # np.interp is constant beyond the samples, where the rank drowns in rounding
-            guess = np.interp(u[near], self.samples, self.sums.real) + 1j * np.interp(
-                u[near], self.samples, self.sums.imag
-            )
-            s[near] = nearest(track, q[near], guess)
+        # np.interp is constant beyond the samples, where the rank drowns in rounding
+        real, imag = (np.interp(u[near], self.samples, part) for part in (self.sums.real, self.sums.imag))
+        s = np.empty(len(q), complex)
+        s[near], s[~near] = nearest(track, q[near], real + 1j * imag), ranked(track, q[~near], self.sheet)
         return s
 
 

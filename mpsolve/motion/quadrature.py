@@ -23,10 +23,11 @@ Place = Callable[[Any], tuple[Any, Any]]
 
 @dataclass(frozen=True)
 class Panels:
-    """Nodes u of a path and their weights, in order."""
+    """Nodes u of a path and their weights, in order, and what the integrand left at each node."""
 
     nodes: Any
     weights: Any
+    left: Any
 
 
 @lru_cache(maxsize=1)
@@ -39,26 +40,32 @@ def rule() -> tuple[Any, Any, Any]:
 
 
 def adaptive_panels(
-    place: Place, integrand: Callable[[Any, Any, Any], Any], breaks: Any, floor: float, tolerance: float, most: int
+    place: Place,
+    integrand: Callable[[Any, Any, Any], tuple[Any, Any]],
+    breaks: Any,
+    floor: float,
+    tolerance: float,
+    most: int,
 ) -> Panels:
     """Panels between `breaks` on which integrand(u, q, dq/du) and its product with e^{iqτ} are resolved, τ ≥ 0.
 
-    place(u) = q, dq/du; integrand returns shape (outputs, nodes). A panel stays when its last Legendre coefficients
-    times its length are below `tolerance`. e^{iqτ} is taken relative to its size on Im q = `floor`. Raises
-    PrecisionError beyond `most` panels.
+    place(u) = q, dq/du; integrand returns its values, shape (outputs, nodes), and what to leave at the nodes. A panel
+    stays when its last Legendre coefficients times its length are below `tolerance`. e^{iqτ} is taken relative to its
+    size on Im q = `floor`. Raises PrecisionError beyond `most` panels.
     """
     nodes, weights, _ = rule()
     low, high = np.asarray(breaks[:-1], float), np.asarray(breaks[1:], float)
-    done: list[tuple[Any, Any]] = []
+    done: list[tuple[Any, Any, Any]] = []
     kept = 0
     for _ in range(_ROUNDS):
         u = ((low + high) + (high - low) * nodes[:, None]).T / 2  # (panels, ORDER)
         q, rate = place(u.ravel())
-        values = integrand(u.ravel(), q, rate).reshape(-1, *u.shape)
+        values, left = integrand(u.ravel(), q, rate)
+        values = values.reshape(-1, *u.shape)
         tails = _tails(values, q.reshape(u.shape), floor)
         noise = _NOISE * np.abs(values).max((0, 2))
         wide = ~((tails * (high - low) <= tolerance) | (tails <= noise))
-        done.append((low[~wide], high[~wide]))
+        done.append((low[~wide], high[~wide], left.reshape(u.shape)[~wide]))
         kept += len(done[-1][0])
         if not wide.any():
             break
@@ -66,10 +73,11 @@ def adaptive_panels(
             raise PrecisionError(f"the transient part needs more than {most} panels of its integral")
         middle = (low[wide] + high[wide]) / 2
         low, high = np.concatenate([low[wide], middle]), np.concatenate([middle, high[wide]])
-    low, high = (np.concatenate([pair[k] for pair in done]) for k in (0, 1))
+    low, high, left = (np.concatenate([part[k] for part in done]) for k in (0, 1, 2))
     order = np.argsort(low)
     low, high = low[order, None], high[order, None]
-    return Panels((((low + high) + (high - low) * nodes) / 2).ravel(), ((high - low) * weights / 2).ravel())
+    placed, weighed = ((low + high) + (high - low) * nodes) / 2, (high - low) * weights / 2
+    return Panels(placed.ravel(), weighed.ravel(), left[order].ravel())
 
 
 def _tails(values: Any, q: Any, floor: float) -> Any:

@@ -20,6 +20,7 @@ from mpsolve.motion.sheets import sections
 from mpsolve.motion.transient import Motion, contour_integral
 from mpsolve.motion.waves import Wave, induced_waves, modulus, steady_waves
 from mpsolve.spectrum.certify import Spectrum, certify
+from mpsolve.threads import one_thread
 
 if TYPE_CHECKING:
     from mpsolve.motion.enclosure import Enclosure, PreciseMotion
@@ -245,8 +246,9 @@ class Problem:
         # tolerances are those of unit forces: the motion is linear in the loads
         size = max((abs(a) for tone in self.tones for a in tone.amplitudes), default=0.0) or 1.0
         scaled = [replace(tone, amplitudes=tuple(a / size for a in tone.amplitudes)) for tone in self.tones]
-        contour = deformed_contour(self.model, scaled, sections(self.case), list(above), reach)
-        part = contour_integral(self.model, scaled, contour, xi, tau) * size
+        with one_thread():
+            contour = deformed_contour(self.model, scaled, sections(self.case), list(above), reach)
+            part = contour_integral(self.model, scaled, contour, xi, tau) * size
         for q in contour.left_out:
             part = part + -self._motion(above[q], xi, tau)
         return part

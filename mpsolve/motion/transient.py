@@ -16,7 +16,7 @@ from mpsolve.model.branch import Track
 from mpsolve.motion.contour import Contour, images
 from mpsolve.motion.forcing import Tone
 
-_BLOCK = 256
+_BLOCK = 512
 _ENTRIES = 8_000_000  # of e^{iqτ} at a time, which bounds the memory: 128 MB
 _NEGLIGIBLE = 1e-17  # what one node may leave out
 _RATE = 1e-2  # what velocity and force count beside the displacement
@@ -44,16 +44,15 @@ class Motion:
 def contour_integral(track: Track, tones: Sequence[Tone], contour: Contour, xi: Any, tau: Any) -> Motion:
     """(1/2π) ∫ W̃ e^{iqτ} dq over the contour and its mirror image."""
     masses, order = len(track.positions), np.argsort(tau)
-    points = np.concatenate([np.array(track.positions), xi])
+    points, place = np.unique(np.concatenate([track.positions, xi]), return_inverse=True)
     total = np.zeros((len(points) + 2 * masses, len(tau)))
     for part in contour.nodes:
         for k in range(0, len(part.q), _BLOCK):
             block = part[k : k + _BLOCK]
             w, S = images(track, tones, block, points)
-            rows = np.concatenate([w, 1j * block.q * w[:masses], S / 4]) * (block.weights / np.pi)
+            rows = np.concatenate([w, 1j * block.q * w[place[:masses]], S / 4]) * (block.weights / np.pi)
             _accumulate(total, rows, block.q, tau, order, len(points))
-    shown = total[masses : len(points)]
-    return Motion(shown, total[len(points) : -masses], total[-masses:])
+    return Motion(total[place[masses:]], total[len(points) : -masses], total[-masses:])
 
 
 def _accumulate(total: Any, rows: Any, q: Any, tau: Any, order: Any, shown: int) -> None:
@@ -65,18 +64,22 @@ def _accumulate(total: Any, rows: Any, q: Any, tau: Any, order: Any, shown: int)
     width = max(1, _ENTRIES // len(q))
     for k in range(0, len(used), width):
         some = used[k : k + width]
-        total[:, some] += (rows @ _turns(q, tau[some])).real
+        total[:, some] += _sums(rows, q, tau[some])
 
 
-def _turns(q: Any, tau: Any) -> Any:
-    """e^{iqτ}, shape (len(q), len(tau)), ascending τ; for evenly spaced times by products of a few exponentials."""
+def _sums(rows: Any, q: Any, tau: Any) -> Any:
+    """Re Σ rows e^{iqτ} over the nodes, shape (rows, times), ascending τ.
+
+    Evenly spaced times after the first, τ = τ₁ + jδ: with j = ab + c, e^{iqτ} is a product of a few exponentials, and
+    the sum one of matrices.
+    """
     first, rest = tau[:1], tau[1:]
     step = (rest[-1] - rest[0]) / max(len(rest) - 1, 1) if len(rest) else 0.0
     even = len(rest) > 64 and np.allclose(rest, rest[0] + step * np.arange(len(rest)), rtol=0, atol=1e-15 * rest[-1])
     if not even:
-        return np.exp(1j * q[:, None] * tau)
+        return (rows @ np.exp(1j * q[:, None] * tau)).real
     width = int(np.sqrt(len(rest)))
-    coarse = np.exp(1j * q[:, None] * rest[::width])
+    coarse = np.exp(1j * rest[::width, None] * q)
     fine = np.exp(1j * q[:, None] * (step * np.arange(width)))
-    product = (coarse[:, :, None] * fine[:, None, :]).reshape(len(q), -1)[:, : len(rest)]
-    return np.concatenate([np.exp(1j * q[:, None] * first), product], axis=1)
+    later = ((rows[:, None] * coarse).reshape(-1, len(q)) @ fine).reshape(len(rows), -1)[:, : len(rest)]
+    return np.concatenate([rows @ np.exp(1j * q[:, None] * first), later], axis=1).real

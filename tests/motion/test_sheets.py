@@ -88,10 +88,11 @@ def test_panels_resolve_a_peak_and_a_decay() -> None:
     def place(u: Any) -> tuple[Any, Any]:
         return 1j * u, 1j + 0 * u
 
-    def integrand(u: Any, _q: Any, _rate: Any) -> Any:
-        return (1 / ((u - 0.3) ** 2 + 1e-6))[None, :]
+    def integrand(u: Any, _q: Any, _rate: Any) -> tuple[Any, Any]:
+        return (1 / ((u - 0.3) ** 2 + 1e-6))[None, :], 2 * u
 
     panels = adaptive_panels(place, integrand, graded(1.0), 0.0, 1e-12, 10_000)
+    assert np.array_equal(panels.left, 2 * panels.nodes)
     peak = 1 / ((panels.nodes - 0.3) ** 2 + 1e-6)
     exact = (np.arctan(0.7e3) + np.arctan(0.3e3)) * 1e3
     assert np.sum(panels.weights * peak) == pytest.approx(exact, rel=1e-12)
