@@ -1,6 +1,6 @@
 """A study on the processes of an MPI job: any `concurrent.futures.Executor` will do, and mpi4py has one.
 
-    pip install mpi4py
+    pip install 'mpsolve[mpi]'
     mpiexec -n 17 python -m mpi4py.futures examples/study_mpi.py
 
 The first process hands out the cases and writes the store, the other sixteen compute. The store has to be on a disk

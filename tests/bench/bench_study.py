@@ -20,7 +20,7 @@ GOAL = 1.8
 CERTIFIED: dict[str, Any] = {
     "study": {"kind": "certified"},
     "parameters": {
-        "alpha": {"start": "0.5", "stop": "0.79", "step": "0.01"},
+        "alpha": {"start": "0.3", "stop": "0.79", "step": "0.005"},
         "eta_b": "0.05",
         "eta_m": [50, 70],
         "d": ["1", "1.5"],
