@@ -34,8 +34,8 @@ class Frequencies:
     outcome: Any
 
     @property
-    def labels(self) -> Any:
-        """The outcomes as text: "unresolved", "tracked" or "certified"."""
+    def status(self) -> Any:
+        """The outcomes as text, shape (…): "certified", "tracked" or "unresolved"."""
         return np.array([outcome.name.lower() for outcome in Outcome])[self.outcome]
 
     @property

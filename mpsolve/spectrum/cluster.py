@@ -132,14 +132,16 @@ def _inner_roots(series: Taylor, m: int) -> list[Any]:
 
 
 def _isolated(case: Case, approximations: list[Any], bits: int, digits: int) -> list[RootBall] | None:
-    try:
-        boxes = [isolate(case, q, bits) for q in approximations]
-        balls = [refine(case, box, digits) for box in boxes]
-    except PrecisionError:
-        return None
-    if not balls or any(a.q.overlaps(b.q) for k, a in enumerate(balls) for b in balls[:k]):
-        return None
-    return balls
+    """Disjoint balls of all roots, None where they do not come apart; with more digits where they must."""
+    for enough in (digits, 2 * digits):
+        try:
+            boxes = [isolate(case, q, bits) for q in approximations]
+            balls = [refine(case, box, enough) for box in boxes]
+        except PrecisionError:
+            continue
+        if balls and not any(a.q.overlaps(b.q) for k, a in enumerate(balls) for b in balls[:k]):
+            return balls
+    return None
 
 
 def _as_cluster(series: Taylor, m: int, target: int) -> list[RootBall]:

@@ -37,6 +37,8 @@ def seek(case: Case, radius: float, effort: int = 1, known: tuple[complex, ...] 
     model = track(case, Float64())
     around = branch_points(case) if case.cuts_on_line else []
     q = _starting_points(radius, around, effort) + 1j * model.eta_b
+    if effort > 1 and case.cuts_on_line:
+        q = np.concatenate([q, _along_the_cut(model.positions, around[0], effort) + 1j * model.eta_b])
     poles = np.array([z for k in known for z in (k, -k.conjugate())], dtype=complex)
     step = np.full(q.shape, np.inf)
     active = np.ones(q.shape, dtype=bool)
@@ -73,6 +75,14 @@ def _starting_points(radius: float, around: list[float], effort: int) -> Any:
     spokes = np.exp(1j * np.pi * (np.arange(6 * effort) + 0.5) / (3 * effort))
     grids += [r * (1 + np.outer(near, spokes)) for r in around if r > 0]
     return np.concatenate([grid.ravel() for grid in grids])
+
+
+def _along_the_cut(positions: Any, start: float, effort: int) -> Any:
+    """Points close to the cut on both sides: masses far apart have a root there for each half wave between them."""
+    span = max(positions[-1] - positions[0], 1.0)
+    along = np.linspace(0, 2, int(4 * effort * span) + 1)[1:] ** 2  # √(r − q_lm) goes with the wave number
+    heights = np.array([0.1, 0.01, 0.001]) * np.minimum(along, 1)[:, None]
+    return (start + along[:, None] + 1j * np.concatenate([-heights, heights], axis=1)).ravel()
 
 
 def _distinct(q: Any, step: Any) -> list[Candidate]:

@@ -190,7 +190,7 @@ def _float64(spec: Spec, cases: Sequence[dict[str, Value]]) -> list[Result]:
     if not inside.any():
         return results
     found = frequencies(*(array[inside] for array in (alpha, eta_b, eta_m, d, eta_n, eta_s, share)))
-    labels, counts = found.labels.tolist(), found.count.tolist()
+    labels, counts = found.status.tolist(), found.count.tolist()
     for place, status, count, q in zip(np.flatnonzero(inside).tolist(), labels, counts, found.q, strict=True):
         roots = tuple(Root(x.real, x.imag) for x in q[np.isfinite(q)].tolist())
         if count < 0:

@@ -107,7 +107,7 @@ def run_study(part: tuple[Any, ...], workers: int) -> Frequencies:
     result = frequencies(*np.ix_(*part), workers=workers)
     wall = time.perf_counter() - start
     number = result.count.size
-    labels, counts = np.unique(result.labels, return_counts=True)
+    labels, counts = np.unique(result.status, return_counts=True)
     outcome = ", ".join(f"{count} {label}" for label, count in zip(labels.tolist(), counts.tolist(), strict=True))
     print(f"{number} cases, {workers} processes: {wall:.1f} s, {number / wall:.0f} cases a second; {outcome}")
     return result

@@ -107,13 +107,13 @@ def test_a_single_number_is_certified() -> None:
     result = frequencies(0.67, 0.05, 70, 1.5)
     assert result.count.shape == ()
     assert result.q.shape == (4,)
-    assert result.labels == "certified"
+    assert result.status == "certified"
     assert result.unstable == 2
 
 
 def test_broadcasting_and_padding() -> None:
     result = frequencies(np.array([[0.5], [1.2]]), [0.05, 0.2, 0.4], 70, 4.5)
-    assert result.count.shape == result.outcome.shape == result.labels.shape == (2, 3)
+    assert result.count.shape == result.outcome.shape == result.status.shape == (2, 3)
     assert result.q.shape == (2, 3, result.count.max())
     for q, n in zip(result.q.reshape(6, -1), result.count.ravel(), strict=True):
         assert np.isfinite(q[:n]).all()

@@ -89,6 +89,27 @@ def test_the_count_is_explained_by_clusters(d: int) -> None:
     assert found.stable is True
 
 
+FAR_APART = [
+    ("0.31", "0.4", 3, 30, 18),
+    ("0.31", "0.4", 3, 60, 32),
+    ("0.1", "0.6", 3, 100, 22),
+    ("0.179", 0, "2.42", 50, 4),
+]
+
+
+@pytest.mark.parametrize(("alpha", "eta_b", "eta_m", "d", "roots"), FAR_APART)
+def test_damped_masses_far_apart_have_roots_along_the_cut(
+    alpha: str, eta_b: Any, eta_m: Any, d: int, roots: int
+) -> None:
+    """Waves run to and fro between them: a root close to the cut for each half wave, and two that nearly meet."""
+    found = checked(pair(alpha, d, eta_m, eta_b), digits=15)
+    assert found.count == roots
+    singles = checked(Case(alpha=alpha, eta_b=eta_b, eta_m=eta_m)).roots
+    for one in singles:
+        near = [root for root in found.roots if abs(complex(root.q.mid()) - complex(one.q.mid())) < 1e-4]
+        assert sum(root.multiplicity for root in near) == 2
+
+
 @pytest.mark.parametrize(("alpha", "d"), [*itertools.product(["0.1", "0.5"], ["0.5", "1.5"])])
 def test_the_pairs_lower_frequency_is_between_single_and_double(alpha: str, d: str) -> None:
     """Section 4.2, undamped, subcritical."""
