@@ -25,10 +25,11 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.exact import Exact, Number
+from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.rigorous_forces import Setting, setting
-from mpsolve.motion.rigorous_path import Guide, Route, float_track, guide, require_gap, route
+from mpsolve.motion.rigorous_path import Guide, Route, float_track, guide, route
 from mpsolve.motion.rigorous_quadrature import panels
 from mpsolve.motion.rigorous_sheet import prove_clear
 from mpsolve.motion.rigorous_sum import Samples, physical_start
@@ -71,7 +72,7 @@ def enclose_response(
     digits: int = 15,
     spectrum: Spectrum | None = None,
 ) -> Enclosure:
-    """The motion in balls proved to hold it, of a beam from rest under one or two masses below the critical velocity.
+    """The motion in balls proved to hold it, of a beam from rest under one or two masses.
 
     loads, xi, tau, spectrum as for `response`. digits: the balls aim at a radius of 10^−digits times the displacement
     of a unit force; they are returned whatever their radius is. At early times the transient part decays with an
@@ -80,8 +81,8 @@ def enclose_response(
 
     Takes seconds: some thousand evaluations of W̃, which serve all positions and times.
 
-    Raises InputError for input that has no meaning and for the regimes not covered (three masses, velocities without
-    a gap between the cuts, overdamping), PrecisionError where a step of the proof fails; both say what helps.
+    Raises InputError for input that has no meaning and for the regimes not covered (three masses, overdamping),
+    PrecisionError where a step of the proof fails; both say what helps.
     """
     forces = loads_of(case, loads)
     if isinstance(case, PhysicalCase):
@@ -147,7 +148,7 @@ def _middle(ball: Any) -> Any:
 
 
 def _checked(case: Case, xi: Any, tau: Any) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
-    require_gap(case)
+    require_cuts_on_line(case)
     count = case.merged.count
     if count > 2:
         raise InputError("balls", f"cover one or two masses, not {count}: ask for float64 values")

@@ -1,7 +1,9 @@
-"""The contour of the proved transient part: a path in v, q = x + iη_b + v²/2 with x near the limiting frequency.
+"""The contour of the proved transient part: a path in v, q = x + iη_b + v²/2 with x near the last branch point.
 
 In Re q ≥ 0 the physical sheet is the half Im v < 0: the right half of the real v axis is the lower side of the cut,
-the left half its upper side, and Im v > 0 with Re v > 0 is the sheet that continues the lower side upward. The path
+the left half its upper side, and Im v > 0 with Re v > 0 is the sheet that continues the lower side upward. Where the
+cut reaches beyond x to the left, it lies on the imaginary v axis: below α_C a gap remains between it and Re q = 0,
+from α_C on none does, and the path begins below the line, Re v₀ > 0. The path
 
 runs v₀ → v₁ → ∞ + iδ, Im v₁ = δ,
 from a point q(v₀) = ih of the imaginary axis, through the lower side of the cut, and out along Im v = δ, where
@@ -18,18 +20,20 @@ from typing import Any
 import flint
 import numpy as np
 
-from mpsolve.errors import InputError, PrecisionError
-from mpsolve.fields import Float64, ball_arithmetic
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
-from mpsolve.model.limits import limiting_frequency
+from mpsolve.model.limits import branch_points, limiting_frequency
 from mpsolve.model.parameters import Case
 
 acb, arb = flint.acb, flint.arb
 
 _GRID = 2.0**20  # v₀ on a grid of 2^−20, so that the centre x is exact in float64
-_NARROW = 0.002  # q_lm
+_NARROW = 0.002  # q_lm below which no path is led through the gap
 _FAR = 20.0  # |w| from which the p-roots are named by their asymptotes in seeds
-_HEIGHTS = (0.5, 0.35, 0.7, 0.2, 1.0, 0.1, 1.4, -0.1, -0.3, -0.6, -1.0)  # of q(v₀) above the line, by q_lm
+_HEIGHTS = (0.5, 0.35, 0.7, 0.2, 1.0, 0.1, 1.4)  # of q(v₀) above the line, by q_lm
+_DEPTHS = (0.1, 0.3, 0.6, 1.0, 0.03)  # of q(v₀) below it, by the last branch point or _LEAST
+_LEAST = 0.25
 _CROSSINGS = (1.0, 0.6, 1.5, 0.35)
 _ENOUGH = 0.15  # clearance beyond which the first choice is taken
 _MARGIN = 1e-9  # of the side on which a pole lies of the path, by far above what the path's own rounding moves it
@@ -81,17 +85,6 @@ class Route:
         return min(crossing, self.v1.real) * (1 - 2.0**-20)
 
 
-def require_gap(case: Case) -> None:
-    """Refuses, by InputError, the regimes that have no gap between two cuts on the line Im q = η_b."""
-    with ball_arithmetic(64) as field:
-        if not limiting_frequency(case, field) > _NARROW:
-            raise InputError(
-                "alpha",
-                f"is {case.alpha.short()}, where the cuts leave no gap, or too narrow a one, about Re q = 0: "
-                "enclosures cover subcritical velocities only; ask for float64 values, or a lower velocity",
-            )
-
-
 def route(
     case: Case, track: Track, poles: Sequence[complex], extent: float, longest: float, lowered: float = 1
 ) -> Route:
@@ -101,26 +94,27 @@ def route(
 
     Raises PrecisionError where no path is clear of the poles.
     """
-    gap = limiting_frequency(case, track.field)
-    limit, eta_b = float(gap), float(track.eta_b)
+    gap, last = limiting_frequency(case, track.field), branch_points(case)[-1]
+    eta_b = float(track.eta_b)
     span = float(case.positions[-1]) - float(case.positions[0])
+    heights = [height * float(gap) for height in _HEIGHTS] if gap > _NARROW else []
+    heights += [-depth * max(last, _LEAST) for depth in _DEPTHS]
     best, least = None, 20.0
     for turn in _CROSSINGS:
-        for height in _HEIGHTS:
-            way = _through(limit, height * limit, turn, lowered * _height(span, extent), longest)
-            if way is None:
+        for height in heights:
+            way = _from(last, height, turn, lowered * _height(span, extent), longest)
+            if way is None or not _leaves_by_the_cut(way, gap):
                 continue
             clearance = min((_distance(way, eta_b, q) for q in poles), default=1.0)
-            depth = max(0.0, -eta_b - height * limit)
+            depth = max(0.0, -eta_b - height)
             # panels shrink towards a pole in steps of 2, and e^{depth τ} costs nodes and digits
             cost = 3 * np.log(_ENOUGH / min(clearance + 1e-9, _ENOUGH)) + depth * longest / 3
             if cost < least:
                 best, least = way, cost
     if best is None:
         raise PrecisionError(
-            "no path through the gap is clear of the induced frequencies: change a parameter slightly"
+            "no path around the branch points is clear of the induced frequencies: change a parameter slightly"
         )
-    _check(best, gap)
     return best
 
 
@@ -129,11 +123,11 @@ def _height(span: float, extent: float) -> float:
     return min(0.5, np.log(2) / (4 * span) if span else 0.5, 4 / extent if extent else 0.5)
 
 
-def _through(limit: float, height: float, turn: float, delta: float, longest: float) -> Route | None:
+def _from(last: float, height: float, turn: float, delta: float, longest: float) -> Route | None:
     """The path from q = i(η_b + height). For late times it crosses next to the branch point, so as to dip less."""
-    v = -np.sqrt(complex(-2 * limit, 2 * height)) if height > 0 else np.sqrt(complex(-2 * limit, 2 * height))
+    v = -np.sqrt(complex(-2 * last, 2 * height)) if height > 0 else np.sqrt(complex(-2 * last, 2 * height))
     x, y = round(v.real * _GRID) / _GRID, round(v.imag * _GRID) / _GRID
-    crossing = turn * min(0.3, 0.3 * abs(y), 1.5 / np.sqrt(max(longest, 1.0)))
+    crossing = max(x, turn * min(0.3, 0.3 * abs(y), 1.5 / np.sqrt(max(longest, 1.0))))
     v0 = complex(x, y)
     v1 = complex(crossing + (crossing - x) * delta / -y, delta)
     # a steep path cannot meet the image of the imaginary axis, a hyperbola flatter than 45°, again
@@ -151,14 +145,13 @@ def _distance(way: Route, eta_b: float, q: complex) -> float:
     return float(abs(v - way.v0 - t * (way.v1 - way.v0)))
 
 
-def _check(way: Route, gap: Any) -> None:
-    """The path leaves the physical sheet through the cut, and nowhere else."""
+def _leaves_by_the_cut(way: Route, gap: Any) -> bool:
+    """Whether it is proved that the path leaves the physical sheet through the cut, and nowhere else."""
     step, v0 = acb(way.v1) - acb(way.v0), acb(way.v0)
     on_axis = v0 + step * (-v0.imag / step.imag)  # where Im v = 0
     beneath = v0.imag - step.imag * v0.real / step.real if not step.real.contains(0) else arb(0)
     through_gap = way.v0.real > 0 or way.centre - beneath * beneath / 2 < gap
-    if not (on_axis.real > 0 and way.centre + arb(way.start) ** 2 / 2 > gap and through_gap and way.start > 0):
-        raise PrecisionError("the path cannot be led past the branch point: change a parameter slightly")
+    return bool(on_axis.real > 0 and way.centre + arb(way.start) ** 2 / 2 > gap and through_gap and way.start > 0)
 
 
 @dataclass(frozen=True)

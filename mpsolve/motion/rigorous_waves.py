@@ -14,7 +14,6 @@ from mpsolve.model.characteristic import characteristic_rate
 from mpsolve.model.edge import edge_roots
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 from mpsolve.motion.rigorous_forces import Setting
-from mpsolve.motion.sheets import pairing_of
 from mpsolve.motion.transform import contact_image, numerators, system
 from mpsolve.spectrum.certify import Spectrum
 from mpsolve.spectrum.enclose import Symmetry
@@ -90,4 +89,5 @@ def _seen_from_below(track: Track, q: Any) -> Pairing:
         if not track.eta_b.is_zero():
             raise
     seen = edge_roots(track, q.real)
-    return pairing_of(track, q, seen.a + seen.b)
+    s = seen.a + seen.b  # 0 for constant forces above the critical velocity, so that nothing is divided by it
+    return Pairing(s, s * s, seen.a * seen.b - seen.c * seen.e, -4 * track.A, seen.R)
