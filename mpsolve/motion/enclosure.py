@@ -72,16 +72,16 @@ def enclose_response(
     digits: int = 15,
     spectrum: Spectrum | None = None,
 ) -> Enclosure:
-    """The motion in balls proved to hold it, of a beam from rest under one or two masses.
+    """The motion in balls proved to hold it, of a beam from rest under moving masses.
 
     loads, xi, tau, spectrum as for `response`. digits: the balls aim at a radius of 10^−digits times the displacement
     of a unit force; they are returned whatever their radius is. At early times the transient part decays with an
     algebraic tail only, so that the radius grows towards τ = 0: there, where w = 0, to 1e-12 … 1e-6, the more the
     farther apart the masses and the smaller the mass ratios.
 
-    Takes seconds: some thousand evaluations of W̃, which serve all positions and times.
+    Takes seconds (three masses: ten to thirty): some thousand evaluations of W̃, which serve all positions and times.
 
-    Raises InputError for input that has no meaning and for the regimes not covered (three masses, overdamping),
+    Raises InputError for input that has no meaning and for the regime not covered (overdamping),
     PrecisionError where a step of the proof fails; both say what helps.
     """
     forces = loads_of(case, loads)
@@ -149,9 +149,6 @@ def _middle(ball: Any) -> Any:
 
 def _checked(case: Case, xi: Any, tau: Any) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
     require_cuts_on_line(case)
-    count = case.merged.count
-    if count > 2:
-        raise InputError("balls", f"cover one or two masses, not {count}: ask for float64 values")
     places = case.merged.positions if xi is None else _exact(xi, "xi")
     times = _exact(tau, "tau")
     if any(t.sign < 0 for t in times):

@@ -6,14 +6,16 @@ them meets another on the way. Then 1 − κη K(0) = 1 + ηwX' with X' near (1 
 
     |K(ξ)| ≤ (2π/|w|³) k(ξ),   k(ξ) = |C| e^{(δ + ε)|ξ|} + |C'| e^{−λ|ξ|}:
 
-the travelling wave grows with |ξ| at most at the rate of the height δ (and ε, from the terms in 1/w), so that the
-product of the off-diagonal entries of I − κηK over that of the diagonal ones is near e^{2δd}/2 < 1.
+the travelling wave grows with |ξ| at most at the rate of the height δ (and ε, from the terms in 1/w), so that for two
+masses the product of the off-diagonal entries of I − κηK over that of the diagonal ones is near e^{2δd}/2 < 1. For
+more masses see rigorous_scatter.py.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import flint
@@ -23,7 +25,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track
 from mpsolve.motion.forcing import Tone
 from mpsolve.motion.rigorous_path import Route
-from mpsolve.spectrum.far import asymptotics
+from mpsolve.motion.rigorous_scatter import inverse_bound, least
+from mpsolve.spectrum.far import Asymptotics, asymptotics
 
 acb, arb = flint.acb, flint.arb
 
@@ -42,7 +45,8 @@ class Far:
     C: tuple[Any, ...]
     rates: tuple[Any, Any]
     decay: Any
-    product: Any  # of the off-diagonal entries over the diagonal ones; below 1
+    product: Any  # of two masses' off-diagonal entries over the diagonal ones; below 1
+    inverse: Any = None  # for three and more masses, a bound of the entries of (B/diag B)⁻¹
 
     def k(self, sign: int, distance: Any) -> Any:
         """k(ξ), ξ = sign · distance."""
@@ -65,6 +69,8 @@ class Far:
             distance, turn = track.positions[1] - track.positions[0], self.gain / self.X
             # |B₁₂|/|B₁₁| ≤ turn · k(−d), |B₂₁|/|B₂₂| ≤ turn · k(d)
             S = [lone[0] + lone[1] * turn * self.k(-1, distance), lone[1] + lone[0] * turn * self.k(1, distance)]
+        elif len(lone) > 2:
+            S = [self.inverse * sum(lone, arb(0))] * len(lone)
         total = sum((s * self.k(sign, abs(xi)) for s, (sign, xi) in zip(S, gaps, strict=True)), arb(0))
         return 2 * total / (1 - self.product)
 
@@ -89,11 +95,23 @@ def far(track: Track, delta: float, W: float) -> Far:
     found = Far(track, at.W, arb(abs(X).lower()), arb(abs(at.gain).upper()), C, (rates[0], rates[1]), decay, arb(0))
     if len(track.eta_m) == 1:
         return found
+    if len(track.eta_m) > 2:
+        return replace(found, inverse=_scattered(found, at, delta))
     distance = track.positions[1] - track.positions[0]
     product = (found.gain / found.X) ** 2 * found.k(1, distance) * found.k(-1, distance)
     if not product < _ROOM:
         raise PrecisionError("the off-diagonal product is not under control yet at this radius: take a larger one")
-    return Far(track, found.W, found.X, found.gain, C, found.rates, decay, product)
+    return replace(found, product=product)
+
+
+def _scattered(found: Far, at: Asymptotics, delta: float) -> Any:
+    """The bound of rigorous_scatter.py, with |B_ij/B_ii| ≤ (gain/|X'|) k(x_i − x_j)."""
+    x, turn = found.track.positions, found.gain / found.X
+    span, nearest = x[-1] - x[0], least([b - a for a, b in pairwise(x)])
+    waves = [found.C[k] * (rate * span).exp() for k, rate in zip((0, 2), found.rates, strict=True)]
+    fading = [found.C[k] * (-found.decay * nearest).exp() for k in (1, 3)]
+    largest = (turn * waves[0].max(waves[1]), turn * fading[0].max(fading[1]))
+    return inverse_bound(found.track, at, delta, found.rates[0] + found.rates[1], *largest)
 
 
 def far_start(track: Track, way: Route) -> tuple[float, Far]:

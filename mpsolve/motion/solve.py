@@ -156,7 +156,7 @@ def response(
     loads: one for each mass, by default those of `loads_of`. xi: positions in the moving frame, by default the
     positions of the masses. tau ≥ 0: the times. spectrum: `certify(case)`, if it is known already. digits: mpmath
     numbers instead of float64, each proved right to so many decimals; balls=True: the balls themselves, to 15 digits
-    unless told; both for one or two masses (enclosure.py). Raises InputError for input
+    unless told; both where the cuts lie on a line (enclosure.py). Raises InputError for input
     that has no meaning, PrecisionError where the parts cannot be computed or do not meet the initial conditions; both
     say what helps.
     """

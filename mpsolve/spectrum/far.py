@@ -54,15 +54,15 @@ def prove_far(track: Track, W: float) -> None:
     """Proves that Δ has no zero for |r| ≥ W²/2; raises `PrecisionError` when this W is too small."""
     at = asymptotics(track, W)
     resultant = (at.P[0] - at.P[2]) * (at.P[0] - at.P[3]) * (at.P[1] - at.P[2]) * (at.P[1] - at.P[3]) / -8
-    _require(resultant.real > 0, "the resultant")
-    _require(at.X.real > 0 and at.X.imag < 0, "the diagonal")
+    require(resultant.real > 0, "the resultant")
+    require(at.X.real > 0 and at.X.imag < 0, "the diagonal")
     if len(track.eta_m) == 2:
-        _require(_two_mass_product(track, at) < 1, "the off-diagonal product")
+        require(_two_mass_product(track, at) < 1, "the off-diagonal product")
     elif len(track.eta_m) > 2:
         _prove_scattering(track, at)
 
 
-def _require(condition: bool, what: str) -> None:
+def require(condition: bool, what: str) -> None:
     if not condition:
         raise PrecisionError(f"{what} is not under control yet at this radius: take a larger one")
 
@@ -105,7 +105,7 @@ def asymptotics(track: Track, W: float) -> Asymptotics:
         ball = start + acb(size, size)
         image = start - value / _quartic_slope(track, u, ball)
         correction = -value / _quartic_slope(track, u, ball)
-        _require(correction.is_finite() and bool(acb(size, size).contains_interior(correction)), "the p-roots")
+        require(correction.is_finite() and bool(acb(size, size).contains_interior(correction)), "the p-roots")
         P.append(image)
         drift.append(arb(abs(correction).upper()))
         # Q'(P) = 4c³ (1 − x), x = 2cαu − y, with y of second order
@@ -113,7 +113,7 @@ def asymptotics(track: Track, W: float) -> Asymptotics:
         cubic = 4 * (3 * c * c * correction + 3 * c * (rest + correction) ** 2 + (rest + correction) ** 3)
         y = (cubic - 8 * A * u * u * image) * c / 4
         x = 2 * alpha * c * u - y
-        _require(abs(x) < 1, "the residues")
+        require(abs(x) < 1, "the residues")
         error = -y + x * x / (1 - x)
         E.append(error)
         C.append(c / 4 * (1 + 2 * alpha * c * u + error))
@@ -137,26 +137,26 @@ def _largest(values: list[Any]) -> Any:
 def _decay(at: Asymptotics, gap: Any) -> Any:
     """At any arg w one of the two upper p-roots, and one of the two lower, has |Im p| ≥ |w|(1/√2 − spread)."""
     rate = at.W * (1 / arb(2).sqrt() - at.spread)
-    _require(rate > 0, "the evanescent wave")
+    require(rate > 0, "the evanescent wave")
     return (-rate * gap).exp()
 
 
 def _travelling(at: Asymptotics, k: int) -> tuple[Any, Any]:
     """(F, B) = 4C_k/c ahead and 4C_{k+2}/(−c) behind: 1 ± 2cαu + …"""
     tilt = at.tilt * _UNITS[k]
-    return 1 + tilt + at.E[k], 1 - tilt + at.E[k + 2]
+    return 1 + tilt + at.E[k], 1 - tilt + at.E[(k + 2) % 4]
 
 
-def _product(at: Asymptotics, k: int) -> Any:
+def product(at: Asymptotics, k: int) -> Any:
     """F B, where the first order cancels."""
-    tilt, ahead, behind = at.tilt * _UNITS[k], at.E[k], at.E[k + 2]
+    tilt, ahead, behind = at.tilt * _UNITS[k], at.E[k], at.E[(k + 2) % 4]
     return 1 - tilt * tilt + ahead * (1 - tilt) + behind * (1 + tilt) + ahead * behind
 
 
 def _two_mass_product(track: Track, at: Asymptotics) -> Any:
     """A bound of |κ² η₁ η₂ K(d) K(−d)| / |(1 − κη₁K(0)) (1 − κη₂K(0))|."""
     decay = _decay(at, track.positions[1] - track.positions[0])
-    main = _largest([abs(_product(at, k)) for k in (0, 1)])
+    main = _largest([abs(product(at, k)) for k in (0, 1)])
     size = _largest([4 * abs(c) for c in at.C])
     waves = main + 2 * size * size * decay + main * decay * decay
     return (abs(at.gain) / (4 * abs(at.X))) ** 2 * waves
@@ -168,23 +168,23 @@ def _prove_scattering(track: Track, at: Asymptotics) -> None:
     gaps = [track.positions[k + 1] - track.positions[k] for k in range(n - 1)]
     evanescent = _largest([_decay(at, gap) for gap in gaps])
     shift = abs(at.gain * (acb(1, 1) + at.E[0] + acb(0, 1) * at.E[1]) - acb(1, 1)) / root2
-    _require(shift < 1, "the diagonal")
+    require(shift < 1, "the diagonal")
     for k in (0, 1):
         ahead, behind = _travelling(at, k)
-        mean = _product(at, k).sqrt()
+        mean = product(at, k).sqrt()
         deviation = (abs(at.gain * mean - 1) + shift) / (1 - shift)  # |g − ĝ| ≤ deviation |ĝ|, |ĝ| ≤ 1/√2
         skew = abs((2 + at.E[k] + at.E[k + 2]) / mean - 2)  # τ + 1/τ − 2 with τ² = F/B
         g, change = (1 + deviation) / root2, deviation / root2
         reflection, floor = arb(1), arb(1)
         for _ in range(n - 1):
-            _require(g * reflection < 1, "the reflection")
+            require(g * reflection < 1, "the reflection")
             floor = floor * (1 - g * reflection)
             reflection = _next_reflection(reflection, g, change, skew)
         largest = _largest([abs(ahead), abs(behind), *(4 * abs(c) for c in at.C)])
         coupling = abs(at.gain) * largest / (root2 * (1 - shift))  # every main entry, at most
         error = coupling * evanescent
         row = (1 + (n - 1) * (coupling + error) ** 2).sqrt()
-        _require(n * arb(n - 1).sqrt() * error * row ** (n - 1) < floor, "the scattering matrix")
+        require(n * arb(n - 1).sqrt() * error * row ** (n - 1) < floor, "the scattering matrix")
 
 
 def _next_reflection(z: Any, g: Any, change: Any, skew: Any) -> Any:
@@ -193,7 +193,11 @@ def _next_reflection(z: Any, g: Any, change: Any, skew: Any) -> Any:
     For a passive obstacle ĝ = 1/d, Re d ≥ 1, Im d ≥ 1: |Γ|² ≤ 1 + (z² − 1)/(√2 − z)².
     """
     root2 = arb(2).sqrt()
-    _require(z < root2, "the reflection")
+    require(z < root2, "the reflection")
     passive = (1 + (z * z - 1) / (root2 - z) ** 2).sqrt()
-    numerator = z * (2 * change + g * skew) + change + passive * z * change
-    return _largest([arb(1), passive + numerator / (1 - g * z)])
+    return _largest([arb(1), deviating(passive, z, g, change, skew)])
+
+
+def deviating(passive: Any, z: Any, g: Any, change: Any, skew: Any) -> Any:
+    """A bound of |Γ| from that of the passive obstacle ĝ, for |g| ≤ `g`, |g − ĝ| ≤ `change`, τ + 1/τ − 2 = `skew`."""
+    return passive + (z * (2 * change + g * skew) + change + passive * z * change) / (1 - g * z)

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Truth, grid
 
-from mpsolve import Case, certify
+from mpsolve import Case, certify, response
 from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
@@ -123,6 +123,57 @@ def test_the_motion_starts_from_rest(alpha: float, eta_b: float, eta_m: Any, gap
         assert float(enclosed.w[j, 1]) == pytest.approx(force / eta * 1e-4, rel=0.1, abs=2e-6)
 
 
+THREE = Case(alpha="0.5", eta_b="0.05", eta_m=("40", "10", "40"), positions=("0", "0.5", "1.25"))
+
+
+def test_three_masses_in_balls() -> None:
+    loads = [Load(1, "0.3", "0.4", 1), Load("0.5"), Load()]
+    enclosed = enclose_response(THREE, loads, xi=(0, -1), tau=(0, 3, 20), digits=8)
+    assert all(w.contains(0) for w in enclosed.w[:, 0])
+    assert radius(enclosed.w) < 1e-5
+    assert radius(enclosed.w[:, 1:]) < 1e-8
+    found = response(THREE, loads, (0, -1), (0, 3, 20)).w
+    assert np.max(np.abs(np.vectorize(float)([x.mid() for x in np.ravel(enclosed.w)]) - found.ravel())) < 1e-5
+
+
+@pytest.mark.parametrize(
+    ("eta_m", "positions", "delta"),
+    [
+        ((40, 10, 40), (0, "0.5", "1.25"), 0.13),
+        ((3, 70, 20), (0, 2, "2.75"), 0.05),
+        ((9, 8, 7, 6), (0, 1, 2, 3), 0.02),
+    ],
+)
+@pytest.mark.parametrize("alpha", ["0", "0.9", "1.3"])
+def test_what_the_masses_scatter_far_out_is_bounded(alpha: str, eta_m: Any, positions: Any, delta: float) -> None:
+    """(B/diag B)⁻¹ from the p-roots themselves, on the continued sheet, at points of the strip from W on."""
+    case = Case(alpha=alpha, eta_b="0.1", eta_m=eta_m, positions=positions)
+    with ball_arithmetic(80) as field:
+        W = next(W for W in 2.0 ** np.arange(3, 14) if bounded(track(case, field), delta, W))
+        bound = float(far(track(case, field), delta, W).inverse)
+    x, eta, n = np.array(list(map(float, case.positions))), np.array(list(map(float, eta_m))), len(eta_m)
+    largest = 0.0
+    for w in np.add.outer(W + np.linspace(0.01, 20, 300), 1j * np.array([0, delta / 2, delta])).ravel():
+        r = w * w / 2
+        q, A = r + 0.1j, float(alpha) ** 2
+        p = np.roots([1, 0, -4 * A, 8 * float(alpha) * r, 4 * (1 - 0.01) - 4 * r * r])
+        p = np.array([p[np.argmin(np.abs(p - z * w))] for z in (1, 1j, -1, -1j)])
+        c = 1 / (4 * p**3 - 8 * A * p + 8 * float(alpha) * r)
+        gap = x[:, None] - x
+        ahead = sum(c[k] * np.exp(1j * p[k] * np.maximum(gap, 0)) for k in (1, 2))
+        behind = -sum(c[k] * np.exp(1j * p[k] * np.minimum(gap, 0)) for k in (0, 3))
+        B = np.eye(n) - 4j * q * q * eta[:, None] * np.where(gap >= 0, ahead, behind)
+        largest = max(largest, float(np.abs(np.linalg.inv(B / np.diag(B)[:, None])).max()))
+    assert bound / 100 < largest < bound
+
+
+def bounded(model: Any, delta: float, W: float) -> bool:
+    try:
+        return far(model, delta, W).inverse is not None
+    except PrecisionError:
+        return False
+
+
 def test_far_positions_and_merged_masses() -> None:
     merged = Case(alpha="0.5", eta_b="0.05", eta_m=("30", "40"), positions=("0", "0"))
     one = enclose_response(merged, [Load("0.25"), Load("0.75")], (0, 40), (5,), digits=8)
@@ -191,7 +242,6 @@ def test_the_tail_bounds_the_image_below_the_cut(case: Case) -> None:
 @pytest.mark.parametrize(
     ("case", "arguments", "message"),
     [
-        (Case(alpha="0.3", eta_b=0, eta_m=(1, 1, 1), positions=(0, 1, 2)), {}, "one or two masses"),
         (Case(alpha="0.5", eta_b="1.1", eta_m=(5,), positions=(0,)), {}, "eta_b"),
         (LONE, {"tau": -1}, "before 0"),
         (LONE, {"tau": 1e5}, "beyond 2000"),
