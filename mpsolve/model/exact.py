@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import numbers
 import re
+from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from functools import total_ordering
@@ -241,6 +242,12 @@ class Exact:
         radicand = self.fourth_power
         root = libmp.mpf_nthroot(libmp.from_rational(radicand.numerator, radicand.denominator, fine), 4, fine)
         return libmp.mpf_pos(libmp.mpf_neg(root) if self._signed < 0 else root, precision, "n")
+
+
+def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:
+    """One number, or each of many, as `Exact.parse` reads them; InputError names the one that is none."""
+    given = [values] if isinstance(values, (str, bytes)) or not isinstance(values, Iterable) else list(values)
+    return tuple(Exact.parse(value, f"{key}[{j}]") for j, value in enumerate(given, 1))
 
 
 def _coerced(value: object) -> Exact | None:

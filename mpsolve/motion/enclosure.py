@@ -24,7 +24,7 @@ from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Exact, Number
+from mpsolve.model.exact import Exact, Number, exact_list
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -35,7 +35,8 @@ from mpsolve.motion.rigorous_sheet import prove_clear
 from mpsolve.motion.rigorous_sum import Samples, physical_start
 from mpsolve.motion.rigorous_tail import far_start, tail
 from mpsolve.motion.rigorous_waves import BallWave, induced, steady
-from mpsolve.spectrum.certify import Spectrum, certify
+from mpsolve.motion.solve import proved_spectrum
+from mpsolve.spectrum.certify import Spectrum
 
 acb, arb = flint.acb, flint.arb
 
@@ -90,7 +91,7 @@ def enclose_response(
     if not (isinstance(digits, int) and 1 <= digits <= MAX_DIGITS):
         raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {MAX_DIGITS}")
     places, times = _checked(case, xi, tau)
-    spectrum = _checked_spectrum(case, spectrum, digits)
+    spectrum = proved_spectrum(case, spectrum, max(digits + 8, 20))
     with ball_arithmetic(math.ceil(digits * math.log2(10)) + _GUARD_BITS) as field:
         model, given = track(case, field), setting(case, forces, places, field)
         forced, free = steady(model, given), induced(model, given, spectrum)
@@ -149,8 +150,8 @@ def _middle(ball: Any) -> Any:
 
 def _checked(case: Case, xi: Any, tau: Any) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
     require_cuts_on_line(case)
-    places = case.merged.positions if xi is None else _exact(xi, "xi")
-    times = _exact(tau, "tau")
+    places = case.merged.positions if xi is None else exact_list(xi, "xi")
+    times = exact_list(tau, "tau")
     if any(t.sign < 0 for t in times):
         raise InputError("tau", "holds a time before 0, where the motion starts: give no earlier time")
     if any(float(t) > MAX_TIME for t in times):
@@ -159,23 +160,6 @@ def _checked(case: Case, xi: Any, tau: Any) -> tuple[tuple[Exact, ...], tuple[Ex
         if not float(case.positions[0]) - _EXTENT <= float(x) <= float(case.positions[-1]) + _EXTENT:
             raise InputError("xi", f"holds {x.short()}, more than {_EXTENT} from the masses: give nearer positions")
     return tuple(places), times
-
-
-def _exact(values: Any, key: str) -> tuple[Exact, ...]:
-    given = values if isinstance(values, Iterable) and not isinstance(values, (str, bytes)) else [values]
-    return tuple(Exact.parse(value, f"{key}[{j}]") for j, value in enumerate(given, 1))
-
-
-def _checked_spectrum(case: Case, spectrum: Spectrum | None, digits: int) -> Spectrum:
-    if spectrum is None:
-        spectrum = certify(case, digits=max(digits + 8, 20))
-    elif spectrum.case != case or spectrum.region != "sheet":
-        raise InputError(
-            "spectrum", 'is not that of this case on the whole sheet: pass certify(case, region="sheet")'
-        )
-    if not spectrum.proved:
-        raise PrecisionError(f"the induced frequencies are undecided: {spectrum.reason}")
-    return spectrum
 
 
 def _summed(waves: list[BallWave], rows: int, taus: list[Any]) -> Any:

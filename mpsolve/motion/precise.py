@@ -11,7 +11,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.fields import MP
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Exact, Number
+from mpsolve.model.exact import Number, exact_list
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -41,8 +41,8 @@ def precise_harmonic(
         raise InputError("spectrum", f"has {spectrum.digits} digits: certify with at least {digits + _GUARD}")
     field = MP(math.ceil((digits + _GUARD) * math.log2(10)) + 20)
     model = track(whole, field)
-    places = [field.number(x) for x in (whole.merged.positions if xi is None else _exact(xi, "xi"))]
-    times = [field.number(x) for x in _exact(tau, "tau")]
+    places = [field.number(x) for x in (whole.merged.positions if xi is None else exact_list(xi, "xi"))]
+    times = [field.number(x) for x in exact_list(tau, "tau")]
     if any(t < 0 for t in times):
         raise InputError("tau", "holds a time below 0: the motion starts at 0, give no earlier time")
     steady = [_motion(model, wave, places, times) for wave in steady_waves(whole, forces, field.bits)]
@@ -66,11 +66,6 @@ def precise_harmonic(
         total([*steady, *induced], 1),
         total([*steady, *induced], 2),
     )
-
-
-def _exact(values: Any, key: str) -> list[Exact]:
-    given = [values] if isinstance(values, (str, bytes)) or not isinstance(values, Iterable) else list(values)
-    return [Exact.parse(x.item() if isinstance(x, np.generic) else x, f"{key}[{j}]") for j, x in enumerate(given, 1)]
 
 
 def _motion(model: Track, wave: Wave, places: list[Any], times: list[Any]) -> list[Any]:

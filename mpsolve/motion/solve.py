@@ -11,7 +11,7 @@ import numpy as np
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Exact, Number
+from mpsolve.model.exact import Number, exact_list
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.contour import deformed_contour
@@ -345,8 +345,7 @@ def _numbers(values: Any, key: str) -> Any:
     if isinstance(values, np.ndarray) and values.dtype.kind in "fiu":
         numbers = np.atleast_1d(values).astype(float)
     else:
-        given = [values] if isinstance(values, (str, bytes)) or not isinstance(values, Iterable) else list(values)
-        numbers = np.array([float(Exact.parse(x, f"{key}[{j}]")) for j, x in enumerate(given, 1)], float)
+        numbers = np.array([float(x) for x in exact_list(values, key)], float)
     if numbers.ndim != 1 or not np.all(np.isfinite(numbers)):
         raise InputError(key, "is no list of finite numbers: give one dimension of them")
     return numbers
