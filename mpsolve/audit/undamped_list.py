@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from mpsolve.audit.cases import DISTANCES, MASSES
 from mpsolve.audit.claims import Claim, Finding, Printed
-from mpsolve.audit.supercritical import four_signs, onset_at_critical
+from mpsolve.audit.supercritical import four_signs, one_mass_onset_at_critical, onset_at_critical
 from mpsolve.audit.undamped import (
     closer_with_distance,
     cut_at_the_limit,
@@ -40,9 +40,14 @@ _SIGNS = ("1.05", "1.2", "1.4")
 
 CLAIMS = (
     _claim(
-        "i", "Section 5 (i), Section 4.2", "In the undamped case, instability occurs exactly at the critical "
-            "velocity.",
+        "i", "Section 5 (i), Section 4.2, abstract",
+        "In the undamped case, instability occurs exactly at the critical velocity.",
         onset_at_critical, at={"eta_m": MASSES, "d": DISTANCES, "alpha": ("1.4",)},
+    ),
+    _claim(
+        "i-one-mass", "Section 5 (i), Section 3, abstract",
+        "In the undamped case, one moving mass becomes unstable exactly at the critical velocity, too.",
+        one_mass_onset_at_critical, at={"eta_m": ("10", "20", "40", "70", "80", "140"), "alpha": ("1.4",)},
     ),
     _claim(
         "ii", "Section 5 (ii)", "In the undamped case, the frequency lines are cut in the subcritical velocity range "
