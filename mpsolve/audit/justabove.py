@@ -1,7 +1,7 @@
 """Conclusion (i), just above α_C: one or two equal masses without damping are unstable there, by a Nyquist count.
 
-With N = 0 and A = α² = 1 + e², the p-roots of D are m ± ih and −m ± ih'. Near the branch point q* that opens where the
-cuts have joined, h = ez is a local coordinate with z = 0 at q*. There m² = A + 1 + ν with ν = e⁴ω, h' = e·h̃ with
+With N = 0 and A = α² = 1 + e², the p-roots of D are m ± ih and −m ± ih'. Near the branch point q* that opens where
+the cuts have joined, h = ez is a local coordinate with z = 0 at q*. There m² = A + 1 + ν, ν = e⁴ω, h' = e·h̃ with
 h̃² = −(z² + 2 − 2e²ω), q = e² q̂, and F(z) = z·Δ is analytic in z. All this holds down to e = 0, so one ball of e
 covers every α up to a bound. The open quarter disc Re z > 0 > Im z, |z| < R, is part of the lower half-plane of q.
 """
@@ -25,16 +25,16 @@ _RADIUS = Fraction(1, 2)
 
 STEPS = (
     "At real q, from below, K(x_i − x_j) = P∫ − iπ Σ sgn(q − αp) e^{ip(x_i − x_j)}/|D_p| over the real p-roots. For "
-    "q > q* these are −m ± k', k' = |h'| < m, with q − αp > 0. So M = I/a − [K], a = 2η_M q²/π, has a positive definite "
-    "imaginary part (for two masses: where 0 < k'd < π), and its eigenvalues lie in the upper half-plane.",
-    "Near q* let h = ez, with m ± ih the two p-roots that meet there: F(z) = z·det(I − a[K]) is analytic in the quarter "
-    "disc Re z ≥ 0 ≥ Im z, |z| ≤ 1/2, also as e² = α² − 1 → 0: balls of e that reach down to 0 prove the next steps "
-    "for every α of a strip at once.",
-    "Re dq/d(z²) > 0: inside it Im q < 0. So no p-root turns real there, and since at one point m + ih and −m + ih' are "
-    "the upper ones, F is z·Δ.",
-    "From z = 0 by −i/2 to 1/2, F does not meet the ray i·[0, ∞); Re F < 0 at 0, while Re F > 0 and |a[K]| < 1 at 1/2. "
-    "From there back to 0 arg F is the sum of the arguments of the eigenvalues. So F turns once along this edge: there "
-    "is exactly one root inside, and it is unstable.",
+    "q > q* these are −m ± k', k' = |h'| < m, with q − αp > 0. So M = I/a − [K], a = 2η_M q²/π, has a positive "
+    "definite imaginary part (for two masses: where 0 < k'd < π), and its eigenvalues lie in the upper half-plane.",
+    "Near q* let h = ez, with m ± ih the two p-roots that meet there: F(z) = z·det(I − a[K]) is analytic in the "
+    "quarter disc Re z ≥ 0 ≥ Im z, |z| ≤ 1/2, also as e² = α² − 1 → 0: balls of e that reach down to 0 prove the "
+    "next steps for every α of a strip at once.",
+    "Re dq/d(z²) > 0: inside it Im q < 0. So no p-root turns real there, and since at one point m + ih and −m + ih' "
+    "are the upper ones, F is z·Δ.",
+    "From z = 0 by −i/2 to 1/2, F does not meet the ray i·[0, ∞); Re F < 0 at 0, while Re F > 0 and |a[K]| < 1 at "
+    "1/2. From there back to 0 arg F is the sum of the arguments of the eigenvalues. So F turns once along this "
+    "edge: there is exactly one root inside, and it is unstable.",
 )
 
 
@@ -94,7 +94,7 @@ def _roots(e: Any, square: Any) -> _Roots:
 
 
 def _omega(eps: Any, square: Any) -> Any:
-    """The one ω with |Re ω|, |Im ω| ≤ 1 and 4A ω(2 + ν) = −(1 + ν)(z² + 1 − e²ω)², which maps that box into itself."""
+    """The one ω with |Re ω|, |Im ω| ≤ 1 and 4A ω(2 + ν) = −(1 + ν)(z² + 1 − e²ω)², which maps this box into it."""
     box = acb(arb(0, 1), arb(0, 1))
     for k in range(8):
         nu = eps * eps * box

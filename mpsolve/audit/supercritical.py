@@ -61,9 +61,9 @@ def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
         sentence = f"Open above α_C: {'; '.join(undecided)}."
         return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), steps, certificates=certs)
     sentence = (
-        "Below α_C every root is real, for any masses (theorem). Just above it there is exactly one root near the branch "
-        f"point, an unstable one (proved for every α of a strip at once), and each of the {len(models)} cases that are "
-        f"looked at is proved unstable from there to α = {top}."
+        "Below α_C every root is real, for any masses (theorem). Just above it there is exactly one root near the "
+        f"branch point, an unstable one (proved for every α of a strip at once), and each of the {len(models)} cases "
+        f"that are looked at is proved unstable from there to α = {top}."
     )
     return Finding(Verdict.PROVED, sentence, tuple(numbers), steps, certificates=certs)
 
@@ -150,8 +150,8 @@ def four_signs(claim: Claim) -> Finding:
     if not all(known.values()):
         return Finding(Verdict.UNDECIDABLE, "A symmetry of D was not confirmed.")
     sentence = (
-        "D(−p, −q̄) = conj D(p, q) and, without damping, D(p, q̄) = conj D(p, q): with q, also −q̄, q̄ and −q are roots, "
-        "four provided that q is not on an axis. Real it cannot be, since the cut covers the real axis; that none is "
-        f"imaginary is certified at {count} cases."
+        "D(−p, −q̄) = conj D(p, q) and, without damping, D(p, q̄) = conj D(p, q): with q, also −q̄, q̄ and −q are "
+        "roots, four provided that q is not on an axis. Real it cannot be, since the cut covers the real axis; that "
+        f"none is imaginary is certified at {count} cases."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
