@@ -43,9 +43,8 @@ def distinct_captions(claim: Claim) -> Finding:
     if not twice:
         return Finding(Verdict.PROVED, "Each panel has its own description.")
     sentence = (
-        f"Two panels are described alike ({twice[0]}); Section 4.2 describes real and imaginary parts, or two "
-        f"ranges of "
-        f"distance, that these may be. {_MACHINE_READ}"
+        f"Two panels are described alike ({twice[0]}); Section 4.2 describes real and imaginary parts, or two ranges "
+        f"of distance, that these may be. {_MACHINE_READ}"
     )
     return Finding(Verdict.SLIP, sentence)
 
@@ -130,9 +129,8 @@ def critical_velocities_agree(claim: Claim) -> Finding:
     A, beta, z = sp.symbols("A beta z", positive=True)
     double = sp.expand(sp.discriminant(z**2 - 4 * A * z + 4 * beta**2, z) - 16 * (A - beta) * (A + beta)) == 0
     sentence = (
-        "q_lm = 0 where p⁴ − 4Ap² + 4β² has a double root, A = N + α² = β [discriminant]: α_C² = β − N, for "
-        "η_b = 0 the "
-        "same as α_cr,ex² = 1 − N."
+        "q_lm = 0 where p⁴ − 4Ap² + 4β² has a double root, A = N + α² = β [discriminant]: α_C² = β − N, for η_b = 0 "
+        "the same as α_cr,ex² = 1 − N."
     )
     return Finding(Verdict.PROVED if double else Verdict.UNDECIDABLE, sentence, tuple(numbers))
 
@@ -148,7 +146,7 @@ CLAIMS = (
     Claim("fig-10b", "Figure 10, caption", "b) as function of η_M for η_b = {values}.", distinct_values,
           {"values": ("0.05", "0.1", "0.1", "0.5")}),
     Claim("fig-12", "Figure 12, caption and text", "One and two moving masses: d̂ = {text} (text), {caption} "
-        "(caption).",
+    "(caption).",
           same_list, {"text": ("1:0.25:2",), "caption": ("0.5:0.5:1.5",)}),
     Claim("fig-9b", "Figure 9, caption and Section 4.3", "η_M = 10: d̂ = {text} (text), {caption} (caption of b).",
           same_list, {"text": ("1.5:1.5:4.5",), "caption": ("1.5:1.5:4.5",)}),
@@ -159,17 +157,16 @@ CLAIMS = (
     Claim("fig-10a", "Figure 10, caption and Section 4.3", "η_b = {text} (Section 4.3), {caption} (Section 5 (xi)).",
           same_list, {"text": ("0.04:0.01:0.99",), "caption": ("0.04:0.01:0.99",)}),
     Claim("4.1-distances", "Section 4.1", "χ = {chi} 1/m: the tested distances range from {factor} times χ = "
-        "{distance}.",
+    "{distance}.",
           first_distance, {"chi": ("0.445",), "factor": ("1", "10"), "distance": ("0.455", "4.45")}),
-    Claim("4.1-reference", "Section 4.1", "Very high values of η_b are important for the instability analysis, "
-        "as explained "
-          "later in Section {section}.", section_that_explains, {"section": ("4.2",)}, {"damped": ("4.3",)}),
+    Claim("4.1-reference", "Section 4.1", "Very high values of η_b are important for the instability analysis, as "
+    "explained later in Section {section}.", section_that_explains, {"section": ("4.2",)}, {"damped": ("4.3",)}),
     Claim("3-static", "Section 3, after Eq. (10)", "w_st = {factor} P_C1 χ/k is the maximum static displacement.",
           static_displacement, {"factor": ("1/2",)}),
     Claim("3-v_cr", "Section 3, after Eq. (10)", "v_cr = (4kEI/m²)^(1/4) = {factor} (1/χ)√(k/m).", critical_speed,
           {"factor": ("1",)}),
     Claim("2-sine", "Section 2, after Eq. (2)", "Re exp(i(ωt + φ + shift)) = sin(ωt + φ) with shift "
-        "{shift}.", sine_phase,
+    "{shift}.", sine_phase,
           {"shift": ("3*pi/2", "-pi/2")}),
     Claim("3-alpha_C", "Section 3", "In the undamped case, α_cr,ex = α_C (η_b = {eta_b}).", critical_velocities_agree,
           {"eta_b": ("0",)}, {"eta_n": ("0", "0.3", "-0.4")}),

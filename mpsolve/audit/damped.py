@@ -98,8 +98,11 @@ def one_mass_is_supercritical(claim: Claim) -> Finding:
 def one_mass_onset_grows(claim: Claim) -> Finding:
     """Section 4.3: for one mass a higher η_b gives a larger onset α."""
     numbers, wrong = [], []
+    certificates: list[tuple[str, Certificate | None]] = []
     for eta_m in claim.values("eta_m"):
-        found = [(eta_b, onset(eta_b, eta_m, None, ("0", "2")).alpha) for eta_b in claim.values("eta_b")]
+        onsets = [(eta_b, onset(eta_b, eta_m, None)) for eta_b in claim.values("eta_b")]
+        certificates += [(f"{claim.id}_eta{eta_m}_eta_b{b}", at.certificate) for b, at in onsets]
+        found = [(eta_b, at.alpha) for eta_b, at in onsets]
         wrong += [f"η_M = {eta_m}, η_b = {b}" for (_, x), (b, y) in pairwise(found) if not x < y]
         numbers += [(f"η_M = {eta_m}, η_b = {b}: onset α", shown(x, 12)) for b, x in found]
     if wrong:
@@ -107,7 +110,7 @@ def one_mass_onset_grows(claim: Claim) -> Finding:
     sentence = (
         "The proved onsets grow along this list of damping ratios, for each mass; between them it is not proved."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
+    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
 
 
 def never_real(claim: Claim) -> Finding:
@@ -147,17 +150,27 @@ def heavier_decays_slower(claim: Claim) -> Finding:
     eta_b = claim.number("eta_b")
     light, heavy = claim.values("eta_m")
     numbers, wrong = [], []
+    certificates: list[tuple[str, Certificate | None]] = []
     for alpha in claim.values("alpha"):
         for d in claim.values("d"):
-            least = [
-                min((r.q.imag for r in spectrum(pair(alpha, eta_b, m, d)).roots), key=float) for m in (light, heavy)
-            ]
+            cases = [pair(alpha, eta_b, m, d) for m in (light, heavy)]
+            least = [min((r.q.imag for r in spectrum(case).roots), key=float) for case in cases]
+            if d == claim.values("d")[-1]:
+                certificates += [
+                    (f"{claim.id}_alpha{alpha}_eta{m}_d{d}", certificate(case))
+                    for m, case in zip((light, heavy), cases, strict=True)
+                ]
             numbers.append((f"α = {alpha}, d = {d}: least Im q", f"{shown(least[0], 8)}, {shown(least[1], 8)}"))
             if not least[0] > least[1]:
                 wrong.append(f"α = {alpha}, d = {d}")
     if wrong:
         return Finding(Verdict.REFUTED, f"Not at {'; '.join(wrong)}.", tuple(numbers))
-    return Finding(Verdict.PROVED, "Certified at all of these cases, which share α, d and η_b.", tuple(numbers))
+    sentence = (
+        "Certified at all of these cases, each with the same α, d and η_b for both masses; "
+        "as a general statement it is not proved."
+    )
+    certs = named(certificates)
+    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)
 
 
 def lighter_masses_stay_stable(claim: Claim) -> Finding:

@@ -45,8 +45,7 @@ CLAIMS = (
     Claim(
         "x", "Section 5 (x), abstract",
         "In the damped case, damping can act in the opposite sense and shift the onset of instability into the "
-        "{range} "
-        "range.",
+        "{range} range.",
         damping_destabilises, {"range": ("subcritical",)}, {**_MODEL, "d": ("1.5",)},
     ),
     Claim(
@@ -66,17 +65,15 @@ CLAIMS = (
     ),
     Claim(
         "v-pairs-damped", "Section 5 (v)",
-        "In the subcritical velocity range, {low} pairs of frequencies exist for a lower α, and only {high} "
-        "exists for a "
-        "higher α (said without excluding damping).",
+        "In the subcritical velocity range, {low} pairs of frequencies exist for a lower α, and only {high} exists "
+        "for a higher α (said without excluding damping).",
         pairs_with_damping, {"low": ("2",), "high": ("1",)},
-        {"cases": ("0.05 0.5 70 1", "0.3 0.6 10 4.5", "0.3 0.9 10 3")},
+        {"cases": ("0.05 0.5 70 1", "0.3 0.6 10 4.5", "0.3 0.9 10 3", "0.1 0.95 10 0.5")},
     ),
     Claim(
         "v-embedded-damped", "Section 5 (v)",
-        "The {which} frequency pair is always embedded between the limiting cases of the single and doubled "
-        "mass (said "
-        "without excluding damping).",
+        "The {which} frequency pair is always embedded between the limiting cases of the single and doubled mass "
+        "(said without excluding damping).",
         order_with_damping, {"which": ("lower",)}, {"cases": ("0.05 0.5 40 1", "0.05 0.9 10 1.5", "0.5 0.95 10 1.5")},
     ),
     Claim(
@@ -107,16 +104,14 @@ CLAIMS = (
     ),
     Claim(
         "4.3-crosses-q_lm", "Section 4.3",
-        "In contrast to the undamped case, the first branch of the limiting frequency q_lm can be crossed by "
-        "the real "
-        "part of the induced frequency.",
+        "In contrast to the undamped case, the first branch of the limiting frequency q_lm can be crossed by the "
+        "real part of the induced frequency.",
         crosses_the_limit, {}, {**_MODEL, "d": ("1",), "alpha": ("0.5", "0.97")},
     ),
     Claim(
         "fig-11-unstable", "Section 4.3, Figure 11; Figures A.3 to A.5",
-        "η_M = {eta_m}, η_b = {eta_b}, d̂ = {d}, α = {alpha}: the instability is identified in the final "
-        "graphs of b) and "
-        "c), that is at (α d̂) = {unstable}.",
+        "η_M = {eta_m}, η_b = {eta_b}, d̂ = {d}, α = {alpha}: the instability is identified in the final graphs of "
+        "b) and c), that is at (α d̂) = {unstable}.",
         stable_and_unstable,
         {**_MODEL, "d": ("0.5:0.5:1.5",), "alpha": ("0.5", "0.8", "0.9"), "unstable": ("0.8 1.5", "0.9 1.5")},
     ),

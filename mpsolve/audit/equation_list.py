@@ -49,11 +49,10 @@ _THIRTEEN = (
 )
 _FORCE = "8*eta_C{0}/(I*q) + 8*eta_A{0}*exp(I*(phi_f{0} + 3*pi/2))/(I*q - I*omegahat_f{0})"
 _FIFTEEN = (
-    "d(Wtilde(xi,q),xi,4) + 4*(eta_N - eta_S + alpha**2)*d(Wtilde(xi,q),xi,2) - 4*q**2*Wtilde(xi,q) "
-    "- 8*I*q*alpha*d(Wtilde(xi,q),xi) + 8*(I*q*eta_b*Wtilde(xi,q) - eta_b*alpha*d(Wtilde(xi,q),xi)) + "
-    "4*Wtilde(xi,q) = "
-    f"({_FORCE.format(1)} + 4*eta_M1*q**2*Wtilde(xi,q))*delta(xi) "
-    f"+ ({_FORCE.format(2)} + 4*eta_M2*q**2*Wtilde(xi,q))*delta(xi - x_2)"
+    "d(Wtilde(xi,q),xi,4) + 4*(eta_N - eta_S + alpha**2)*d(Wtilde(xi,q),xi,2) - 4*q**2*Wtilde(xi,q) - "
+    "8*I*q*alpha*d(Wtilde(xi,q),xi) + 8*(I*q*eta_b*Wtilde(xi,q) - eta_b*alpha*d(Wtilde(xi,q),xi)) + 4*Wtilde(xi,q) = "
+    f"({_FORCE.format(1)} + 4*eta_M1*q**2*Wtilde(xi,q))*delta(xi) + ({_FORCE.format(2)} + "
+    "4*eta_M2*q**2*Wtilde(xi,q))*delta(xi - x_2)"
 )
 _POINT = f"({_FORCE.format(1)} + ({_FORCE.format(2)})*exp(-I*p*x_2)"
 _INERTIA = "4*eta_M1*q**2*Wtilde(0,q) + 4*eta_M2*q**2*Wtilde(x_2,q)*exp(-I*p*x_2)"
@@ -143,7 +142,7 @@ CLAIMS = (
     _claim("29", _GENERAL),
     _claim("30", "Wtilde(xi,q) = " + _equal("4*eta_C/(I*q)", "eta_M", "")),
     Claim("eq-31", _PLACE, "Eq. (31): a ensures that all singularities are located to the {side} from the "
-        "integration line.",
+    "integration line.",
           eq.side_of_singularities, {"side": ("right",)}),
     _claim("32", ("Wtilde(xi,q)*exp(I*q*tau)/(2*pi)", "-I*a - T", "-I*a + T"), check=eq.inversion),
     _claim("33", _FIRST.format("-"), check=eq.branch_of_the_limit),

@@ -88,9 +88,8 @@ def judged(claim: Claim, right: Any, note: str) -> Finding:
         return Finding(Verdict.PROVED, "Derived symbolically; the printed form is identical.", steps=(note,))
     if corrected and right(corrected):
         sentence = (
-            f"{claim.number('slip')} The corrected form is derived symbolically; the printed one differs from "
-            f"it (if the "
-            "machine-read text is faithful)."
+            f"{claim.number('slip')} The corrected form is derived symbolically; the printed one differs from it (if "
+            "the machine-read text is faithful)."
         )
         return Finding(Verdict.SLIP, sentence, (("corrected", "; ".join(corrected)),), (note,))
     return Finding(Verdict.REFUTED, "The printed form is not what the derivation gives.", steps=(note,))
@@ -149,9 +148,8 @@ def harmonics(claim: Claim) -> Finding:
     if found.verdict is Verdict.REFUTED:
         return Finding(found.verdict, found.sentence, numbers, found.steps)
     sentence = (
-        f"{claim.number('slip')} As an equation for ŵ it also lacks the branch-cut term of (35): at τ = 0 it is "
-        f"not 0, "
-        "as homogeneous initial conditions ask (certified). It is the harmonic part of ŵ."
+        f"{claim.number('slip')} As an equation for ŵ it also lacks the branch-cut term of (35): at τ = 0 it is not "
+        "0, as homogeneous initial conditions ask (certified). It is the harmonic part of ŵ."
     )
     certificates = named([(claim.id, certificate(case))])
     return Finding(Verdict.SLIP, sentence, numbers, found.steps, certificates=certificates)

@@ -18,8 +18,7 @@ _END, _STEPS = 100.0, 201
 
 @lru_cache(maxsize=64)
 def largest_parts(eta_b: str, eta_m: str, alpha: str, d: str) -> tuple[float, float, float]:
-    """The largest |transient| over τ = 0 to 100, that over the last tenth of it, and the largest |harmonic|, "
-    "at ξ = 0."""
+    """At ξ = 0 and τ = 0 to 100: the largest |transient|, that over the last tenth, and the largest |harmonic|."""
     response = import_module("mpsolve.motion").response  # loads on use
     found = response(pair(alpha, eta_b, eta_m, d), None, [0.0], np.linspace(0.0, _END, _STEPS))
     transient, harmonic = np.abs(found.transient[0]), np.abs(found.harmonic[0])

@@ -119,9 +119,8 @@ CLAIMS = (
         "K": ("delta*omega_j**2 + M_1*v**2*u_j*u2_k + M_2*v**2*v_j*v2_k",),
         "p": ("P_1*u_j + P_2*v_j",),
     }),
-    Claim("eq-46-53", _SECTION, "Eqs. (46)-(53): diagonal blocks {diagonal_M}, {diagonal_C}, {diagonal_K}, "
-        "columns {column1}, "
-          "{column2}, rows {M1}, {C1}, {K1} and {M2}, {C2}, {K2}", rearranged, {
+    Claim("eq-46-53", _SECTION, "Eqs. (46)-(53): diagonal blocks {diagonal_M}, {diagonal_C}, {diagonal_K}, columns "
+    "{column1}, {column2}, rows {M1}, {C1}, {K1} and {M2}, {C2}, {K2}", rearranged, {
         "diagonal_M": ("delta",), "diagonal_C": ("delta*c_b/m",), "diagonal_K": ("delta*omega_j**2",),
         "column1": ("-u_j",), "column2": ("-v_j",),
         "M1": ("M_1*u_k",), "C1": ("2*M_1*v*u1_k",), "K1": ("M_1*v**2*u2_k",),

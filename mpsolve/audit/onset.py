@@ -62,8 +62,7 @@ def critical_falls(claim: Claim) -> Finding:
         return Finding(Verdict.REFUTED, f"It does not fall after η_b = {', '.join(wrong)}.", tuple(numbers))
     sentence = (
         f"At all {len(values)} values the critical distance is the proved global minimum over d = {_NEAR[0]} to "
-        f"{_NEAR[1]}, "
-        "and it falls from each to the next; between them it is not proved."
+        f"{_NEAR[1]}, and it falls from each to the next; between them it is not proved."
     )
     return Finding(Verdict.PROVED, sentence, tuple(numbers))
 
@@ -85,17 +84,15 @@ def one_window(claim: Claim) -> Finding:
     if second:
         sentence = (
             f"Near the critical distance it is unstable, but for η_b = {', '.join(second)} a second window of "
-            f"unstable "
-            f"distances lies near d = {claim.values('d')[2]}, with stable ones between: one distance does not "
-            f"tell all."
+            f"unstable distances lies near d = {claim.values('d')[2]}, with stable ones between: one distance does "
+            "not tell all."
         )
         return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
     return Finding(Verdict.UNDECIDABLE, "No second window at the cases looked at.", tuple(numbers))
 
 
 def limit_at(claim: Claim) -> Finding:
-    """Conclusion (xii): the limiting mass at a printed damping ratio and distance; else a search for what "
-    "gives it."""
+    """Conclusion (xii): the limiting mass at a printed damping ratio and distance; else what would give it."""
     alpha, eta_b, d, printed = (claim.number(name) for name in ("alpha", "eta_b", "d", "eta_m"))
     found = crossings(alpha, eta_b, d)
     certificates = [(claim.id, found.certificate)]
@@ -180,8 +177,8 @@ def curves_cross(claim: Claim) -> Finding:
     certs = named(certificates)
     if never:
         text = (
-            f"At d = {', '.join(never)} no mass is unstable at α = 1, nor at the velocities below that were "
-            f"looked at."
+            f"At d = {', '.join(never)} no mass, however heavy, has a real frequency at α = 1 (proved), so that "
+            "curve never meets α = 1; nor is any mass unstable at the velocities below that were looked at."
         )
         return Finding(Verdict.REFUTED, text, tuple(numbers), certificates=certs)
     sentence = (

@@ -57,9 +57,8 @@ CLAIMS = (
     ),
     Claim(
         "4.3-limit", "Section 4.3, after Figure 10",
-        "If the moving masses are at the critical distance, instability occurs in the subcritical velocity "
-        "range even "
-        "for a relatively low η_M and typical η_b; e.g., η_M = {eta_m} and η_b = {eta_b} (α = {alpha}).",
+        "If the moving masses are at the critical distance, instability occurs in the subcritical velocity range "
+        "even for a relatively low η_M and typical η_b; e.g., η_M = {eta_m} and η_b = {eta_b} (α = {alpha}).",
         limit_at_critical, {"alpha": ("0.99",), "eta_m": ("21.9",), "eta_b": ("0.1",)}, {"dampings": _NAMED},
     ),
     Claim(

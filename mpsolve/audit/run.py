@@ -50,8 +50,7 @@ def all_claims() -> tuple[Claim, ...]:
 
 
 def chosen(only: Sequence[str]) -> tuple[Claim, ...]:
-    """The claims of these names, and of names that go on with "-": "xii" has xii-a and xii-b. InputError if "
-    "none has."""
+    """The claims of these names, and of names that go on with "-", as "xii" has xii-a. InputError if none has."""
     claims = all_claims()
     for name in only:
         if not any(_named(claim, name) for claim in claims):

@@ -35,15 +35,13 @@ def exchanged(claim: Claim, search: list[tuple[str, str]]) -> tuple[str, ...]:
     common = sorted({d for b, d in search if b == other} & {d for _, d in there})
     return tuple(
         f"at d = {d} both numbers come out, exchanged: η_b = {other} gives {claim.number('eta_m')}, η_b = {own} "
-        f"gives "
-        f"{companion}"
+        f"gives {companion}"
         for d in common
     )
 
 
 def reproductions(alpha: str, printed: str, dampings: tuple[str, ...]) -> list[tuple[str, str]]:
-    """(η_b, d) on a short-decimal grid whose proved limiting mass rounds to `printed`; float64 tells where to "
-    "look."""
+    """(η_b, d) on a short-decimal grid whose proved limiting mass rounds to `printed`; float64 says where to look."""
     half = 0.5 * 10.0 ** -places(printed)
     hits = []
     for eta_b in dampings:

@@ -1,56 +1,79 @@
-"""Conclusions (i) and (iii): two equal masses without damping, above the critical velocity."""
+"""Conclusions (i) and (iii): one or two equal masses without damping, above the critical velocity."""
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise, product
 
-from mpsolve.audit.cases import certificate, pair, spectrum
+from mpsolve.audit.cases import certificate, pair, single, spectrum
 from mpsolve.audit.claims import Claim, Finding, Verdict
+from mpsolve.audit.justabove import STEPS, unstable_up_to
 from mpsolve.audit.theory import symmetries, undamped_roots_are_real
-from mpsolve.audit.values import named, shown
+from mpsolve.audit.values import decimal, named, shown
 from mpsolve.certificate.format import Certificate
+from mpsolve.errors import PrecisionError
+from mpsolve.model.exact import Exact
+from mpsolve.model.parameters import Case
+from mpsolve.stability.tube import follow
 from mpsolve.stability.velocities import UnstableRanges, unstable_velocities
 
-_STRIP = 1.05  # up to where the cuts that join at α_C may leave a range open
-_JUST_ABOVE = ("1.01",)
+_STRIPS = ("1.1", "1.08", "1.04", "1.02", "1.01")  # where the strip above α_C may end, the widest first
+_WIDER = Fraction(1, 10**6)  # covers the rounding of open ranges
+_HALVINGS = 6
+_CERTIFIED = "1.1"
 
 
 def onset_at_critical(claim: Claim) -> Finding:
     """Conclusion (i) over the box: stable below α_C by the theorem, unstable all the way above it."""
+    return _onset(claim, list(product(claim.values("eta_m"), claim.values("d"))))
+
+
+def one_mass_onset_at_critical(claim: Claim) -> Finding:
+    """The same for one mass, as Section 3 recalls."""
+    return _onset(claim, [(eta_m, None) for eta_m in claim.values("eta_m")])
+
+
+def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
     proof, top = undamped_roots_are_real(), claim.number("alpha")
-    stable, undecided, open_to = [], [], 1.0
+    stable, undecided, numbers = [], [], [("α_C = α_cr,ex without damping", "1")]
     certificates: list[tuple[str, Certificate | None]] = []
-    for eta_m in claim.values("eta_m"):
-        for d in claim.values("d"):
-            found = unstable_velocities(0, (eta_m, eta_m), (0, d), alpha=(0, top), digits=15)
-            late = [end for _, end in found.unknown]
-            open_to = max(open_to, *late) if late else open_to
-            name = f"η_M = {eta_m}, d = {d}"
-            stable += [f"{name}, α = {gap}" for gap in _stable_gaps(found, top)]
-            if any(end > _STRIP for end in late):
-                undecided.append(name)
-            cases = {a: pair(a, "0", eta_m, d) for a in _JUST_ABOVE}
-            stable += [f"{name}, α = {a}" for a, case in cases.items() if not spectrum(case).unstable]
-        certificates.append((f"{claim.id}_eta{eta_m}_alpha{_JUST_ABOVE[0]}", _unstable(eta_m)))
-    numbers = (
-        ("α_C = α_cr,ex without damping", "1"),
-        ("all cases proved unstable from this α on", f"{open_to:.6f}"),
-        ("and at the single α", ", ".join(_JUST_ABOVE)),
-    )
+    for eta_m, d in models:
+        name = f"η_M = {eta_m}" if d is None else f"η_M = {eta_m}, d = {d}"
+        strip = next((end for end in _STRIPS if unstable_up_to(end, eta_m, d)), None)
+        masses, places = ((eta_m,), ("0",)) if d is None else ((eta_m, eta_m), ("0", d))
+        found = unstable_velocities(0, masses, places, alpha=(0, top), digits=15)
+        stable += [f"{name}, α = {gap}" for gap in _stable_gaps(found, top)]
+        open_ = _left_over(found, Fraction(strip or "1"), Fraction(top))
+        broken = [at for low, high in open_ for at in _not_followed(eta_m, d, low, high)]
+        undecided += [f"{name}, α from {at}" for at in broken]
+        followed = ", ".join(f"{float(low):.4g} to {float(high):.4g}" for low, high in open_)
+        how = f"up to {strip} by the count just above α_C"
+        numbers.append((f"{name}: unstable", f"{how}; one root followed over {followed}" if followed else how))
+        if eta_m == models[0][0] or d in (None, "1"):
+            certificates.append((f"{claim.id}_eta{eta_m}_d{d or 0}_alpha{_CERTIFIED}", _certified(eta_m, d)))
     certs = named(certificates)
+    steps = (*proof.steps, *STEPS)
     if stable:
-        return Finding(
-            Verdict.REFUTED, f"Stable above α_C: {'; '.join(stable)}", numbers, proof.steps, certificates=certs
-        )
+        sentence = f"Stable above α_C: {'; '.join(stable)}."
+        return Finding(Verdict.REFUTED, sentence, tuple(numbers), steps, certificates=certs)
     if undecided or not proof.holds:
-        return Finding(Verdict.UNDECIDABLE, f"Open above α_C: {'; '.join(undecided)}", numbers, proof.steps)
+        sentence = f"Open above α_C: {'; '.join(undecided)}."
+        return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), steps, certificates=certs)
     sentence = (
-        "Below α_C every root is real, for any masses (theorem). Above it all cases of the box are proved unstable "
-        f"on the whole range beyond α = {open_to:.4f}, and at α = {', '.join(_JUST_ABOVE)}; the rest of the "
-        f"strip just "
-        "above α_C, where the cuts join, is open."
+        "Below α_C every root is real, for any masses (theorem). Just above it there is exactly one root near the "
+        f"branch point, an unstable one (proved for every α of a strip at once), and each of the {len(models)} cases "
+        f"that are looked at is proved unstable from there to α = {top}."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, numbers, proof.steps, certificates=certs)
+    return Finding(Verdict.PROVED, sentence, tuple(numbers), steps, certificates=certs)
+
+
+def _case(alpha: str, eta_m: str, d: str | None) -> Case:
+    return single(alpha, "0", eta_m) if d is None else pair(alpha, "0", eta_m, d)
+
+
+def _certified(eta_m: str, d: str | None) -> Certificate | None:
+    return certificate(_case(_CERTIFIED, eta_m, d))
 
 
 def _stable_gaps(found: UnstableRanges, top: str) -> list[str]:
@@ -62,8 +85,45 @@ def _stable_gaps(found: UnstableRanges, top: str) -> list[str]:
     return [f"{low:.5g} to {high:.5g}" for low, high in gaps]
 
 
-def _unstable(eta_m: str) -> Certificate | None:
-    return certificate(pair(_JUST_ABOVE[0], "0", eta_m, "1"))
+def _left_over(found: UnstableRanges, strip: Fraction, top: Fraction) -> list[tuple[Fraction, Fraction]]:
+    """The ranges of α that are open, a little wider, without what lies in the strip; ranges that touch are one."""
+    wide = [(max(strip, Fraction(a) - _WIDER), min(top, Fraction(b) + _WIDER)) for a, b in found.unknown]
+    merged: list[tuple[Fraction, Fraction]] = []
+    for low, high in sorted((low, high) for low, high in wide if low < high):
+        if merged and low <= merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
+        else:
+            merged.append((low, high))
+    return [
+        (Fraction(low * 10**7 // 1, 10**7), min(top, Fraction(-(-high * 10**7 // 1), 10**7))) for low, high in merged
+    ]
+
+
+def _not_followed(eta_m: str, d: str | None, low: Fraction, high: Fraction) -> list[str]:
+    """Where no chain of tubes is found that keeps one unstable root unstable: from each of these on, for a while."""
+    pending, broken = [(low, high, 0)], []
+    while pending:
+        start, end, depth = pending.pop()
+        if _followed(eta_m, d, start, end):
+            continue
+        if depth == _HALVINGS:
+            broken.append(f"{float(start):.5g} to {float(end):.5g}")
+            continue
+        middle = Fraction((start + end) * 10**9 // 2, 10**9)
+        pending += [(start, middle, depth + 1), (middle, end, depth + 1)]
+    return broken
+
+
+def _followed(eta_m: str, d: str | None, start: Fraction, end: Fraction) -> bool:
+    """Whether a certified unstable root at `start` is proved to go on below the real axis up to `end`."""
+    try:
+        found = spectrum(_case(decimal(start), eta_m, d))
+    except PrecisionError:
+        return False
+    balls = [r.q for r in found.roots if r.q.imag < 0 and not r.q.real < 0 and r.multiplicity == 1]
+    starts, ends = ([Exact.parse(at, "alpha")] * len(balls) for at in (start, end))
+    reached = follow(found.case, starts, ends, balls)
+    return any(ball is not None for ball in reached)
 
 
 def four_signs(claim: Claim) -> Finding:
@@ -83,18 +143,15 @@ def four_signs(claim: Claim) -> Finding:
     numbers.append(("certified cases", str(count)))
     if wrong:
         sentence = (
-            f"At {'; '.join(wrong)} there are purely imaginary frequencies: with q only −q, two signs instead "
-            f"of four. "
+            f"At {'; '.join(wrong)} there are purely imaginary frequencies: with q only −q, two signs, not four. "
             "(Off the axes it holds: D(−p, −q̄) = conj D(p, q), and without damping D(p, q̄) = conj D(p, q).)"
         )
         return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates))
     if not all(known.values()):
         return Finding(Verdict.UNDECIDABLE, "A symmetry of D was not confirmed.")
     sentence = (
-        "D(−p, −q̄) = conj D(p, q) and, without damping, D(p, q̄) = conj D(p, q): with q, also −q̄, q̄ and −q "
-        "are roots, four "
-        "provided that q is not on an axis. Real it cannot be, since the cut covers the real axis; that none "
-        "is imaginary "
-        f"is certified at {count} cases."
+        "D(−p, −q̄) = conj D(p, q) and, without damping, D(p, q̄) = conj D(p, q): with q, also −q̄, q̄ and −q are "
+        "roots, four provided that q is not on an axis. Real it cannot be, since the cut covers the real axis; that "
+        f"none is imaginary is certified at {count} cases."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))

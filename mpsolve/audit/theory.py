@@ -51,9 +51,8 @@ def undamped_roots_are_real() -> Proof:
     )
     steps = (
         "A root q off the cut has a field w in L² with ∫D|ŵ|² dp/2π = 4q² Σ η_M,j |w(x_j)|² (eq. (15) times w̄).",
-        "D = (p⁴ − 4Ap² + 4) + 8αpq − 4q² [identity]: so m q² − 2g q − κ = 0 with m = 4∫|ŵ|² + 4Σ "
-        "η_M,j|w(x_j)|² > 0, "
-        "g = −(−4α∫p|ŵ|²) real, κ = ∫(p⁴ − 4Ap² + 4)|ŵ|².",
+        "D = (p⁴ − 4Ap² + 4) + 8αpq − 4q² [identity]: so m q² − 2g q − κ = 0 with m = 4∫|ŵ|² + 4Σ η_M,j|w(x_j)|² > "
+        "0, g = −(−4α∫p|ŵ|²) real, κ = ∫(p⁴ − 4Ap² + 4)|ŵ|².",
         "p⁴ − 4Ap² + 4 = (p² − 2A)² + 4(1 − A²) [identity] > 0 for |A| < 1, and term by term for A ≤ 0; "
         "A < 1 is α < α_C. So κ > 0.",
         "q = (g ± √(g² + mκ))/m is real: no root is unstable, and none is complex.",
@@ -81,8 +80,8 @@ def lines_in_the_gap() -> Proof:
         "In the gap 0 < q < q_lm = min_p(S/2 − αp): S > 2(q + α|p|), so D = S² − 4(q − αp)² [identity] > 0 for all "
         "real p, and [K(x_i − x_j, q)] = ∫ … dp/D is Hermitian and positive definite: 0 ≤ |K(d)| < K(0).",
         "∂(q²/D)/∂q = 2q (S² − 4α²p² + 4αpq)/D² [identity], and with S > 2(q + α|p|) the bracket exceeds a "
-        "polynomial "
-        "in q, α, |p| with positive coefficients only [expanded for p > 0 and p < 0]: q²K grows strictly with q.",
+        "polynomial in q, α, |p| with positive coefficients only [expanded for p > 0 and p < 0]: q²K grows strictly "
+        "with q.",
         "With a = 2η_M q²/π the roots are 1 = a(K(0) + |K(d)|) (lower line) and 1 = a(K(0) − |K(d)|) (higher line); "
         "both sides grow strictly from 0: at most one root each. K(0) → ∞ at q_lm, so the lower line always exists.",
         "a(K(0) − |K(d)|) ≤ aK(0) ≤ a(K(0) + |K(d)|) < 2aK(0): so q_doubled < q_lower ≤ q_single ≤ q_higher, with "
@@ -114,21 +113,17 @@ def one_damped_mass_is_stable() -> Proof:
         "At real q, with u = q − αp: D = S² − 4u² + 8iη_b u [identity], so Im K(0, q) = −8η_b ∫ u/|D|² dp.",
         "The points u and −u (u > 0) have S² = X and Y; their |D|² differ by (Y − X)(X + Y − 8u²) [identity].",
         "Y − X = 8qu(q² + u²)/α⁴ > 0 [identity] for q > 0, and X + Y − 8u² ≥ 2((u²/α² − 2α²)² + 4(1 − α⁴)) "
-        "[identity] "
-        "≥ 0 for α ≤ 1, where equality is left out by q > 0: |D|² is larger at −u, so Im K(0, q) < 0. At rest, "
-        "α = 0, "
-        "u = q and Im K(0, q) < 0 too.",
-        "So 1 = (2η_M q²/π) K(0, q) has no real root q ≠ 0 for any η_M: none crosses the real axis; for η_M → "
-        "0 none is "
-        "below it. The mass is stable.",
+        "[identity] ≥ 0 for α ≤ 1, where equality is left out by q > 0: |D|² is larger at −u, so Im K(0, q) < 0. At "
+        "rest, α = 0, u = q and Im K(0, q) < 0 too.",
+        "So 1 = (2η_M q²/π) K(0, q) has no real root q ≠ 0 for any η_M: none crosses the real axis; for η_M → 0 none "
+        "is below it. The mass is stable.",
     )
     return Proof(steps, all(checks))
 
 
 @lru_cache(maxsize=1)
 def symmetries() -> dict[str, bool]:
-    """D(−p, −q̄) = conj D(p, q) for real p, and without damping D(p, q̄) = conj D(p, q): the two symmetries "
-    "of roots."""
+    """For real p: D(−p, −q̄) = conj D(p, q), and without damping D(p, q̄) = conj D(p, q)."""
     real = sp.symbols("p_r alpha_r eta_r N_r S_r", real=True)
     at = dict(zip((_p, _alpha, _eta_b, _axial, _shear), real, strict=True))
     D = dispersion().expression.subs(at)

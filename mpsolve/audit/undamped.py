@@ -66,9 +66,8 @@ def two_pairs_then_one(claim: Claim) -> Finding:
     if wrong:
         return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers))
     sentence = (
-        "Two equal masses have one or two pairs at every α < α_C (theorem), and in each of the 27 cases two up "
-        "to one "
-        "proved α and one from there on."
+        "Two equal masses have one or two pairs at every α < α_C (theorem), and in each of the 27 cases, for "
+        "0.01 ≤ α ≤ 0.999, two up to one proved α and one from there on."
     )
     return Finding(_if(proof.holds), sentence, tuple(numbers), proof.steps)
 
@@ -116,8 +115,8 @@ def closer_with_distance(claim: Claim) -> Finding:
                     )
                     sentence = (
                         f"At α = {alpha}, η_M = {eta_m} the lower line of d = {far} is farther from that of the "
-                        f"single "
-                        f"mass than the line of d = {near}: |K(d)|, which separates them, does not fall with d."
+                        f"single mass than the line of d = {near}: |K(d)|, which separates them, does not fall with "
+                        "d."
                     )
                     return Finding(Verdict.REFUTED, sentence, numbers, proof.steps[-2:], certificates=certificates)
     return Finding(Verdict.UNDECIDABLE, "No counterexample among the cases looked at, and no proof.")
@@ -130,9 +129,8 @@ def ends_by_mass(claim: Claim) -> Finding:
     if (found.verdict is Verdict.PROVED) != rising or not proof.holds:
         return replace(found, verdict=Verdict.REFUTED if proof.holds else Verdict.UNDECIDABLE)
     nested = (
-        "The higher pair exists at α if and only if η_M g(α) > 1, where (2q²/π)(K(0) − |K(d)|) grows to g(α) "
-        "as q → q_lm: "
-        "if it exists for a mass, it exists for every heavier one. So where each line has one end, the ends "
+        "The higher pair exists at α if and only if η_M g(α) > 1, where (2q²/π)(K(0) − |K(d)|) grows to g(α) as q → "
+        "q_lm: if it exists for a mass, it exists for every heavier one. So where each line has one end, the ends "
         "grow with η_M."
     )
     return replace(found, steps=(*proof.steps, nested))

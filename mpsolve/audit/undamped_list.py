@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from mpsolve.audit.cases import DISTANCES, MASSES
 from mpsolve.audit.claims import Claim, Finding, Printed
-from mpsolve.audit.supercritical import four_signs, onset_at_critical
+from mpsolve.audit.supercritical import four_signs, one_mass_onset_at_critical, onset_at_critical
 from mpsolve.audit.undamped import (
     closer_with_distance,
     cut_at_the_limit,
@@ -40,9 +40,14 @@ _SIGNS = ("1.05", "1.2", "1.4")
 
 CLAIMS = (
     _claim(
-        "i", "Section 5 (i), Section 4.2", "In the undamped case, instability occurs exactly at the critical "
-            "velocity.",
+        "i", "Section 5 (i), Section 4.2, abstract",
+        "In the undamped case, instability occurs exactly at the critical velocity.",
         onset_at_critical, at={"eta_m": MASSES, "d": DISTANCES, "alpha": ("1.4",)},
+    ),
+    _claim(
+        "i-one-mass", "Section 5 (i), Section 3, abstract",
+        "In the undamped case, one moving mass becomes unstable exactly at the critical velocity, too.",
+        one_mass_onset_at_critical, at={"eta_m": ("10", "20", "40", "70", "80", "140"), "alpha": ("1.4",)},
     ),
     _claim(
         "ii", "Section 5 (ii)", "In the undamped case, the frequency lines are cut in the subcritical velocity range "
@@ -50,14 +55,12 @@ CLAIMS = (
     ),
     _claim(
         "iii", "Section 5 (iii)", "In the undamped case, each induced frequency appears with all four sign "
-            "combinations "
-        "of the real and imaginary parts in the supercritical velocity range.", four_signs,
+        "combinations of the real and imaginary parts in the supercritical velocity range.", four_signs,
         at={"alpha": _SIGNS, "eta_m": MASSES, "d": DISTANCES},
     ),
     _claim(
         "v-pairs-undamped", "Section 5 (v), Section 4.2", "In the subcritical velocity range, {low} pairs of "
-            "frequencies "
-        "exist for a lower α, and only {high} exists for a higher α (undamped).", two_pairs_then_one,
+        "frequencies exist for a lower α, and only {high} exists for a higher α (undamped).", two_pairs_then_one,
         low=("2",), high=("1",),
     ),
     _claim(
@@ -75,22 +78,20 @@ CLAIMS = (
         "the higher line is cut by q_lm.", ends_by_mass, way=("lower",),
     ),
     _claim(
-        "vi-distance", "Section 5 (vi), Section 4.2", "In the absence of damping, a lower d̂ results in a "
-            "lower α when "
-        "the higher line is cut by q_lm.", ends_by_distance,
+        "vi-distance", "Section 5 (vi), Section 4.2", "In the absence of damping, a lower d̂ results in a lower α "
+        "when the higher line is cut by q_lm.", ends_by_distance,
     ),
     _last("4.2-final-40-near", "Section 4.2, after Figure 3", "40", "0.5:0.5:1.5", "0.74 0.86 0.87"),
     _last("4.2-final-40-far", "Section 4.2, after Figure 6", "40", "2:0.5:4.5", "0.87 0.88 0.89 0.90 0.90 0.90"),
     _last("4.2-final-10", "Section 4.2, before Figure 8", "10", "0.5:0.5:1.5", "0.37 0.66 0.72"),
     _claim(
-        "fig-6-constant", "Section 4.2, after Figure 6", "η_M = {eta_m}, α = {alpha}, d̂ = {d}: the first "
-            "three graphs in "
-        "Figure 6 (d̂ = {alone}) have constant amplitudes.", only_one_pair,
+        "fig-6-constant", "Section 4.2, after Figure 6", "η_M = {eta_m}, α = {alpha}, d̂ = {d}: the first three "
+        "graphs in Figure 6 (d̂ = {alone}) have constant amplitudes.", only_one_pair,
         eta_m=("40",), alpha=("0.9",), d=("2:0.5:4.5",), alone=("2", "2.5", "3"),
     ),
     _claim(
-        "fig-8-variable", "Section 4.2, before Figure 8", "η_M = {eta_m}, α = {alpha}, d̂ = {d}: the final two graphs "
-        "have variable amplitudes (constant only for d̂ = {alone}).", only_one_pair,
+        "fig-8-variable", "Section 4.2, before Figure 8", "η_M = {eta_m}, α = {alpha}, d̂ = {d}: the final two "
+        "graphs have variable amplitudes (constant only for d̂ = {alone}).", only_one_pair,
         eta_m=("10",), alpha=("0.5",), d=("0.5:0.5:1.5",), alone=("0.5",),
     ),
 )  # fmt: skip
