@@ -7,11 +7,9 @@ import shlex
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from mpsolve import __version__
-from mpsolve.certificate.format import write_whole
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.report.digits import decimal
@@ -36,13 +34,8 @@ class Download:
     command: str
 
 
-def save_page(parts: Parts, path: Path, stem: str) -> Path:
-    """Writes the page, whole or not at all; CertificateError if it cannot be written. stem: of the certificates."""
-    return write_whole(path, report_page(parts, stem))
-
-
 def report_page(parts: Parts, stem: str) -> str:
-    """The page as HTML. Raises InputError if matplotlib is missing."""
+    """The page as HTML. stem: of the names of the certificates. Raises InputError if matplotlib is missing."""
     return rendered_template(TEMPLATE, **_context(parts, stem))
 
 

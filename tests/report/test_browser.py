@@ -17,9 +17,10 @@ import numpy as np
 import pytest
 
 from mpsolve import verify
+from mpsolve.certificate.format import write_whole
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.report.answer import Source
-from mpsolve.report.page import save_page
+from mpsolve.report.page import report_page
 from mpsolve.report.page_parts import gather
 
 # much damping makes a case that is decided quickly
@@ -38,7 +39,7 @@ pytestmark = pytest.mark.skipif(BROWSER is None, reason=NO_BROWSER)
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     parts = gather(Source(CASE.dimensionless, CASE, "Rail"), 30, None, None, 2, (Fraction(1),))
-    return save_page(parts, tmp_path_factory.mktemp("page") / "rail.html", "rail")
+    return write_whole(tmp_path_factory.mktemp("page") / "rail.html", report_page(parts, "rail"))
 
 
 def opened(file: Path, profile: Path, *options: str) -> tuple[str, list[str]]:
