@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve import cli_audit, cli_report, cli_response, cli_stability, cli_study
+from mpsolve import cli_audit, cli_receptance, cli_report, cli_response, cli_stability, cli_study
 from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ def derive(latex: bool, masses: int) -> None:
         click.echo(render(derivation(masses), "latex" if latex else "text"), nl=False)
 
 
-for module in (cli_stability, cli_response, cli_study, cli_report, cli_audit):
+for module in (cli_stability, cli_response, cli_receptance, cli_study, cli_report, cli_audit):
     for command in module.COMMANDS:
         cli.add_command(command)
 

@@ -18,8 +18,14 @@ from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
     type=click.Path(path_type=Path),
     help="Path of the page.  [default: NAME.html in the working directory]",
 )
+@click.option(
+    "--pdf",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Print the page to this PDF, too, by an installed Chromium, Chrome or Edge.",
+)
 @click.option("--digits", type=int, default=30, show_default=True, help="Certified digits of the roots, 15 to 10000.")
-def report(file: Path, output: Path | None, digits: int) -> None:
+def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> None:
     """Write a page about the case in FILE (TOML): verdict, margins, roots, figures, response, certificates.
 
     The page is one HTML file that needs no network. It takes about a minute. Exit status 0: all that can be asked of
@@ -27,23 +33,36 @@ def report(file: Path, output: Path | None, digits: int) -> None:
     2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.certificate.format import write_whole
+        from mpsolve.errors import InputError
         from mpsolve.model.inputfile import read_input
         from mpsolve.model.parameters import PhysicalCase
         from mpsolve.report.answer import Source
         from mpsolve.report.figures import require_matplotlib
-        from mpsolve.report.page import save_page
+        from mpsolve.report.page import report_page
         from mpsolve.report.page_parts import gather
+        from mpsolve.report.pdf import browser, save_pdf
         from mpsolve.report.statement import verdict
+        from mpsolve.stability.table import checked_suffix
 
         given = read_input(file)
         path = checked_output(output or Path(f"{given.path.stem}.html"), given.path, "the page")
+        if path.suffix.lower() == ".pdf":
+            raise InputError("output", f"{path} is a page in HTML: give -o NAME.html, and --pdf {path} for the PDF")
         require_matplotlib()
+        printer = None
+        if pdf is not None:
+            checked_suffix(checked_output(pdf, given.path, "the PDF"), (".pdf",))
+            printer = pdf, browser()
         physical = given.case if isinstance(given.case, PhysicalCase) else None
         case = given.case.dimensionless if isinstance(given.case, PhysicalCase) else given.case
         with progress() as tell:
             parts = gather(Source(case, physical, given.title), digits, tell, given.loads)
-            save_page(parts, path, given.path.stem)
-        click.echo(f"{verdict(parts.spectrum)}\n{path}")
+            page = report_page(parts, given.path.stem)
+            write_whole(path, page)
+            if printer is not None:
+                save_pdf(page, *printer)
+        click.echo("\n".join([verdict(parts.spectrum), str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.proved else UNDECIDED)
 
 

@@ -93,7 +93,7 @@ def _suffix(path: Path, known: tuple[str, ...]) -> str:
 
     kind = path.suffix.lower()
     if kind not in known:
-        raise InputError("output", f"{path} ends in {kind or 'nothing'!r}: give one of {', '.join(known)}")
+        raise InputError("output", f"{path} does not end in one of {', '.join(known)}")
     return kind
 
 

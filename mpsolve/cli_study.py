@@ -143,8 +143,13 @@ def _cluster(address: str | None) -> Iterator[tuple[Executor | None, int]]:
 
     try:
         from distributed import Client
+        from distributed.comm import get_address_host_port
     except ImportError:
         raise InputError("--dask", "needs the package distributed: pip install 'mpsolve[dask]'") from None
+    try:
+        get_address_host_port(address, strict=True)
+    except ValueError as error:
+        raise InputError("--dask", f"is {address!r}: {error}; give HOST:PORT, or what the scheduler says") from None
     try:
         client = Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:

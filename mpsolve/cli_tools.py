@@ -47,12 +47,17 @@ def checked_output(path: Path, source: Path, what: str) -> Path:
     """The path itself; InputError if `what` cannot be a file there, or if that is the input file."""
     from mpsolve.errors import InputError
 
-    if not path.parent.is_dir():
-        raise InputError("output", f"{path.parent} is no directory: make it, or give another path for {what}")
-    if path.is_dir():
-        raise InputError("output", f"{path} is a directory: give the path of a file for {what}")
-    if path.exists() and source.exists() and path.samefile(source):
-        raise InputError("output", f"{path} is the input file: give another path for {what}")
+    try:
+        if not path.parent.is_dir():
+            raise InputError("output", f"{path.parent} is no directory: make it, or give another path for {what}")
+        if path.is_dir():
+            raise InputError("output", f"{path} is a directory: give the path of a file for {what}")
+        if path.exists() and source.exists() and path.samefile(source):
+            raise InputError("output", f"{path} is the input file: give another path for {what}")
+    except OSError as error:  # a name that is too long, a folder that may not be looked into
+        raise InputError(
+            "output", f"{path} cannot be used ({error.strerror}): give another path for {what}"
+        ) from None
     return path
 
 

@@ -6,15 +6,22 @@ import csv
 import importlib.util
 import json
 import re
+import shlex
+import shutil
+import subprocess
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
-from mpsolve import Case, certify
+from mpsolve import Case, PhysicalCase, certify, receptance
+from mpsolve.cli import cli
+from mpsolve.report.receptances import receptances
 
 FOLDER = Path(__file__).parents[1] / "examples" / "handover"
+SHELL = (FOLDER / "shell.sh").read_text("utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -57,12 +64,109 @@ def test_all_forms_hold_the_same_seeds(folder: Path) -> None:
     assert [complex(*seed["q"]) for seed in content["seeds"]] == q.tolist()
 
 
-def test_the_matlab_and_maple_readers_name_the_columns_that_are_there(folder: Path) -> None:
-    """Neither program is at hand in the tests: what can be held is that the names and their forms agree."""
+@pytest.fixture(scope="module")
+def shell(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder with what the commands of shell.sh write."""
+    place = tmp_path_factory.mktemp("shell")
+    (place / "examples").symlink_to(FOLDER.parent)
+    (value,) = re.findall(r"^case=(\S+)$", SHELL, flags=re.MULTILINE)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(place)
+        for line in re.findall(r"^mpsolve .*$", SHELL, flags=re.MULTILINE):
+            command, _, target = line.replace("$case", value).partition(" > ")
+            done = CliRunner().invoke(cli, shlex.split(command)[1:])
+            assert done.exit_code == 0, f"{line}: {done.output}"
+            if target:
+                Path(target).write_text(done.stdout, "utf-8")
+    return place
+
+
+def test_the_shell_hands_over_the_same_in_json(solver: ModuleType, folder: Path, shell: Path) -> None:
+    roots = json.loads((shell / "induced.json").read_text("utf-8"))["roots"]
+    truth = [complex(root.q.mid()) for root in certify(solver.CASE).roots]
+    assert [complex(float(root["re"]["value"]), float(root["im"]["value"])) for root in roots] == truth
+    onset = json.loads((shell / "onset.json").read_text("utf-8"))["onset"]["alpha"]
+    assert abs(float(onset["value"]) - float(solver.onset())) < 1e-12
+    table = json.loads((shell / "receptance.json").read_text("utf-8"))
+    K = receptance(solver.CASE, solver.XI, solver.OMEGA)
+    assert np.array_equal(np.array(table["K_re"]) + 1j * np.array(table["K_im"]), K)
+    assert (tuple(table["xi"]), table["omega"]) == (solver.XI, solver.OMEGA.tolist())
+    assert (shell / "receptance.csv").read_text() == (folder / "receptance.csv").read_text()
+
+
+def test_the_receptance_in_si_units() -> None:
+    """At rest, under a static force, Winkler's deflection F χ/(2k); ω and ξ by (10)."""
+    track = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, masses=[(1, 0)])
+    content = json.loads(receptances(track.dimensionless, track, "", (0.0,), (0.0,)).to_json())
+    chi = (1e6 / (4 * 6.4e6)) ** 0.25
+    assert content["K_re"][0][0] * content["units"]["K_m_per_N"] == pytest.approx(chi / 2e6, rel=1e-12)
+    assert content["units"]["xi_m"] == pytest.approx(1 / chi, rel=1e-12)
+    assert content["units"]["omega_rad_per_s"] == pytest.approx((1e6 / 60) ** 0.5, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--omega", "0.1"], "--omega: is '0.1': give FIRST,LAST,COUNT"),
+        (["--omega", "0.1,0.2,0"], "a whole COUNT from 1"),
+        (["--omega", "0.1,x,3"], "--omega: "),
+        (["--omega", "0.1,0.2,3", "--xi", "a"], "--xi: "),
+        (["--omega", "0.1,0.2,3", "-o", "none/a.csv"], "none is no directory"),
+    ],
+)
+def test_receptances_that_cannot_be(words: list[str], said: str) -> None:
+    done = CliRunner().invoke(cli, ["receptance", str(FOLDER.parent / "dimensionless.toml"), *words])
+    assert (done.exit_code, len(done.output.splitlines())) == (2, 1)
+    assert said in done.output
+
+
+DELTA = """function v = delta(q, alpha, eta_b, eta, d)
+  p = roots([1, 0, -4*alpha^2, 8*alpha*q - 8i*eta_b*alpha, 4 - 4*q*q + 8i*eta_b*q]);
+  w = 2i*pi ./ (4*p.^3 - 8*alpha^2*p + 8*alpha*q - 8i*eta_b*alpha);
+  u = imag(p) > 0;
+  a = 2*eta*q*q/pi;
+  v = (1 - a*sum(w(u)))^2 + a*a*sum(w(u).*exp(1i*p(u)*d))*sum(w(~u).*exp(-1i*p(~u)*d));
+end
+"""
+SCRIPT = """
+roots_found = read_seeds('seeds.csv', @delta);
+printf('%.17g %.17g\\n', [real(roots_found), imag(roots_found)].');
+[omega, xi, K] = read_receptance('receptance.csv');
+printf('%.17g %.17g %.17g %.17g\\n', omega(3), xi(1), real(K(3, 1)), imag(K(3, 1)));
+[alpha, q] = read_onset('onset.json');
+printf('%.17g %.17g\\n', alpha, q);
+"""
+
+
+@pytest.mark.skipif(shutil.which("octave-cli") is None, reason="Octave, which runs MATLAB's text, is not installed")
+def test_octave_reads_seeds_receptance_and_onset(
+    solver: ModuleType, folder: Path, shell: Path, tmp_path: Path
+) -> None:
+    for file in [folder / "seeds.csv", *(shell / name for name in ("receptance.csv", "onset.json"))]:
+        shutil.copy(file, tmp_path)
+    (tmp_path / "delta.m").write_text(DELTA)
+    (tmp_path / "script.m").write_text(f"addpath('{FOLDER}');{SCRIPT}")
+    command = ["octave-cli", "--norc", "--quiet", "script.m"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=True)
+    *roots, table, onset = ([float(word) for word in line.split()] for line in done.stdout.splitlines())
+    truth = [root for _, root, _ in solver.newton(folder / "seeds.csv")]
+    assert np.allclose([complex(*root) for root in roots], truth, rtol=0, atol=1e-12)
+    K = receptance(solver.CASE, solver.XI, solver.OMEGA)[0, 2]
+    assert table == [solver.OMEGA[2], solver.XI[0], K.real, K.imag]
+    assert onset == pytest.approx([0.66691895728454957, 0.15620777798805937], rel=1e-15)
+
+
+def test_the_maple_readers_name_what_is_there(folder: Path, shell: Path) -> None:
+    """Maple is not at hand in the tests: what can be held is that the names and their forms agree."""
     header = (folder / "seeds.csv").read_text().splitlines()[0].split(",")
-    used = set(re.findall(r"table\.(\w+)\(", (FOLDER / "read_seeds.m").read_text()))
-    used |= set(re.findall(r'column\("(\w+)"\)', (FOLDER / "read_seeds.mpl").read_text()))
-    assert {"alpha", "eta_b", "eta_m", "d", "q_re", "q_im"} <= used <= set(header)
+    used = re.findall(r'column\("(\w+)"\)', (FOLDER / "read_seeds.mpl").read_text())
+    assert {"alpha", "eta_b", "eta_m", "d", "q_re", "q_im", "radius"} == set(used) <= set(header)
+    names = (shell / "receptance.csv").read_text().splitlines()[0].split(",")
+    assert '"re_K("' in (FOLDER / "read_receptance.mpl").read_text()
+    assert all(re.fullmatch(r"(re|im)_K\([-\d.]+\)", name) for name in names[1:])
+    onset = json.loads((shell / "onset.json").read_text("utf-8"))["onset"]
+    paths = re.findall(r'answer\["onset"\]\["(\w+)"\]\["(\w+)"\]', (FOLDER / "read_onset.mpl").read_text())
+    assert [float(onset[key][part]) > 0 for key, part in paths] == [True, True]
 
 
 def test_the_receptance_table_and_the_onset(solver: ModuleType, folder: Path) -> None:

@@ -3,8 +3,8 @@
     python examples/handover/other_solver.py FOLDER
 
 writes seeds.csv, seeds.json, seeds.npz and receptance.csv into FOLDER. `newton` stands for the other solver: it reads
-seeds.csv as text and knows nothing of mpsolve. read_seeds.m (MATLAB) and read_seeds.mpl (Maple) do the same there.
-From the shell, `mpsolve certify CASE.toml --json` and `mpsolve onset CASE.toml --json` print what is here in JSON.
+seeds.csv as text and knows nothing of mpsolve. read_seeds, read_receptance and read_onset (.m: MATLAB and Octave,
+.mpl: Maple) take the same there; shell.sh makes the files without Python, and the same in JSON.
 """
 
 from __future__ import annotations

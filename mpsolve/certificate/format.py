@@ -61,9 +61,15 @@ def write_whole(path: Path, content: str | bytes) -> Path:
 def whole_file(path: Path) -> Iterator[BinaryIO]:
     """A file beside `path` that is moved there at the end, or removed after an error.
 
-    Raises CertificateError if it cannot be written.
+    A link is followed; a device or a pipe, such as /dev/stdout, is written to as it is. Raises CertificateError if it
+    cannot be written.
     """
     try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            with path.open("wb") as file:
+                yield file
+            return
+        path = path.resolve()
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
             with os.fdopen(handle, "wb") as file:

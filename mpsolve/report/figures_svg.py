@@ -22,7 +22,7 @@ _VARIABLES = {
     COLOUR.shade.lower(): "var(--shade, #f9e5d9)",
     COLOUR.cut: "var(--cut, #444444)",
     COLOUR.faint: "var(--faint, #777777)",
-}
+} | {fill.lower(): f"var(--count-{k}, {fill.lower()})" for k, fill in enumerate(COLOUR.counts) if k}
 _REM_PER_INCH = 6.5  # widest on the page, so that the text of all figures has one size
 _COLOUR = re.compile("|".join(map(re.escape, _VARIABLES)))
 _REFERENCE = re.compile(r"url\(#([^)]*)\)")

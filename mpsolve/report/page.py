@@ -7,11 +7,9 @@ import shlex
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from mpsolve import __version__
-from mpsolve.certificate.format import write_whole
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.report.digits import decimal
@@ -36,13 +34,8 @@ class Download:
     command: str
 
 
-def save_page(parts: Parts, path: Path, stem: str) -> Path:
-    """Writes the page, whole or not at all; CertificateError if it cannot be written. stem: of the certificates."""
-    return write_whole(path, report_page(parts, stem))
-
-
 def report_page(parts: Parts, stem: str) -> str:
-    """The page as HTML. Raises InputError if matplotlib is missing."""
+    """The page as HTML. stem: of the names of the certificates. Raises InputError if matplotlib is missing."""
     return rendered_template(TEMPLATE, **_context(parts, stem))
 
 
@@ -62,8 +55,8 @@ def _context(parts: Parts, stem: str) -> dict[str, Any]:
         "here": {margin.name: here_text(margin, source) for margin in parts.margins},
         "beam": None if source.physical is None else list(_beam(source.physical)),
         "ratios": [*ratio_rows(source.case), *_limit_rows(parts)],
-        "motions": list(motion_rows(motions)),
-        "units": ("Hz", "1/s", "s") if source.physical is not None else ("1/τ", "1/τ", "τ"),
+        "motions": [_motion(row, "τ" if source.physical is None else "s") for row in motion_rows(motions)],
+        "units": ("1/τ", "1/τ") if source.physical is None else ("Hz", "1/s"),
         "digits": spectrum.digits,
         "roots": [_digits(k, motion, spectrum.digits) for k, motion in enumerate(motions, 1)],
         "spectrum": spectrum,
@@ -94,6 +87,13 @@ def _beam(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
         yield row
         if row[0] == "v":
             yield "", f"{shown(physical.v * Fraction(18, 5))} km/h", "the same"
+
+
+def _motion(row: tuple[str, ...], unit: str) -> tuple[str, str, str, str]:
+    """Name, frequency, growth rate, and what the vibration does, in which time."""
+    name, frequency, rate, time, doing = row
+    trend, bracket, several = doing.partition(" (")
+    return name, frequency, rate, f"{trend}{f' in {time} {unit}' if time else ''}{bracket}{several}"
 
 
 def _cards(parts: Parts) -> Iterable[Card]:

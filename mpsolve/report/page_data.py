@@ -59,7 +59,7 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
     format, version  "mpsolve page", 1; a version adds no meaning to a key that is there
     report           the roots: see report/data.py
     q_lm, alpha_C    branch points (float64) and critical velocity ratio (proved); null where the cuts leave the line
-    margins          name, status, reason, unit, range, here, below, above, margin
+    margins          name, status, reason, unit, range, here, below, above, margin, at_least
     lines            alpha, counts and lines with alpha, re, im, ends; or {"undecided": reason}, as below
     chart            as `mpsolve chart -o chart.json` writes it
     response         t, w, steady, envelope, contact_force, contact_loss and their units, loads; float64

@@ -9,6 +9,8 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+from flint import arb
+
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import MpsolveError
 from mpsolve.fields import ball_arithmetic
@@ -32,7 +34,8 @@ class Margin:
 
     name: "velocity" (values α), "mass" (all masses by a common factor; the case is 1) or "distance" (of neighbours).
     low, high: the range that was searched (high None: infinity). None below or above: proved that stability does not
-    change there, if `proved`; else open, with the `reason`. applies: False where the question has no meaning.
+    change there, if `proved`; else open, with the `reason`; free: the range around `here` in which it is proved all
+    the same that stability does not change. applies: False where the question has no meaning.
     """
 
     name: str
@@ -45,6 +48,15 @@ class Margin:
     reason: str = ""
     applies: bool = True
     certificate: Certificate | None = None
+    free: tuple[Any, Any] | None = None
+
+    @property
+    def at_least(self) -> Any | None:
+        """A distance within which stability is proved not to change, where more is open; None if there is none."""
+        if self.free is None:
+            return None
+        inner = [end for end, last in zip(self.free, (self.low, self.high), strict=True) if not _is(end, last)]
+        return min((abs(end - self.here) for end in inner), key=lambda gap: float(gap.mid()), default=None)
 
     @property
     def nearest(self) -> Any | None:
@@ -122,8 +134,9 @@ def _of_ranges(name: str, here: Exact, low: Exact, high: Exact, search: Callable
     ends = [end for one in found for end, q in ((one.start, one.q_start), (one.end, one.q_end)) if q is not None]
     with ball_arithmetic(_BITS):
         below, above, reason = _around(ball, ends, found.unknown)
+        free = _free(ball, [low.ball(), *ends, high.ball()], found.unknown) if reason else None
     reason = reason and (found.reason or reason)
-    return Margin(name, ball, below, above, low, high, not reason, reason, certificate=found.certificate)
+    return Margin(name, ball, below, above, low, high, not reason, reason, certificate=found.certificate, free=free)
 
 
 def _around(here: Any, ends: Iterable[Any], unknown: tuple[tuple[float, float], ...]) -> tuple[Any, Any, str]:
@@ -139,6 +152,22 @@ def _around(here: Any, ends: Iterable[Any], unknown: tuple[tuple[float, float], 
         if not (beyond_below or beyond_above):
             return None, None, "a part of the range next to the case is open"
     return below, above, ""
+
+
+def _free(here: Any, ends: list[Any], unknown: tuple[tuple[float, float], ...]) -> tuple[Any, Any] | None:
+    """The nearest place on each side beyond which stability is open or changes; None if it is open at `here`."""
+    if any(not (stop < here or start > here) for start, stop in unknown):
+        return None
+    left = [end for end in [*ends, *(arb(stop) for _, stop in unknown)] if end < here]
+    right = [end for end in [*ends, *(arb(start) for start, _ in unknown)] if end > here]
+    if not left or not right or any(not (end < here or end > here) for end in ends):
+        return None
+    return max(left, key=lambda end: float(end.mid())), min(right, key=lambda end: float(end.mid()))
+
+
+def _is(end: Any, last: Exact | None) -> bool:
+    """Whether `end` is where the search ended, and not a change of stability or an open part."""
+    return last is not None and bool(end.overlaps(last.ball()))
 
 
 def _mass_ends(found: CrossingMasses) -> list[Any]:

@@ -20,6 +20,8 @@ _QUESTION = {
     "distance": "Distance of neighbouring masses",
 }
 
+_STATE = {True: "stable", False: "unstable", None: "the same"}
+
 
 @dataclass(frozen=True)
 class Card:
@@ -38,7 +40,7 @@ def card(margin: Margin, source: Source, stable: bool | None) -> Card:
     if not margin.applies:
         return Card(margin.name, question, "none", f"Does not apply: {margin.reason}.", "none")
     if not margin.proved:
-        return Card(margin.name, question, "undecided", f"Undecided: {margin.reason}.", "undecided")
+        return _open(margin, source, stable)
     with ball_arithmetic(_BITS):
         near = margin.nearest
         if near is None:
@@ -49,10 +51,25 @@ def card(margin: Margin, source: Source, stable: bool | None) -> Card:
         return Card(margin.name, question, f"{sign}{text}", _changes(margin, source, stable), "proved")
 
 
-def margin_data(margin: Margin, source: Source) -> dict[str, Any]:
-    """For machines: here, below, above, nearest and their distance from here, in the parameter and in `unit`."""
+def _open(margin: Margin, source: Source, stable: bool | None) -> Card:
+    """What is proved all the same of a margin that is open, and why it is."""
+    question, reason = _QUESTION[margin.name], margin.reason[:1].upper() + margin.reason[1:]
     with ball_arithmetic(_BITS):
-        near = margin.nearest
+        least = margin.at_least
+        if margin.free is None or least is None:
+            return Card(margin.name, question, "undecided", f"{reason}.", "undecided")
+        low, high = (_value(margin, source, end) for end in margin.free)
+        said = f"The case stays {_STATE[stable]} from {low} to {high}; what happens beyond is undecided. {reason}."
+        return Card(margin.name, question, f"at least {_shift(margin, source, least)}", said, "undecided")
+
+
+def margin_data(margin: Margin, source: Source) -> dict[str, Any]:
+    """For machines: here, below, above, and the distance of the nearer from here, in the parameter and in `unit`.
+
+    at_least: where that is open, a distance within which stability is proved not to change, or null.
+    """
+    with ball_arithmetic(_BITS):
+        near, least = margin.nearest, margin.at_least
         factor, unit = _unit(margin, source)
 
         def both(ball: Any | None) -> dict[str, Any] | None:
@@ -70,6 +87,7 @@ def margin_data(margin: Margin, source: Source) -> dict[str, Any]:
             "below": both(margin.below),
             "above": both(margin.above),
             "margin": None if near is None else both(near - margin.here),
+            "at_least": both(least),
         }
 
 
@@ -130,7 +148,7 @@ def _changes(margin: Margin, source: Source, stable: bool | None) -> str:
 
 
 def _nothing(margin: Margin, source: Source, stable: bool | None) -> str:
-    state = {True: "stable", False: "unstable", None: "the same"}[stable]
+    state = _STATE[stable]
     if margin.high is None:
         whole = {"mass": "for every size of the masses", "distance": "at every distance"}[margin.name]
         return f"The case is {state} {whole}, so there is no limit."

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
+from signal import SIG_DFL, SIGINT, signal
 from threading import Thread
 from typing import Any, TypeVar
 
@@ -54,12 +55,13 @@ def checked_workers(workers: int | None) -> int:
 
 
 def process_pool(workers: int) -> ProcessPoolExecutor:
-    """Spawned processes that end when this one does, even if it is killed."""
+    """Spawned processes that end when this one does, even if it is killed, and without a word on Ctrl-C."""
     return ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_end_with_parent)
 
 
 def _end_with_parent() -> None:
     """Each worker holds both ends of the queue of jobs, so that it would wait for ever after a killed parent."""
+    signal(SIGINT, SIG_DFL)
     parent = parent_process()
     assert parent is not None
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
 import time
 import xml.etree.ElementTree as ET
@@ -16,29 +15,39 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import verify
+from mpsolve import InputError, verify
+from mpsolve.certificate.format import write_whole
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.report.answer import Source
-from mpsolve.report.page import save_page
+from mpsolve.report.page import report_page
 from mpsolve.report.page_parts import gather
+from mpsolve.report.pdf import browser
 
 # much damping makes a case that is decided quickly
 CASE = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=300, c=9000, masses=[(1000, 0)])
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", "chrome"))), None)
 QUIET = [
     *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"),
     *("--disable-background-networking", "--disable-component-update", "--enable-logging=stderr", "--v=0"),
 ]
 SVG = "{http://www.w3.org/2000/svg}"
-NO_BROWSER = "no Chromium or Chrome is installed: chromium, chromium-browser, google-chrome or chrome"
+NO_BROWSER = "no Chromium, Chrome or Edge is installed"
 
+
+def installed() -> str | None:
+    try:
+        return browser()
+    except InputError:
+        return None
+
+
+BROWSER = installed()
 pytestmark = pytest.mark.skipif(BROWSER is None, reason=NO_BROWSER)
 
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     parts = gather(Source(CASE.dimensionless, CASE, "Rail"), 30, None, None, 2, (Fraction(1),))
-    return save_page(parts, tmp_path_factory.mktemp("page") / "rail.html", "rail")
+    return write_whole(tmp_path_factory.mktemp("page") / "rail.html", report_page(parts, "rail"))
 
 
 def opened(file: Path, profile: Path, *options: str) -> tuple[str, list[str]]:

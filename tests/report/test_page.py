@@ -22,8 +22,9 @@ from mpsolve.model.load import Load
 from mpsolve.report import page_parts
 from mpsolve.report.answer import Source
 from mpsolve.report.data import as_data
+from mpsolve.report.html_environment import with_subscripts
 from mpsolve.report.page import report_page
-from mpsolve.report.page_margins import Margin, distance_margin, mass_margin, velocity_margin
+from mpsolve.report.page_margins import Margin, _free, distance_margin, mass_margin, velocity_margin
 from mpsolve.report.page_parts import Part, Parts, gather, loads_for, times
 from mpsolve.report.page_words import card, margin_data
 from mpsolve.stability.chart import case_chart
@@ -148,6 +149,42 @@ def test_without_damping_and_below_the_critical_velocity_energy_decides() -> Non
     for found in (mass_margin(fast), distance_margin(fast)):
         assert (found.proved, found.applies) == (False, True)
         assert "damping" in card(found, Source(fast, None, ""), None).sentence
+
+
+@pytest.mark.parametrize(("alpha", "grows"), [("0.5", False), ("1.3", True)])
+def test_a_margin_that_is_open_says_how_far_stability_is_proved_all_the_same(alpha: str, grows: bool) -> None:
+    """Without damping, what happens just above α_C = 1 is open for this mass; single cases agree on both sides."""
+    case = Case(alpha=alpha, eta_b=0, eta_m=10)
+    found = velocity_margin(case)
+    assert not found.proved
+    assert found.free is not None
+    assert found.at_least is not None
+    low, high = map(float, found.free)
+    assert (low, found.high) == (0, Exact.parse("1.4")) if not grows else high == float(found.high or 0)
+    assert float(found.at_least) == pytest.approx(float(alpha) - low if grows else 1 - float(alpha))
+    for place in (low + 0.01, high - 0.01):
+        assert unstable(case, alpha=Exact.parse(f"{place:.3f}")) is grows
+    shown = card(found, Source(case, None, ""), not grows)
+    assert (shown.status, shown.figure[:9]) == ("undecided", "at least ")
+    assert f"stays {'unstable' if grows else 'stable'} from α" in shown.sentence
+    with ball_arithmetic(160):
+        said = margin_data(found, Source(case, None, ""))["at_least"]
+    assert said is not None
+    assert float(said["parameter"]["value"]) == pytest.approx(float(found.at_least))
+
+
+def test_what_is_open_at_the_case_itself_is_proved_nowhere() -> None:
+    here = Exact.parse("1.1").ball()
+    ends = [Exact.parse(x).ball() for x in (0, "1.3", 2)]
+    assert _free(here, ends, ((1.0, 1.2),)) is None
+    found = _free(here, ends, ((0.5, 0.6), (1.8, 1.9)))
+    assert found is not None
+    assert tuple(map(float, found)) == pytest.approx((0.6, 1.3))
+
+
+def test_symbols_are_printed_with_lowered_letters() -> None:
+    assert with_subscripts("iη_b < q_lm, η_M1") == "iη<sub>b</sub> &lt; q<sub>lm</sub>, η<sub>M1</sub>"
+    assert with_subscripts("alpha_C seq_lm η_bx") == "alpha_C seq_lm η_bx"
 
 
 def test_margins_in_units() -> None:
@@ -280,8 +317,8 @@ def test_parts_that_are_undecided_say_why(parts: Parts) -> None:
     page = Page(report_page(open_parts, "x"))
     for name in ("lines", "chart", "response"):
         assert f"{reason}." in page.under(name)
-    assert page.under("verdict").count(reason) == 2
-    assert page.under("proof").count(reason) == 5
+    assert page.under("verdict").count("The reason & its remedy.") == 2
+    assert page.under("proof").count(reason.removeprefix("the")) == 5
     assert json.loads(page.under("data"))["response"] == {"undecided": reason}
     assert not open_parts.proved
 

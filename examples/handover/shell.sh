@@ -1,0 +1,15 @@
+#!/bin/sh
+# What another solver takes from mpsolve, from the shell: one JSON file for each question, and the tables that
+# read_seeds, read_receptance and read_onset (.m for MATLAB and Octave, .mpl for Maple) import.
+#
+#     sh examples/handover/shell.sh        (in the folder of the project; writes into the working directory)
+set -eu
+case=examples/dimensionless.toml
+
+# the induced frequencies, proved: roots[].re.value and roots[].im.value, as many digits as you ask for
+mpsolve certify $case --digits 20 --json -o induced.certificate.json > induced.json
+# the receptance K(xi, omega) of the beam, as JSON and for text import: xi ahead of the force is positive
+mpsolve receptance $case --xi=-1.5,0,1.5 --omega 0.02,0.3,15 --json -o receptance.json
+mpsolve receptance $case --xi=-1.5,0,1.5 --omega 0.02,0.3,15 -o receptance.csv
+# the first unstable velocity, proved: onset.alpha.value
+mpsolve onset $case --digits 20 --json -o onset.certificate.json > onset.json

@@ -1,0 +1,67 @@
+"""The command for solvers that step the vehicle themselves: receptance."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from mpsolve.cli_tools import checked_output, one_sentence
+
+
+@click.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "--omega",
+    required=True,
+    metavar="FIRST,LAST,COUNT",
+    help="Frequencies in units of √(k/m): COUNT of them, evenly from FIRST to LAST.",
+)
+@click.option("--xi", default="0", show_default=True, help="Positions from the force in units of 1/χ, as -1.5,0,1.5.")
+@click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write this file, not the terminal.")
+def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | None) -> None:
+    """Tabulate the receptance K(ξ, ω) of the beam in FILE (TOML) under a moving harmonic force, in float64.
+
+    The masses of FILE play no part. Exit status 0: written. 1: it could not be written. 2: the input cannot be used.
+    """
+    with one_sentence():
+        from mpsolve.certificate.format import write_whole
+        from mpsolve.model.inputfile import read_input
+        from mpsolve.model.parameters import PhysicalCase
+        from mpsolve.report.receptances import receptances
+
+        given = read_input(file)
+        if output is not None:
+            checked_output(output, given.path, "the table")
+        physical = given.case if isinstance(given.case, PhysicalCase) else None
+        case = given.case.dimensionless if isinstance(given.case, PhysicalCase) else given.case
+        table = receptances(case, physical, given.title, _places(xi), _frequencies(omega))
+        text = table.to_json() if as_json else table.to_csv()
+        if output is None:
+            click.echo(text, nl=False)
+        else:
+            click.echo(str(write_whole(output, text)))
+
+
+COMMANDS = (receptance,)
+_MOST = 1_000_000
+
+
+def _places(text: str) -> tuple[float, ...]:
+    from mpsolve.model.exact import Exact
+
+    return tuple(float(Exact.parse(word.strip(), "--xi")) for word in text.split(","))
+
+
+def _frequencies(text: str) -> tuple[float, ...]:
+    import numpy as np
+
+    from mpsolve.errors import InputError
+    from mpsolve.model.exact import Exact
+
+    first, last, count = [*text.split(","), "", ""][:3]
+    if text.count(",") != 2 or not (count.strip().isdecimal() and 1 <= int(count) <= _MOST):
+        raise InputError("--omega", f"is {text!r}: give FIRST,LAST,COUNT, with a whole COUNT from 1 to {_MOST}")
+    low, high = (float(Exact.parse(end.strip(), "--omega")) for end in (first, last))
+    return tuple(np.linspace(low, high, int(count)).tolist())
