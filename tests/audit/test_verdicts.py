@@ -73,7 +73,7 @@ def test_numbers_of_pairs() -> None:
     assert found("3-most-pairs").verdict is Verdict.REFUTED
     assert found("3-most-pairs", pairs="6").verdict is Verdict.UNDECIDABLE
     assert found("v-pairs-damped").verdict is Verdict.REFUTED
-    assert found("v-pairs-damped", high="3").verdict is Verdict.UNDECIDABLE
+    assert found("v-pairs-damped", at={"cases": ("0.05 0.5 70 1",)}).verdict is Verdict.UNDECIDABLE
     assert found("3-pairs").verdict is Verdict.CONDITIONAL
     assert found("3-pairs", at={"alpha": ("0.5",)}).verdict is Verdict.UNDECIDABLE
 
