@@ -32,6 +32,7 @@ MOST_PANELS = 60_000
 _TOLERANCE = 1e-14  # of a panel, relative to the displacement of a unit force
 _VELOCITY, _FORCE = 1e-3, 1e-6  # what velocity and force count beside the displacement
 _REACH, _FAR = 250.0, 3e7  # where u ends on the parabola, and on the steep path
+_GROWTH = 6.0  # of waves over all positions, as a power of e, where Im p is of the height of the path
 _STEEP = (0.5, 0.25, 0.1)  # of the path of each mass alone
 _FACTORS = (1.0, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003)  # by which a path is lowered, in turn
 _HEIGHTS = (1.5, 1.2, 1.0, 0.8, 0.6, 0.45, 0.3, 0.2)  # of the ellipse in the gap
@@ -105,7 +106,9 @@ def _finite(track: Track, tones: Sequence[Tone], section: Section, height: float
         yield _nodes(track, tones, place, lambda _, q: ranked(track, q, section.sheet), breaks, ALL, probe, -1)
         return
     samples = np.linspace(1e-3, np.pi - 1e-3, 4000)
-    path = _lowered(track, section, lambda h: ellipse(centre, radius, h), 0.5 + radius, samples)
+    extent = probe[-1] - probe[0]
+    most = min(0.5 + radius, _GROWTH / extent) if extent else 0.5 + radius
+    path = _lowered(track, section, lambda h: ellipse(centre, radius, h), most, samples)
     yield _nodes(track, tones, path.place, lambda u, q: path.sums_at(track, u, q), breaks, ALL, probe, -1)
     yield from _residues(track, path, ALL, _half if first else _whole)
 
@@ -114,7 +117,7 @@ def _infinite(track: Track, tones: Sequence[Tone], section: Section, probe: Any)
     """The last section: each mass alone along a steep path, the rest along a parabola; all along it if need be."""
     start = complex(section.start, track.eta_b)
     span, extent = track.positions[-1] - track.positions[0], probe[-1] - probe[0]
-    most = min(0.5, np.log(2) / (4 * span) if span else 0.5, 6 / extent if extent else 0.5)
+    most = min(0.5, np.log(2) / (4 * span) if span else 0.5, _GROWTH / extent if extent else 0.5)
     rise = _rise(section, most)
     near, far = np.geomspace(1e-4, rise.bend + 1, 1500), rise.bend + 60
     samples = np.concatenate([near, np.arange(near[-1] + 0.02, far, 0.05 / (1 + span))])

@@ -42,13 +42,16 @@ def _isolated(case: Case, count: Count, effort: int) -> tuple[list[Box], list[co
     radius = count.radius or _RECTANGLE_RADIUS
     boxes: list[Box] = []
     doubtful: list[complex] = []
-    for candidate in seek(case, radius, effort):
-        if any(_holds(box, candidate.q) for box in boxes):
+    seeds = [candidate.q for candidate in seek(case, radius, effort)]
+    if not case.eta_b:  # with q, q̄ is a root, and next to the cut float64 takes the two for one
+        seeds = [seed for q in seeds for seed in (q, q.conjugate())]
+    for seed in seeds:
+        if any(_holds(box, seed) for box in boxes):
             continue
         try:
-            box = isolate(case, candidate.q)
+            box = isolate(case, seed)
         except PrecisionError:
-            doubtful.append(candidate.q)
+            doubtful.append(seed)
             continue
         if not any(box.image.overlaps(other.image) for other in boxes):
             boxes.append(box)

@@ -89,6 +89,17 @@ def test_the_count_is_explained_by_clusters(d: int) -> None:
     assert found.stable is True
 
 
+@pytest.mark.parametrize(
+    ("alpha", "eta_m", "axial"), [("0.9284", ("1.844",), "0.16"), ("1.0079", ("0.922", "5.147"), 0)]
+)
+def test_roots_on_both_sides_next_to_the_cut(alpha: str, eta_m: tuple[str, ...], axial: Any) -> None:
+    """Just above α_C without damping q and q̄ differ by 1e-10 of their size, with the cut between them."""
+    case = Case(alpha=alpha, eta_b=0, eta_m=eta_m, positions=(0, "0.142")[: len(eta_m)], eta_n=axial)
+    found = checked(case)
+    assert (found.count, found.unstable) == (4, 2)
+    assert all(0 < abs(float(root.q.imag.mid())) < 1e-8 * float(abs(root.q).mid()) for root in found.roots)
+
+
 FAR_APART = [
     ("0.31", "0.4", 3, 30, 18),
     ("0.31", "0.4", 3, 60, 32),
