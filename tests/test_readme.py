@@ -6,14 +6,19 @@ import re
 import shlex
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
+import mpsolve
 from mpsolve.cli import cli
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
 BLOCK = README.split("## The command line")[1].split("## The library")[0]
+SHOWN = re.findall(
+    r"^    (\w+\(\S.*\)[\w.\[\]]*) +# (.*)$", README.split("## The library")[1].split("```")[2], flags=re.MULTILINE
+)
 COMMANDS = [line.split("#")[0].strip() for line in BLOCK.splitlines() if line.startswith("    mpsolve ")]
 
 
@@ -24,6 +29,30 @@ def test_the_library_example(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     exec(code, names)
     assert (tmp_path / "case.json").exists()
     assert len(code.strip().splitlines()) <= 12
+
+
+def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each expression can be evaluated, and a ball that is shown begins with the digits of the true one."""
+    monkeypatch.chdir(tmp_path)
+    names = {name: getattr(mpsolve, name) for name in mpsolve.__all__}
+    names["case"] = mpsolve.Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
+    names |= {"times": np.linspace(0, 50, 101), "alphas": np.linspace(0.4, 0.6, 3)}
+    balls = 0
+    for expression, said in SHOWN:
+        if "examples/" in expression:  # a table and a study, whose commands run below
+            assert (ROOT / re.findall(r'"(examples/[^"]*)"', expression)[0]).exists()
+            continue
+        value = eval(expression, names)
+        if said.startswith("["):
+            digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
+            assert value.str(60, radius=False).startswith(digits), expression
+            balls += 1
+    assert (len(SHOWN), balls) == (13, 4)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
+
+
+def test_every_command_is_shown() -> None:
+    assert {shlex.split(command)[1] for command in COMMANDS} == cli.commands.keys()
 
 
 def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

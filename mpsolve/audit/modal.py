@@ -111,13 +111,15 @@ def contact_force(claim: Claim) -> Finding:
 
 _CONTACT = "M_{n}*{s}_k*q2 + 2*M_{n}*v*{s}{a}_k*q1 + M_{n}*v**2*{s}{b}_k*q0"
 _SECTION = "Section 4.1"
+MATRICES = {
+    "M": ("delta + M_1*u_j*u_k + M_2*v_j*v_k",),
+    "C": ("delta*c_b/m + 2*M_1*v*u_j*u1_k + 2*M_2*v*v_j*v1_k",),
+    "K": ("delta*omega_j**2 + M_1*v**2*u_j*u2_k + M_2*v**2*v_j*v2_k",),
+}  # (42)-(44) as printed
 
 CLAIMS = (
     Claim("eq-42-45", _SECTION, "Eqs. (41)-(45): M_jk = {M}, C_jk = {C}, K_jk = {K}, p_j = {p}", entries, {
-        "M": ("delta + M_1*u_j*u_k + M_2*v_j*v_k",),
-        "C": ("delta*c_b/m + 2*M_1*v*u_j*u1_k + 2*M_2*v*v_j*v1_k",),
-        "K": ("delta*omega_j**2 + M_1*v**2*u_j*u2_k + M_2*v**2*v_j*v2_k",),
-        "p": ("P_1*u_j + P_2*v_j",),
+        **MATRICES, "p": ("P_1*u_j + P_2*v_j",),
     }),
     Claim("eq-46-53", _SECTION, "Eqs. (46)-(53): diagonal blocks {diagonal_M}, {diagonal_C}, {diagonal_K}, columns "
     "{column1}, {column2}, rows {M1}, {C1}, {K1} and {M2}, {C2}, {K2}", rearranged, {

@@ -42,10 +42,10 @@ class Report:
 
 def all_claims() -> tuple[Claim, ...]:
     """Every claim, in the order of the report."""
-    from mpsolve.audit import captions, damped_list, equation_list, history, modal, motion_list, onset_list
+    from mpsolve.audit import captions, damped_list, equation_list, history, modal, motion_list, onset_list, premises
     from mpsolve.audit import undamped_list as first
 
-    modules = [first, damped_list, onset_list, motion_list, history, captions, equation_list, modal]
+    modules = [first, damped_list, onset_list, motion_list, history, captions, premises, equation_list, modal]
     return tuple(claim for module in modules for claim in module.CLAIMS)
 
 

@@ -25,7 +25,7 @@ def receptance(case: Case | PhysicalCase, xi: Any, q: Any) -> Any:
 
     A static unit force gives the deflection 1:
 
-    >>> round(4 / np.pi * receptance(Case(alpha=0, eta_b=1, eta_m=1), 0, 0)[0, 0].real, 12)
+    >>> round(float(4 / np.pi * receptance(Case(alpha=0, eta_b=1, eta_m=1), 0, 0)[0, 0].real), 12)
     1.0
     """
     case = case.dimensionless if isinstance(case, PhysicalCase) else case

@@ -61,6 +61,7 @@ class HarmonicSolution:
 
     @property
     def w(self) -> Any:
+        """steady + harmonic, shape (len(xi), len(tau))."""
         return self.steady + self.harmonic
 
 
@@ -95,6 +96,7 @@ class Response:
 
     @property
     def w(self) -> Any:
+        """steady + harmonic + transient, shape (len(xi), len(tau)), in units of w_st."""
         return self.steady + self.harmonic + self.transient
 
     @property

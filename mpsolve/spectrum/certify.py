@@ -52,6 +52,7 @@ class Spectrum:
 
     @property
     def proved(self) -> bool:
+        """Whether every root of the region is counted and enclosed."""
         return self.status is Status.PROVED
 
     @property

@@ -34,6 +34,7 @@ class Rectangle:
                 raise InputError(f"region.{axis}_max", f"{stated}: give the bounds in order")
 
     def as_dict(self) -> dict[str, str]:
+        """The bounds by name as exact texts."""
         return {name: str(value) for name, value in vars(self).items()}
 
 

@@ -41,6 +41,7 @@ class Study:
 
     @property
     def complete(self) -> bool:
+        """Whether every case is finished, whatever its result."""
         return self.finished == self.total
 
     @property
