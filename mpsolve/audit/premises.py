@@ -113,7 +113,7 @@ def four_distinct_roots(claim: Claim) -> Finding:
     )
     sentence = (
         "Proved without damping below α_C, for α > 0. Elsewhere two upper p-roots, or two lower ones, may meet at "
-        "some q; nothing keeps an induced frequency from it, and there (37) and (39) do not hold: the poles are double."
+        "some q; nothing keeps an induced frequency from it, and there (37) and (39), for simple poles, do not hold."
     )
     return Finding(Verdict.CONDITIONAL, sentence, steps=steps)
 
