@@ -53,11 +53,11 @@ class Line:
         It has gone between the masses to and fro n times, each time reflected by about one half.
         """
         x = [float(v) for v in case.positions]
-        n = np.arange(60)[:, None]
+        n = np.arange(150)[:, None]
         D = 2 * n * (x[-1] - x[0]) + 1.5 * np.array([abs(a - b) for a in xi for b in x])
         q = np.maximum(D * D / (2 * tau * tau), 1.0)
         size = 4 / float(min(case.eta_m)) * 0.6**n * q**-2.5 / np.sqrt(tau)
-        return float(np.max(q[size > 1e-12], initial=0.0))
+        return float(np.max(q[size > 1e3 * math.exp(-self.fall)], initial=0.0))
 
 
 @dataclass(frozen=True)
