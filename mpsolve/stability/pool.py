@@ -9,6 +9,7 @@ from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
 from signal import SIG_DFL, SIGINT, signal
 from threading import Thread
+from time import sleep
 from typing import Any, TypeVar
 
 from flint import arb
@@ -43,6 +44,12 @@ WORKER_ENDED = (
     "a worker process ended before its work was done: allow fewer workers, and in a script call this under "
     'if __name__ == "__main__":'
 )
+
+
+def worker_ended() -> str:
+    """What is said of it; on Ctrl-C, of which this process may hear a moment after its workers, that comes first."""
+    sleep(0.5)
+    return WORKER_ENDED
 
 
 def checked_workers(workers: int | None) -> int:
@@ -110,7 +117,7 @@ def run(
                 if tell is not None:
                     tell(stage, len(results) / len(jobs))
         except BrokenProcessPool:
-            raise MpsolveError(WORKER_ENDED) from None
+            raise MpsolveError(worker_ended()) from None
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
