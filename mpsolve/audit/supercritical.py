@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import pairwise, product
+from itertools import product
 
 from mpsolve.audit.cases import certificate, pair, single, spectrum
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.justabove import STEPS, unstable_up_to
 from mpsolve.audit.theory import symmetries, undamped_roots_are_real
-from mpsolve.audit.values import decimal, named, shown
+from mpsolve.audit.values import decimal, ends, named, shown
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import PrecisionError
 from mpsolve.model.exact import Exact
@@ -36,17 +36,22 @@ def one_mass_onset_at_critical(claim: Claim) -> Finding:
 
 def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
     proof, top = undamped_roots_are_real(), claim.number("alpha")
-    stable, undecided, numbers = [], [], [("α_C = α_cr,ex without damping", "1")]
+    stable: list[str] = []
+    undecided: list[str] = []
+    numbers = [("α_C = α_cr,ex without damping", "1")]
     certificates: list[tuple[str, Certificate | None]] = []
     for eta_m, d in models:
         name = f"η_M = {eta_m}" if d is None else f"η_M = {eta_m}, d = {d}"
         strip = next((end for end in _STRIPS if unstable_up_to(end, eta_m, d)), None)
         masses, places = ((eta_m,), ("0",)) if d is None else ((eta_m, eta_m), ("0", d))
         found = unstable_velocities(0, masses, places, alpha=(0, top), digits=15)
-        stable += [f"{name}, α = {gap}" for gap in _stable_gaps(found, top)]
-        open_ = _left_over(found, Fraction(strip or "1"), Fraction(top))
+        start, end = Fraction(strip or "1"), Fraction(top)
+        open_ = _left_over(found, start, end)
         broken = [at for low, high in open_ for at in _not_followed(eta_m, d, low, high)]
         undecided += [f"{name}, α from {at}" for at in broken]
+        for low, high in uncovered([*open_, *_unstable(found, end)], start, end):
+            at = f"{name}, α from {float(low):.7g} to {float(high):.7g}"
+            (stable if _is_stable(eta_m, d, (low + high) / 2) else undecided).append(at)
         followed = ", ".join(f"{float(low):.4g} to {float(high):.4g}" for low, high in open_)
         how = f"up to {strip} by the count just above α_C"
         numbers.append((f"{name}: unstable", f"{how}; one root followed over {followed}" if followed else how))
@@ -76,19 +81,42 @@ def _certified(eta_m: str, d: str | None) -> Certificate | None:
     return certificate(_case(_CERTIFIED, eta_m, d))
 
 
-def _stable_gaps(found: UnstableRanges, top: str) -> list[str]:
-    """Where above the first unstable range the case is proved stable: what is not open between them, and after."""
-    ends = [(float(a.end.lower()), float(b.start.upper())) for a, b in pairwise(found)]
-    if not found or float(found[-1].end.upper()) < float(top):
-        ends.append((float(found[-1].end.lower()) if found else 1.0, float(top)))
-    gaps = ((low, high) for low, high in ends if not any(a <= high and b >= low for a, b in found.unknown))
-    return [f"{low:.5g} to {high:.5g}" for low, high in gaps]
+Range = tuple[Fraction, Fraction]
 
 
-def _left_over(found: UnstableRanges, strip: Fraction, top: Fraction) -> list[tuple[Fraction, Fraction]]:
+def _unstable(found: UnstableRanges, top: Fraction) -> list[Range]:
+    """The ranges of α proved unstable, without the balls of their ends; an end that is no crossing may be `top`."""
+    ranges = []
+    for interval in found:
+        low, (least, most) = ends(interval.start)[1], ends(interval.end)
+        ranges.append((low, top if interval.q_end is None and least <= top <= most else least))
+    return ranges
+
+
+def uncovered(ranges: Sequence[Range], start: Fraction, end: Fraction) -> list[Range]:
+    """What of [start, end] lies in none of the closed ranges, by exact comparison."""
+    left, reached = [], start
+    for low, high in sorted(ranges):
+        if low > reached:
+            left.append((reached, min(low, end)))
+        reached = max(reached, high)
+        if reached >= end:
+            return left
+    return [*left, (reached, end)]
+
+
+def _is_stable(eta_m: str, d: str | None, alpha: Fraction) -> bool:
+    """Whether it is certified that no root is unstable there."""
+    try:
+        return spectrum(_case(str(alpha), eta_m, d)).unstable == 0
+    except PrecisionError:
+        return False
+
+
+def _left_over(found: UnstableRanges, strip: Fraction, top: Fraction) -> list[Range]:
     """The ranges of α that are open, a little wider, without what lies in the strip; ranges that touch are one."""
     wide = [(max(strip, Fraction(a) - _WIDER), min(top, Fraction(b) + _WIDER)) for a, b in found.unknown]
-    merged: list[tuple[Fraction, Fraction]] = []
+    merged: list[Range] = []
     for low, high in sorted((low, high) for low, high in wide if low < high):
         if merged and low <= merged[-1][1]:
             merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
