@@ -7,9 +7,8 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
-from signal import SIG_DFL, SIGINT, signal
+from signal import SIG_DFL, SIG_IGN, SIGINT, getsignal, signal
 from threading import Thread
-from time import sleep
 from typing import Any, TypeVar
 
 from flint import arb
@@ -46,12 +45,6 @@ WORKER_ENDED = (
 )
 
 
-def worker_ended() -> str:
-    """What is said of it; on Ctrl-C, of which this process may hear a moment after its workers, that comes first."""
-    sleep(0.5)
-    return WORKER_ENDED
-
-
 def checked_workers(workers: int | None) -> int:
     """The number of processes, all processors if None; InputError for a number that cannot be."""
     if workers is None:
@@ -68,7 +61,8 @@ def process_pool(workers: int) -> ProcessPoolExecutor:
 
 def _end_with_parent() -> None:
     """Each worker holds both ends of the queue of jobs, so that it would wait for ever after a killed parent."""
-    signal(SIGINT, SIG_DFL)
+    if getsignal(SIGINT) is not SIG_IGN:  # where it is ignored, as in a shell's background, this process does so too
+        signal(SIGINT, SIG_DFL)
     parent = parent_process()
     assert parent is not None
 
@@ -117,7 +111,7 @@ def run(
                 if tell is not None:
                     tell(stage, len(results) / len(jobs))
         except BrokenProcessPool:
-            raise MpsolveError(worker_ended()) from None
+            raise MpsolveError(WORKER_ENDED) from None
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise

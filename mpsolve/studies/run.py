@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError, StudyError
-from mpsolve.stability.pool import checked_workers, process_pool, worker_ended
+from mpsolve.stability.pool import WORKER_ENDED, checked_workers, process_pool
 from mpsolve.studies.blocks import GOOD, Block, Result, checked, work
 from mpsolve.studies.design import Value
 from mpsolve.studies.spec import Spec, read_spec
@@ -159,7 +159,7 @@ def _computed(
         except BaseException as error:
             pool.shutdown(wait=False, cancel_futures=True)
             if isinstance(error, BrokenProcessPool):
-                raise StudyError(f"{worker_ended()}; what is finished is stored, and the same call goes on") from None
+                raise StudyError(f"{WORKER_ENDED}; what is finished is stored, and the same call goes on") from None
             raise
         pool.shutdown()
 

@@ -15,6 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 SCRIPT = """
 import os
+import signal
 import time
 from pathlib import Path
 
@@ -26,20 +27,29 @@ def work(k):
     Path(f"worker-{os.getpid()}").touch()
     while len(list(Path().glob("worker-*"))) < 2:  # until each of the two is at work
         time.sleep(0.01)
-    time.sleep(60 * k)
+    time.sleep(SECONDS * k)
+    return k
 
 @click.command()
 def command():
-    run(work, [0, 1], 2, lambda *_: Path("one-is-idle").touch())
+    print(run(work, [0, 1], 2, lambda *_: Path("one-is-idle").touch()))
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.HANDLER)
     command()
 """
 
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="a terminal sends Ctrl-C to a group of processes")
-def test_ctrl_c_ends_all_processes_at_once_and_without_a_traceback(tmp_path: Path) -> None:
-    (tmp_path / "script.py").write_text(SCRIPT)
+@pytest.mark.parametrize(
+    ("handler", "seconds", "ends"),
+    [("default_int_handler", 60, (1, "", ["Aborted!"])), ("SIG_IGN", 1, (0, "[0, 1]\n", []))],
+)
+def test_ctrl_c_ends_all_processes_at_once_and_without_a_traceback_or_none(
+    tmp_path: Path, handler: str, seconds: int, ends: tuple[int, str, list[str]]
+) -> None:
+    """None where it is ignored, as by what a shell runs in the background."""
+    (tmp_path / "script.py").write_text(SCRIPT.replace("HANDLER", handler).replace("SECONDS", str(seconds)))
     environment, start = os.environ | {"PYTHONPATH": str(ROOT)}, time.monotonic()
     streams: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "start_new_session": True}
     command = [sys.executable, "script.py"]
@@ -54,4 +64,4 @@ def test_ctrl_c_ends_all_processes_at_once_and_without_a_traceback(tmp_path: Pat
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
-    assert (process.returncode, output, errors.split()) == (1, "", ["Aborted!"])
+    assert (process.returncode, output, errors.split()) == ends
