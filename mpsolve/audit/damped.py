@@ -10,7 +10,7 @@ from typing import Any
 from mpsolve.audit.cases import certificate, pair, spectrum
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.theory import one_damped_mass_is_stable
-from mpsolve.audit.values import decimal, first_on_grid, grid, named, places, shown
+from mpsolve.audit.values import below, decimal, first_on_grid, grid, named, places, shown
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
@@ -46,7 +46,7 @@ def onsets_on_the_grid(claim: Claim) -> Finding:
         found = onset(eta_b, eta_m, d)
         first = first_on_grid(found.alpha, Fraction(1, 10 ** places(printed)))
         numbers.append((f"d = {d}: stable below α", shown(found.alpha, 18)))
-        if first != Fraction(printed) or not found.alpha < alpha_C:
+        if first != Fraction(printed) or not below(found.alpha, alpha_C):
             wrong.append(f"d = {d}: printed {printed}, proved {decimal(first)}")
         certificates.append((f"{claim.id}_d{d}", found.certificate))
         certificates += [
@@ -64,7 +64,7 @@ def damping_destabilises(claim: Claim) -> Finding:
     """Conclusion (x): an onset below α_C, where without damping nothing is unstable."""
     eta_b, eta_m, d = (claim.number(name) for name in ("eta_b", "eta_m", "d"))
     found, case = onset(eta_b, eta_m, d), pair("0", eta_b, eta_m, d)
-    sub = bool(found.alpha < critical(case)) and bool(found.alpha < 1)
+    sub = below(found.alpha, critical(case)) and below(found.alpha, 1)
     numbers = (
         ("onset α", shown(found.alpha, 18)),
         ("α_C", shown(critical(case), 12)),
@@ -86,7 +86,7 @@ def one_mass_is_supercritical(claim: Claim) -> Finding:
         found = onset(claim.number("eta_b"), eta_m, None)
         numbers.append((f"η_M = {eta_m}: onset α", shown(found.alpha, 15)))
         certificates.append((f"{claim.id}_eta{eta_m}", found.certificate))
-        if not found.alpha > 1:
+        if not below(1, found.alpha):
             wrong.append(eta_m)
     if wrong or claim.number("range") != "supercritical":
         return Finding(Verdict.REFUTED, f"Onset for η_M = {', '.join(wrong)} below 1.", tuple(numbers), proof.steps)
@@ -103,7 +103,7 @@ def one_mass_onset_grows(claim: Claim) -> Finding:
         onsets = [(eta_b, onset(eta_b, eta_m, None)) for eta_b in claim.values("eta_b")]
         certificates += [(f"{claim.id}_eta{eta_m}_eta_b{b}", at.certificate) for b, at in onsets]
         found = [(eta_b, at.alpha) for eta_b, at in onsets]
-        wrong += [f"η_M = {eta_m}, η_b = {b}" for (_, x), (b, y) in pairwise(found) if not x < y]
+        wrong += [f"η_M = {eta_m}, η_b = {b}" for (_, x), (b, y) in pairwise(found) if not below(x, y)]
         numbers += [(f"η_M = {eta_m}, η_b = {b}: onset α", shown(x, 12)) for b, x in found]
     if wrong:
         return Finding(Verdict.REFUTED, f"The onset does not grow at {'; '.join(wrong)}.", tuple(numbers))

@@ -11,7 +11,7 @@ from typing import Any
 from mpsolve.audit.cases import ball, certificate, higher_end, pair, single
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.harmonic import Harmonic, harmonic, superposed
-from mpsolve.audit.values import grid, named, shown
+from mpsolve.audit.values import below, grid, named, shown
 from mpsolve.fields import ball_arithmetic
 
 
@@ -53,7 +53,7 @@ def influence_grows(claim: Claim) -> Finding:
         for name, steps in (("α", _steps(alphas, distances)), ("d", _steps(distances, alphas)))
         for first, second, other in steps
         for before, after, where in [_cells(table, name, first, second, other)]
-        if not after > before
+        if not below(before, after)
     ]
     if not wrong:
         return Finding(Verdict.PROVED, "It grows along each row and column of the figure.", numbers)
@@ -257,7 +257,9 @@ def usually_omitted(claim: Claim) -> Finding:
         f"'Most' and 'can be omitted' have no number. In {small} of {len(models)} cases of the box the deviation at "
         f"τ = 0 is proved to be below {percent:g} % of the amplitude."
     )
-    return Finding(Verdict.CONDITIONAL if 2 * small > len(models) else Verdict.REFUTED, sentence, numbers)
+    if 2 * small > len(models):
+        return Finding(Verdict.CONDITIONAL, sentence, numbers)
+    return Finding(Verdict.REFUTED if 2 * large >= len(models) else Verdict.UNDECIDABLE, sentence, numbers)
 
 
 def misled_by_one_velocity(claim: Claim) -> Finding:

@@ -11,7 +11,7 @@ from mpsolve.audit.cases import certificate, pair, spectrum
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.damped import onset
 from mpsolve.audit.search import crossings, exchanged, reproductions
-from mpsolve.audit.values import grid, named, places, rounded, rounds_to, shown
+from mpsolve.audit.values import below, grid, named, places, rounded, rounds_to, shown
 from mpsolve.errors import PrecisionError
 from mpsolve.stability.distance import critical_distance
 from mpsolve.stability.limiting import limiting_mass
@@ -54,7 +54,7 @@ def critical_falls(claim: Claim) -> Finding:
     """Conclusion (xi): the critical distance falls smoothly with η_b: all values of the paper's grid in turn."""
     values = grid(claim.number("eta_b"))
     found = [critical_at(claim.number("alpha"), eta_b, claim.number("eta_m")) for eta_b in values]
-    wrong = [b for b, (x, y) in zip(values, pairwise(found), strict=False) if not x.d > y.d]
+    wrong = [b for b, (x, y) in zip(values, pairwise(found), strict=False) if not below(y.d, x.d)]
     falls = [float((x.d - y.d).mid()) for x, y in pairwise(found)]
     numbers = [(f"η_b = {b}: d", shown(f.d, 10)) for b, f in zip(values, found, strict=True)]
     numbers.append(("largest fall from one value to the next (float64)", f"{max(falls):.2g}"))
@@ -64,7 +64,7 @@ def critical_falls(claim: Claim) -> Finding:
         f"At all {len(values)} values the critical distance is the proved global minimum over d = {_NEAR[0]} to "
         f"{_NEAR[1]}, and it falls from each to the next; between them it is not proved."
     )
-    return Finding(Verdict.PROVED, sentence, tuple(numbers))
+    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
 
 
 def one_window(claim: Claim) -> Finding:
@@ -197,11 +197,13 @@ def one_mass_first(claim: Claim) -> Finding:
             two = onset(eta_b, eta_m, d)
             numbers.append((f"η_M = {eta_m}, d = {d}", shown(two.alpha, 12)))
             certificates.append((f"{claim.id}_eta{eta_m}_d{d}", two.certificate))
-            if not two.alpha < one.alpha:
+            if not below(two.alpha, one.alpha):
                 wrong.append(f"η_M = {eta_m}, d = {d}")
-    verdict = Verdict.REFUTED if wrong else Verdict.PROVED
+    verdict = Verdict.REFUTED if wrong else Verdict.CONDITIONAL
     sentence = (
-        f"Not at {'; '.join(wrong)}." if wrong else "At every one of these, the pair's proved onset is the lower."
+        f"Not at {'; '.join(wrong)}."
+        if wrong
+        else "At every one of these the pair's proved onset is the lower; for masses between them it is not proved."
     )
     return Finding(verdict, sentence, tuple(numbers), certificates=named(certificates))
 
@@ -214,7 +216,7 @@ def onset_method(claim: Claim) -> Finding:
     for side, alpha in zip(("before", "after"), claim.values("alpha"), strict=True):
         case = pair(alpha, eta_b, eta_m, d)
         lowest = min((root.q.imag for root in spectrum(case).roots), key=float)
-        signs.append(bool(lowest < 0))
+        signs.append(below(lowest, 0))
         numbers.append((f"{side}, α = {alpha}: least Im q", shown(lowest, 8)))
         certificates.append((f"{claim.id}_{side}", certificate(case)))
     axis = claim.number("axis")

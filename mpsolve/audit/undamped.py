@@ -9,7 +9,7 @@ from itertools import pairwise
 from mpsolve.audit.cases import DISTANCES, MASSES, ahead, certificate, gap_ends, higher_end, pair, single
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.theory import lines_in_the_gap
-from mpsolve.audit.values import decimal, grid, last_on_grid, named, shown
+from mpsolve.audit.values import below, decimal, grid, last_on_grid, named, shown
 
 _STEP = Fraction(1, 100)
 
@@ -80,7 +80,7 @@ def embedded(claim: Claim) -> Finding:
         case = pair(alpha, "0", eta_m, d)
         low, high = ahead(case)
         (one,), (both,) = ahead(single(alpha, "0", eta_m)), ahead(single(alpha, "0", "80"))
-        right = right and bool(both.real < low.real < one.real < high.real)
+        right = right and all(below(x.real, y.real) for x, y in pairwise((both, low, one, high)))
         lines = (("doubled", both), ("lower", low), ("single", one), ("higher", high))
         numbers += [(f"α = {alpha}, d = {d}: q {name}", shown(q.real, 12)) for name, q in lines]
     lower, higher = claim.number("lower") == "between", claim.number("higher") == "outside"

@@ -29,6 +29,15 @@ def _fraction(x: Any) -> Fraction:
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
+def below(x: Any, y: Any) -> bool:
+    """Whether x < y, proved either way; PrecisionError where the balls leave it open."""
+    if x < y:
+        return True
+    if x >= y:
+        return False
+    raise PrecisionError("two balls overlap where their order decides: ask for more digits")
+
+
 def places(printed: str) -> int:
     """The number of decimals of a printed number."""
     return len(printed.partition(".")[2])
