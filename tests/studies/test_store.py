@@ -35,18 +35,25 @@ from mpsolve.studies.spec import spec_of
 from mpsolve.studies.store import Store
 
 path, spec, last = Path(sys.argv[1]), spec_of(sys.argv[2]), int(sys.argv[3])
+
+
+def tell(word):
+    # one write of a whole line: a kill between the two writes of an unbuffered print would leave half of one
+    os.write(sys.stdout.fileno(), f"{word}\\n".encode())
+
+
 for _ in sys.stdin:
     process = os.fork()
     if process:
         os.waitpid(process, 0)
-        print("ended", flush=True)
+        tell("ended")
         continue
     with Store.create(path, spec) as store:
-        print(os.getpid(), flush=True)
+        tell(os.getpid())
         for number in range(last):
             if not store.holds(number):
                 store.put(Block(number, f"key {number}", bytes([number % 256]) * 50_000, 2, '{"proved": 1}').sealed)
-                print(number, flush=True)
+                tell(number)
     os._exit(0)
 """
 
@@ -73,7 +80,10 @@ class Writer:
         """The numbers that it said were stored, after its end."""
         return [int(line) for line in iter(self.line, "ended")]
 
-    def close(self) -> None:
+    def __enter__(self) -> Writer:
+        return self
+
+    def __exit__(self, *error: object) -> None:
         self.process.communicate()
         assert self.process.returncode == 0
 
@@ -143,19 +153,18 @@ def test_killed_twenty_times_in_mid_write(tmp_path: Path, wide: dict[str, Any]) 
     """kill -9 at random moments: every block that was acknowledged is there, whole, and at most one more."""
     path, text, moments = tmp_path / "study.sqlite", read_spec(wide).text, random.Random(1)
     acknowledged: set[int] = set()
-    writer = Writer(path, text, 10_000)
-    for _ in range(20):
-        process = writer.start()
-        time.sleep(moments.uniform(0, 0.1))
-        os.kill(process, signal.SIGKILL)
-        new = writer.stored()
-        assert acknowledged.isdisjoint(new)  # nothing is done twice
-        acknowledged |= set(new)
-        present = set(numbers(path))
-        assert acknowledged <= present
-        assert len(present - acknowledged) <= 1  # stored, and killed before it could say so
-        acknowledged = present
-    writer.close()
+    with Writer(path, text, 10_000) as writer:
+        for _ in range(20):
+            process = writer.start()
+            time.sleep(moments.uniform(0, 0.1))
+            os.kill(process, signal.SIGKILL)
+            new = writer.stored()
+            assert acknowledged.isdisjoint(new)  # nothing is done twice
+            acknowledged |= set(new)
+            present = set(numbers(path))
+            assert acknowledged <= present
+            assert len(present - acknowledged) <= 1  # stored, and killed before it could say so
+            acknowledged = present
     assert len(acknowledged) > 20
     assert sorted(acknowledged) == list(range(len(acknowledged)))
 
@@ -174,12 +183,10 @@ def test_killed_while_the_store_is_made(tmp_path: Path, wide: dict[str, Any], bl
 
 def test_two_writers_at_once(tmp_path: Path, wide: dict[str, Any]) -> None:
     path, text = tmp_path / "study.sqlite", read_spec(wide).text
-    both = Writer(path, text, 60), Writer(path, text, 60)
-    for writer in both:
-        writer.start()
-    assert {number for writer in both for number in writer.stored()} == set(range(60))
-    for writer in both:
-        writer.close()
+    with Writer(path, text, 60) as one, Writer(path, text, 60) as other:
+        for writer in (one, other):
+            writer.start()
+        assert {number for writer in (one, other) for number in writer.stored()} == set(range(60))
     assert numbers(path) == list(range(60))
 
 
