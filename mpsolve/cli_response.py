@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ from mpsolve.cli_tools import checked_output, one_sentence
 
 if TYPE_CHECKING:
     from mpsolve.model.inputfile import InputFile
+    from mpsolve.motion.scale import Scale
     from mpsolve.motion.solve import Response
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
@@ -28,8 +30,10 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 def response(file: Path, output: Path, end: str, points: int, xi: str | None) -> None:
     """Compute the motion from rest of the case in FILE (TOML), in float64 over certified frequencies.
 
-    The loads are those of the file; without any, one unit constant force acts on each mass. Exit status 0: written.
-    1: it could not be computed or written. 2: the input cannot be used.
+    The loads are those of the file. Without any, each mass carries its weight, or, in a dimensionless file, one unit
+    constant force. A physical file gives s, mm and kN; a dimensionless one τ = √(k/m) t, displacements in units of
+    w_st = χ/(2k) times the unit force, and forces in unit forces. Exit status 0: written. 1: it could not be computed
+    or written. 2: the input cannot be used.
     """
     with one_sentence():
         kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
@@ -38,8 +42,9 @@ def response(file: Path, output: Path, end: str, points: int, xi: str | None) ->
 
         places = None if xi is None else [x.strip() for x in xi.split(",")]
         found = respond(source.case, source.loads, places, tau)
-        _save(found, output, kind, source.title)
-        click.echo("\n".join(_summary(found)))
+        scale = _scale(source)
+        _save(found, output, kind, source.title, scale)
+        click.echo("\n".join(_summary(found, scale)))
         click.echo(str(output))
 
 
@@ -52,16 +57,19 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
     """Hold the motion of the rear contact point against superposition, one merged mass, and a finite beam.
 
     Superposition: each mass alone, results added. Merged: one mass with the sum of all masses and loads at the
-    position of the rear mass. Exit status as for response.
+    position of the rear mass. Loads and units as for response. Exit status 0: written. 1: it could not be computed
+    or written. 2: the input cannot be used.
     """
     with one_sentence():
         kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
         source, tau = _source(file), _times(end, points)
-        curves, notes = _curves(source, tau)
-        _save_curves(curves, tau, output, kind, source.title)
-        reference = curves["complete"]
+        scale = _scale(source)
+        curves, notes = _curves(source, tau, scale)
+        _save_curves(curves, tau, output, kind, source.title, scale)
+        reference, unit = curves["complete"], _unit(scale)
         for name, curve in list(curves.items())[1:]:
-            click.echo(f"{name}: differs from the complete solution by at most {abs(curve - reference).max():.6g}")
+            apart = abs(curve - reference).max() * scale.length
+            click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} {unit}")
         for note in notes:
             click.echo(note)
         click.echo(str(output))
@@ -97,57 +105,85 @@ def _suffix(path: Path, known: tuple[str, ...]) -> str:
     return kind
 
 
-def _save(found: Response, path: Path, kind: str, title: str) -> None:
+def _scale(source: InputFile) -> Scale:
+    from mpsolve.model.parameters import PhysicalCase
+    from mpsolve.motion.scale import Scale
+
+    return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
+
+
+def _unit(scale: Scale) -> str:
+    return scale.length_name if scale.physical else "w_st"
+
+
+def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.motion.output import columns, save_columns
 
-        save_columns(columns(found), path)
+        save_columns(columns(found, scale), path)
     elif kind == ".npz":
         from mpsolve.motion.output import save_arrays
 
-        save_arrays(found, path)
+        save_arrays(found, path, scale)
     else:
         from mpsolve.motion.figures import save_history
 
-        save_history(found, path, title)
+        save_history(found, path, title, scale)
 
 
-def _summary(found: Response) -> list[str]:
-    lines = [f"initial conditions met within {found.misfit:.1e} of the size of the parts (float64)."]
+def _summary(found: Response, scale: Scale) -> list[str]:
+    lines = [
+        f"units: {scale.said}.",
+        f"initial conditions met within {found.misfit:.1e} of the size of the parts (float64).",
+    ]
     for pair in found.harmonic_pairs:
-        lines.append(f"induced frequency {pair.q:.8g}: amplitude {abs(pair.amplitude[0]):.8g} at ξ = {found.xi[0]:g}")
+        size = abs(pair.amplitude[0]) * scale.length
+        lines.append(f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {_unit(scale)} at ξ = {found.xi[0]:g}")
     for j, (time, note) in enumerate(zip(found.contact_loss, found.contact_note, strict=True), 1):
-        said = note or (
-            "contact is kept at the given times" if time is None else f"contact is lost at τ = {time:.6g}"
-        )
-        lines.append(f"mass {j}: {said}.")
+        if time is not None and not note:
+            at = f"t = {time * scale.time:.6g} s" if scale.physical else f"τ = {time:.6g}"
+            note = f"contact is lost at {at}"
+        lines.append(f"mass {j}: {note or 'contact is kept at the given times'}.")
     return lines
 
 
-def _curves(source: InputFile, tau: Any) -> tuple[dict[str, Any], list[str]]:
+def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], list[str]]:
+    """The curves by name, the complete solution first, and what is to be said of them."""
     from mpsolve.errors import InputError, PrecisionError
     from mpsolve.motion.beam import finite_beam
     from mpsolve.motion.solve import response as respond
     from mpsolve.motion.study import merged, superposition
 
-    whole = respond(source.case, source.loads, None, tau)
+    given = source.case, source.loads
+    whole = respond(*given, None, tau)
     curves = {"complete": whole.w[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
-    curves["superposition"] = sum(part.w[0] for part in superposition(source.case, source.loads, whole.xi, tau))
-    curves["one merged mass"] = merged(source.case, source.loads, whole.xi, tau).w[0]
-    try:
-        beam = finite_beam(source.case, source.loads, tau=tau)
-    except (InputError, PrecisionError) as error:  # the other curves stand without it
-        return curves, [f"finite beam: left out, {error}"]
-    curves["finite beam"] = beam.displacement[0]
-    return curves, [f"finite beam: estimated error {beam.error.total:.2g}"]
+    notes = []
+
+    def beam() -> Any:
+        found = finite_beam(*given, tau=tau)
+        notes.append(f"finite beam: estimated error {found.error.total * scale.length:.2g} {_unit(scale)}")
+        return found.displacement[0]
+
+    others: dict[str, Callable[[], Any]] = {
+        "superposition": lambda: sum(part.w[0] for part in superposition(*given, whole.xi, tau)),
+        "one merged mass": lambda: merged(*given, whole.xi, tau).w[0],
+        "finite beam": beam,
+    }
+    for name, compute in others.items():
+        try:
+            curves[name] = compute()
+        except (InputError, PrecisionError) as error:  # the other curves stand without it
+            notes.append(f"{name}: left out, {error}")
+    return curves, notes
 
 
-def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str) -> None:
+def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
-        from mpsolve.motion.output import save_columns
+        from mpsolve.motion.output import named, save_columns, time_columns
 
-        save_columns({"tau": tau, **curves}, path)
+        shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
+        save_columns(time_columns(tau, scale) | shown, path)
     else:
         from mpsolve.motion.figures import save_curves
 
-        save_curves(curves, tau, path, title)
+        save_curves(curves, tau, path, title, scale)

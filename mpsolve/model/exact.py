@@ -246,7 +246,10 @@ class Exact:
 
 def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:
     """One number, or each of many, as `Exact.parse` reads them; InputError names the one that is none."""
-    given = [values] if isinstance(values, (str, bytes)) or not isinstance(values, Iterable) else list(values)
+    scalar: Any = values
+    if getattr(values, "ndim", None) == 0:  # a NumPy array without dimensions holds one number
+        scalar = scalar[()]
+    given = [scalar] if isinstance(scalar, (str, bytes)) or not isinstance(scalar, Iterable) else list(scalar)
     return tuple(Exact.parse(value, f"{key}[{j}]") for j, value in enumerate(given, 1))
 
 

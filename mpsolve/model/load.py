@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass
+from fractions import Fraction
 
 from mpsolve.errors import InputError
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case, PhysicalCase
+
+GRAVITY = Exact.parse("9.80665")  # m/s², the standard acceleration
+_LEAST, _MOST = Fraction(1, 10**150), Fraction(10**150)  # what float64 can square
 
 
 @dataclass(frozen=True, init=False)
@@ -15,7 +19,8 @@ class Load:
     """The force constant + amplitude · sin(frequency · τ + phase) on one mass, in units of the unit force.
 
     constant, amplitude: η_C, η_A of (12); frequency: ω̂_f of (10), per unit of τ; phase: φ in rad. All exact and
-    rational or fourth roots, as `Exact` reads them. InputError names the argument that cannot be used.
+    rational or fourth roots, as `Exact` reads them. InputError names the argument that cannot be used: sizes are 0 or
+    from 1e-150 to 1e150.
 
     >>> Load(amplitude="0.5", frequency="0.3").constant
     Exact('1')
@@ -28,28 +33,27 @@ class Load:
 
     def __init__(self, constant: Number = 1, amplitude: Number = 0, frequency: Number = 0, phase: Number = 0) -> None:
         given = {"constant": constant, "amplitude": amplitude, "frequency": frequency, "phase": phase}
-        vars(self).update({name: Exact.parse(value, name) for name, value in given.items()})
-
-    @property
-    def harmonic(self) -> bool:
-        """Whether a part of the force changes with time."""
-        return bool(self.amplitude) and bool(self.frequency)
+        for name, value in given.items():
+            number = Exact.parse(value, name)
+            if number and not _LEAST <= abs(number) <= _MOST:
+                stated = f"is {number.short()}, not within 1e-150 to 1e150 in size"
+                raise InputError(name, f"{stated}: give 0 or a moderate number, the motion is linear in the forces")
+            vars(self)[name] = number
 
 
 def loads_of(case: Case | PhysicalCase, loads: Iterable[Load] | None = None) -> tuple[Load, ...]:
     """The loads of the masses of `case`, one for each.
 
     Without `loads`: the forces of a PhysicalCase in units of 1 N, P and P_A of its masses, with ω_f made
-    dimensionless by (10); for a Case one unit constant force on each mass. Raises InputError where `loads` are not
-    one `Load` for each mass.
+    dimensionless by (10), or, if it gives none, the weights of its masses; for a Case one unit constant force on each
+    mass. Raises InputError where `case` is none or `loads` are not one `Load` for each mass.
     """
+    if not isinstance(case, (Case, PhysicalCase)):
+        raise InputError("case", f"is {type(case).__name__}: give a Case or a PhysicalCase")
     physical = isinstance(case, PhysicalCase)
     count = len(case.masses) if isinstance(case, PhysicalCase) else case.count
     if loads is None:
-        if isinstance(case, PhysicalCase):
-            unit = case.time_scale
-            return tuple(Load(mass.P, mass.P_A, mass.omega_f / unit, mass.phi_f) for mass in case.masses)
-        return (Load(),) * count
+        return _forces(case) if isinstance(case, PhysicalCase) else (Load(),) * count
     if isinstance(loads, (str, bytes, Mapping, Set)) or not isinstance(loads, Iterable):
         raise InputError("loads", f"is {type(loads).__name__}: give a sequence with one Load for each mass")
     given = tuple(loads)
@@ -60,3 +64,15 @@ def loads_of(case: Case | PhysicalCase, loads: Iterable[Load] | None = None) -> 
         unit_said = ", in units of 1 N" if physical else ""
         raise InputError("loads", f"has {len(given)} loads for {count} masses: give one for each{unit_said}")
     return given
+
+
+def gives_forces(case: PhysicalCase) -> bool:
+    """Whether a force acts on any of its masses; otherwise `loads_of` takes their weights."""
+    return any(mass.P or mass.P_A for mass in case.masses)
+
+
+def _forces(case: PhysicalCase) -> tuple[Load, ...]:
+    if not gives_forces(case):
+        return tuple(Load(mass.M * GRAVITY) for mass in case.masses)
+    unit = case.time_scale
+    return tuple(Load(mass.P, mass.P_A, mass.omega_f / unit, mass.phi_f) for mass in case.masses)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,14 +13,15 @@ from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case
 from mpsolve.motion.beam_march import UNKNOWN, Loading, Motion, march
 from mpsolve.motion.beam_modes import Beam
+from mpsolve.motion.grid import checked_times, float_list
 
 LONGEST_STEP = 0.5
 FEWEST_STEPS = 8
 SHORTEST_WAVE = 2 / 3
 """Wavelength of the last mode, at first: three modes a unit of length."""
 MOST_MODES = 40_000
-MOST_WORK = 1e9
-"""Most modes times steps of one march: some minutes."""
+MOST_WORK, MOST_STEPS = 1e9, 1_000_000
+"""Most modes times steps, and most steps, of one march: some minutes."""
 
 
 @dataclass(frozen=True)
@@ -56,11 +56,9 @@ class Answer:
 class Problem:
     """A case, its loads, and the times and moving coordinates that are asked for, checked; float64."""
 
-    def __init__(
-        self, case: Case, loads: tuple[Load, ...], tau: Iterable[float], xi: Iterable[float], tolerance: float
-    ) -> None:
-        self.tau, self.xi = _row(tau, "tau"), _row(xi, "xi")
-        if not self.tau.size or self.tau[0] < 0 or self.tau[-1] <= 0 or np.any(np.diff(self.tau) <= 0):
+    def __init__(self, case: Case, loads: tuple[Load, ...], tau: Any, xi: Any, tolerance: float) -> None:
+        self.tau, self.xi = checked_times(tau), float_list(xi, "xi")
+        if not self.tau.size or self.tau[-1] <= 0 or np.any(np.diff(self.tau) <= 0):
             raise InputError("tau", "is not an ascending list of times from 0 on: give at least one time above 0")
         self.tolerance = _positive(tolerance, "tolerance")
         if self.tolerance >= 1:
@@ -73,6 +71,7 @@ class Problem:
         self.highest = max(self.gaps[-1], *self.offsets) if self.xi.size else float(self.gaps[-1])
         self.loads = [tuple(map(float, (a.constant, a.amplitude, a.frequency, a.phase))) for a in loads]
         self.fastest = max(abs(frequency) if amplitude else 0.0 for _, amplitude, frequency, _ in self.loads)
+        self.fixed: tuple[str, ...] = ()  # the figures that were given, which may be what makes the work too much
         self._answers: dict[Figures, Answer] = {}
 
     @property
@@ -148,9 +147,12 @@ class Problem:
 
     def solve(self, figures: Figures) -> Answer:
         """The answer with these figures, kept; InputError where they are beyond what can be computed."""
-        if figures.modes > MOST_MODES or figures.modes * figures.steps > MOST_WORK:
+        excess = figures.modes > MOST_MODES or figures.steps > MOST_STEPS or figures.modes * figures.steps > MOST_WORK
+        if excess:
             stated = f"needs {figures.modes} modes and {figures.steps} steps or more, beyond what is computed"
-            raise InputError("tolerance", f"{stated}: raise it, or end tau earlier")
+            given = " or ".join(self.fixed)
+            remedy = f"lower {given}" if given else "raise it, or end tau earlier"
+            raise InputError(self.fixed[0] if self.fixed else "tolerance", f"{stated}: {remedy}")
         if figures not in self._answers:
             beam = Beam(figures.length, figures.modes, self.alpha, self.axial, self.eta_b)
             degree = UNKNOWN + 2 if self.fastest else UNKNOWN
@@ -189,18 +191,8 @@ def hermite(nodes: Any, values: Any, slopes: Any, times: Any) -> Any:
     return left + s * (start + s * (3 * rise - 2 * start - end + s * (start + end - 2 * rise)))
 
 
-def _row(values: Iterable[float], key: str) -> Any:
-    try:
-        row = np.array([float(value) for value in values])
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(key, "is not a list of numbers: give an iterable of floats") from None
-    if not np.all(np.isfinite(row)):
-        raise InputError(key, "holds a number that is not finite: give finite ones")
-    return row
-
-
 def _positive(value: float, key: str) -> float:
-    number = float(_row([value], key)[0])
+    number = float(float_list([value], key)[0])
     if number <= 0:
         raise InputError(key, f"is {number:g}, not above 0: give a positive one")
     return number

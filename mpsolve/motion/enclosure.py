@@ -45,6 +45,10 @@ _GUARD_BITS = 48
 _LOWERED = (1.0, 0.6, 0.35, 0.2, 0.1)  # the height of the path, where zeros or branch points lie below it
 _NODES = 12_000  # about: where the path ends at the latest
 _EXTENT = 100
+_SPARE = 3  # digits that the spectrum has in any case
+_MOST_LOST = 400
+_SLOW = "the truly transient part decays slowly near τ = 0; ask for later times, nearer positions or fewer digits"
+_BLUNT = "the induced frequencies given are not sharp enough: certify with more digits, or leave `spectrum` out"
 
 
 @dataclass(frozen=True)
@@ -77,8 +81,10 @@ def enclose_response(
 
     loads, xi, tau, spectrum as for `response`. digits: the balls aim at a radius of 10^−digits times the displacement
     of a unit force; they are returned whatever their radius is. At early times the transient part decays with an
-    algebraic tail only, so that the radius grows towards τ = 0: there, where w = 0, to 1e-12 … 1e-6, the more the
-    farther apart the masses and the smaller the mass ratios.
+    algebraic tail only, so that the radius grows towards τ = 0: there, where w = 0, to 1e-12 … 1e-3, the more the
+    farther apart the masses and the positions and the smaller the mass ratios. One path serves all positions: far
+    ones widen the balls of near ones, so ask for them in another call. Digits that a growing motion or a force near
+    an induced frequency costs are added to the work, unless `spectrum` is given.
 
     Takes seconds (three masses: ten to thirty): some thousand evaluations of W̃, which serve all positions and times.
 
@@ -88,11 +94,10 @@ def enclose_response(
     forces = loads_of(case, loads)
     if isinstance(case, PhysicalCase):
         case = case.dimensionless
-    if not (isinstance(digits, int) and 1 <= digits <= MAX_DIGITS):
-        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {MAX_DIGITS}")
+    _check_digits(digits)
     places, times = _checked(case, xi, tau)
-    spectrum = proved_spectrum(case, spectrum, max(digits + 8, 20))
-    with ball_arithmetic(math.ceil(digits * math.log2(10)) + _GUARD_BITS) as field:
+    spectrum, lost = _sharp(case, forces, spectrum, digits, max((float(t) for t in times), default=0.0))
+    with ball_arithmetic(math.ceil((digits + lost) * math.log2(10)) + _GUARD_BITS) as field:
         model, given = track(case, field), setting(case, forces, places, field)
         forced, free = steady(model, given), induced(model, given, spectrum)
         taus = [t.ball() for t in times]
@@ -128,18 +133,61 @@ def precise_response(
     spectrum: Spectrum | None = None,
 ) -> PreciseMotion:
     """The middles of the balls of `enclose_response`; PrecisionError if a ball is wider than 10^−digits."""
+    _check_digits(digits)
     found = enclose_response(case, loads, xi, tau, min(digits + 3, MAX_DIGITS), spectrum)
     parts = found.w, found.steady, found.harmonic, found.transient
     limit = arb(10) ** -digits
     for k, time in enumerate(found.tau):
-        widest = max((ball.rad() for part in parts for ball in part[:, k]), key=float)
-        if not widest < limit:
-            raise PrecisionError(
-                f"at τ = {time.short()} the motion is known to {float(widest):.1e} only, not to {digits} decimals: "
-                "the truly transient part decays slowly near τ = 0; ask for later times or fewer digits"
-            )
+        cut, closed = (
+            max((ball.rad() for part in some for ball in part[:, k]), default=arb(0), key=float)
+            for some in (parts[3:], parts[1:3])
+        )
+        if not (cut < limit and closed < limit):
+            worst, why = (cut, _SLOW) if cut > closed else (closed, _BLUNT)
+            stated = f"at τ = {time.short()} the motion is known to {float(worst):.1e} only, not to {digits} decimals"
+            raise PrecisionError(f"{stated}: {why}")
     values = [np.vectorize(_middle, otypes=[object])(part) for part in parts]
     return PreciseMotion(found.case, found.loads, found.xi, found.tau, digits, *values)
+
+
+def _check_digits(digits: Any) -> None:
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MAX_DIGITS:
+        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {MAX_DIGITS}")
+
+
+def _sharp(
+    case: Case, loads: tuple[Load, ...], spectrum: Spectrum | None, digits: int, last: float
+) -> tuple[Spectrum, int]:
+    """Induced frequencies with the digits that the sum of the parts needs, and how many of them it loses."""
+    least = max(digits + 8, 20)
+    known = proved_spectrum(case, spectrum, least)
+    lost = _lost(known, loads, last)
+    if spectrum is None and lost > _SPARE:
+        known = proved_spectrum(case, None, least + math.ceil(min(lost, _MOST_LOST)))
+        lost = _lost(known, loads, last)
+    if lost > _MOST_LOST:
+        raise InputError(
+            "loads" if last * _growth(known) < _MOST_LOST else "tau",
+            f"the parts of the motion exceed their sum, or it the unit, by more than {_MOST_LOST} digits: change the "
+            "frequency of a force that meets an induced frequency, or end earlier",
+        )
+    return known, max(0, math.ceil(lost))
+
+
+def _lost(spectrum: Spectrum, loads: tuple[Load, ...], last: float) -> float:
+    """Decimal digits to which the motion grows, and which cancel near a resonance: twice those of |q − ω|/|q|."""
+    nearest = 1.0
+    with ball_arithmetic(math.ceil(spectrum.digits * math.log2(10)) + _GUARD_BITS):
+        for load in loads:
+            for root in spectrum.roots if load.amplitude and load.frequency else ():
+                gap = abs(1 - abs(load.frequency).ball() / root.q)
+                nearest = min(nearest, max(float(gap.lower()), 0.0))
+    return last * _growth(spectrum) - 2 * math.log10(nearest) if nearest else math.inf
+
+
+def _growth(spectrum: Spectrum) -> float:
+    """Decimal digits a unit of τ by which the motion grows."""
+    return max((float(-root.q.imag.mid()) for root in spectrum.roots), default=0.0) / math.log(10)
 
 
 def _middle(ball: Any) -> Any:
@@ -225,4 +273,10 @@ def _end(model: Track, way: Route, given: Setting, clear: float, first: float, g
         if all(bound * fall < goal for bound in rest):
             break
         end *= 1.2
+    if not all(bound.is_finite() for bound in tail(model, way, given.tones, given.gaps, end)):
+        raise InputError(
+            "loads",
+            "a force changes too fast for balls, whose path ends before its frequency: compute in float64, or with "
+            "a lower frequency",
+        )
     return end

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mpsolve.certificate.format import write_whole
+from mpsolve.errors import InputError
+from mpsolve.motion.scale import Scale
 from mpsolve.motion.solve import Response
 from mpsolve.report.figures import rendered, require_matplotlib
 
@@ -16,18 +19,30 @@ if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
 
+MOST_PANELS = 24
 _PARTS = {"w": "complete", "harmonic": "unsteady harmonic", "steady": "steady", "transient": "truly transient"}
 _PALETTE = ("#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7")  # Okabe and Ito's
 _COLOURS = {"w": "#000000", "harmonic": "#0072B2", "steady": "#009E73", "transient": "#D55E00"}
 
 
 def draw_history(
-    found: Response, ax: Axes, index: int = 0, parts: tuple[str, ...] = ("w", "steady", "harmonic", "transient")
+    found: Response,
+    ax: Axes,
+    index: int = 0,
+    parts: tuple[str, ...] = ("w", "steady", "harmonic", "transient"),
+    scale: Scale | None = None,
 ) -> Axes:
-    """The displacement at xi[index] over τ, whole and in parts; the axis points down, as displacements do."""
+    """The displacement at xi[index] over time, whole and in parts; the axis points down, as displacements do."""
+    scale, order = scale or Scale(), np.argsort(found.tau)
     for part in parts:
-        ax.plot(found.tau, getattr(found, part)[index], color=_COLOURS[part], linewidth=1.0, label=_PARTS[part])
-    ax.set(xlabel="$τ$", ylabel=f"$\\hat w$ at $ξ = {found.xi[index]:g}$")
+        curve = getattr(found, part)[index, order] * scale.length
+        ax.plot(found.tau[order] * scale.time, curve, color=_COLOURS[part], linewidth=1.0, label=_PARTS[part])
+    return _over_time(ax, scale, f"at $ξ = {found.xi[index]:g}$")
+
+
+def _over_time(ax: Axes, scale: Scale, where: str) -> Axes:
+    shown = "$w$ [mm]" if scale.physical else "$w/w_{st}$"
+    ax.set(xlabel="$t$ [s]" if scale.physical else "$τ$", ylabel=f"{shown} {where}")
     ax.invert_yaxis()
     ax.legend(fontsize=8, frameon=False)
     return ax
@@ -35,9 +50,11 @@ def draw_history(
 
 def draw_envelope(found: Response, modulus: Any, ax: Axes, index: int = 0) -> Axes:
     """The unsteady harmonic part at xi[index] between its envelopes (Figures 3–8)."""
-    ax.plot(found.tau, found.harmonic[index], color=_COLOURS["harmonic"], linewidth=1.0)
+    order = np.argsort(found.tau)
+    tau, bound = found.tau[order], np.asarray(modulus)[order]
+    ax.plot(tau, found.harmonic[index, order], color=_COLOURS["harmonic"], linewidth=1.0)
     for sign in (1, -1):
-        ax.plot(found.tau, sign * np.asarray(modulus), color="black", linestyle=":", linewidth=0.9)
+        ax.plot(tau, sign * bound, color="black", linestyle=":", linewidth=0.9)
     ax.set(xlabel="$τ$", ylabel=f"unsteady harmonic part at $ξ = {found.xi[index]:g}$")
     ax.invert_yaxis()
     return ax
@@ -77,35 +94,37 @@ def animation(found: Response, milliseconds: int = 40) -> FuncAnimation:
     return FuncAnimation(figure, show, frames=len(found.tau), interval=milliseconds)
 
 
-def draw_curves(curves: Mapping[str, Any], tau: Any, ax: Axes) -> Axes:
-    """Curves by name over τ, the first one in black."""
+def draw_curves(curves: Mapping[str, Any], tau: Any, ax: Axes, scale: Scale | None = None) -> Axes:
+    """Displacements of the rear contact point by name over ascending times, the first one in black."""
+    scale = scale or Scale()
     for k, (name, curve) in enumerate(curves.items()):
-        ax.plot(tau, curve, color=_PALETTE[k % len(_PALETTE)], linewidth=1.0, label=name)
-    ax.set(xlabel="$τ$", ylabel="$\\hat w$ of the rear contact point")
-    ax.invert_yaxis()
-    ax.legend(fontsize=8, frameon=False)
-    return ax
+        colour = _PALETTE[k % len(_PALETTE)]
+        ax.plot(tau * scale.time, curve * scale.length, color=colour, linewidth=1.0, label=name)
+    return _over_time(ax, scale, "of the rear contact point")
 
 
-def save_history(found: Response, path: Path, title: str = "") -> Path:
-    """One panel a position, as .png, .svg or .pdf, written whole or not at all."""
+def save_history(found: Response, path: Path, title: str = "", scale: Scale | None = None) -> Path:
+    """One panel a position, as .png, .svg or .pdf, written whole or not at all; InputError for too many panels."""
     rows = len(found.xi)
-    panels = [lambda ax, k=k: draw_history(found, ax, k) for k in range(rows)]
-    return _save(panels, path, title)
+    if not 1 <= rows <= MOST_PANELS:
+        raise InputError(
+            "xi", f"has {rows} positions: a picture takes 1 to {MOST_PANELS}; write .csv or .npz for more"
+        )
+    return _save([partial(draw_history, found, index=k, scale=scale) for k in range(rows)], path, title)
 
 
-def save_curves(curves: Mapping[str, Any], tau: Any, path: Path, title: str = "") -> Path:
+def save_curves(curves: Mapping[str, Any], tau: Any, path: Path, title: str = "", scale: Scale | None = None) -> Path:
     """One panel with all curves, as .png, .svg or .pdf, written whole or not at all."""
-    return _save([lambda ax: draw_curves(curves, tau, ax)], path, title)
+    return _save([partial(draw_curves, curves, tau, scale=scale)], path, title)
 
 
-def _save(panels: Sequence[Callable[[Any], Any]], path: Path, title: str) -> Path:
+def _save(panels: Sequence[Callable[..., Any]], path: Path, title: str) -> Path:
     require_matplotlib()
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 2.8 * len(panels) + 0.6), layout="constrained")
     for k, panel in enumerate(panels):
-        panel(figure.add_subplot(len(panels), 1, k + 1))
+        panel(ax=figure.add_subplot(len(panels), 1, k + 1))
     if title:
         figure.suptitle(title, fontsize=11)
     return write_whole(path, rendered(figure, path.suffix.lower()[1:]))

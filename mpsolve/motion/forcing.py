@@ -59,14 +59,5 @@ def image(parts: Sequence[Tone], field: Field, q: Any) -> list[Any]:
     return total
 
 
-def force_at(parts: Sequence[Tone], field: Field, tau: Any) -> list[Any]:
-    """The forces on the masses (merged) at the time τ, real."""
-    total = [tau * 0 for _ in parts[0].amplitudes]
-    for tone in parts:
-        wave = field.exp(field.i * tone.frequency * tau)
-        total = [u + (a * wave).real for u, a in zip(total, tone.amplitudes, strict=True)]
-    return total
-
-
 def _conjugate(a: Any) -> Any:
     return a.conjugate()

@@ -11,17 +11,35 @@ from typing import Any
 import numpy as np
 
 from mpsolve.certificate.format import write_whole
+from mpsolve.motion.scale import Scale
 from mpsolve.motion.solve import Response
 
 _PARTS = ("w", "steady", "harmonic", "transient")
 
 
-def columns(found: Response) -> dict[str, Any]:
-    """Name and values of each column, by time: the four displacements at each ξ, the contact force of each mass."""
-    table: dict[str, Any] = {"tau": found.tau}
+def columns(found: Response, scale: Scale) -> dict[str, Any]:
+    """Name and values of each column, by time: the four displacements at each ξ, the contact force of each mass.
+
+    In the units of `scale`, which the names tell where they are physical.
+    """
+    table = time_columns(found.tau, scale)
     for k, place in enumerate(found.xi):
-        table |= {f"{part}[xi={place:.10g}]": getattr(found, part)[k] for part in _PARTS}
-    return table | {f"contact_force[{j}]": row for j, row in enumerate(found.contact_forces, 1)}
+        at = repr(float(place)).removesuffix(".0")  # all its digits: two places are two columns
+        for part in _PARTS:
+            table[named(f"{part}[xi={at}]", scale.length_name, scale)] = getattr(found, part)[k] * scale.length
+    for j, row in enumerate(found.contact_forces, 1):
+        table[named(f"contact_force[{j}]", scale.force_name, scale)] = row * scale.force
+    return table
+
+
+def time_columns(tau: Any, scale: Scale) -> dict[str, Any]:
+    """τ, and t where there is a unit of time."""
+    return {"tau": tau} | ({"t [s]": tau * scale.time} if scale.physical else {})
+
+
+def named(name: str, unit: str, scale: Scale) -> str:
+    """The name of a column with its unit, if it has one."""
+    return f"{name} [{unit}]" if scale.physical else name
 
 
 def save_columns(table: Mapping[str, Any], path: Path) -> Path:
@@ -33,8 +51,11 @@ def save_columns(table: Mapping[str, Any], path: Path) -> Path:
     return write_whole(path, stream.getvalue())
 
 
-def save_arrays(found: Response, path: Path) -> Path:
-    """NPZ with the arrays of the response under their names."""
+def save_arrays(found: Response, path: Path, scale: Scale) -> Path:
+    """NPZ with the arrays of the response under their names, dimensionless; `units` tells what one of them is.
+
+    units: of τ in `unit_names[0]`, of displacements in [1], of forces in [2].
+    """
     names = (
         "xi",
         "tau",
@@ -49,5 +70,7 @@ def save_arrays(found: Response, path: Path) -> Path:
     )
     stream = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(found, name) for name in names}
+    arrays["units"] = np.array([scale.time, scale.length, scale.force])
+    arrays["unit_names"] = np.array([scale.time_name, scale.length_name, scale.force_name])
     np.savez(stream, q=np.array([pair.q for pair in found.harmonic_pairs], complex), **arrays)
     return write_whole(path, stream.getvalue())

@@ -11,11 +11,13 @@ import numpy as np
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Number, exact_list
+from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.motion.contact import contact_loss, own_forces
 from mpsolve.motion.contour import deformed_contour
 from mpsolve.motion.forcing import Tone, tones
+from mpsolve.motion.grid import checked_places, checked_times
 from mpsolve.motion.sheets import sections
 from mpsolve.motion.transient import Motion, contour_integral
 from mpsolve.motion.waves import Wave, induced_waves, modulus, steady_waves
@@ -73,9 +75,9 @@ class Response:
     steady_harmonic: the part of `steady` at the frequencies of the forces. harmonic_pairs: `harmonic` by pairs of
     induced frequencies. velocity, acceleration: of the contact points, shape (masses, len(tau)). contact_forces:
     P_j(τ) − M_j ẅ of (2), same shape, in units of the unit force, compression positive. contact_loss: for each mass
-    the first time at which its contact force falls to zero, linear between the given times, or None; contact_note
-    says why it cannot be known ("" if it can). misfit: the largest displacement or velocity at τ = 0, which must
-    vanish, relative to the size of the parts: an estimate of the error.
+    the first time at which its contact force falls below zero, linear between the given times, or None; contact_note
+    says why it is not known, or only that it is earlier ("" if it is known). misfit: the largest displacement or
+    velocity at τ = 0, which must vanish, relative to the size of the parts: an estimate of the error.
     """
 
     case: Case
@@ -170,7 +172,7 @@ def response(
         assert digits is not None
         return precise_response(case, loads, xi, tau, digits, spectrum)
     problem = prepare(case, loads, spectrum)
-    places, times = checked_places(xi, problem.model), checked_times(tau)
+    places, times = checked_places(xi, problem.model.positions), checked_times(tau)
     return problem.response(places, times)
 
 
@@ -192,7 +194,7 @@ def harmonic_solution(
 
         return precise_harmonic(case, loads, xi, tau, spectrum, digits)
     problem = prepare(case, loads, spectrum)
-    return problem.harmonic(checked_places(xi, problem.model), checked_times(tau))
+    return problem.harmonic(checked_places(xi, problem.model.positions), checked_times(tau))
 
 
 @dataclass(frozen=True)
@@ -264,11 +266,11 @@ class Problem:
             raise PrecisionError(
                 f"steady, harmonic and transient part miss the initial conditions by {misfit:.1e} of their size: "
                 "this case is too close to a branch point or a double root, or its masses are too light or too close "
-                "to each other for float64; change a parameter slightly, or merge the masses"
+                "to each other, or its forces too fast, for float64; change a parameter slightly, or merge the masses"
             )
         velocity, force = (x[:, 1:] for x in (closed.velocity + cut.velocity, closed.force + cut.force))
-        own = _own_forces(self, force, tau)
-        first = [contact_loss(load, row, tau) for load, row in zip(self.loads, own[0], strict=True)]
+        own, acceleration = own_forces(self.loads, [float(eta) for eta in self.case.eta_m], self.group, force, tau)
+        first = contact_loss(self.loads, own, tau)
         keep = slice(self.count, None), slice(1, None)
         pairs = tuple(
             HarmonicPair(p.q, p.multiplicity, p.amplitude[keep[0]], p.contribution[keep])
@@ -285,8 +287,8 @@ class Problem:
             cut.displacement[keep],
             pairs,
             velocity[self.group],
-            own[1],
-            own[0],
+            acceleration,
+            own,
             tuple(time for time, _ in first),
             tuple(note for _, note in first),
             misfit,
@@ -322,6 +324,8 @@ def proved_spectrum(case: Case, spectrum: Spectrum | None, digits: int = 30) -> 
     """The given spectrum of the case, or a new one with these digits; PrecisionError if it is undecided."""
     if spectrum is None:
         spectrum = certify(case, digits)
+    elif not isinstance(spectrum, Spectrum):
+        raise InputError("spectrum", f"is {type(spectrum).__name__}: pass certify(case), or leave it out")
     elif spectrum.case != case or spectrum.region != "sheet":
         raise InputError(
             "spectrum", 'is not that of this case on the whole sheet: pass certify(case, region="sheet")'
@@ -331,28 +335,6 @@ def proved_spectrum(case: Case, spectrum: Spectrum | None, digits: int = 30) -> 
     return spectrum
 
 
-def checked_places(xi: Any, model: Track) -> Any:
-    """The positions in float64, those of the masses by default."""
-    return np.array(model.positions) if xi is None else _numbers(xi, "xi")
-
-
-def checked_times(tau: Any) -> Any:
-    times = _numbers(tau, "tau")
-    if np.any(times < 0):
-        raise InputError("tau", f"holds {times.min():g}: the motion starts at 0, give no earlier time")
-    return times
-
-
-def _numbers(values: Any, key: str) -> Any:
-    if isinstance(values, np.ndarray) and values.dtype.kind in "fiu":
-        numbers = np.atleast_1d(values).astype(float)
-    else:
-        numbers = np.array([float(x) for x in exact_list(values, key)], float)
-    if numbers.ndim != 1 or not np.all(np.isfinite(numbers)):
-        raise InputError(key, "is no list of finite numbers: give one dimension of them")
-    return numbers
-
-
 def _misfit(closed: HarmonicSolution, cut: Motion) -> float:
     """The largest |w| and |w_τ| at τ = 0 (the first time), relative to the largest part of either."""
     places = (closed.steady, closed.harmonic, cut.displacement)
@@ -360,34 +342,3 @@ def _misfit(closed: HarmonicSolution, cut: Motion) -> float:
     size = max(float(np.max(np.abs(part[:, 0]))) for part in (*places, *speeds))
     missed = max(float(np.max(np.abs(sum(part[:, 0] for part in parts)))) for parts in (places, speeds))
     return missed / size if missed else 0.0
-
-
-def _own_forces(problem: Problem, force: Any, tau: Any) -> tuple[Any, Any]:
-    """Contact forces and accelerations of the single masses, from the common ones of each position."""
-    ratios = [float(eta) for eta in problem.case.eta_m]
-    contact, acceleration = np.empty((2, len(ratios), len(tau)))
-    applied = np.array([_applied(load, tau) for load in problem.loads])
-    for j, k in enumerate(problem.group):
-        together = [m for m, other in enumerate(problem.group) if other == k]
-        # (2) in the units of (13): P − f = (η_M/2) w_ττ
-        acceleration[j] = 2 * (applied[together].sum(0) - force[k]) / sum(ratios[m] for m in together)
-        contact[j] = applied[j] - ratios[j] / 2 * acceleration[j]
-    return contact, acceleration
-
-
-def _applied(load: Load, tau: Any) -> Any:
-    constant, amplitude, omega, phase = map(float, (load.constant, load.amplitude, load.frequency, load.phase))
-    return constant + amplitude * np.sin(omega * tau + phase)
-
-
-def contact_loss(load: Load, force: Any, tau: Any) -> tuple[float | None, str]:
-    """The first time at which the contact force falls through zero, and why it is unknown ("" if it is not)."""
-    if load.constant.sign <= 0:
-        return None, "no constant force presses this mass on the beam, so its contact cannot be judged"
-    order = np.argsort(tau)
-    t, f = tau[order], force[order]
-    falls = np.flatnonzero((f[:-1] > 0) & (f[1:] <= 0))
-    if not len(falls):
-        return None, ""
-    k = int(falls[0])
-    return float(t[k] + (t[k + 1] - t[k]) * f[k] / (f[k] - f[k + 1])), ""

@@ -12,7 +12,8 @@ from mpsolve.errors import InputError
 from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.motion.solve import Response, checked_places, checked_times, prepare, response
+from mpsolve.motion.grid import checked_places, checked_times
+from mpsolve.motion.solve import Response, prepare, response
 from mpsolve.motion.waves import modulus
 from mpsolve.spectrum.certify import Spectrum
 
@@ -37,18 +38,20 @@ class Envelope:
 def envelope(
     case: Case | PhysicalCase,
     loads: Iterable[Load] | None = None,
-    xi: Number = 0,
-    tau: Iterable[Number] = (0,),
+    xi: Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
     spectrum: Spectrum | None = None,
 ) -> Envelope:
-    """The envelope of the unsteady harmonic part (36) at ξ, as in Figures 3–8.
+    """The envelope of the unsteady harmonic part (36) at ξ, by default that of the rear mass, as in Figures 3–8.
 
     With one wave Re(A_k e^{iq_kτ}) for each pair of induced frequencies it is |Σ A_k e^{iq_kτ}|, which the vibration
     never exceeds. For at most two pairs without damping its extremes are |A₁| ± |A₂| (Figure 7): the
     phases of two different frequencies take every difference. Errors as for `response`.
     """
     problem = prepare(case, loads, spectrum)
-    place, times = checked_places([xi], problem.model), checked_times(tau)
+    place, times = checked_places(xi, problem.model.positions[:1]), checked_times(tau)
+    if len(place) != 1:
+        raise InputError("xi", f"holds {len(place)} positions: the envelope is that of one, give one number")
     terms = [(wave.q, complex(wave.amplitude(problem.model, place)[0])) for wave in problem.induced]
     size = modulus([(q, [a]) for q, a in terms], times)[0] if terms else np.zeros(len(times))
     sizes = tuple(abs(a) for _, a in terms)
@@ -113,7 +116,7 @@ def transient_importance(
 ) -> Importance:
     """Displacement and velocity of the steady and harmonic part alone at τ = 0; errors as for `response`."""
     problem = prepare(case, loads, spectrum)
-    start = problem.harmonic(checked_places(None, problem.model), np.zeros(1))
+    start = problem.harmonic(checked_places(None, problem.model.positions), np.zeros(1))
     group = problem.group
     return Importance(tuple(float(start.w[k, 0]) for k in group), tuple(float(start.velocity[k, 0]) for k in group))
 
@@ -127,7 +130,8 @@ def deflection_shape(
 ) -> Response:
     """The whole shape of the beam at the given times: `response` on a grid of ξ around the masses.
 
-    Without xi: 401 points from 10 behind the rear mass to 10 before the front mass. Errors as for `response`.
+    Without xi: 401 points from 10 behind the rear mass to 10 before the front mass. `mpsolve.motion.figures` draws
+    it: draw_shape(found, ax, time) at one time, animation(found) as it moves. Errors as for `response`.
     """
     whole = case.dimensionless if isinstance(case, PhysicalCase) else case
     if xi is None:

@@ -116,7 +116,7 @@ def _check(root: RootBall, q: Any, parts: Sequence[Tone], near: float) -> None:
             raise PrecisionError(
                 f"the frequency {tone.exact.short()} of the forces lies within {near:g} (relative) of the induced "
                 f"frequency {complex(q):.6g}: the steady and the unsteady part grow without bound and cancel; change "
-                "the frequency, or ask harmonic_solution for digits="
+                "the frequency, or ask for the sum in digits: response(…, digits=15)"
             )
 
 

@@ -5,10 +5,11 @@ Ids in the pictures: w-K, envelope-K (of the K-th contact point from 1), force-K
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.model.parameters import PhysicalCase
+import numpy as np
+
+from mpsolve.motion.scale import Scale
 from mpsolve.motion.solve import Response
 from mpsolve.report.figures import COLOUR, Look
 
@@ -16,50 +17,32 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-@dataclass(frozen=True)
-class Scale:
-    """What one unit of τ, of w and of force is in the units that are shown, and their names."""
-
-    time: float = 1.0
-    length: float = 1.0
-    force: float = 1.0
-    time_name: str = "τ"
-    length_name: str = "w/w_st"
-    force_name: str = "1"
-
-    @classmethod
-    def of(cls, physical: PhysicalCase | None) -> Scale:
-        """In s, mm and kN for loads in units of 1 N: τ = √(k/m) t of (10), w_st = χ/(2k) · 1 N of (13)."""
-        if physical is None:
-            return cls()
-        static = float(physical.chi) / (2 * float(physical.k))
-        return cls(1 / float(physical.time_scale), 1e3 * static, 1e-3, "s", "mm", "kN")
-
-
 def displacements(response: Response, ax: Axes, scale: Scale | None = None, look: Look = COLOUR) -> Axes:
     """w at each ξ over time, downward on the page too; dotted: the steady part ± the envelope; returns `ax`."""
     scale = scale or Scale()
-    t, bounds = response.tau * scale.time, response.envelope
+    order = np.argsort(response.tau)
+    t, bounds = response.tau[order] * scale.time, response.envelope
     for k in range(len(response.xi)):
         style = look.line(k)
-        ax.plot(t, response.w[k] * scale.length, **style, label=f"contact point {k + 1}", gid=f"w-{k + 1}")
+        ax.plot(t, response.w[k, order] * scale.length, **style, label=f"contact point {k + 1}", gid=f"w-{k + 1}")
         for sign in (1, -1):
-            edge = (response.steady[k] + sign * bounds[k]) * scale.length
+            edge = (response.steady[k] + sign * bounds[k])[order] * scale.length
             name: dict[str, Any] = {"gid": f"envelope-{k + 1}"} if sign > 0 else {}
             ax.plot(t, edge, color=style["color"], linestyle=":", linewidth=1, **name)
     ax.plot([], [], color=look.ink, linestyle=":", linewidth=1, label="steady part ± envelope")
     ax.axhline(0, color=look.faint, linewidth=0.6)
     ax.invert_yaxis()
-    unit = f"[{scale.length_name}]" if scale.length_name == "mm" else "w in units of $w_{st}$"
+    unit = f"[{scale.length_name}]" if scale.physical else "w in units of $w_{st}$"
     return _over_time(ax, t, scale, f"displacement, downward\n{unit}")
 
 
 def contact_forces(response: Response, ax: Axes, scale: Scale | None = None, look: Look = COLOUR) -> Axes:
     """The force of each mass on the beam over time; a cross where it first falls to zero; returns `ax`."""
     scale = scale or Scale()
-    t = response.tau * scale.time
+    order = np.argsort(response.tau)
+    t = response.tau[order] * scale.time
     for k, force in enumerate(response.contact_forces):
-        ax.plot(t, force * scale.force, **look.line(k), label=f"mass {k + 1}", gid=f"force-{k + 1}")
+        ax.plot(t, force[order] * scale.force, **look.line(k), label=f"mass {k + 1}", gid=f"force-{k + 1}")
         loss = response.contact_loss[k]
         if loss is not None:
             mark: dict[str, Any] = {"color": look.ink, "markersize": 9, "markeredgewidth": 2, "zorder": 5}
@@ -69,12 +52,14 @@ def contact_forces(response: Response, ax: Axes, scale: Scale | None = None, loo
         ax.axhspan(low, 0, color=look.shade, linewidth=0, zorder=0)
         ax.set_ylim(low, high)
     ax.axhline(0, color=look.ink, linewidth=0.8)
-    unit = f"[{scale.force_name}]" if scale.force_name == "kN" else "in units of the load"
+    unit = f"[{scale.force_name}]" if scale.physical else "in unit forces"
     return _over_time(ax, t, scale, f"contact force, pressing\n{unit}")
 
 
 def _over_time(ax: Axes, t: Any, scale: Scale, label: str) -> Axes:
-    time = "time t [s]" if scale.time_name == "s" else "time τ"
-    ax.set(xlim=(float(t[0]), float(t[-1])), xlabel=time, ylabel=label)
+    time = "time t [s]" if scale.physical else "time τ"
+    ax.set(xlabel=time, ylabel=label)
+    if len(t) and t[0] < t[-1]:
+        ax.set_xlim(float(t[0]), float(t[-1]))
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, columnspacing=1.2, handlelength=1.8)
     return ax

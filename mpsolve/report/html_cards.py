@@ -49,24 +49,21 @@ def response_html(response: Response) -> str:
     """Extremes of each contact point and force, and the displacements over time; float64, dimensionless."""
     from mpsolve.report.figures_response import displacements
 
-    rows = [
-        (f"displacement at ξ = {place:.6g}", f"{row.min():.6g}", f"{row.max():.6g}")
-        for place, row in zip(response.xi, response.w, strict=True)
-    ]
-    rows += [
-        (f"contact force of mass {k}", f"{row.min():.6g}", f"{row.max():.6g}")
-        for k, row in enumerate(response.contact_forces, 1)
-    ]
+    values = [(f"displacement at ξ = {place:.6g}", row) for place, row in zip(response.xi, response.w, strict=True)]
+    values += [(f"contact force of mass {k}", row) for k, row in enumerate(response.contact_forces, 1)]
+    rows = [(name, f"{row.min():.6g}", f"{row.max():.6g}") for name, row in values if row.size]
     notes = [
-        f"mass {k}: contact is lost at τ = {loss:.6g}"
-        for k, loss in enumerate(response.contact_loss, 1)
+        f"mass {k}: {note or f'contact is lost at τ = {loss:.6g}'}"
+        for k, (loss, note) in enumerate(zip(response.contact_loss, response.contact_note, strict=True), 1)
         if loss is not None
     ]
     notes.append(f"Computed in float64, not proved; the initial conditions are missed by {response.misfit:.0e}.")
     return rendered_template(
         _TEMPLATE,
-        head=f"Response for τ from {response.tau.min():.6g} to {response.tau.max():.6g}",
-        caption="Least and greatest values",
+        head=f"Response for τ from {response.tau.min():.6g} to {response.tau.max():.6g}"
+        if response.tau.size
+        else "Response at no time",
+        caption="Least and greatest values, in w_st of the unit force and in unit forces",
         headings=("", "least", "greatest"),
         rows=rows,
         notes=notes,

@@ -11,11 +11,11 @@ from mpsolve import __version__
 from mpsolve.certificate.format import Certificate
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
+from mpsolve.motion.scale import Scale
 from mpsolve.motion.solve import Response
 from mpsolve.report.answer import number
 from mpsolve.report.data import as_data
 from mpsolve.report.figures_plane import gap_end
-from mpsolve.report.figures_response import Scale
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
 from mpsolve.stability.lines import FrequencyLines, LineEnd

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.fields import ball_arithmetic
+from mpsolve.motion.scale import Scale
 from mpsolve.report.digits import proved_digits
 from mpsolve.report.figures import SIZE, figure_of
 from mpsolve.report.figures_chart import stability_map
 from mpsolve.report.figures_lines import line_frequencies, line_growth
 from mpsolve.report.figures_plane import gap_end, q_plane, root_ball, roots_zoom, whole_contour
-from mpsolve.report.figures_response import Scale, contact_forces, displacements
+from mpsolve.report.figures_response import contact_forces, displacements
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.statement import radius_text

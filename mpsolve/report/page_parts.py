@@ -12,7 +12,7 @@ import numpy as np
 
 from mpsolve.errors import MpsolveError
 from mpsolve.model.exact import Exact
-from mpsolve.model.load import Load
+from mpsolve.model.load import GRAVITY, Load, gives_forces, loads_of
 from mpsolve.model.parameters import Case
 from mpsolve.motion.solve import Response, response
 from mpsolve.report.answer import Source
@@ -22,7 +22,6 @@ from mpsolve.stability.chart import StabilityChart, case_chart
 from mpsolve.stability.lines import FrequencyLines, frequency_lines
 from mpsolve.stability.search import Tell
 
-GRAVITY = Exact.parse("9.80665")  # m/s², the standard acceleration
 LINE_POINTS = 25  # velocities of the frequency lines
 FACTORS = tuple(Fraction(k, 5) for k in range(1, 16))  # of the masses in the chart, the case's own among them
 _LEAST_TOP = Fraction(7, 5)  # of the velocity ratios in the chart
@@ -103,18 +102,17 @@ def attempted(work: Callable[[], T]) -> Part[T]:
         return Part(None, str(error))
 
 
-def loads_for(source: Source, loads: tuple[Load, ...] | None) -> tuple[tuple[Load, ...] | None, str]:
+def loads_for(source: Source, loads: tuple[Load, ...] | None) -> tuple[tuple[Load, ...], str]:
     """The loads, in units of 1 N for a physical case, and what they are in words."""
     if loads is not None:
         return loads, "The loads are those of the input."
     if source.physical is None:
-        return None, "Each mass carries the same constant unit load."
-    masses, unit = source.physical.masses, source.physical.time_scale
-    if any(mass.P or mass.P_A for mass in masses):
-        forces = tuple(Load(mass.P, mass.P_A, mass.omega_f / unit, mass.phi_f) for mass in masses)
-        return forces, "The loads are the forces P + P_A sin(ω_f t + φ_f) of the input."
-    weights = tuple(Load(mass.M * GRAVITY) for mass in masses)
-    return weights, f"The input gives no forces, so each mass carries its own weight, M · {GRAVITY.short()} m/s²."
+        return loads_of(source.case), "Each mass carries the same constant unit load."
+    if gives_forces(source.physical):
+        said = "The loads are the forces P + P_A sin(ω_f t + φ_f) of the input."
+    else:
+        said = f"The input gives no forces, so each mass carries its own weight, M · {GRAVITY.short()} m/s²."
+    return loads_of(source.physical), said
 
 
 def times(spectrum: Spectrum) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

@@ -116,11 +116,11 @@ def test_the_motion_starts_from_rest(alpha: float, eta_b: float, eta_m: Any, gap
     loads = [Load(1, 0.5, frequency, 1)] * len(eta_m)
     enclosed = enclose_response(case, loads, tau=(0, "0.01"), digits=10)
     assert all(w.contains(0) for w in enclosed.w[:, 0])
-    assert radius(enclosed.w) < 1e-6
+    assert radius(enclosed.w) < 1e-5
     # w grows as the image at infinity has it, like τ²/η_M times the force on the mass: (2)
     for j, eta in enumerate(eta_m):
         force = 1 + 0.5 * np.sin(1)
-        assert float(enclosed.w[j, 1]) == pytest.approx(force / eta * 1e-4, rel=0.1, abs=2e-6)
+        assert float(enclosed.w[j, 1]) == pytest.approx(force / eta * 1e-4, rel=0.1, abs=1e-5)
 
 
 THREE = Case(alpha="0.5", eta_b="0.05", eta_m=("40", "10", "40"), positions=("0", "0.5", "1.25"))

@@ -1,0 +1,68 @@
+"""Where a mass would lift off the beam: the assumption of tight contact, looked at afterwards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from mpsolve.model.load import Load
+
+_NOISE = 1e-6  # of the largest force: what float64 leaves of a contact force that is 0
+
+
+def applied(load: Load, tau: Any) -> Any:
+    """The force of the load at the times τ, P_j(τ) of (2); float64."""
+    constant, amplitude, omega, phase = map(float, (load.constant, load.amplitude, load.frequency, load.phase))
+    return constant + amplitude * np.sin(omega * tau + phase)
+
+
+def own_forces(
+    loads: Sequence[Load], eta_m: Sequence[float], group: Sequence[int], force: Any, tau: Any
+) -> tuple[Any, Any]:
+    """Contact forces and accelerations of the single masses, (n, t), from the common force of each position.
+
+    group: for each mass the number of its position, the row of `force`. At τ = 0 the beam gives way: no force yet.
+    """
+    contact, acceleration = np.empty((2, len(loads), len(tau)))
+    outer = np.array([applied(load, tau) for load in loads])
+    force = np.where(tau == 0, 0.0, force)
+    for j, k in enumerate(group):
+        together = [m for m, other in enumerate(group) if other == k]
+        # (2) in the units of (13): P − f = (η_M/2) w_ττ
+        acceleration[j] = 2 * (outer[together].sum(0) - force[k]) / sum(eta_m[m] for m in together)
+        contact[j] = force[k] if together == [j] else outer[j] - eta_m[j] / 2 * acceleration[j]
+    return contact, acceleration
+
+
+def contact_loss(loads: Sequence[Load], force: Any, tau: Any) -> tuple[tuple[float | None, str], ...]:
+    """For each mass the first time at which its contact force falls below zero, and what is to be said of it.
+
+    The time is linear between the given ones; None where the force never falls, or cannot be judged.
+    """
+    size = sum(abs(float(load.constant)) + abs(float(load.amplitude)) for load in loads)
+    order = np.argsort(tau)
+    return tuple(
+        _first_loss(load, row[order], tau[order], _NOISE * size) for load, row in zip(loads, force, strict=True)
+    )
+
+
+def _first_loss(load: Load, force: Any, tau: Any, noise: float) -> tuple[float | None, str]:
+    resting = 0.0 if load.frequency else float(load.amplitude) * math.sin(float(load.phase))
+    if float(load.constant) + resting <= 0:
+        return None, "no constant force presses this mass on the beam, so its contact cannot be judged"
+    lifted = np.flatnonzero(force < -noise)
+    if not len(lifted):
+        return None, ""
+    k = int(lifted[0])
+    pressed = np.flatnonzero(force[:k] > noise)
+    if len(pressed):
+        j = int(pressed[-1])
+        return float(tau[j] + (tau[k] - tau[j]) * force[j] / (force[j] - force[k])), ""
+    if tau[k] == 0:
+        return 0.0, ""
+    return float(
+        tau[k]
+    ), f"contact is lost before τ = {tau[k]:.6g}, the first given time that tells: give earlier ones"

@@ -1,0 +1,45 @@
+"""The positions ξ and the times τ at which a motion is asked for, as float64 arrays of one dimension."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.model.exact import exact_list
+
+
+def float_list(values: Any, key: str) -> Any:
+    """One number, or each of many, in float64; InputError names the one that is none, or is beyond float64."""
+    if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "fiu":
+        found = values.astype(float)
+    else:
+        found = np.array([_float(x, f"{key}[{j}]") for j, x in enumerate(exact_list(values, key), 1)], float)
+    for j in np.flatnonzero(~np.isfinite(found)):
+        raise InputError(f"{key}[{j + 1}]", f"is {found[j]}: give a finite number")
+    return found
+
+
+def checked_places(xi: Any, default: Any) -> Any:
+    """The positions, those of the masses (the default) where there are none."""
+    return np.array(default, float) if xi is None else float_list(xi, "xi")
+
+
+def checked_times(tau: Any) -> Any:
+    """The times, in the order given."""
+    times = float_list(tau, "tau")
+    if np.any(times < 0):
+        raise InputError("tau", f"holds {times.min():g}: the motion starts at 0, give no earlier time")
+    return times
+
+
+def _float(number: Any, key: str) -> float:
+    try:
+        value = float(number)
+    except OverflowError:
+        value = math.inf
+    if math.isinf(value) or (value == 0 and number):
+        raise InputError(key, f"is {number.short()}, beyond the range of float64: give a moderate number")
+    return value
