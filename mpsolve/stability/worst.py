@@ -2,8 +2,13 @@
 
 With the masses t·eta_m, a crossing is a zero of F(x, t, d) = R·Δ for real x = q. Where t is least over all zeros, the
 slopes F_x and F_d are parallel, Im(conj(F_x) F_d) = 0: else t could be lowered along the zeros (implicit functions).
-A box about the solution of Re F = Im F = Im(conj(F_x) F_d) = 0 is proved to hold no other solution, and for masses
-up to a little more than t all that is outside of the box is proved to hold no zero of F. So it is the least.
+That holds where d lies between lo and hi, not at these ends. What is proved for masses up to a ceiling above t:
+
+    outside a hole       F has no zero, for any x and all d from lo to hi
+    least inside         the hole keeps away from both ends, and in a box around it the system Re F = Im F =
+                         Im(conj(F_x) F_d) = 0 has one solution: so that is where t is least
+    least at an end      in a box around the hole dt/dd = −Im(conj(F_x) F_d)/Im(conj(F_x) F_t) along the zeros leads
+                         upward from this end, where F has one zero in it: so that is it
 """
 
 from __future__ import annotations
@@ -38,6 +43,7 @@ _DISTANCES, _FREQUENCIES = 96, 600  # of the float64 scan that tells where to lo
 _WIDEST, _NARROWEST = 2, 24  # binary exponents of the reach of the box about the solution
 _BUDGET = 2_000_000  # boxes
 _ROUND = 6  # decimal digits of the scale of the masses
+_LEAST_ROOM = 1e-3  # of the hole along d: nearer to an end the zeros beside the hole hardly lie above the least one
 
 Point = tuple[Any, Any, Any]
 
@@ -57,19 +63,16 @@ def worst_search(case: Case, low: Exact, high: Exact, digits: int) -> Search[Wor
     x, eta, d = _guess(case, low, high)
     scale = Exact.parse(Fraction(f"{eta:.{_ROUND}g}"), "eta")
     family = Family(_scaled(case, scale), "mass", second="distance")
-    end = low if d <= float(low) else high if d >= float(high) else None
+    point, end = _least(family, (x, 1.0, d), low, high)
     if end is None:
-        point = _solution(family, (arb(x), arb(1), arb(d)))
-        box = _box(family, point)
-        ceiling = _ceiling(family, point, box)
+        hole = _between(float(point[2]), _box(family, point), low, high)
     else:
-        point = _first_at(family, x, end)
-        box = _end_box(family, point)
-        ceiling = float(point[1]) * (1 + box[1] / 4)
+        hole = _end_box(family, point, 1 if end is low else -1)
+    hole = 0.99 * hole[0], 0.99 * hole[1], 0.99 * hole[2]  # well within what is proved
+    ceiling = _ceiling(family, point, hole, (-1, 1) if end is None else (1,) if end is low else (-1,))
     with ball_arithmetic(BITS) as field:
         reach = far_radius(family.at(field, None, low.ball().union(high.ball())))
-    sides = [(float(v), 0.99 * h) for v, h in zip(point, box, strict=True)]  # well within the box
-    holes = np.array([[edge for v, h in sides for edge in (v - h, v + h)]])
+    holes = np.array([[edge for v, h in zip(map(float, point), hole, strict=True) for edge in (v - h, v + h)]])
     cover = yield Job(family, _region(reach, ceiling, low, high), holes, 0, 64, _BUDGET)
     if len(cover.open):
         raise PrecisionError(
@@ -78,10 +81,42 @@ def worst_search(case: Case, low: Exact, high: Exact, digits: int) -> Search[Wor
         )
     with ball_arithmetic(math.ceil(digits * math.log2(10)) + 40):
         if end is None:
-            q, t, distance = _sharpened(family, point, box, digits)
+            q, t, distance = _sharpened(family, point, hole, digits)
         else:
-            q, t, distance = *_sharpened_at(family, point, box, end, digits), end.ball()
+            q, t, distance = *_sharpened_at(family, point, hole, end, digits), end.ball()
+        if not t < arb(ceiling):
+            raise PrecisionError("the least crossing mass lies above the masses looked at: change the range a little")
         return Worst(t * scale.ball(), distance, q, cover.evaluations)
+
+
+def _least(family: Family, guess: tuple[float, float, float], low: Exact, high: Exact) -> tuple[Point, Exact | None]:
+    """The point (x, t, d) of least t that is found near the guess, and the end of the range it is at. Heuristic."""
+    x, t, d = guess
+    found: list[tuple[Point, Exact | None]] = []
+    try:
+        inside = _solution(family, (arb(x), arb(t), arb(d)))
+        if low.ball() < inside[2] < high.ball():
+            found.append((inside, None))
+    except PrecisionError:
+        pass  # no stationary point near: the least one then is at an end
+    for end in (low, high):
+        crossing = _crossing_at(family, x, t, end)
+        if crossing is not None:
+            found.append(((arb(crossing[0]), arb(crossing[1]), arb(float(end))), end))
+    if not found:
+        raise PrecisionError("the least crossing mass was not found again: change the range a little")
+    return min(found, key=lambda one: float(one[0][1]))
+
+
+def _between(d: float, box: tuple[float, float, float], low: Exact, high: Exact) -> tuple[float, float, float]:
+    """Half-widths of a box within this one that keeps away from both ends of the range."""
+    room = min(box[2], 0.9 * (d - float(low)), 0.9 * (float(high) - d))
+    inside = low < Fraction(d) - Fraction(room) and high > Fraction(d) + Fraction(room)  # compared exactly
+    if not inside or room < _LEAST_ROOM:
+        raise PrecisionError(
+            f"the worst distance, {d:.6g}, nearly is an end of the range: widen the range, or end it further away"
+        )
+    return box[0], box[1], room
 
 
 def _scaled(case: Case, scale: Exact) -> Case:
@@ -206,20 +241,10 @@ def _balls(value: Any, k: int) -> Any:
     return type(value)(_balls(value.value, k), [_balls(slope, k) for slope in value.slopes])
 
 
-def _first_at(family: Family, x: float, end: Exact) -> Point:
-    """The crossing near (x, t = 1) at an end of the range."""
-    found = _crossing_at(family, x, 1.0, float(end))
-    if found is None:
-        raise PrecisionError(
-            "the least crossing mass at an end of the range was not found: change the range a little"
-        )
-    return arb(found[0]), arb(found[1]), arb(float(end))
+def _end_box(family: Family, point: Point, inward: int) -> tuple[float, float, float]:
+    """Half-widths of a box about a crossing at an end of the range: the only one at that end, t rising from there.
 
-
-def _end_box(family: Family, point: Point) -> tuple[float, float, float]:
-    """Half-widths of a box about a crossing at an end of the range: the only one at the end, and no minimum inside.
-
-    There Im(conj(F_x) F_d) ≠ 0, so that along the zeros t is not least anywhere but at the end.
+    In the box dt/dd along the zeros has the sign of `inward`, so that t is least at no zero away from this end.
     """
     reaches = 2.0 ** -np.arange(_WIDEST, _NARROWEST, 0.5)
     value, (f_x, f_t, f_d), good = local(family, [float(v) for v in point], reaches)
@@ -228,8 +253,8 @@ def _end_box(family: Family, point: Point) -> tuple[float, float, float]:
             f, along_x, along_t, along_d = (ball_of(z, int(k)) for z in (value, f_x, f_t, f_d))
             size = float(reaches[k])
             alone = contracted(f, along_x, along_t, point[0], point[1], size, size) is not None
-            turn = (along_x.conjugate() * along_d).imag
-            if alone and (turn > 0 or turn < 0):
+            rise = -inward * (along_x.conjugate() * along_d).imag / (along_x.conjugate() * along_t).imag
+            if alone and rise > 0:
                 return size, size, size
     raise PrecisionError(
         "the least crossing mass is nearly stationary at an end of the range: change the range a little"
@@ -249,21 +274,21 @@ def _sharpened_at(family: Family, point: Point, box: Any, end: Exact, digits: in
     return zero.x, t
 
 
-def _ceiling(family: Family, point: Point, box: Any) -> float:
-    """A mass t above the least one, up to which the zeros near the solution stay in the box. Heuristic."""
+def _ceiling(family: Family, point: Point, hole: Any, sides: tuple[int, ...]) -> float:
+    """A mass t above the least one, up to which the zeros near the solution stay in the hole. Heuristic."""
     x, t, d = map(float, point)
     for share in (0.8, 0.5, 0.3, 0.15):
-        ends = [_crossing_at(family, x, t, d + sign * share * box[2]) for sign in (-1, 1)]
-        rises = [end[1] / t - 1 for end in ends if end is not None and abs(end[0] - x) < 0.8 * box[0]]
-        if len(rises) == 2 and min(rises) > 0:
-            return float(t * (1 + min(*rises, box[1]) / 2))
+        places = [Exact.parse(Fraction(d + sign * share * hole[2]).limit_denominator(10**9)) for sign in sides]
+        ends = [_crossing_at(family, x, t, place) for place in places]
+        rises = [end[1] / t - 1 for end in ends if end is not None and abs(end[0] - x) < 0.8 * hole[0]]
+        if len(rises) == len(sides) and min(rises) > 0:
+            return float(t * (1 + min(*rises, hole[1]) / 2))
     raise PrecisionError("the least crossing mass hardly depends on the distance")
 
 
-def _crossing_at(family: Family, x: float, t: float, d: float) -> tuple[float, float] | None:
+def _crossing_at(family: Family, x: float, t: float, d: Exact) -> tuple[float, float] | None:
     """The crossing (x, mass) near (x, t) at the distance d. Heuristic."""
-    place = Exact.parse(Fraction(d).limit_denominator(10**6), "d")
-    found = approach(Family(_with_distance(family.case, place), "level"), x, _level_of(x, t))
+    found = approach(Family(_with_distance(family.case, d), "level"), x, _level_of(x, t))
     if found is None:
         return None
     with ball_arithmetic(BITS):

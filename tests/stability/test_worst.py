@@ -6,6 +6,8 @@ from functools import cache
 
 import pytest
 from flint import arb
+from hypothesis import given, settings
+from oracle import grid
 
 from mpsolve import InputError, limiting_mass
 from mpsolve.fields import ball_arithmetic
@@ -50,6 +52,40 @@ def test_inside_it_is_a_minimum_and_at_an_end_it_is_not() -> None:
         assert worst("inside").d < arb("1.19")
         assert worst("at the end").d.overlaps(arb("0.9"))
         assert worst("at the start").d.overlaps(arb("1.4"))
+
+
+@pytest.mark.parametrize(
+    ("low", "high"),
+    # beside the worst distance 1.22530013 of all: t rises from the start, however narrow or wide the range
+    [("1.24", "1.2402"), ("1.2283", "1.2284"), ("1.235", "1.2351"), ("1.2353", "1.2853"), ("1.2453", "1.2953")],
+)
+def test_beside_the_minimum_the_start_of_the_range_is_worst(low: str, high: str) -> None:
+    found = limiting_mass("0.99", "0.1", d=(low, high), digits=15)
+    assert found.proved
+    with ball_arithmetic(100):
+        assert found.d.overlaps(arb(low))
+        start, end = (limiting_mass("0.99", "0.1", (0, d), digits=15) for d in (low, high))
+        assert found.eta.overlaps(start.eta)
+        assert found.eta < end.eta
+
+
+@pytest.mark.parametrize("high", ["1.2253", "1.2254", "1.226"])
+def test_next_to_an_end_it_is_undecided(high: str) -> None:
+    found = limiting_mass("0.99", "0.1", d=("1.2", high), digits=15)
+    assert (found.proved, found.eta) == (False, None)
+    assert "end of the range" in found.reason
+
+
+@settings(max_examples=3)
+@given(low=grid(0.9, 1.6), width=grid(0.001, 0.3))
+def test_no_answer_lies_above_a_mass_of_the_range(low: float, width: float) -> None:
+    found = limiting_mass("0.99", "0.1", d=(low, low + width), digits=15)
+    if found.proved:
+        with ball_arithmetic(100):
+            assert low <= found.d.upper()
+            assert found.d.lower() <= low + width
+            for d in (low, low + width / 2, low + width):
+                assert not limiting_mass("0.99", "0.1", (0, d), digits=15).eta < found.eta
 
 
 def test_more_digits_lie_within_fewer() -> None:
