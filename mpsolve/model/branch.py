@@ -79,7 +79,8 @@ def pairing(track: Track, q: Any) -> Pairing:
         # y is one simple root all over the ball: it is enough to look at one point, if no cut is met
         q = flint.acb(q)
         middle = _factors(track, q.mid())
-        if not (_off_the_cut(track, q) and pair.s.contains(middle.s) and _is_physical(middle)):
+        same = pair.s.contains(middle.s) and _one_root(track, q.mid(), pair)
+        if not (_off_the_cut(track, q) and same and _is_physical(middle)):
             raise PrecisionError("the ball of q meets the cut, or is too wide to tell upper from lower p-roots")
     return pair
 
@@ -90,6 +91,13 @@ def _factors(track: Track, q: Any) -> Pairing:
     s = field.dominant_sum(2 * c2, c2 * c2 - 4 * c0, -c1 * c1)
     y, h = s * s, c1 / s
     return Pairing(s, y, h, c2, 2 * y * (y + c2) + h * h)
+
+
+def _one_root(track: Track, q: Any, pair: Pairing) -> bool:
+    """At q the resolvent has one root at most in the ball of y: a mean of its slopes there is not zero."""
+    r, y, c2 = q - track.field.i * track.eta_b, pair.y, pair.c2
+    slope = 3 * y * y + 4 * c2 * y + c2 * c2 - 16 * (track.beta2 - r * r)
+    return bool(slope.is_finite() and not slope.contains(0))
 
 
 def _is_physical(pair: Pairing) -> bool:

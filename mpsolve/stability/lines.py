@@ -98,7 +98,8 @@ def frequency_lines(
     found = [certify(case, digits) for case in cases]
     levels = [_half(spectrum) for spectrum in found]
     followed = iter(_followed(cases[0], grid, levels))
-    steps = [_Step(grid[k : k + 2], levels[k : k + 2], followed) for k in range(len(grid) - 1)]
+    complete = [spectrum.certificate is not None for spectrum in found]  # no root is missing, even if a sign is open
+    steps = [_Step(grid[k : k + 2], levels[k : k + 2], followed, complete[k + 1]) for k in range(len(grid) - 1)]
     for k, step in enumerate(steps):
         if found[k].proved and found[k + 1].proved:
             step.name_cuts(rest, digits)
@@ -136,18 +137,23 @@ def _followed(case: Case, grid: list[Exact], levels: list[list[RootBall]]) -> li
 class _Step:
     """From one velocity ratio to the next: which root is proved to continue to which, and what the others do."""
 
-    def __init__(self, ends: list[Exact], levels: list[list[RootBall]], followed: Iterator[Any | None]) -> None:
+    def __init__(
+        self, ends: list[Exact], levels: list[list[RootBall]], followed: Iterator[Any | None], complete: bool
+    ) -> None:
         self.ends, self.left, self.right = ends, levels[0], levels[1]
-        self.links = self._linked(followed)
+        self.links = self._linked(followed, complete)
         self.leaves: dict[int, LineEnd] = {}
         self.enters: dict[int, LineEnd] = {}
 
-    def _linked(self, followed: Iterator[Any | None]) -> dict[int, int]:
-        """Left to right. A branch that ends in a ball that meets one root ball of the right only is that root."""
+    def _linked(self, followed: Iterator[Any | None], complete: bool) -> dict[int, int]:
+        """Left to right. A branch that ends in a ball that meets one root ball of the right only is that root.
+
+        complete: whether the right has all roots; if not, the branch may end in one that is missing.
+        """
         links: dict[int, int] = {}
         for k, root in enumerate(self.left):
             end = next(followed)
-            if root.multiplicity != 1:
+            if root.multiplicity != 1 or not complete:
                 continue
             met = [] if end is None else [j for j, other in enumerate(self.right) if other.q.overlaps(end)]
             if len(met) == 1 and self.right[met[0]].multiplicity == 1:
