@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, response
-from mpsolve.errors import PrecisionError
+from mpsolve import Case, certify, response
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
+from mpsolve.model.load import Load
 
 LONE = Case(alpha="0.5", eta_b="0.05", eta_m=70)
 
@@ -37,3 +38,44 @@ def test_float64_agrees_with_the_balls() -> None:
 def test_digits_that_the_tail_does_not_allow_are_refused() -> None:
     with pytest.raises(PrecisionError, match="at τ = 0 the motion is known to"):
         response(LONE, tau=(0, 10), digits=20)
+
+
+def test_a_force_next_to_an_induced_frequency() -> None:
+    """The steady and the unsteady part grow without bound there, and cancel: the motion itself is smooth in ω."""
+    case, tau = Case(alpha="0.5", eta_b=0, eta_m=70), (3, 200)
+    (q,) = (root.q.real for root in certify(case, 40).roots if root.q.real > 0)
+    around = [response(case, [Load(1, 1, float(q) + shift)], tau=tau).w for shift in (-2e-5, 2e-5)]
+    for digits in (8, 12, 30):
+        near = response(case, [Load(1, 1, q.str(digits, radius=False))], tau=tau, digits=15)
+        assert np.allclose(near.w.astype(float), sum(around) / 2, rtol=1e-5, atol=0)  # the curvature of w in ω
+        assert abs(float(near.harmonic[0, 1])) > 10.0 ** (digits - 3)
+    with pytest.raises(PrecisionError, match=r"response\(…, digits=15\)"):
+        response(case, [Load(1, 1, q.str(12, radius=False))], tau=tau)
+
+
+def test_a_growing_motion_gets_the_digits_that_it_needs() -> None:
+    fast = Case(alpha="1.2", eta_b="0.05", eta_m=70)
+    precise = response(fast, tau=500, digits=15)
+    assert abs(precise.w[0, 0]) > 1e12
+    sharper = response(fast, tau=500, digits=25, balls=True).w[0, 0]
+    with ball_arithmetic(300):
+        value = arb(str(precise.w[0, 0]))
+        assert abs(value - sharper) < arb(10) ** -1
+    plain = response(fast, tau=500).w[0, 0]
+    assert plain == pytest.approx(float(precise.w[0, 0]), rel=1e-9)
+
+
+def test_frequencies_given_with_too_few_digits_are_the_reason_that_is_said() -> None:
+    with pytest.raises(PrecisionError, match="leave `spectrum` out"):
+        response(LONE, tau=50, spectrum=certify(LONE, 20), digits=30)
+
+
+def test_a_force_too_fast_for_the_path_is_refused() -> None:
+    with pytest.raises(InputError, match="loads: a force changes too fast"):
+        response(LONE, [Load(0, 1, "1e5")], tau=(1, 20), balls=True)
+
+
+@pytest.mark.parametrize("digits", [0, -2, True, "15", 15.0, 101])
+def test_digits_are_a_whole_number(digits: object) -> None:
+    with pytest.raises(InputError, match=r"digits: is .* whole number from 1 to 100"):
+        response(LONE, tau=12, digits=digits)  # type: ignore[call-overload]

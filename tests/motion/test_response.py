@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -213,6 +214,18 @@ def test_what_cannot_be_is_refused() -> None:
         response(UNDAMPED, None, None, (1,), spectrum)
     with pytest.raises(InputError, match="eta_b"):
         response(Case(alpha="0.5", eta_b="1.5", eta_m=10), None, None, (1,))
+    with pytest.raises(InputError, match="spectrum: is int"):
+        response(DAMPED, None, None, (1,), 3)  # type: ignore[call-overload]
+    for size in ("1e350", "1e-350"):
+        with pytest.raises(InputError, match=r"tau\[1\]: is 1e.350, beyond the range of float64"):
+            response(DAMPED, None, None, size, spectrum)
+
+
+def test_one_number_may_come_in_any_form() -> None:
+    spectrum = certify(DAMPED)
+    forms = ("0.5", 0.5, Fraction(1, 2), np.float64(0.5), np.array(0.5), np.array("0.5"), [0.5], (0.5,))
+    values = [response(DAMPED, None, form, form, spectrum).w for form in forms]
+    assert all(np.array_equal(value, values[0]) for value in values)
     with pytest.raises(PrecisionError, match="change alpha"):
         response(Case(alpha=1, eta_b=0, eta_m=10), None, None, (1,))
 

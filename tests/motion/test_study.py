@@ -38,6 +38,10 @@ def test_the_envelope_bounds_the_vibration_and_is_reached() -> None:
     decaying = envelope(DAMPED, None, 0, (0,))
     assert decaying.greatest is decaying.least is None
     assert decaying.note
+    moved_off = Case(alpha="0.5", eta_b=0, eta_m=70, positions=5)
+    assert envelope(moved_off).amplitudes == pytest.approx(alone.amplitudes)
+    with pytest.raises(InputError, match="xi: holds 2 positions"):
+        envelope(UNDAMPED, xi=(0, 1))  # type: ignore[arg-type]
 
 
 def test_superposition_is_right_for_masses_that_hardly_count() -> None:
