@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve.motion.beam import BeamError, BeamResponse, finite_beam
+    from mpsolve.motion.newmark import coupled_beam
     from mpsolve.motion.solve import HarmonicPair, HarmonicSolution, Response, harmonic_solution, response
     from mpsolve.motion.study import (
         Envelope,
@@ -32,11 +33,15 @@ __all__ = [
     "finite_beam",
     "BeamResponse",
     "BeamError",
+    "coupled_beam",
 ]
 
-_HOME = (
-    dict.fromkeys(__all__[:5], "solve") | dict.fromkeys(__all__[5:12], "study") | dict.fromkeys(__all__[12:], "beam")
-)
+_HOME = {
+    **dict.fromkeys(__all__[:5], "solve"),
+    **dict.fromkeys(__all__[5:12], "study"),
+    **dict.fromkeys(__all__[12:15], "beam"),
+    "coupled_beam": "newmark",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -5,12 +5,44 @@ Second order, for comparison: both forms give the same numbers, at O(modes³) an
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
+from mpsolve.model.exact import Number
+from mpsolve.model.load import Load, loads_of
+from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.motion.beam_figures import Problem
 from mpsolve.motion.beam_march import Loading
 from mpsolve.motion.beam_modes import Beam
+
+
+def coupled_beam(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    tau: Number = 10,
+    *,
+    start: float,
+    length: float,
+    modes: int,
+    steps: int,
+) -> tuple[Any, Any]:
+    """The plain coupled form (41) on a beam with these figures, for comparison with `finite_beam`; float64.
+
+    The times (steps + 1,) from 0 to tau and the deflections of the masses there (n, steps + 1), in w_st. Costs
+    O(modes³) a step. loads and units as for `finite_beam`. Raises InputError for a beam that the masses would leave.
+    """
+    forces = loads_of(case, loads)
+    whole = case.dimensionless if isinstance(case, PhysicalCase) else case
+    problem = Problem(whole, forces, tau, (), 1e-4)
+    figures = problem.first_figures(start, length)
+    modes, steps = problem.checked_modes(modes, figures.length), problem.checked_steps(steps)
+    beam = Beam(figures.length, modes, problem.alpha, problem.axial, problem.eta_b, tail=False)
+    loading = Loading(problem.eta_m, figures.start + problem.gaps, problem.applied)
+    return np.linspace(0.0, problem.duration, steps + 1), newmark(
+        beam, loading, problem.duration, steps, coupled=True
+    )
 
 
 def newmark(beam: Beam, loading: Loading, duration: float, steps: int, *, coupled: bool) -> Any:

@@ -13,7 +13,7 @@ from mpsolve.motion.beam import finite_beam
 from mpsolve.motion.beam_integrals import gauss, moments, nested_moments
 from mpsolve.motion.beam_march import Loading, march
 from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.newmark import newmark
+from mpsolve.motion.newmark import coupled_beam, newmark
 
 TAU = np.linspace(0, 60, 121)
 FORCES = (Load(1, "0.4", "0.3", "0.5"), Load("0.5", "0.3", "1.2", "-1"), Load("-0.2"))
@@ -194,6 +194,18 @@ def test_newmark_in_both_forms_is_one_and_tends_to_the_march_at_second_order() -
         errors.append(np.abs(rearranged[:, :: steps // 256] - exact).max())
     assert errors[0] < 5e-3
     assert errors[0] == pytest.approx(4 * errors[1], rel=0.05)
+
+
+def test_the_coupled_form_as_a_function_agrees_with_the_finite_beam() -> None:
+    case = pair("0.5", 10, "0.1", "1")
+    errors = []
+    for modes in (70, 140):
+        tau, deflection = coupled_beam(case, tau=10, start=30, length=70, modes=modes, steps=200)
+        assert deflection.shape == (2, 201)
+        errors.append(np.abs(deflection[:, 1:] - finite_beam(case, tau=tau[1:]).displacement).max())
+    assert 0.1 > errors[0] > 4 * errors[1]  # what the modes that are left out would add falls with their number
+    with pytest.raises(InputError, match="length: is 20, but the load"):
+        coupled_beam(case, tau=10, start=30, length=20, modes=160, steps=400)
 
 
 def test_the_tail_gives_what_thousands_of_modes_give() -> None:
