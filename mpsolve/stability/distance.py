@@ -93,7 +93,11 @@ def critical_distance(
         place, root = _critical_point(family, near, q, digits)
     except PrecisionError as error:
         return CriticalDistance(None, None, Status.UNDECIDED, str(error), digits)
-    return _proved(family, low, high, place, root, digits, tell)
+    found = _proved(family, low, high, place, root, digits, tell)
+    if not found.proved and near in (float(low), float(high)):
+        reason = f"the least imaginary part seems to fall towards the end d = {near:g} of the range: widen it"
+        return replace(found, reason=reason)
+    return found
 
 
 def _sampled_minimum(family: Family, low: float, high: float) -> tuple[float, complex]:
@@ -137,7 +141,7 @@ def _critical_point(family: Family, d: float, q: complex, digits: int) -> tuple[
 def _proved(
     family: Family, low: Exact, high: Exact, place: Any, root: Any, digits: int, tell: Tell | None
 ) -> CriticalDistance:
-    reason = "the least imaginary part has two minima that are nearly equal, or it lies at an end of the range"
+    reason = "the least imaginary part has two minima that are nearly equal: give a range with one of them"
     for lift in _LIFTS:
         level = _above(root.imag, lift)
         if level > (family.case.eta_b * Fraction(99, 100) if family.case.cuts_on_line else Exact.parse(0, "height")):

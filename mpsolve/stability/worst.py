@@ -112,7 +112,7 @@ def _between(d: float, box: tuple[float, float, float], low: Exact, high: Exact)
     """Half-widths of a box within this one that keeps away from both ends of the range."""
     room = min(box[2], 0.9 * (d - float(low)), 0.9 * (float(high) - d))
     inside = low < Fraction(d) - Fraction(room) and high > Fraction(d) + Fraction(room)  # compared exactly
-    if not inside or room < _LEAST_ROOM:
+    if not inside or room < min(_LEAST_ROOM, box[2]):
         raise PrecisionError(
             f"the worst distance, {d:.6g}, nearly is an end of the range: widen the range, or end it further away"
         )
