@@ -8,16 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from style import SINGLE, page
+from style import SINGLE, agree, page
+from vibration import DIGITS, vibration
 
-from mpsolve import Case
-from mpsolve.motion import merged, response, superposition
+from mpsolve import Case, certify
+from mpsolve.motion import envelope, merged, response, superposition, transient_importance
 from mpsolve.motion.beam import finite_beam
+from mpsolve.threads import one_thread
 
 TAU: Any = np.linspace(0.0, 200.0, 801)
 LAST_DOUBLED = 1.0  # the largest distance at which one doubled mass is shown
 BEAM_TIMES = 41
 BEAM_TOLERANCE = 1e-2  # in w_st, below what can be seen
+START: Any = np.linspace(0.0, 60.0, 3 * BEAM_TIMES - 2)  # times for a check
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,8 @@ def comparison(case: Case, tau: Any = TAU, tolerance: float = BEAM_TOLERANCE) ->
     found = response(case, None, rear, tau)
     near = float(case.positions[-1]) <= LAST_DOUBLED
     beam_tau = np.linspace(0.0, float(tau[-1]), BEAM_TIMES)
-    beam = finite_beam(case, None, beam_tau, tolerance=tolerance)
+    with one_thread():
+        beam = finite_beam(case, None, beam_tau, tolerance=tolerance)
     return Comparison(
         case,
         tau,
@@ -58,6 +62,64 @@ def comparison(case: Case, tau: Any = TAU, tolerance: float = BEAM_TOLERANCE) ->
         beam.displacement[0],
         beam.error.total,
     )
+
+
+def checked_comparison(case: Case, tau: Any = START, tolerance: float = 1e-3) -> Comparison:
+    """The curves of one panel after asserting what holds in each; `tau`: every few of them are those of the beam.
+
+    All that is complete starts from rest, and the finite beam agrees with the infinite one within its own error.
+    """
+    found = comparison(case, tau, tolerance)
+    complete = [found.full, found.added] if found.doubled is None else [found.full, found.added, found.doubled]
+    agree([w[0] for w in complete], 0, 1e-8)
+    agree(_at_beam_times(found.full), found.beam, found.beam_error)
+    assert found.beam_error < BEAM_TOLERANCE
+    return found
+
+
+def check_late_beam(found: Comparison) -> None:
+    """AssertionError unless the damped finite beam ends in the harmonic solution, and vibrates as certified."""
+    late = slice(BEAM_TIMES // 2, None)  # the truly transient part has died out
+    agree(_at_beam_times(found.harmonic)[late], found.beam[late], found.beam_error)
+    q = vibration(found.case, [0]).q
+    agree(read(found.beam_tau[4:], found.beam[4:], len(q)), q, 5e-5)
+
+
+def _at_beam_times(w: Any) -> Any:
+    return w[:: (len(w) - 1) // (BEAM_TIMES - 1)]
+
+
+def read(tau: Any, w: Any, pairs: int) -> Any:
+    """The q of so many waves Re(A e^{iqτ}), Re q > 0, of which a curve consists, from its samples alone (Prony).
+
+    tau: evenly spaced; Re q below π over a step of 5, or of tau if that is longer. A constant part does not matter.
+    """
+    stride = max(1, round(5 / (tau[1] - tau[0])))
+    change, order = np.diff(w), 2 * pairs
+    rows = np.stack([change[k * stride : len(change) - (order - k) * stride] for k in range(order + 1)], axis=1)
+    rule = np.linalg.lstsq(rows[:, :-1], -rows[:, -1], rcond=None)[0]
+    q = np.log(np.roots([1, *rule[::-1]]).astype(complex)) / (1j * stride * (tau[1] - tau[0]))
+    return np.array(sorted(q[q.real > 0], key=lambda z: z.real))
+
+
+def missed(case: Case) -> float:
+    """How far from rest the harmonic solution starts at the rear mass, over the sum of its amplitudes.
+
+    The paper's measure (Section 4.1) of the truly transient part, which makes up for it.
+    """
+    spectrum = certify(case, DIGITS)
+    start = transient_importance(case, spectrum=spectrum).displacement[0]
+    return abs(start) / sum(envelope(case, spectrum=spectrum).amplitudes)
+
+
+def moving_forces(case: Case) -> float:
+    """The steady deflection in w_st below the rear one of two unit forces, α < 1, η_N = η_S and no damping.
+
+    The classic one of a moving force without inertia, e^{−aξ} (cos(bξ)/a + sin(bξ)/b), a² = 1 − α², b² = 1 + α².
+    """
+    alpha, d = float(case.alpha), float(case.positions[-1])
+    a, b = np.sqrt(1 - alpha**2), np.sqrt(1 + alpha**2)
+    return 1 / a + np.exp(-a * d) * (np.cos(b * d) / a + np.sin(b * d) / b)
 
 
 def comparison_figure(path: Path | str, cases: Sequence[Case], tau: Any = TAU) -> Path:

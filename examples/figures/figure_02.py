@@ -12,13 +12,41 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from induced import ALPHA, draw_lines, groups
-from style import page, run
+import numpy as np
+from induced import ALPHA, LAST, check_lines, draw_lines, drawn, groups, lines
+from style import agree, page, run
+from vibration import pair_of_masses
+
+from mpsolve import frequencies
 
 CLOSE = ("0.5", "1", "1.5")
 FAR = ("2", "2.5", "3", "3.5", "4", "4.5")
 SUBCRITICAL = 0.99
 DETAIL = {"xlim": (0.8, 0.96), "xticks": (0.8, 0.85, 0.9, 0.95), "ylim": (0.08, 0.2), "title": "d) detail of c)"}
+
+
+def check() -> None:
+    """Where both pairs end, on q_lm; the order of the lines; certified frequencies; complex ones from α = 1 on."""
+    ends = [(eta_m, d, last) for eta_m in LAST for d, last in LAST[eta_m].items()]
+    masses, places, last = np.array([[float(x) for x in end] for end in ends]).T
+    assert np.all(frequencies([last, last + 0.01], 0, masses, places).count.T == [4, 2])
+    p = np.linspace(0, 3, 300_001)
+    for eta_m, d in ((40, "0.5"), (40, "1.5"), (10, "1")):
+        higher = max(lines(eta_m, d, alpha=np.arange(60, 92) / 100), key=lambda line: line.q[0].real)
+        assert LAST[eta_m][d] < higher.alpha[-1] < LAST[eta_m][d] + 0.01
+        # q_lm as the minimum of (18) over real wavenumbers
+        agree(higher.q[-1], np.min(np.sqrt(p**4 + 4) / 2 - higher.alpha[-1] * p), 1e-9)
+    low = np.arange(10, 13) / 100
+    for eta_m in (10, 70):
+        single, doubled = (drawn(lines(m, None, alpha=low), 0.11)[0].real for m in (eta_m, 2 * eta_m))
+        lower, higher = np.transpose([drawn(lines(eta_m, d, alpha=low), 0.11).real for d in CLOSE])
+        # the closer the masses, the nearer to the doubled one (Section 4.2)
+        assert doubled < lower[0] < lower[1] < lower[2] < single < min(higher)
+    through = lines(70, "1.5", alpha=np.arange(85, 141) / 100)
+    for alpha in ("0.9", "1.4"):
+        check_lines(through, pair_of_masses(alpha, 70, "1.5"))
+    assert np.all(drawn(through, 0.99).imag == 0)
+    assert np.any(drawn(through, 1.01).imag > 0)  # and so −q̄, q̄ and −q, below zero: from α = 1 it is unstable
 
 
 def visualize(path: Path | str = "figure_02.svg", alpha: Any = ALPHA) -> Path:
@@ -44,4 +72,4 @@ def visualize(path: Path | str = "figure_02.svg", alpha: Any = ALPHA) -> Path:
 
 
 if __name__ == "__main__":
-    run(visualize, "figure_02")
+    run(check, visualize, "figure_02")

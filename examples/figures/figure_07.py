@@ -11,28 +11,30 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from style import greys, page, run
+from induced import LAST, end_of_line
+from style import agree, greys, page, run
+from vibration import checked_vibration, pair_of_masses
 
-from mpsolve import cut_points, frequencies
+from mpsolve import frequencies
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic_rate
 from mpsolve.motion.transform import contact_kernels, numerators, system
 
-ETA_M = 40.0
+ETA_M = 40
 DISTANCES = ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5")
 POINTS = 160
 
 
 def velocities(d: str, points: int = POINTS) -> Any:
     """Velocity ratios from 0.01 almost to the proved one at which the higher pair ends, closer and closer."""
-    (end,) = cut_points(0, (ETA_M, ETA_M), (0, d), alpha=("0.01", "0.99"), digits=15)
-    return float(end.alpha.mid()) - (float(end.alpha.mid()) - 0.01) * np.linspace(1, 0.005, points) ** 2
+    end = end_of_line(ETA_M, d)
+    return end - (end - 0.01) * np.linspace(1, 0.005, points) ** 2
 
 
 def amplitudes(d: str, alpha: Any) -> Any:
     """|A_k| at ξ = 0 in float64, shape (len(alpha), 2), for unit constant forces; nan without both pairs."""
-    found = frequencies(alpha, 0, ETA_M, float(d))
+    found = frequencies(alpha, 0, float(ETA_M), float(d))
     half = np.sort(np.where(found.q.real > 0, found.q.real, np.nan), axis=-1)  # undamped and subcritical: all real
     q = np.full((len(alpha), 2), np.nan)
     both = found.count == 4
@@ -45,6 +47,21 @@ def amplitudes(d: str, alpha: Any) -> Any:
         slope = characteristic_rate(model, q + 0j)[1]
         # twice: the mirror image −q̄ is in the real part
         return np.abs(2j / slope * (contact[0] * kernels[0] + contact[1] * kernels[1]) / np.pi)
+
+
+def check() -> None:
+    """Lines up to the printed velocities, amplitudes of the paper's image, least ones near 0, the end of a line."""
+    for d, last in LAST[ETA_M].items():
+        assert np.isfinite(amplitudes(d, np.array([last, last + 0.01]))).tolist() == [[True, True], [False, False]]
+    for d, alpha in (("2", "0.5"), ("4.5", "0.6")):
+        (drawn,) = amplitudes(d, np.array([float(alpha)]))
+        agree(drawn, checked_vibration(pair_of_masses(alpha, ETA_M, d)).envelope.amplitudes, 1e-9)
+        assert abs(drawn[0] - drawn[1]) < 0.02  # Section 4.2: a minimum can be practically zero
+    first, second = amplitudes("4", np.array([0.5, 0.8])).T
+    assert first[0] < second[0]
+    assert first[1] > second[1]  # and exactly zero between them
+    higher = amplitudes("1", velocities("1", 200))[:, 1]
+    assert higher[-1] < 0.05 * higher.max()
 
 
 def visualize(path: Path | str = "figure_07.svg", points: int = POINTS) -> Path:
@@ -62,4 +79,4 @@ def visualize(path: Path | str = "figure_07.svg", points: int = POINTS) -> Path:
 
 
 if __name__ == "__main__":
-    run(visualize, "figure_07")
+    run(check, visualize, "figure_07")

@@ -11,11 +11,35 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from induced import ALPHA, draw_lines, groups
+import numpy as np
+from induced import ALPHA, check_lines, draw_lines, drawn, groups, limiting, lines
 from style import page, run
+from vibration import pair_of_masses
+
+from mpsolve import cut_points
 
 ETA_B = "0.05"
 GROUPS = ((70, ("0.5", "1", "1.5")), (10, ("1.5", "3", "4.5")))
+
+
+def check() -> None:
+    """Onsets of Section 4.3, certified frequencies on both sides; a line ends at Im q = η_b, another passes q_lm."""
+    alpha = np.arange(50, 100) / 100
+    found = {d: lines(70, d, ETA_B, alpha) for d in GROUPS[0][1]}
+    unstable = {d: [a for a in alpha if np.any(drawn(found[d], a).imag < 0)] for d in found}
+    # as printed for d = 1 and 1.5; at d = 0.5 the onset is not below α = 1
+    assert [unstable["1"][0], unstable["1.5"][0], unstable["0.5"]] == [0.97, 0.67, []]
+    for place in ("0.66", "0.67", "0.99"):
+        check_lines(found["1.5"], pair_of_masses(place, 70, "1.5", ETA_B))
+    (end,) = cut_points(ETA_B, (70, 70), (0, "1.5"), alpha=("0.9", "0.99"), digits=15)
+    ended = min(found["1.5"], key=lambda line: line.alpha[-1])
+    assert ended.alpha[-1] < end.alpha < ended.alpha[-1] + 0.01
+    assert ended.q[-1].imag < float(ETA_B)  # where it is cut (conclusion (iv))
+    past = [drawn(found["1"], a)[-1].real - limiting(ETA_B, np.array([a]))[0] for a in (0.5, 0.97)]
+    assert past[0] < 0 < past[1]  # Section 4.3: the real part can cross q_lm
+    # η_M = 10 and one mass are stable below α = 1
+    others = [lines(10, d, ETA_B, alpha) for d in GROUPS[1][1]] + [lines(70, None, ETA_B, alpha)]
+    assert min(q.imag for pair in others for line in pair for q in line.q) > 0
 
 
 def visualize(path: Path | str = "figure_09.svg", alpha: Any = ALPHA) -> Path:
@@ -32,4 +56,4 @@ def visualize(path: Path | str = "figure_09.svg", alpha: Any = ALPHA) -> Path:
 
 
 if __name__ == "__main__":
-    run(visualize, "figure_09")
+    run(check, visualize, "figure_09")

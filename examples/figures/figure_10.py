@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from style import LIMIT, greys, page, run
+from style import LIMIT, agree, greys, page, run
 
-from mpsolve import frequencies
+from mpsolve import Case, certify, crossing_masses, frequencies
 
 ALPHA = 0.99
 ETA_M = 70.0
@@ -41,6 +41,30 @@ def critical(eta_b: Any = ETA_B) -> tuple[Any, Any]:
     return DISTANCES[k] + shift * (DISTANCES[1] - DISTANCES[0]), here + shift * (after - before) / 4
 
 
+def check() -> None:
+    """Critical distances of Section 4.3, one by certified frequencies; limiting masses there and at d = 1.1."""
+    places, least = critical([0.04, 0.1, 0.2, 0.5, 0.99])
+    agree(places[[0, -1]], [1.25, 1.05], 0.025)  # as printed, if the paper's distances are multiples of 0.05
+    assert np.all(np.diff(places) < 0)
+    assert np.all(np.diff(least) < 0)
+    near = [_certified("0.5", ETA_M, d) for d in (places[3] - 0.02, places[3], places[3] + 0.02)]
+    agree(least[3], near[1], 1e-6)
+    assert near[1] < min(near[0], near[2])
+    # 21.9 of Section 4.3 and 36.4 of conclusion (xii), which belong to d = 1.1, and to η_b = 0.1 and 0.05
+    for eta_b, printed in (("0.1", 21.9), ("0.05", 36.4)):
+        mass = float(crossing_masses("0.99", eta_b, (0, "1.1"), digits=15)[0].eta)
+        agree(mass, printed, 0.05)
+        below, above = lowest(float(eta_b), np.array([mass - 1e-6, mass + 1e-6]), 1.1)
+        assert below > 0 > above
+    assert _certified("0.1", 20.72, places[1]) > 0 > _certified("0.1", 20.73, places[1])
+    assert lowest(0.1, 20.72, places[1]) > 0 > lowest(0.1, 20.73, places[1])
+
+
+def _certified(eta_b: str, eta_m: float, d: float) -> float:
+    case = Case(alpha="0.99", eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, float(d)))
+    return min(float(root.q.imag) for root in certify(case, 15).roots)
+
+
 def visualize(path: Path | str = "figure_10.svg", eta_b: Any = ETA_B, masses: Any = MASSES) -> Path:
     """Writes the picture and returns its path; `eta_b` of a), `masses` η_M of b)."""
     with page(path, 1, 2, (3.4, 2.5)) as axes:
@@ -60,4 +84,4 @@ def visualize(path: Path | str = "figure_10.svg", eta_b: Any = ETA_B, masses: An
 
 
 if __name__ == "__main__":
-    run(visualize, "figure_10")
+    run(check, visualize, "figure_10")

@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from style import LIMIT, SINGLE, greys, page, run
+from style import LIMIT, SINGLE, agree, greys, page, run
+from vibration import pair_of_masses
 
-from mpsolve import onset_table
+from mpsolve import certify, crossing_masses, onset_table
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, pairing
 from mpsolve.motion.transform import contact_kernels
@@ -76,6 +77,23 @@ def _condition(d: str | None, alpha: Any, q: Any) -> tuple[Any, Any]:
     return j * j - 4 * i * contact.real * j + 4 * i * i * product.real, 2 * i / j
 
 
+def check() -> None:
+    """Lines through proved masses and first onsets; which cross α = 1 (Section 4.4); a mass with a stable window."""
+    for d, alpha in ((None, "1.2"), ("1.5", "0.7"), ("2", "1.5")):
+        proved = crossing_masses(alpha, str(ETA_B), (0,) if d is None else (0, d), digits=15)[0].eta
+        agree(limit(d, [float(alpha)]), [float(proved)], 1e-8)
+    ((single, close),) = onsets((40,), ("1",))
+    assert single > 1 > close
+    agree(limit(None, [single]), [40], 1e-4)
+    agree(limit("1", [close]), [40], 1e-4)
+    assert np.all(np.isinf(limit(None, [0.5, 0.9, 1])))  # one mass: above α = 1 only
+    # all curves cross α = 1 but, against the caption, that of d = 0.5
+    assert [d for d in DISTANCES if np.isinf(limit(d, [1])[0])] == ["0.5"]
+    window = [certify(pair_of_masses(alpha, 50, "1.5", str(ETA_B)), 15).unstable for alpha in ("0.7", "0.9", "0.99")]
+    assert window == [2, 0, 2]
+    assert (limit("1.5", [0.7, 0.9, 0.99]) < 50).tolist() == [True, False, True]
+
+
 def visualize(
     path: Path | str = "figure_12.svg", masses: Sequence[int] = MASSES, distances: Sequence[str] = DISTANCES
 ) -> Path:
@@ -96,4 +114,4 @@ def visualize(
 
 
 if __name__ == "__main__":
-    run(visualize, "figure_12")
+    run(check, visualize, "figure_12")

@@ -9,9 +9,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from comparison import TAU, comparison_figure
-from style import run
-from vibration import pair_of_masses
+import numpy as np
+from comparison import TAU, checked_comparison, comparison_figure, missed, moving_forces
+from style import agree, run
+from vibration import pair_of_masses, vibration
 
 ETA_M = 40
 ETA_B = "0"
@@ -21,10 +22,21 @@ DISTANCES = ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5")
 CASES = [pair_of_masses(ALPHA, ETA_M, d, ETA_B) for d in DISTANCES]
 
 
+def check() -> None:
+    """The finite beam, the classic steady state, 'excellent agreement', and what cannot replace two masses."""
+    found = checked_comparison(CASES[1])  # d = 1
+    harmonic = vibration(CASES[1], found.tau).w
+    agree(found.harmonic - harmonic, moving_forces(found.case), 1e-9)
+    assert max(missed(case) for case in CASES) < 0.01
+    assert np.abs(found.full - found.harmonic).max() < 0.01 * np.abs(harmonic).max()
+    assert min(np.abs(found.full - other).max() for other in (found.added, found.doubled)) > 1
+    assert found.doubled.max() > 1.2 * found.full.max()  # "noticeably higher"
+
+
 def visualize(path: Path | str = "figure_a1.svg", tau: Any = TAU) -> Path:
     """Writes the picture and returns its path."""
     return comparison_figure(path, CASES, tau)
 
 
 if __name__ == "__main__":
-    run(visualize, "figure_a1")
+    run(check, visualize, "figure_a1")

@@ -13,13 +13,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from style import DOUBLED, LIMIT, SINGLE, greys
+from style import DOUBLED, LIMIT, SINGLE, agree, greys
 
-from mpsolve import Case, cut_points, frequencies
+from mpsolve import Case, certify, cut_points, frequencies
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 
 ALPHA: Any = np.arange(1, 141) / 100
+# Section 4.2, η_M and d: the last velocity ratio of the grid 0.01 with both pairs, all confirmed
+LAST = {
+    40: {"0.5": 0.74, "1": 0.86, "1.5": 0.87, "2": 0.87, "2.5": 0.88, "3": 0.89, "3.5": 0.9, "4": 0.9, "4.5": 0.9},
+    10: {"0.5": 0.37, "1": 0.66, "1.5": 0.72},
+}
 _LEAP = 0.02  # a root farther from where its line points to belongs to another line
 
 
@@ -57,6 +62,23 @@ def lines(eta_m: int, d: str | None, eta_b: str = "0", alpha: Any = ALPHA) -> li
         kept = (found.q.real >= 0) & ((found.q.imag >= 0) | (float(eta_b) > 0))
     joined = join(alpha, [row[keep] for row, keep in zip(found.q, kept, strict=True)])
     return joined if d is None or float(eta_b) else _to_the_cut(joined, eta_m, d, alpha)
+
+
+def end_of_line(eta_m: int, d: str) -> float:
+    """The proved velocity ratio at which the line of the higher pair meets q_lm, without damping."""
+    (end,) = cut_points(0, (eta_m, eta_m), (0, d), alpha=("0.01", "0.99"), digits=15)
+    return float(end.alpha.mid())
+
+
+def drawn(found: Sequence[Line], alpha: float) -> Any:
+    """q of each line at one velocity of the grid, by ascending Re q."""
+    return np.sort([line.q[line.alpha.index(alpha)] for line in found if alpha in line.alpha])
+
+
+def check_lines(found: Sequence[Line], case: Case) -> None:
+    """AssertionError unless the lines at the velocity of the case are all its certified frequencies."""
+    roots = [root.q for root in certify(case, 15).roots if root.q.real > 0 and (case.eta_b or root.q.imag >= 0)]
+    agree(drawn(found, float(case.alpha)), np.sort([complex(q) for q in roots]), 1e-12)
 
 
 def join(alpha: Any, roots: Sequence[Any]) -> list[Line]:

@@ -1,4 +1,4 @@
-"""The paper's way of drawing: greys from light to black as the distance grows, readable in print without colour."""
+"""The paper's way of drawing, greys from light to black as the distance grows; how a figure is checked and run."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from mpsolve.certificate.format import write_whole
 from mpsolve.errors import InputError
@@ -60,6 +62,14 @@ def page(
         write_whole(path, stream.getvalue())
 
 
-def run(visualize: Callable[[Path | str], Path], name: str) -> None:
-    """Draws to the path given on the command line, by default to name.svg in the folder it is called from."""
+def agree(found: Any, truth: Any, error: Any) -> None:
+    """AssertionError, with the numbers, unless found is truth within error; arrays of one shape, or one truth."""
+    found, truth = np.asarray(found), np.asarray(truth)
+    assert found.shape == truth.shape or not truth.ndim, f"{found} and {truth} are not of one shape"
+    assert np.all(np.abs(found - truth) <= error), f"{found} is not {truth} within {error}"
+
+
+def run(check: Callable[[], None], visualize: Callable[[Path | str], Path], name: str) -> None:
+    """Checks, then draws to the path given on the command line, by default to name.svg in the folder of the call."""
+    check()
     print(visualize(sys.argv[1] if len(sys.argv) > 1 else f"{name}.svg"))
