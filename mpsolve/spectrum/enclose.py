@@ -161,9 +161,9 @@ def refine(case: Case, box: Box, digits: int) -> RootBall:
 
 
 def _ladder(last: int) -> list[int]:
-    """Precisions that end at `last` and roughly double."""
+    """Precisions that end at `last` and roughly double, from the image of a box, whose last bits are rounding."""
     steps = [last]
-    while steps[0] > 2 * BASE_BITS:
+    while steps[0] > 2 * (BASE_BITS - 16):
         steps.insert(0, steps[0] // 2 + 16)
     return steps
 

@@ -55,6 +55,16 @@ def test_balls_hold_the_true_root_and_are_sharp(name: str, digits: int) -> None:
         assert relative_radius(ball.q, digits)
 
 
+@named
+def test_no_number_of_digits_is_missed(name: str) -> None:
+    """The ladder of precisions never asks more of a Newton step than the one before has given."""
+    case = Case(**CASES[name])
+    for seed in roots_of(case):
+        box = isolate(case, seed)
+        for digits in (*range(15, 100), *range(100, 400, 13)):
+            assert relative_radius(refine(case, box, digits).q, digits)
+
+
 def test_a_thousand_digits() -> None:
     case = Case(**CASES["two masses"])
     (seed, _) = roots_of(case)
