@@ -14,7 +14,6 @@ from vibration import DIGITS, vibration
 from mpsolve import Case, certify
 from mpsolve.motion import envelope, merged, response, superposition, transient_importance
 from mpsolve.motion.beam import finite_beam
-from mpsolve.threads import one_thread
 
 TAU: Any = np.linspace(0.0, 200.0, 801)
 LAST_DOUBLED = 1.0  # the largest distance at which one doubled mass is shown
@@ -49,8 +48,7 @@ def comparison(case: Case, tau: Any = TAU, tolerance: float = BEAM_TOLERANCE) ->
     found = response(case, None, rear, tau)
     near = float(case.positions[-1]) <= LAST_DOUBLED
     beam_tau = np.linspace(0.0, float(tau[-1]), BEAM_TIMES)
-    with one_thread():
-        beam = finite_beam(case, None, beam_tau, tolerance=tolerance)
+    beam = finite_beam(case, None, beam_tau, tolerance=tolerance)
     return Comparison(
         case,
         tau,

@@ -14,6 +14,7 @@ from mpsolve.model.parameters import Case
 from mpsolve.motion.beam_march import UNKNOWN, Loading, Motion, march
 from mpsolve.motion.beam_modes import Beam
 from mpsolve.motion.grid import checked_times, float_list
+from mpsolve.threads import one_thread
 
 LONGEST_STEP = 0.5
 FEWEST_STEPS = 8
@@ -157,7 +158,7 @@ class Problem:
             beam = Beam(figures.length, figures.modes, self.alpha, self.axial, self.eta_b)
             degree = UNKNOWN + 2 if self.fastest else UNKNOWN
             loading = Loading(self.eta_m, figures.start + self.gaps, self.applied, degree)
-            with np.errstate(over="ignore", invalid="ignore"):
+            with np.errstate(over="ignore", invalid="ignore"), one_thread():
                 answer = self._read(march(beam, loading, self.duration, figures.steps, self.offsets))
             if not np.isfinite(answer.largest):
                 raise InputError("tau", f"reaches {self.duration:g}, where the motion overflows: end earlier")
