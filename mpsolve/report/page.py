@@ -60,6 +60,7 @@ def _context(parts: Parts, stem: str) -> dict[str, Any]:
         "digits": spectrum.digits,
         "roots": [_digits(k, motion, spectrum.digits) for k, motion in enumerate(motions, 1)],
         "spectrum": spectrum,
+        "below_only": spectrum.region == "unstable",
         "plane": plane_pictures(parts),
         "balls": ball_pictures(parts),
         "lines": [] if lines is None else line_pictures(lines, parts),

@@ -18,6 +18,7 @@ from mpsolve.report.data import as_data
 from mpsolve.report.figures_plane import gap_end
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
+from mpsolve.spectrum.certify import Spectrum
 from mpsolve.stability.lines import FrequencyLines, LineEnd
 
 FORMAT = "mpsolve page"
@@ -44,13 +45,22 @@ def proofs(parts: Parts, stem: str) -> tuple[Proof, ...]:
     """The certificates of the roots and of the margins, those that there are."""
     found = []
     if parts.spectrum.certificate is not None:
-        found.append(Proof(f"{stem}.certificate.json", "all induced frequencies", parts.spectrum.certificate))
+        found.append(Proof(f"{stem}.certificate.json", _proves(parts.spectrum), parts.spectrum.certificate))
     for margin in parts.margins:
         if margin.certificate is not None:
             what = {"velocity": "velocities", "mass": "sizes of the masses", "distance": "distances"}[margin.name]
             said = f"where the case is stable, over all {what} of the range"
             found.append(Proof(f"{stem}.{margin.name}.certificate.json", said, margin.certificate))
     return tuple(found)
+
+
+def _proves(spectrum: Spectrum) -> str:
+    """What the certificate of the roots is about: no more than the region that was searched."""
+    if spectrum.region == "sheet":
+        return "all induced frequencies"
+    if spectrum.unstable:
+        return "all induced frequencies with Im q < 0; those with Im q ≥ 0 are not looked for"
+    return "that no induced frequency has Im q < 0; those with Im q ≥ 0 are not looked for"
 
 
 def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:

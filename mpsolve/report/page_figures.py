@@ -47,7 +47,7 @@ def plane_pictures(parts: Parts) -> list[Picture]:
         _picture(
             "plane",
             "The complex q-plane with cuts, branch points, contour and roots",
-            f"{_roots_said(motions)} {_cuts_said(spectrum)}",
+            f"{_roots_said(motions, spectrum)} {_cuts_said(spectrum)}",
             _plane_caption(spectrum),
             lambda ax: q_plane(spectrum, ax),
         )
@@ -57,7 +57,7 @@ def plane_pictures(parts: Parts) -> list[Picture]:
             _picture(
                 "zoom",
                 "The roots enlarged",
-                _roots_said(motions),
+                _roots_said(motions, spectrum),
                 "The roots with Re q ≥ 0 enlarged; each other one is the mirror image −q̄ of one of these.",
                 lambda ax: roots_zoom(motions, physical is not None, ax),
             )
@@ -67,8 +67,9 @@ def plane_pictures(parts: Parts) -> list[Picture]:
             _picture(
                 "contour",
                 "The whole contour to scale",
-                f"{_contour_said(spectrum)}. {_roots_said(motions)}",
-                f"{_contour_said(spectrum)}, beyond which there is proved to be no root.",
+                f"{_contour_said(spectrum)}. {_roots_said(motions, spectrum)}",
+                f"{_contour_said(spectrum)}, beyond which there is proved to be no root"
+                f"{'' if spectrum.region == 'sheet' else ' with Im q < 0'}.",
                 lambda ax: whole_contour(spectrum, ax),
                 _ROUND,
             )
@@ -187,9 +188,13 @@ def _picture(
     return Picture(name, inline_svg(figure_of(draw, size), name, title, description), caption)
 
 
-def _roots_said(motions: tuple[Vibration, ...]) -> str:
+def _roots_said(motions: tuple[Vibration, ...], spectrum: Spectrum) -> str:
     said = "; ".join(_root_said(motions))
-    return f"Roots: {said}." if said else "There is no root."
+    if said:
+        return f"Roots: {said}."
+    if not spectrum.proved:
+        return "No root is certified."
+    return "There is no root." if spectrum.region == "sheet" else "There is no root with Im q < 0."
 
 
 def _root_said(motions: tuple[Vibration, ...]) -> Iterator[str]:
@@ -236,7 +241,8 @@ def _plane_caption(spectrum: Spectrum) -> str:
         if start is None
         else " Dashed: the contour of the count, which runs along both edges of each cut (drawn apart from it)."
     )
-    return f"Induced frequencies q in the complex plane; the shaded half is unstable.{contour}"
+    looked = "" if spectrum.region == "sheet" else " Only those with Im q < 0 were looked for."
+    return f"Induced frequencies q in the complex plane; the shaded half is unstable.{looked}{contour}"
 
 
 def _few(ball: object) -> str:

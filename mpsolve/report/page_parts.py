@@ -83,15 +83,35 @@ def gather(
     spectrum = certify(case, digits, "sheet" if case.cuts_on_line else "unstable", progress=tell)
     found = margins(case, tell)
     say("lines", 0.0)
-    lines = attempted(lambda: _lines(case, line_points))
+    off_line = cuts_said(case)
+    lines: Part[FrequencyLines] = Part(None, off_line) if off_line else attempted(lambda: _lines(case, line_points))
     say("chart", 0.0)
     top = _top(case, _LEAST_TOP)
     factors = factors if case.eta_b else factors[1::3]  # without damping a column takes much longer
     chart = attempted(lambda: case_chart(case, factors, (Exact.parse(0), top), workers=1, progress=tell))
     say("response", 0.0)
     given, said = loads_for(source, loads)
-    motion = attempted(lambda: response(source.case, given, tau=times(spectrum), spectrum=spectrum))
+    motion: Part[Response] = (
+        Part(None, off_line)
+        if off_line
+        else attempted(lambda: response(case, given, tau=times(spectrum), spectrum=spectrum))
+    )
     return Parts(source, spectrum, found, lines, chart, motion, said)
+
+
+def cuts_said(case: Case) -> str:
+    """Why there are no frequency lines and no response where the cuts leave the line Im q = η_b; "" elsewhere."""
+    if case.cuts_on_line:
+        return ""
+    cause = (
+        f"the damping ratio η_b is {case.eta_b.short()}, and from 1 on"
+        if case.overdamped
+        else f"η_N − η_S is {case.axial.short()}, not below √(1 − η_b²), and so"
+    )
+    return (
+        f"{cause} the branch cuts leave the line Im q = η_b; frequency lines and response can be had only where the "
+        "cuts lie on it, with less damping or less compression"
+    )
 
 
 def attempted(work: Callable[[], T]) -> Part[T]:
