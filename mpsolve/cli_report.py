@@ -42,7 +42,6 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> No
         from mpsolve.report.page import report_page
         from mpsolve.report.page_parts import gather
         from mpsolve.report.pdf import browser, save_pdf
-        from mpsolve.report.statement import verdict
         from mpsolve.stability.table import checked_suffix
 
         given = read_input(file)
@@ -62,7 +61,7 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> No
             write_whole(path, page)
             if printer is not None:
                 save_pdf(page, *printer)
-        click.echo("\n".join([verdict(parts.spectrum), str(path), *([] if pdf is None else [str(pdf)])]))
+        click.echo("\n".join([parts.verdict, str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.proved else UNDECIDED)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.report.figures import COLOUR, Look, save_figure
-from mpsolve.stability.chart import GUIDE, Column, StabilityChart
+from mpsolve.stability.chart import Column, StabilityChart
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,7 +36,7 @@ def draw(chart: StabilityChart, ax: Axes, look: Look = COLOUR) -> Axes:
     paint(chart, ax, look)
     ax.set_title("\n".join(filter(None, (chart.title, _fixed(chart)))), loc="left", fontsize=11)
     place: Any = {"loc": "outside lower center", "ncols": 3, "frameon": False}
-    said = textwrap.fill(GUIDE, 110)
+    said = textwrap.fill(chart.guide, 110)
     ax.figure.legend(handles=legend_handles(chart, look), fontsize=9, title=said, title_fontsize=8.5, **place)
     return ax
 

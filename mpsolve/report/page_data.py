@@ -68,6 +68,7 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
 
     format, version  "mpsolve page", 1; a version adds no meaning to a key that is there
     report           the roots: see report/data.py
+    stable, verdict  of the case, by its roots or else by the search of a margin: true, false or null, and a sentence
     q_lm, alpha_C    branch points (float64) and critical velocity ratio (proved); null where the cuts leave the line
     margins          name, status, reason, unit, range, here, below, above, margin, at_least
     lines            alpha, counts and lines with alpha, re, im, ends; or {"undecided": reason}, as below
@@ -83,6 +84,8 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
         "version": VERSION,
         "mpsolve": __version__,
         "report": as_data(spectrum, source.physical, source.title, name),
+        "stable": parts.stable,
+        "verdict": parts.verdict,
         "q_lm": gap_end(source.case),
         "alpha_C": _critical(parts),
         "margins": [margin_data(margin, source) for margin in parts.margins],

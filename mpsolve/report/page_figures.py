@@ -19,7 +19,7 @@ from mpsolve.report.page_parts import Parts
 from mpsolve.report.statement import radius_text
 from mpsolve.report.vibration import Vibration, vibrations, working_bits
 from mpsolve.spectrum.certify import Spectrum
-from mpsolve.stability.chart import GUIDE, StabilityChart
+from mpsolve.stability.chart import StabilityChart
 from mpsolve.stability.lines import FrequencyLines
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ def chart_picture(chart: StabilityChart, parts: Parts) -> Picture:
         "chart",
         "Stability over velocity and mass, with this case marked",
         f"This case: α = {case.alpha.short()}, factor 1. Where stability changes: {'; '.join(columns)}.",
-        f"The number of unstable roots over the velocity, for all masses together scaled up or down. {GUIDE}",
+        f"The number of unstable roots over the velocity, for all masses together scaled up or down. {chart.guide}",
         lambda ax: stability_map(chart, case, ax, parts.source.physical),
         _TALL,
     )

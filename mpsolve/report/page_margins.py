@@ -35,7 +35,8 @@ class Margin:
     name: "velocity" (values α), "mass" (all masses by a common factor; the case is 1) or "distance" (of neighbours).
     low, high: the range that was searched (high None: infinity). None below or above: proved that stability does not
     change there, if `proved`; else open, with the `reason`; free: the range around `here` in which it is proved all
-    the same that stability does not change. applies: False where the question has no meaning.
+    the same that stability does not change. applies: False where the question has no meaning. stable: whether the
+    case itself is proved to be stable by the search, None where it does not tell.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Margin:
     applies: bool = True
     certificate: Certificate | None = None
     free: tuple[Any, Any] | None = None
+    stable: bool | None = None
 
     @property
     def at_least(self) -> Any | None:
@@ -99,7 +101,9 @@ def mass_margin(case: Case, tell: Tell | None = None) -> Margin:
     with ball_arithmetic(_BITS):
         ends, here = _mass_ends(found), Exact.parse(1).ball()
         below, above, reason = _around(here, ends, ())
-    return Margin("mass", here, below, above, low, None, not reason, reason, certificate=found.certificate)
+        stable = None if reason else _stable_among(found, here)
+    certificate = found.certificate
+    return Margin("mass", here, below, above, low, None, not reason, reason, certificate=certificate, stable=stable)
 
 
 def distance_margin(case: Case, tell: Tell | None = None) -> Margin:
@@ -118,7 +122,8 @@ def distance_margin(case: Case, tell: Tell | None = None) -> Margin:
     if not case.eta_b:  # below α_C the energy in the moving frame is conserved and positive, whatever the distance
         reason = "" if below_critical(case) else "without damping and from alpha_C on it is not looked for: give some"
         with ball_arithmetic(_BITS):
-            return Margin("distance", d.ball(), None, None, Exact.parse(0), None, not reason, reason)
+            zero, stable = Exact.parse(0), None if reason else True
+            return Margin("distance", d.ball(), None, None, zero, None, not reason, reason, stable=stable)
     return _of_ranges(
         "distance", d, low, high, lambda: unstable_ranges(Family(case, "distance"), low, high, DIGITS, tell)
     )
@@ -135,8 +140,9 @@ def _of_ranges(name: str, here: Exact, low: Exact, high: Exact, search: Callable
     with ball_arithmetic(_BITS):
         below, above, reason = _around(ball, ends, found.unknown)
         free = _free(ball, [low.ball(), *ends, high.ball()], found.unknown) if reason else None
+        stable = _stable_within(found, ball)
     reason = reason and (found.reason or reason)
-    return Margin(name, ball, below, above, low, high, not reason, reason, certificate=found.certificate, free=free)
+    return Margin(name, ball, below, above, low, high, not reason, reason, True, found.certificate, free, stable)
 
 
 def _around(here: Any, ends: Iterable[Any], unknown: tuple[tuple[float, float], ...]) -> tuple[Any, Any, str]:
@@ -163,6 +169,27 @@ def _free(here: Any, ends: list[Any], unknown: tuple[tuple[float, float], ...]) 
     if not left or not right or any(not (end < here or end > here) for end in ends):
         return None
     return max(left, key=lambda end: float(end.mid())), min(right, key=lambda end: float(end.mid()))
+
+
+def _stable_within(found: UnstableRanges, here: Any) -> bool | None:
+    """Whether `here` lies in none of the unstable ranges, as they prove; None if it may lie in an open part."""
+    for start, stop in found.unknown:
+        if not (_widened(stop) < here or _widened(start) > here):
+            return None
+    if any(one.start < here < one.end for one in found):
+        return False
+    return True if all(one.end < here or one.start > here for one in found) else None
+
+
+def _widened(end: float) -> Any:
+    """A ball around the float64 end of an open part that holds the end itself."""
+    return arb(end, abs(end) * 2.0**-50)
+
+
+def _stable_among(found: CrossingMasses, here: Any) -> bool | None:
+    """Whether no root is unstable between the crossings on both sides of `here`; none of them may meet it."""
+    count = found.counts[sum(bool(one.eta < here) for one in found)]
+    return None if count is None or any(one.eta.overlaps(here) for one in found) else not count
 
 
 def _is(end: Any, last: Exact | None) -> bool:

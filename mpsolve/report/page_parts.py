@@ -17,6 +17,8 @@ from mpsolve.model.parameters import Case
 from mpsolve.motion.solve import Response, response
 from mpsolve.report.answer import Source
 from mpsolve.report.page_margins import Margin, margins
+from mpsolve.report.remedies import for_reader
+from mpsolve.report.statement import verdict
 from mpsolve.spectrum.certify import Spectrum, certify
 from mpsolve.stability.chart import StabilityChart, case_chart
 from mpsolve.stability.lines import FrequencyLines, frequency_lines
@@ -57,6 +59,29 @@ class Parts:
     chart: Part[StabilityChart]
     response: Part[Response]
     loads_said: str
+
+    @property
+    def stable(self) -> bool | None:
+        """Whether the case is stable: by its roots, or where these are undecided by the search of a margin."""
+        if self.spectrum.stable is not None:
+            return self.spectrum.stable
+        return None if self.witness is None else self.witness.stable
+
+    @property
+    def witness(self) -> Margin | None:
+        """The margin that proves whether the case is stable, where the roots do not."""
+        tells = (one for one in self.margins if one.stable is not None)
+        return next(tells, None) if self.spectrum.stable is None else None
+
+    @property
+    def verdict(self) -> str:
+        """One sentence that begins with STABLE, UNSTABLE or UNDECIDED."""
+        if self.witness is None:
+            return for_reader(verdict(self.spectrum), "roots")
+        by = f"as the search for the margin in {self.witness.name} proves; the roots themselves are undecided"
+        if self.stable:
+            return f"STABLE: no root has Im q < 0, {by}."
+        return f"UNSTABLE: a root has Im q < 0, so the vibration grows without bound, {by}."
 
     @property
     def proved(self) -> bool:

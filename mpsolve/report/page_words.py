@@ -10,6 +10,7 @@ from mpsolve.model.exact import Exact
 from mpsolve.report.answer import Source, number
 from mpsolve.report.digits import proved_digits
 from mpsolve.report.page_margins import Margin
+from mpsolve.report.remedies import for_reader
 
 _PLACES = 5
 _BITS = 160
@@ -20,7 +21,7 @@ _QUESTION = {
     "distance": "Distance of neighbouring masses",
 }
 
-_STATE = {True: "stable", False: "unstable", None: "the same"}
+_STATE = {True: "stable", False: "unstable"}
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,8 @@ def card(margin: Margin, source: Source, stable: bool | None) -> Card:
     """The margin to the nearest change of stability; stable: of the case itself, None where undecided."""
     question = _QUESTION[margin.name]
     if not margin.applies:
-        return Card(margin.name, question, "none", f"Does not apply: {margin.reason}.", "none")
+        reason = for_reader(margin.reason, margin.name)
+        return Card(margin.name, question, "none", f"Does not apply: {reason}.", "none")
     if not margin.proved:
         return _open(margin, source, stable)
     with ball_arithmetic(_BITS):
@@ -53,13 +55,14 @@ def card(margin: Margin, source: Source, stable: bool | None) -> Card:
 
 def _open(margin: Margin, source: Source, stable: bool | None) -> Card:
     """What is proved all the same of a margin that is open, and why it is."""
-    question, reason = _QUESTION[margin.name], margin.reason[:1].upper() + margin.reason[1:]
+    question, reason = _QUESTION[margin.name], for_reader(margin.reason, margin.name)
+    reason = reason[:1].upper() + reason[1:]
     with ball_arithmetic(_BITS):
         least = margin.at_least
         if margin.free is None or least is None:
             return Card(margin.name, question, "undecided", f"{reason}.", "undecided")
         low, high = (_value(margin, source, end) for end in margin.free)
-        said = f"The case stays {_STATE[stable]} from {low} to {high}; what happens beyond is undecided. {reason}."
+        said = f"{_stays(stable)} from {low} to {high}; what happens beyond is undecided. {reason}."
         return Card(margin.name, question, f"at least {_shift(margin, source, least)}", said, "undecided")
 
 
@@ -148,12 +151,18 @@ def _changes(margin: Margin, source: Source, stable: bool | None) -> str:
 
 
 def _nothing(margin: Margin, source: Source, stable: bool | None) -> str:
-    state = _STATE[stable]
     if margin.high is None:
         whole = {"mass": "for every size of the masses", "distance": "at every distance"}[margin.name]
-        return f"The case is {state} {whole}, so there is no limit."
+        return f"{_stays(stable)} {whole}, so there is no limit."
     low, high = (_value(margin, source, end.ball()) for end in (margin.low, margin.high))
-    return f"The case stays {state} all the way from {low} to {high}, the range that was searched."
+    return f"{_stays(stable)} all the way from {low} to {high}, the range that was searched."
+
+
+def _stays(stable: bool | None) -> str:
+    """What does not change over a range."""
+    if stable is None:
+        return "Whether the case is stable or unstable is undecided, but it is one of the two throughout,"
+    return f"The case stays {_STATE[stable]}"
 
 
 def here_text(margin: Margin, source: Source) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from dataclasses import replace
 from fractions import Fraction
 from html.parser import HTMLParser
@@ -27,6 +28,7 @@ from mpsolve.report.page import report_page
 from mpsolve.report.page_margins import Margin, _free, distance_margin, mass_margin, velocity_margin
 from mpsolve.report.page_parts import Part, Parts, gather, loads_for, times
 from mpsolve.report.page_words import card, margin_data
+from mpsolve.report.remedies import ADVICE, for_reader
 from mpsolve.stability.chart import case_chart
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
@@ -171,6 +173,41 @@ def test_a_margin_that_is_open_says_how_far_stability_is_proved_all_the_same(alp
         said = margin_data(found, Source(case, None, ""))["at_least"]
     assert said is not None
     assert float(said["parameter"]["value"]) == pytest.approx(float(found.at_least))
+
+
+def test_a_margin_may_prove_stability_where_the_roots_are_undecided() -> None:
+    """Below α_C and without damping the energy decides, however near α_C is; above it, only what is proved counts."""
+    for alpha, expected in (("0.99999", True), ("1", None)):
+        case = Case(alpha=alpha, eta_b=0, eta_m=70)
+        spectrum = certify(case)
+        margins = (velocity_margin(case), mass_margin(case), distance_margin(case))
+        none: Part[Any] = Part(None, "left out")
+        found = Parts(Source(case, None, ""), spectrum, margins, none, none, none, "")
+        assert not spectrum.proved
+        assert (margins[0].stable, margins[1].stable, found.stable) == (expected,) * 3
+        assert found.verdict.startswith("STABLE: " if expected else "UNDECIDED: ")
+        page = Page(report_page(found, "x"))
+        assert ("The verdict: No root has Im q < 0" in page.under("proof")) is (expected is True)
+        assert json.loads(page.under("data"))["stable"] is expected
+        assert ("The case stays stable for every size" in page.under("verdict")) is (expected is True)
+        assert not found.proved
+
+
+@pytest.mark.parametrize(("alpha", "grows"), [("0.66", False), ("0.67", True)])
+def test_what_the_margins_say_of_the_case_is_what_a_count_says(alpha: str, grows: bool) -> None:
+    case = replace(CASE, alpha=Exact.parse(alpha))
+    assert unstable(case) is grows
+    assert {margin(case).stable for margin in (velocity_margin, mass_margin, distance_margin)} == {not grows}
+
+
+def test_what_helps_can_be_done_on_the_command_line() -> None:
+    """No remedy for library users is left, and every command and option that is named exists."""
+    for part, said in ADVICE.items():
+        assert for_reader("why: allow a larger budget", part) == f"why: {said}"
+        assert for_reader("two masses: lower the velocity", part) == "two masses: lower the velocity"
+        for words in re.findall(r"mpsolve ([a-z-]+)((?: FILE)?(?: --[a-z]+(?:[ =][A-Z0-9][A-Z0-9_,]*)?)*)", said):
+            known = {name for one in cli.commands[words[0]].params for name in one.opts}
+            assert set(re.findall(r"--[a-z]+", words[1])) <= known
 
 
 def test_what_is_open_at_the_case_itself_is_proved_nowhere() -> None:
@@ -339,7 +376,9 @@ def test_an_overdamped_case_has_a_page_too() -> None:
     everything = page.under("data") + " ".join(
         page.under(name) for name in ("roots", "plane", "proof", "certificate")
     )
-    assert not [said for said in ("There is no", "all induced frequencies", "region=") if said in everything]
+    assert not [
+        said for said in ("There is none", "no root.", "all induced frequencies", "region=") if said in everything
+    ]
     with ball_arithmetic(64):
         assert found.spectrum.region == "unstable"
 
