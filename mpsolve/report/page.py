@@ -20,7 +20,7 @@ from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import Card, card, here_text
 from mpsolve.report.remedies import for_reader
 from mpsolve.report.statement import ASSUMED, limits, proved
-from mpsolve.report.text import beam_rows, motion_rows, ratio_rows, shown
+from mpsolve.report.text import beam_rows, in_words, motion_rows, ratio_rows, shown
 from mpsolve.report.vibration import Vibration, vibrations, working_bits
 
 TEMPLATE = "page.html.j2"
@@ -99,9 +99,7 @@ def _beam(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
 
 def _motion(row: tuple[str, ...], unit: str) -> tuple[str, str, str, str]:
     """Name, frequency, growth rate, and what the vibration does, in which time."""
-    name, frequency, rate, time, doing = row
-    trend, bracket, several = doing.partition(" (")
-    return name, frequency, rate, f"{trend}{f' in {time} {unit}' if time else ''}{bracket}{several}"
+    return row[0], row[1], row[2], in_words(row, unit)
 
 
 def _cards(parts: Parts) -> Iterable[Card]:

@@ -98,6 +98,14 @@ def test_the_plane_shows_roots_branch_points_and_halves() -> None:
     assert low < min(float(root.q.imag) for root in SPECTRUM.roots) < 0.05 < high
 
 
+@pytest.mark.parametrize(("alpha", "said"), [("0.67", ["−", ""]), ("0.99", ["±"])])
+def test_branch_points_that_are_close_share_a_label(alpha: str, said: list[str]) -> None:
+    close = certify(Case(alpha=alpha, eta_b="0.1", eta_m=(70, 70), positions=(0, "1.2")))
+    figure = figure_of(lambda ax: figures_plane.q_plane(close, ax))
+    labels = [text.get_text() for text in figure.axes[0].texts if "q_{lm}" in text.get_text()]
+    assert labels == [f"{sign}$q_{{lm}}$ + i$η_b$" for sign in said]
+
+
 def test_joined_cuts_have_no_branch_point() -> None:
     spectrum = certify(Case(alpha="1.2", eta_b="0.05", eta_m=10))
     (ax,) = figure_of(lambda ax: figures_plane.q_plane(spectrum, ax)).axes
