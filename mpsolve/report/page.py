@@ -16,6 +16,7 @@ from mpsolve.report.digits import decimal
 from mpsolve.report.html_environment import rendered_template
 from mpsolve.report.page_data import Proof, page_data, proofs
 from mpsolve.report.page_figures import ball_pictures, chart_picture, line_pictures, plane_pictures, response_pictures
+from mpsolve.report.page_loads import load_rows
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import Card, card, here_text
 from mpsolve.report.remedies import for_reader
@@ -56,6 +57,7 @@ def _context(parts: Parts, stem: str) -> dict[str, Any]:
         "cards": list(_cards(parts)),
         "here": {margin.name: here_text(margin, source) for margin in parts.margins},
         "beam": None if source.physical is None else list(_beam(source.physical)),
+        "loads": list(load_rows(source, parts.loads)),
         "ratios": [*ratio_rows(source.case), *_limit_rows(parts)],
         "motions": [_motion(row, "τ" if source.physical is None else "s") for row in motion_rows(motions)],
         "units": ("1/τ", "1/τ") if source.physical is None else ("Hz", "1/s"),

@@ -16,6 +16,7 @@ from mpsolve.motion.solve import Response
 from mpsolve.report.answer import number
 from mpsolve.report.data import as_data
 from mpsolve.report.figures_plane import gap_end
+from mpsolve.report.page_loads import load_data
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
 from mpsolve.spectrum.certify import Spectrum
@@ -74,6 +75,8 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
     lines            alpha, counts and lines with alpha, re, im, ends; or {"undecided": reason}, as below
     chart            as `mpsolve chart -o chart.json` writes it
     response         t, w, steady, envelope, contact_force, contact_loss and their units, loads; float64
+    loads            of each mass, constant + amplitude · sin(frequency · τ + phase) in units of 1 N or of the unit
+                     force, as exact texts under these names
     certificates     file, sha256, what it proves
     """
     source, spectrum = parts.source, parts.spectrum
@@ -96,6 +99,7 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
         "response": _undecided(parts.response.reason)
         if parts.response.value is None
         else _response(parts.response.value, Scale.of(source.physical), parts.loads_said),
+        "loads": load_data(parts.loads),
         "certificates": listed,
     }
 

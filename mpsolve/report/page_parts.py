@@ -49,7 +49,7 @@ class Part(Generic[T]):
 class Parts:
     """The parts of the report of one case.
 
-    loads_said: what loads the response is computed for, in words.
+    loads: what the response is computed for, in units of 1 N for a physical case; loads_said: the same in words.
     """
 
     source: Source
@@ -58,6 +58,7 @@ class Parts:
     lines: Part[FrequencyLines]
     chart: Part[StabilityChart]
     response: Part[Response]
+    loads: tuple[Load, ...]
     loads_said: str
 
     @property
@@ -121,7 +122,7 @@ def gather(
         if off_line
         else attempted(lambda: response(case, given, tau=times(spectrum), spectrum=spectrum))
     )
-    return Parts(source, spectrum, found, lines, chart, motion, said)
+    return Parts(source, spectrum, found, lines, chart, motion, given, said)
 
 
 def cuts_said(case: Case) -> str:

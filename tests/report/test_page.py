@@ -20,11 +20,13 @@ from mpsolve.cli import cli
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load
+from mpsolve.model.parameters import Mass
 from mpsolve.report import page_parts
 from mpsolve.report.answer import Source
 from mpsolve.report.data import as_data
 from mpsolve.report.html_environment import with_subscripts
 from mpsolve.report.page import report_page
+from mpsolve.report.page_loads import load_rows
 from mpsolve.report.page_margins import Margin, _free, distance_margin, mass_margin, velocity_margin
 from mpsolve.report.page_parts import Part, Parts, gather, loads_for, times
 from mpsolve.report.page_words import card, margin_data
@@ -182,7 +184,7 @@ def test_a_margin_may_prove_stability_where_the_roots_are_undecided() -> None:
         spectrum = certify(case)
         margins = (velocity_margin(case), mass_margin(case), distance_margin(case))
         none: Part[Any] = Part(None, "left out")
-        found = Parts(Source(case, None, ""), spectrum, margins, none, none, none, "")
+        found = Parts(Source(case, None, ""), spectrum, margins, none, none, none, (), "")
         assert not spectrum.proved
         assert (margins[0].stable, margins[1].stable, found.stable) == (expected,) * 3
         assert found.verdict.startswith("STABLE: " if expected else "UNDECIDED: ")
@@ -391,6 +393,29 @@ def test_loads() -> None:
     weight, said = loads_for(Source(PHYSICAL.dimensionless, PHYSICAL, ""), None)
     assert float(weight[0].constant) == 9806.65
     assert "its own weight" in said
+
+
+def test_the_page_holds_the_loads_from_which_its_response_can_be_had_again(parts: Parts) -> None:
+    mass = Mass(1000, 0, P="9806.65", P_A=500, omega_f="125.5", phi_f="0.5")
+    physical = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=300, c=9000, masses=[mass])
+    source = Source(physical.dimensionless, physical, "")
+    given, said = loads_for(source, None)
+    page = Page(report_page(replace(parts, source=source, loads=given, loads_said=said), "x"))
+    shown = page.under("case")
+    for row in ("P19806.65 N", "PA1500 N", "ωf1125.5 rad/s", "φf10.5 rad"):
+        assert row in shown
+    data = json.loads(page.under("data"))
+    assert tuple(Load(**one) for one in data["loads"]) == given
+    assert Mass(**data["report"]["physical"]["mass"][0]) == mass
+
+
+def test_the_loads_in_words_and_numbers() -> None:
+    weights = loads_for(Source(PHYSICAL.dimensionless, PHYSICAL, ""), None)[0]
+    (row,) = load_rows(Source(PHYSICAL.dimensionless, PHYSICAL, ""), weights)
+    assert row == ("P1", "9806.65 N", "weight of mass 1, for no force is given")
+    rows = list(load_rows(Source(CASE, None, ""), (Load(), Load("0.5", "0.1", "0.3"))))
+    assert [name for name, _, _ in rows] == ["η_C1", "η_C2", "η_A2", "ω̂_f2", "φ2"]
+    assert [value for _, value, _ in rows] == ["1", "0.5", "0.1", "0.3 per unit of τ", "0 rad"]
 
 
 def test_the_times_follow_the_roots() -> None:
