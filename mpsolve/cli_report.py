@@ -28,6 +28,9 @@ from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
 def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> None:
     """Write a page about the case in FILE (TOML): verdict, margins, roots, figures, response, certificates.
 
+    The response is that to the loads of the file: P, P_A, omega_f, phi_f of each [[mass]], or constant, amplitude,
+    frequency, phase of each [[load]] beside [dimensionless]; without any, to weights or unit forces.
+
     The page is one HTML file that needs no network. It takes about a minute. Exit status 0: all that can be asked of
     the case is proved, stable or not. 1: a part is undecided, as the page says, or the page could not be written.
     2: the input cannot be used.
