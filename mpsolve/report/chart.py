@@ -15,7 +15,15 @@ if TYPE_CHECKING:
 
 _OPEN, _HATCH = "#BBBBBB", "#666666"
 _LINE = "#444444"
-_SYMBOLS = {"eta_m": "$η_M$", "d": "$d$", "eta_b": "$η_b$", "eta_n": "$η_N$", "eta_s": "$η_S$", "masses": "masses"}
+SYMBOLS = {
+    "alpha": "$α$",
+    "eta_m": "$η_M$",
+    "d": "$d$",
+    "eta_b": "$η_b$",
+    "eta_n": "$η_N$",
+    "eta_s": "$η_S$",
+    "masses": "masses",
+}
 _AXES = {
     "eta_m": "mass ratio $η_M$ of each mass",
     "d": "distance $d$ of neighbouring masses, in units of $1/χ$",
@@ -105,7 +113,7 @@ def _apart(a: tuple[float, float], b: tuple[float, float]) -> float:
 
 
 def _fixed(chart: StabilityChart) -> str:
-    return ", ".join(f"{_SYMBOLS[name]} = {value}" for name, value in chart.fixed.items())
+    return ", ".join(f"{SYMBOLS[name]} = {value}" for name, value in chart.fixed.items())
 
 
 def legend_handles(chart: StabilityChart, look: Look = COLOUR) -> list[Any]:
