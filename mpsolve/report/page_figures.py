@@ -108,8 +108,7 @@ def line_pictures(lines: FrequencyLines, parts: Parts) -> list[Picture]:
             "Frequencies over the velocity ratio",
             said,
             "Re q of every induced frequency over the velocity. Points are certified roots; two are joined only "
-            "where one is proved to continue to the other. A ring: proved to begin or end at the cut within the "
-            "step beyond it.",
+            f"where one is proved to continue to the other. {_ends_said(lines)}",
             lambda ax: line_frequencies(lines, ax, spectrum, physical),
             _TALL,
         ),
@@ -219,6 +218,14 @@ def _lines_said(lines: FrequencyLines) -> str:
         f"to α = {line.alpha[-1].short()} with {_place(line.q[-1])}."
         for k, line in enumerate(lines, 1)
     )
+
+
+def _ends_said(lines: FrequencyLines) -> str:
+    """What the rings mean, and that an end without one is open."""
+    kinds = {end.kind for line in lines for end in line.ends}
+    ring = "A ring: proved to begin or end at the cut within the step beyond it." if "cut" in kinds else ""
+    bare = "How a line goes on that ends within the range without a ring is not proved." if "open" in kinds else ""
+    return f"{ring} {bare}".strip()
 
 
 def _place(q: Any) -> str:

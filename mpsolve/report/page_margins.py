@@ -23,7 +23,8 @@ from mpsolve.stability.velocities import UnstableRanges, unstable_ranges, unstab
 
 DIGITS = 20
 _BITS = 160
-_LEAST_VELOCITY = Fraction(7, 5)  # the range of velocity ratios reaches at least so far
+_LEAST_VELOCITY = Fraction(7, 5)  # the range of velocity ratios reaches at least so far,
+_FEWER = Fraction(1)  # or so far for more than two masses, for which each range takes much longer
 _HEADROOM = Fraction(5, 4)
 _NEAREST, _FARTHEST = Fraction(1, 5), 4  # distances, in units of that of the case
 
@@ -73,14 +74,24 @@ def margins(case: Case, tell: Tell | None = None) -> tuple[Margin, Margin, Margi
 
 
 def velocity_margin(case: Case, tell: Tell | None = None) -> Margin:
-    """All else as it is, from rest up to at least α = 1.4 and 5/4 of the case's own α."""
-    low, high = Exact.parse(0), _decimal_above(max(_LEAST_VELOCITY, Fraction(float(case.alpha)) * _HEADROOM))
+    """All else as it is, from rest up to 5/4 of the case's own α, and to `least_top` at least."""
+    low, high = Exact.parse(0), _decimal_above(max(least_top(case), Fraction(float(case.alpha)) * _HEADROOM))
 
     def search() -> UnstableRanges:
         model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
         return unstable_velocities(*model, (low, high), DIGITS, tell)
 
     return _of_ranges("velocity", case.alpha, low, high, search)
+
+
+def least_top(case: Case) -> Fraction:
+    """How far a range of velocity ratios reaches at least: 1.4, and 1 for more than two places of masses."""
+    return _FEWER if places(case) > 2 else _LEAST_VELOCITY
+
+
+def places(case: Case) -> int:
+    """The number of places at which there are masses."""
+    return len(set(case.positions))
 
 
 def mass_margin(case: Case, tell: Tell | None = None) -> Margin:

@@ -26,4 +26,4 @@ ADVICE["response"] = ADVICE["roots"]
 
 def for_reader(reason: str, part: str) -> str:
     """The reason with what helps on the command line; `part` is a key of `ADVICE`, FILE the input of the page."""
-    return _FOR_LIBRARY.sub(ADVICE[part], reason)
+    return _FOR_LIBRARY.sub(ADVICE[part], reason).replace("alpha_C", "α_C")

@@ -385,6 +385,19 @@ def test_an_overdamped_case_has_a_page_too() -> None:
         assert found.spectrum.region == "unstable"
 
 
+def test_more_masses_have_fewer_velocities_and_columns() -> None:
+    """So that a page takes no more than some minutes; the case's own masses are always among the columns."""
+    cases = [Case(alpha="0.5", eta_b="0.05", eta_m=[10] * n, positions=range(n)) for n in (1, 2, 3, 4, 5)]
+    points = [page_parts.points_of(case) for case in cases]
+    columns = [page_parts.factors_of(case) for case in cases]
+    assert points == sorted(points, reverse=True)
+    assert points[0] == points[1] > points[2] > points[3] == points[4] > 1
+    assert all(1 in one for one in columns)
+    assert [len(one) for one in columns] == [15, 15, 3, 1, 1]
+    together = replace(cases[2], positions=(Exact(0), Exact(1), Exact(1)))
+    assert page_parts.points_of(together) == points[1]  # two masses at one place are one
+
+
 def test_loads() -> None:
     """Those of the input; the weight where a physical case has none; one unit each for a dimensionless case."""
     given = (Load(constant=3),)
@@ -464,6 +477,7 @@ def test_notebooks_show_spectra_responses_and_tables(parts: Parts) -> None:
     assert [len(one.all("svg")) for one in shown] == [1, 1, 0]
     assert shown[0].all("strong")[0][1].startswith(("STABLE", "UNSTABLE"))
     assert len(shown[0].all("tr")) == 1 + len([r for r in parts.spectrum.roots if not r.q.real < 0])
+    assert re.search(r"(halves|doubles) in [\d.]+ τ", shown[0].all("table")[0][1])
     assert "not proved" in shown[1].all("div")[0][1]
     assert shown[2].all("strong")[0][1] == "A <title>"
     assert "too & close" in shown[2].all("div")[0][1]
