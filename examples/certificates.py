@@ -8,6 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, certify, read_case
+from mpsolve.report.figures import save_figure
+from mpsolve.report.figures_plane import q_plane
 
 HERE = Path(__file__).resolve().parent
 FOLDER = HERE.parent / "certs"
@@ -44,6 +46,11 @@ DIGITS = {"thousand_digits": 1000}
 def prove(name: str) -> Spectrum:
     """The certified spectrum of one of the cases."""
     return certify(CASES[name], digits=DIGITS.get(name, 30), region=REGIONS.get(name, "sheet"))  # type: ignore[arg-type]
+
+
+def visualize(path: Path | str = "certificate.svg", name: str = "unstable_d1.5_alpha0.67") -> Path:
+    """Writes the q-plane of one of the cases, proved anew, with its certified roots; returns the path."""
+    return save_figure(lambda ax: q_plane(prove(name), ax), path)
 
 
 def main() -> None:

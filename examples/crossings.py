@@ -5,10 +5,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 from mpsolve import critical_distance, crossing_masses, onset_velocity, unstable_velocities
+from mpsolve.report.figures import COLOUR, save_figure
 
 FOLDER = Path(__file__).resolve().parent.parent / "certs"
 
@@ -24,6 +26,29 @@ RESULTS: dict[str, Callable[[], object]] = {
     # the line just above the least imaginary part: it is global
     "critical_distance_eta_b0.5": lambda: critical_distance("0.99", "0.5", 70, d=("0.5", 2)),
 }
+
+
+VELOCITIES = ("onset_d1.0_eta70", "onset_d1.5_eta70", "onset_single_mass_eta70", "windows_d1.5_eta50")
+
+
+def draw(ax: Any, names: Sequence[str] = VELOCITIES) -> Any:
+    """A bar for the velocity ratios that each of these results searched, filled where it proves growth; the axes."""
+    for k, name in enumerate(names):
+        result: Any = RESULTS[name]()
+        ranges = getattr(result, "ranges", result)  # an onset is the first end of ranges
+        low, high = float(ranges.start), float(ranges.end)
+        ax.barh(k, high - low, left=low, height=0.5, facecolor=COLOUR.counts[0], edgecolor=COLOUR.ink)
+        for one in ranges:
+            start, end = float(one.start), float(one.end)
+            ax.barh(k, end - start, left=start, height=0.5, color=COLOUR.unstable, gid=name)
+    ax.set(xlabel="velocity ratio α that is searched; filled: unstable", ylim=(len(names) - 0.5, -0.5))
+    ax.set_yticks(range(len(names)), names)
+    return ax
+
+
+def visualize(path: Path | str = "velocities.svg", names: Sequence[str] = VELOCITIES) -> Path:
+    """Proves these results anew, writes their picture and returns its path."""
+    return save_figure(lambda ax: draw(ax, names), path, (7.0, 0.6 + 0.6 * len(names)))
 
 
 def main() -> None:

@@ -60,6 +60,8 @@ def cli() -> None:
 def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | None) -> None:
     """Find, count and prove every induced frequency of the case in FILE (TOML), and write a certificate.
 
+    The forces that FILE may give (P, P_A, omega_f, phi_f of [[mass]], or [[load]]) have no part in it.
+
     Exit status 0: proved, stable or not. 1: undecided, with the reason and what helps, or the certificate
     could not be written. 2: the input cannot be used.
     """

@@ -30,10 +30,11 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 def response(file: Path, output: Path, end: str, points: int, xi: str | None) -> None:
     """Compute the motion from rest of the case in FILE (TOML), in float64 over certified frequencies.
 
-    The loads are those of the file. Without any, each mass carries its weight, or, in a dimensionless file, one unit
-    constant force. A physical file gives s, mm and kN; a dimensionless one τ = √(k/m) t, displacements in units of
-    w_st = χ/(2k) times the unit force, and forces in unit forces. Exit status 0: written. 1: it could not be computed
-    or written. 2: the input cannot be used.
+    The loads are those of the file: P, P_A, omega_f, phi_f of each [[mass]], or constant, amplitude, frequency, phase
+    of each [[load]] beside [dimensionless]. Without any, each mass carries its weight, or one unit constant force. A
+    physical file gives s, mm and kN; a dimensionless one τ = √(k/m) t, displacements in units of w_st = χ/(2k) times
+    the unit force, and forces in unit forces. Exit status 0: written. 1: it could not be computed or written. 2: the
+    input cannot be used.
     """
     with one_sentence():
         kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)

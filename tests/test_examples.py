@@ -62,3 +62,16 @@ def test_certificates_are_those_of_the_cases_and_valid() -> None:
         stored = json.loads(files[name].read_text("ascii"))
         assert spectrum.certificate.content["roots"] == stored["roots"]
         assert spectrum.certificate.content["claim"] == stored["claim"]
+
+
+def test_the_certificates_are_drawn(tmp_path: Path) -> None:
+    file = load("certificates").visualize(tmp_path / "plane.svg", "stable_d1.5_alpha0.66")
+    assert file.read_text("utf-8").count('id="root-') == 4
+
+
+def test_the_unstable_velocities_are_drawn() -> None:
+    """One onset and one window, at the velocity ratios that certs/ holds."""
+    ax = load("crossings").draw(Figure().add_subplot(), ("onset_d1.0_eta70", "windows_d1.5_eta50"))
+    bars = [bar for bar in ax.patches if bar.get_gid()]
+    assert [bar.get_gid() for bar in bars] == ["onset_d1.0_eta70", *["windows_d1.5_eta50"] * 2]
+    assert [round(bar.get_x(), 4) for bar in bars] == [0.9620, 0.6958, 0.9672]

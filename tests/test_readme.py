@@ -12,6 +12,7 @@ from click.testing import CliRunner
 
 import mpsolve
 from mpsolve.cli import cli
+from mpsolve.model.inputfile import _DIMENSIONLESS, _LOAD, _MASS, _PHYSICAL, read_input
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
@@ -66,3 +67,17 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         paths = [str(p) for w in words for p in (sorted(tmp_path.glob(w)) if "*" in w else [w])]
         result = CliRunner().invoke(cli, paths)
         assert result.exit_code == 0, f"{command}: {result.output[-500:]}"
+
+
+def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
+    shown = re.findall(r"```toml\n(.*?)```", README, flags=re.DOTALL)
+    assert len(shown) == 2
+    for text, known in zip(shown, ((_PHYSICAL, _MASS), (_DIMENSIONLESS, _LOAD)), strict=True):
+        file = tmp_path / "case.toml"
+        file.write_text(text, "utf-8")
+        assert read_input(file).title in ("One axle", "")
+        keys = set(re.findall(r"^(\w+) +=", text, flags=re.MULTILINE))
+        assert keys - {"title"} == {*known[0], *known[1]}
+    for command in ("response", "report"):
+        said = cli.commands[command].help or ""
+        assert [name for name in (*list(_MASS)[2:], *_LOAD) if name not in said] == []

@@ -8,14 +8,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.report.figures import COLOUR, Look, save_figure
-from mpsolve.stability.chart import GUIDE, Column, StabilityChart
+from mpsolve.stability.chart import Column, StabilityChart
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _OPEN, _HATCH = "#BBBBBB", "#666666"
 _LINE = "#444444"
-_SYMBOLS = {"eta_m": "$η_M$", "d": "$d$", "eta_b": "$η_b$", "eta_n": "$η_N$", "eta_s": "$η_S$", "masses": "masses"}
+SYMBOLS = {
+    "alpha": "$α$",
+    "eta_m": "$η_M$",
+    "d": "$d$",
+    "eta_b": "$η_b$",
+    "eta_n": "$η_N$",
+    "eta_s": "$η_S$",
+    "masses": "masses",
+}
 _AXES = {
     "eta_m": "mass ratio $η_M$ of each mass",
     "d": "distance $d$ of neighbouring masses, in units of $1/χ$",
@@ -36,7 +44,7 @@ def draw(chart: StabilityChart, ax: Axes, look: Look = COLOUR) -> Axes:
     paint(chart, ax, look)
     ax.set_title("\n".join(filter(None, (chart.title, _fixed(chart)))), loc="left", fontsize=11)
     place: Any = {"loc": "outside lower center", "ncols": 3, "frameon": False}
-    said = textwrap.fill(GUIDE, 110)
+    said = textwrap.fill(chart.guide, 110)
     ax.figure.legend(handles=legend_handles(chart, look), fontsize=9, title=said, title_fontsize=8.5, **place)
     return ax
 
@@ -105,7 +113,7 @@ def _apart(a: tuple[float, float], b: tuple[float, float]) -> float:
 
 
 def _fixed(chart: StabilityChart) -> str:
-    return ", ".join(f"{_SYMBOLS[name]} = {value}" for name, value in chart.fixed.items())
+    return ", ".join(f"{SYMBOLS[name]} = {value}" for name, value in chart.fixed.items())
 
 
 def legend_handles(chart: StabilityChart, look: Look = COLOUR) -> list[Any]:

@@ -40,7 +40,8 @@ def as_data(
     unstable          number of those with Im q < 0; null if not proved
     radius            no root of the region has |q − iη_b| ≥ radius, an exact decimal; null if none was needed
     case              alpha, eta_b, eta_n, eta_s, eta_m, positions as exact texts p/q or root4(p/q)
-    physical          EI, m, k, v, c, kp, N and mass = [{M, position}] as exact texts in SI units, or null
+    physical          EI, m, k, v, c, kp, N and mass = [{M, position, P, P_A, omega_f, phi_f}] as exact texts in SI
+                      units, or null
     units             the units of frequency, growth_rate, and both times
     roots             sorted by (re, im), each with
         re, im        {"value", "radius"}: decimals; the exact number is within radius of value
@@ -79,7 +80,7 @@ def as_data(
 def physical_data(physical: PhysicalCase) -> dict[str, Any]:
     """The case in SI units as exact texts."""
     beam: dict[str, Any] = {name: str(getattr(physical, name)) for name in _BEAM}
-    return beam | {"mass": [{"M": str(x.M), "position": str(x.position)} for x in physical.masses]}
+    return beam | {"mass": [{name: str(value) for name, value in vars(mass).items()} for mass in physical.masses]}
 
 
 def _root(root: RootBall, physical: PhysicalCase | None, digits: int) -> dict[str, Any]:

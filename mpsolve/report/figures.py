@@ -2,7 +2,8 @@
 
 Every figure is drawn by a function that takes matplotlib axes and returns them: `q_plane`, `roots_zoom`, `root_ball`,
 `whole_contour` (figures_plane.py), `line_frequencies`, `line_growth` (figures_lines.py), `displacements`,
-`contact_forces` (figures_response.py), `stability_map` (figures_chart.py).
+`contact_forces` (figures_response.py), `stability_map` (figures_chart.py), `onsets`, `lowest_parts`,
+`amplitude_range` (figures_ranges.py).
 """
 
 from __future__ import annotations

@@ -104,5 +104,6 @@ def _across(lines: FrequencyLines, ax: Axes, physical: PhysicalCase | None) -> A
     ax.set(xlim=(low - 0.02 * (high - low), high + 0.02 * (high - low)), xlabel="velocity ratio α")
     velocity_axis(ax, physical)
     if ax.get_legend_handles_labels()[0]:
-        ax.legend(loc="best")
+        # on a ground of its own, so that no line runs through its words
+        ax.legend(loc="best", frameon=True, facecolor="white", edgecolor="none", framealpha=1)
     return ax

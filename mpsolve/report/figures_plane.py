@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 _GAP = 0.018  # of the height: how far the contour is drawn from the cut on which it runs
 _GUARD = 0.12  # of the extent, around what is shown
+_CLOSE = 0.25  # of the half width: below it the labels of both branch points would meet
 
 
 def centre(root: RootBall) -> tuple[float, float]:
@@ -141,8 +142,11 @@ def _cuts(ax: Axes, start: float, height: float, look: Look) -> None:
             continue
         end: dict[str, Any] = {"markerfacecolor": "white", "markeredgewidth": 1.5, "markersize": 6, "zorder": 4}
         ax.plot(side * start, height, "o", color=look.cut, **end, gid=f"branch-point-{name}")
-        said = f"{'−' if side < 0 else ''}$q_{{lm}}$ + i$η_b$"
-        ax.annotate(said, (side * start, height), (0, 9), textcoords="offset points", ha="center", fontsize=9)
+    if start:
+        both = [(-start, "−"), (start, "")] if start > _CLOSE * reach else [(0.0, "±")]
+        for x, sign in both:
+            said = f"{sign}$q_{{lm}}$ + i$η_b$"
+            ax.annotate(said, (x, height), (0, 9), textcoords="offset points", ha="center", fontsize=9)
     place = (reach + start) / 2
     ax.annotate("branch cut", (place, height), (0, -14), textcoords="offset points", ha="center", fontsize=9)
 

@@ -25,20 +25,20 @@ def spectrum_html(spectrum: Spectrum) -> str:
     """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
     from mpsolve.report.figures_plane import q_plane
     from mpsolve.report.statement import proved, verdict
-    from mpsolve.report.text import motion_rows
+    from mpsolve.report.text import in_words, motion_rows
     from mpsolve.report.vibration import vibrations
 
     motions = vibrations(spectrum)
     rows = [
-        (name, *_parts(motion.root.q), frequency, rate.replace("-", "−"), doing)
-        for motion, (name, frequency, rate, _, doing) in zip(motions, motion_rows(motions), strict=True)
+        (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, "τ"))
+        for motion, row in zip(motions, motion_rows(motions), strict=True)
     ]
     name = f"spectrum-{_mark(spectrum.case.as_dict())}"
     return rendered_template(
         _TEMPLATE,
         head=verdict(spectrum),
         caption="Induced frequencies, in units of τ",
-        headings=("", "Re q", "Im q", "frequency [1/τ]", "growth rate [1/τ]", ""),
+        headings=("", "Re q", "Im q", "frequency [1/τ]", "growth rate [1/τ]", "what it does"),
         rows=rows,
         notes=proved(spectrum),
         svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane"),

@@ -16,7 +16,7 @@ def rendered_template(name: str, **values: Any) -> str:
     return _environment().get_template(name).render(values)
 
 
-_SYMBOL = re.compile(r"(?<!\w)(i?[ηαqvPωφ])_(lm|cr|M\d*|[bNSCAf])(?!\w)")
+_SYMBOL = re.compile(r"(?<!\w)(i?[ηαqvPωφ]\u0302?)_(lm|cr|[MCAf]\d*|[bNS])(?!\w)")
 
 
 def with_subscripts(text: str) -> Markup:

@@ -16,10 +16,12 @@ from mpsolve.report.digits import decimal
 from mpsolve.report.html_environment import rendered_template
 from mpsolve.report.page_data import Proof, page_data, proofs
 from mpsolve.report.page_figures import ball_pictures, chart_picture, line_pictures, plane_pictures, response_pictures
+from mpsolve.report.page_loads import load_rows
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import Card, card, here_text
-from mpsolve.report.statement import ASSUMED, limits, proved, verdict
-from mpsolve.report.text import beam_rows, motion_rows, ratio_rows, shown
+from mpsolve.report.remedies import for_reader
+from mpsolve.report.statement import ASSUMED, limits, proved
+from mpsolve.report.text import beam_rows, in_words, motion_rows, ratio_rows, shown
 from mpsolve.report.vibration import Vibration, vibrations, working_bits
 
 TEMPLATE = "page.html.j2"
@@ -41,7 +43,7 @@ def report_page(parts: Parts, stem: str) -> str:
 
 def _context(parts: Parts, stem: str) -> dict[str, Any]:
     source, spectrum = parts.source, parts.spectrum
-    word, _, rest = verdict(spectrum).partition(": ")
+    word, _, rest = parts.verdict.partition(": ")
     certificates = proofs(parts, stem)
     motions = vibrations(spectrum, source.physical)
     lines, chart = parts.lines.value, parts.chart.value
@@ -50,31 +52,39 @@ def _context(parts: Parts, stem: str) -> dict[str, Any]:
         "title": source.title or stem,
         "word": word,
         "sentence": rest[:1].upper() + rest[1:],
-        "stable": spectrum.stable,
-        "cards": [card(margin, source, spectrum.stable) for margin in parts.margins],
+        "stable": parts.stable,
+        "witness": parts.witness,
+        "cards": list(_cards(parts)),
         "here": {margin.name: here_text(margin, source) for margin in parts.margins},
         "beam": None if source.physical is None else list(_beam(source.physical)),
+        "loads": list(load_rows(source, parts.loads)),
         "ratios": [*ratio_rows(source.case), *_limit_rows(parts)],
         "motions": [_motion(row, "τ" if source.physical is None else "s") for row in motion_rows(motions)],
         "units": ("1/τ", "1/τ") if source.physical is None else ("Hz", "1/s"),
         "digits": spectrum.digits,
         "roots": [_digits(k, motion, spectrum.digits) for k, motion in enumerate(motions, 1)],
         "spectrum": spectrum,
+        "roots_reason": for_reader(spectrum.reason, "roots"),
+        "below_only": spectrum.region == "unstable",
         "plane": plane_pictures(parts),
         "balls": ball_pictures(parts),
         "lines": [] if lines is None else line_pictures(lines, parts),
-        "lines_reason": parts.lines.reason,
+        "lines_reason": for_reader(parts.lines.reason, "lines"),
         "counts_open": _open_counts(parts),
         "chart": None if chart is None else chart_picture(chart, parts),
-        "chart_reason": parts.chart.reason,
+        "chart_reason": for_reader(parts.chart.reason, "chart"),
         "chart_table": [] if chart is None else _chart_rows(parts),
         "response": response_pictures(parts),
-        "response_reason": parts.response.reason,
+        "response_reason": for_reader(parts.response.reason, "response"),
         "loads_said": parts.loads_said,
         "contact": _contact(parts),
         "misfit": None if parts.response.value is None else f"{parts.response.value.misfit:.0e}",
         "proved": proved(spectrum),
-        "margins_proved": [one for one in _cards(parts) if one.status == "proved"],
+        "margins_proved": [
+            (one, margin.certificate is not None)
+            for one, margin in zip(_cards(parts), parts.margins, strict=True)
+            if one.status == "proved"
+        ],
         "margins_open": [one for one in _cards(parts) if one.status == "undecided"],
         "assumed": ASSUMED,
         "downloads": [_download(proof) for proof in certificates],
@@ -91,13 +101,11 @@ def _beam(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
 
 def _motion(row: tuple[str, ...], unit: str) -> tuple[str, str, str, str]:
     """Name, frequency, growth rate, and what the vibration does, in which time."""
-    name, frequency, rate, time, doing = row
-    trend, bracket, several = doing.partition(" (")
-    return name, frequency, rate, f"{trend}{f' in {time} {unit}' if time else ''}{bracket}{several}"
+    return row[0], row[1], row[2], in_words(row, unit)
 
 
 def _cards(parts: Parts) -> Iterable[Card]:
-    return (card(margin, parts.source, parts.spectrum.stable) for margin in parts.margins)
+    return (card(margin, parts.source, parts.stable) for margin in parts.margins)
 
 
 def _limit_rows(parts: Parts) -> list[tuple[str, str, str]]:
@@ -118,7 +126,8 @@ def _open_counts(parts: Parts) -> list[tuple[str, str]]:
     lines = parts.lines.value
     if lines is None:
         return []
-    return [(alpha.short(), reason) for alpha, reason in zip(lines.alpha, lines.reasons, strict=True) if reason]
+    said = zip(lines.alpha, lines.reasons, strict=True)
+    return [(alpha.short(), for_reader(reason, "lines")) for alpha, reason in said if reason]
 
 
 def _chart_rows(parts: Parts) -> list[tuple[str, str, str]]:
@@ -132,7 +141,7 @@ def _chart_rows(parts: Parts) -> list[tuple[str, str, str]]:
             f"{band.start:.6g} to {band.end:.6g}"
             for band in column.bands
         )
-        rows.append((label, said, column.reason))
+        rows.append((label, said, for_reader(column.reason, "chart")))
     return rows
 
 

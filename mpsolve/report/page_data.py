@@ -16,8 +16,10 @@ from mpsolve.motion.solve import Response
 from mpsolve.report.answer import number
 from mpsolve.report.data import as_data
 from mpsolve.report.figures_plane import gap_end
+from mpsolve.report.page_loads import load_data
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
+from mpsolve.spectrum.certify import Spectrum
 from mpsolve.stability.lines import FrequencyLines, LineEnd
 
 FORMAT = "mpsolve page"
@@ -44,7 +46,7 @@ def proofs(parts: Parts, stem: str) -> tuple[Proof, ...]:
     """The certificates of the roots and of the margins, those that there are."""
     found = []
     if parts.spectrum.certificate is not None:
-        found.append(Proof(f"{stem}.certificate.json", "all induced frequencies", parts.spectrum.certificate))
+        found.append(Proof(f"{stem}.certificate.json", _proves(parts.spectrum), parts.spectrum.certificate))
     for margin in parts.margins:
         if margin.certificate is not None:
             what = {"velocity": "velocities", "mass": "sizes of the masses", "distance": "distances"}[margin.name]
@@ -53,16 +55,28 @@ def proofs(parts: Parts, stem: str) -> tuple[Proof, ...]:
     return tuple(found)
 
 
+def _proves(spectrum: Spectrum) -> str:
+    """What the certificate of the roots is about: no more than the region that was searched."""
+    if spectrum.region == "sheet":
+        return "all induced frequencies"
+    if spectrum.unstable:
+        return "all induced frequencies with Im q < 0; those with Im q ≥ 0 are not looked for"
+    return "that no induced frequency has Im q < 0; those with Im q ≥ 0 are not looked for"
+
+
 def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
     """The whole page in plain values; decimals of proved numbers as texts, float64 results as numbers.
 
     format, version  "mpsolve page", 1; a version adds no meaning to a key that is there
     report           the roots: see report/data.py
+    stable, verdict  of the case, by its roots or else by the search of a margin: true, false or null, and a sentence
     q_lm, alpha_C    branch points (float64) and critical velocity ratio (proved); null where the cuts leave the line
     margins          name, status, reason, unit, range, here, below, above, margin, at_least
     lines            alpha, counts and lines with alpha, re, im, ends; or {"undecided": reason}, as below
     chart            as `mpsolve chart -o chart.json` writes it
     response         t, w, steady, envelope, contact_force, contact_loss and their units, loads; float64
+    loads            of each mass, constant + amplitude · sin(frequency · τ + phase) in units of 1 N or of the unit
+                     force, as exact texts under these names
     certificates     file, sha256, what it proves
     """
     source, spectrum = parts.source, parts.spectrum
@@ -73,6 +87,8 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
         "version": VERSION,
         "mpsolve": __version__,
         "report": as_data(spectrum, source.physical, source.title, name),
+        "stable": parts.stable,
+        "verdict": parts.verdict,
         "q_lm": gap_end(source.case),
         "alpha_C": _critical(parts),
         "margins": [margin_data(margin, source) for margin in parts.margins],
@@ -83,6 +99,7 @@ def page_data(parts: Parts, certificates: Iterable[Proof]) -> dict[str, Any]:
         "response": _undecided(parts.response.reason)
         if parts.response.value is None
         else _response(parts.response.value, Scale.of(source.physical), parts.loads_said),
+        "loads": load_data(parts.loads),
         "certificates": listed,
     }
 

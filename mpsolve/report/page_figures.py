@@ -19,7 +19,7 @@ from mpsolve.report.page_parts import Parts
 from mpsolve.report.statement import radius_text
 from mpsolve.report.vibration import Vibration, vibrations, working_bits
 from mpsolve.spectrum.certify import Spectrum
-from mpsolve.stability.chart import GUIDE, StabilityChart
+from mpsolve.stability.chart import StabilityChart
 from mpsolve.stability.lines import FrequencyLines
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def plane_pictures(parts: Parts) -> list[Picture]:
         _picture(
             "plane",
             "The complex q-plane with cuts, branch points, contour and roots",
-            f"{_roots_said(motions)} {_cuts_said(spectrum)}",
+            f"{_roots_said(motions, spectrum)} {_cuts_said(spectrum)}",
             _plane_caption(spectrum),
             lambda ax: q_plane(spectrum, ax),
         )
@@ -57,7 +57,7 @@ def plane_pictures(parts: Parts) -> list[Picture]:
             _picture(
                 "zoom",
                 "The roots enlarged",
-                _roots_said(motions),
+                _roots_said(motions, spectrum),
                 "The roots with Re q ≥ 0 enlarged; each other one is the mirror image −q̄ of one of these.",
                 lambda ax: roots_zoom(motions, physical is not None, ax),
             )
@@ -67,8 +67,9 @@ def plane_pictures(parts: Parts) -> list[Picture]:
             _picture(
                 "contour",
                 "The whole contour to scale",
-                f"{_contour_said(spectrum)}. {_roots_said(motions)}",
-                f"{_contour_said(spectrum)}, beyond which there is proved to be no root.",
+                f"{_contour_said(spectrum)}. {_roots_said(motions, spectrum)}",
+                f"{_contour_said(spectrum)}, beyond which there is proved to be no root"
+                f"{'' if spectrum.region == 'sheet' else ' with Im q < 0'}.",
                 lambda ax: whole_contour(spectrum, ax),
                 _ROUND,
             )
@@ -107,8 +108,7 @@ def line_pictures(lines: FrequencyLines, parts: Parts) -> list[Picture]:
             "Frequencies over the velocity ratio",
             said,
             "Re q of every induced frequency over the velocity. Points are certified roots; two are joined only "
-            "where one is proved to continue to the other. A ring: proved to begin or end at the cut within the "
-            "step beyond it.",
+            f"where one is proved to continue to the other. {_ends_said(lines)}",
             lambda ax: line_frequencies(lines, ax, spectrum, physical),
             _TALL,
         ),
@@ -135,7 +135,7 @@ def chart_picture(chart: StabilityChart, parts: Parts) -> Picture:
         "chart",
         "Stability over velocity and mass, with this case marked",
         f"This case: α = {case.alpha.short()}, factor 1. Where stability changes: {'; '.join(columns)}.",
-        f"The number of unstable roots over the velocity, for all masses together scaled up or down. {GUIDE}",
+        f"The number of unstable roots over the velocity, for all masses together scaled up or down. {chart.guide}",
         lambda ax: stability_map(chart, case, ax, parts.source.physical),
         _TALL,
     )
@@ -187,9 +187,13 @@ def _picture(
     return Picture(name, inline_svg(figure_of(draw, size), name, title, description), caption)
 
 
-def _roots_said(motions: tuple[Vibration, ...]) -> str:
+def _roots_said(motions: tuple[Vibration, ...], spectrum: Spectrum) -> str:
     said = "; ".join(_root_said(motions))
-    return f"Roots: {said}." if said else "There is no root."
+    if said:
+        return f"Roots: {said}."
+    if not spectrum.proved:
+        return "No root is certified."
+    return "There is no root." if spectrum.region == "sheet" else "There is no root with Im q < 0."
 
 
 def _root_said(motions: tuple[Vibration, ...]) -> Iterator[str]:
@@ -216,6 +220,14 @@ def _lines_said(lines: FrequencyLines) -> str:
     )
 
 
+def _ends_said(lines: FrequencyLines) -> str:
+    """What the rings mean, and that an end without one is open."""
+    kinds = {end.kind for line in lines for end in line.ends}
+    ring = "A ring: proved to begin or end at the cut within the step beyond it." if "cut" in kinds else ""
+    bare = "How a line goes on that ends within the range without a ring is not proved." if "open" in kinds else ""
+    return f"{ring} {bare}".strip()
+
+
 def _place(q: Any) -> str:
     return f"Re q = {_few(q.real)}, Im q = {_few(q.imag)}"
 
@@ -236,7 +248,8 @@ def _plane_caption(spectrum: Spectrum) -> str:
         if start is None
         else " Dashed: the contour of the count, which runs along both edges of each cut (drawn apart from it)."
     )
-    return f"Induced frequencies q in the complex plane; the shaded half is unstable.{contour}"
+    looked = "" if spectrum.region == "sheet" else " Only those with Im q < 0 were looked for."
+    return f"Induced frequencies q in the complex plane; the shaded half is unstable.{looked}{contour}"
 
 
 def _few(ball: object) -> str:

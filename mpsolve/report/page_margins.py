@@ -23,7 +23,8 @@ from mpsolve.stability.velocities import UnstableRanges, unstable_ranges, unstab
 
 DIGITS = 20
 _BITS = 160
-_LEAST_VELOCITY = Fraction(7, 5)  # the range of velocity ratios reaches at least so far
+_LEAST_VELOCITY = Fraction(7, 5)  # the range of velocity ratios reaches at least so far,
+_FEWER = Fraction(1)  # or so far for more than two masses, for which each range takes much longer
 _HEADROOM = Fraction(5, 4)
 _NEAREST, _FARTHEST = Fraction(1, 5), 4  # distances, in units of that of the case
 
@@ -35,7 +36,8 @@ class Margin:
     name: "velocity" (values α), "mass" (all masses by a common factor; the case is 1) or "distance" (of neighbours).
     low, high: the range that was searched (high None: infinity). None below or above: proved that stability does not
     change there, if `proved`; else open, with the `reason`; free: the range around `here` in which it is proved all
-    the same that stability does not change. applies: False where the question has no meaning.
+    the same that stability does not change. applies: False where the question has no meaning. stable: whether the
+    case itself is proved to be stable by the search, None where it does not tell.
     """
 
     name: str
@@ -49,6 +51,7 @@ class Margin:
     applies: bool = True
     certificate: Certificate | None = None
     free: tuple[Any, Any] | None = None
+    stable: bool | None = None
 
     @property
     def at_least(self) -> Any | None:
@@ -71,14 +74,24 @@ def margins(case: Case, tell: Tell | None = None) -> tuple[Margin, Margin, Margi
 
 
 def velocity_margin(case: Case, tell: Tell | None = None) -> Margin:
-    """All else as it is, from rest up to at least α = 1.4 and 5/4 of the case's own α."""
-    low, high = Exact.parse(0), _decimal_above(max(_LEAST_VELOCITY, Fraction(float(case.alpha)) * _HEADROOM))
+    """All else as it is, from rest up to 5/4 of the case's own α, and to `least_top` at least."""
+    low, high = Exact.parse(0), _decimal_above(max(least_top(case), Fraction(float(case.alpha)) * _HEADROOM))
 
     def search() -> UnstableRanges:
         model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
         return unstable_velocities(*model, (low, high), DIGITS, tell)
 
     return _of_ranges("velocity", case.alpha, low, high, search)
+
+
+def least_top(case: Case) -> Fraction:
+    """How far a range of velocity ratios reaches at least: 1.4, and 1 for more than two places of masses."""
+    return _FEWER if places(case) > 2 else _LEAST_VELOCITY
+
+
+def places(case: Case) -> int:
+    """The number of places at which there are masses."""
+    return len(set(case.positions))
 
 
 def mass_margin(case: Case, tell: Tell | None = None) -> Margin:
@@ -99,7 +112,9 @@ def mass_margin(case: Case, tell: Tell | None = None) -> Margin:
     with ball_arithmetic(_BITS):
         ends, here = _mass_ends(found), Exact.parse(1).ball()
         below, above, reason = _around(here, ends, ())
-    return Margin("mass", here, below, above, low, None, not reason, reason, certificate=found.certificate)
+        stable = None if reason else _stable_among(found, here)
+    certificate = found.certificate
+    return Margin("mass", here, below, above, low, None, not reason, reason, certificate=certificate, stable=stable)
 
 
 def distance_margin(case: Case, tell: Tell | None = None) -> Margin:
@@ -118,7 +133,8 @@ def distance_margin(case: Case, tell: Tell | None = None) -> Margin:
     if not case.eta_b:  # below α_C the energy in the moving frame is conserved and positive, whatever the distance
         reason = "" if below_critical(case) else "without damping and from alpha_C on it is not looked for: give some"
         with ball_arithmetic(_BITS):
-            return Margin("distance", d.ball(), None, None, Exact.parse(0), None, not reason, reason)
+            zero, stable = Exact.parse(0), None if reason else True
+            return Margin("distance", d.ball(), None, None, zero, None, not reason, reason, stable=stable)
     return _of_ranges(
         "distance", d, low, high, lambda: unstable_ranges(Family(case, "distance"), low, high, DIGITS, tell)
     )
@@ -135,8 +151,9 @@ def _of_ranges(name: str, here: Exact, low: Exact, high: Exact, search: Callable
     with ball_arithmetic(_BITS):
         below, above, reason = _around(ball, ends, found.unknown)
         free = _free(ball, [low.ball(), *ends, high.ball()], found.unknown) if reason else None
+        stable = _stable_within(found, ball)
     reason = reason and (found.reason or reason)
-    return Margin(name, ball, below, above, low, high, not reason, reason, certificate=found.certificate, free=free)
+    return Margin(name, ball, below, above, low, high, not reason, reason, True, found.certificate, free, stable)
 
 
 def _around(here: Any, ends: Iterable[Any], unknown: tuple[tuple[float, float], ...]) -> tuple[Any, Any, str]:
@@ -163,6 +180,27 @@ def _free(here: Any, ends: list[Any], unknown: tuple[tuple[float, float], ...]) 
     if not left or not right or any(not (end < here or end > here) for end in ends):
         return None
     return max(left, key=lambda end: float(end.mid())), min(right, key=lambda end: float(end.mid()))
+
+
+def _stable_within(found: UnstableRanges, here: Any) -> bool | None:
+    """Whether `here` lies in none of the unstable ranges, as they prove; None if it may lie in an open part."""
+    for start, stop in found.unknown:
+        if not (_widened(stop) < here or _widened(start) > here):
+            return None
+    if any(one.start < here < one.end for one in found):
+        return False
+    return True if all(one.end < here or one.start > here for one in found) else None
+
+
+def _widened(end: float) -> Any:
+    """A ball around the float64 end of an open part that holds the end itself."""
+    return arb(end, abs(end) * 2.0**-50)
+
+
+def _stable_among(found: CrossingMasses, here: Any) -> bool | None:
+    """Whether no root is unstable between the crossings on both sides of `here`; none of them may meet it."""
+    count = found.counts[sum(bool(one.eta < here) for one in found)]
+    return None if count is None or any(one.eta.overlaps(here) for one in found) else not count
 
 
 def _is(end: Any, last: Exact | None) -> bool:

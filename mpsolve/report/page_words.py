@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact
 from mpsolve.report.answer import Source, number
 from mpsolve.report.digits import proved_digits
-from mpsolve.report.page_margins import Margin
+from mpsolve.report.page_margins import DIGITS, Margin
+from mpsolve.report.remedies import for_reader
+from mpsolve.report.text import shown
 
 _PLACES = 5
 _BITS = 160
@@ -20,7 +24,7 @@ _QUESTION = {
     "distance": "Distance of neighbouring masses",
 }
 
-_STATE = {True: "stable", False: "unstable", None: "the same"}
+_STATE = {True: "stable", False: "unstable"}
 
 
 @dataclass(frozen=True)
@@ -38,7 +42,8 @@ def card(margin: Margin, source: Source, stable: bool | None) -> Card:
     """The margin to the nearest change of stability; stable: of the case itself, None where undecided."""
     question = _QUESTION[margin.name]
     if not margin.applies:
-        return Card(margin.name, question, "none", f"Does not apply: {margin.reason}.", "none")
+        reason = for_reader(margin.reason, margin.name)
+        return Card(margin.name, question, "none", f"Does not apply: {reason}.", "none")
     if not margin.proved:
         return _open(margin, source, stable)
     with ball_arithmetic(_BITS):
@@ -53,13 +58,14 @@ def card(margin: Margin, source: Source, stable: bool | None) -> Card:
 
 def _open(margin: Margin, source: Source, stable: bool | None) -> Card:
     """What is proved all the same of a margin that is open, and why it is."""
-    question, reason = _QUESTION[margin.name], margin.reason[:1].upper() + margin.reason[1:]
+    question, reason = _QUESTION[margin.name], for_reader(margin.reason, margin.name)
+    reason = reason[:1].upper() + reason[1:]
     with ball_arithmetic(_BITS):
         least = margin.at_least
         if margin.free is None or least is None:
             return Card(margin.name, question, "undecided", f"{reason}.", "undecided")
         low, high = (_value(margin, source, end) for end in margin.free)
-        said = f"The case stays {_STATE[stable]} from {low} to {high}; what happens beyond is undecided. {reason}."
+        said = f"{_stays(stable)} from {low} to {high}; what happens beyond is undecided. {reason}."
         return Card(margin.name, question, f"at least {_shift(margin, source, least)}", said, "undecided")
 
 
@@ -105,9 +111,12 @@ def _unit(margin: Margin, source: Source) -> tuple[Any, str]:
     return (Exact.parse(1).ball(), "") if physical is None else (1 / physical.chi.ball(), "m")
 
 
-def _value(margin: Margin, source: Source, ball: Any) -> str:
+def _value(margin: Margin, source: Source, ball: Any, places: int = _PLACES) -> str:
     """A value of the parameter, such as 360.00 km/h or α = 0.67000."""
-    number, unit = _number(margin, source, ball)
+    return _named(margin, *_number(margin, source, ball, places))
+
+
+def _named(margin: Margin, number: str, unit: str) -> str:
     return f"{number} {unit}" if unit else f"{_SYMBOL[margin.name]} = {number}"
 
 
@@ -117,9 +126,15 @@ def _shift(margin: Margin, source: Source, ball: Any) -> str:
     return f"{number} {unit}" if unit else f"{number} in {_SYMBOL[margin.name]}"
 
 
-def _number(margin: Margin, source: Source, ball: Any) -> tuple[str, str]:
+def _number(margin: Margin, source: Source, ball: Any, places: int = _PLACES) -> tuple[str, str]:
     factor, unit = _unit(margin, source)
-    return proved_digits(ball * factor, _PLACES), unit
+    return proved_digits(ball * factor, places), unit
+
+
+def _places(margin: Margin, near: Any) -> int:
+    """Digits that tell `near` from the case's own value."""
+    share = abs(float(near - margin.here)) / (float(margin.here) or 1.0)
+    return max(_PLACES, 2 - math.floor(math.log10(share)) if share else DIGITS)
 
 
 def _of(margin: Margin, source: Source) -> str:
@@ -139,7 +154,7 @@ def _changes(margin: Margin, source: Source, stable: bool | None) -> str:
     if margin.here > 0:
         ratio = f" ({proved_digits(100 * abs(near - margin.here) / margin.here, 3)} %)"
     step = f"{_shift(margin, source, abs(near - margin.here))}{ratio} {'more' if up else 'less'} than now"
-    place = f"{'above' if up else 'below'} {_value(margin, source, near)}{_of(margin, source)}"
+    place = f"{'above' if up else 'below'} {_value(margin, source, near, _places(margin, near))}{_of(margin, source)}"
     said = f"The case {becomes} {place}, which is {step}."
     other = margin.below if up else margin.above
     if other is not None:
@@ -148,17 +163,35 @@ def _changes(margin: Margin, source: Source, stable: bool | None) -> str:
 
 
 def _nothing(margin: Margin, source: Source, stable: bool | None) -> str:
-    state = _STATE[stable]
     if margin.high is None:
         whole = {"mass": "for every size of the masses", "distance": "at every distance"}[margin.name]
-        return f"The case is {state} {whole}, so there is no limit."
+        return f"{_stays(stable)} {whole}, so there is no limit."
     low, high = (_value(margin, source, end.ball()) for end in (margin.low, margin.high))
-    return f"The case stays {state} all the way from {low} to {high}, the range that was searched."
+    return f"{_stays(stable)} all the way from {low} to {high}, the range that was searched."
+
+
+def _stays(stable: bool | None) -> str:
+    """What does not change over a range."""
+    if stable is None:
+        return "Whether the case is stable or unstable is undecided, but it is one of the two throughout,"
+    return f"The case stays {_STATE[stable]}"
 
 
 def here_text(margin: Margin, source: Source) -> str:
-    """The case's own value."""
+    """The case's own value, as it is typed."""
     if not margin.applies:
         return ""
     with ball_arithmetic(_BITS):
-        return _value(margin, source, margin.here) + _of(margin, source)
+        unit = _unit(margin, source)[1]
+    return _named(margin, shown(_here(margin, source)), unit) + _of(margin, source)
+
+
+def _here(margin: Margin, source: Source) -> Exact:
+    """The case's own value in the unit of the margin, exactly."""
+    case, physical = source.case, source.physical
+    if margin.name == "velocity":
+        return case.alpha if physical is None else physical.v * Fraction(18, 5)
+    if margin.name == "mass":
+        return max(case.eta_m if physical is None else (mass.M for mass in physical.masses))
+    places = list(dict.fromkeys(case.positions if physical is None else (mass.position for mass in physical.masses)))
+    return places[1] - places[0]

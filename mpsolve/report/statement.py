@@ -79,7 +79,8 @@ def _count(spectrum: Spectrum) -> str:
     far = ""
     if spectrum.radius is not None and number:
         far = f", and none of them has |q − iη_b| ≥ {radius_text(spectrum.radius)}"
-    return f"Δ(q), eq. (26), has {zeros}{counted} {_scope(spectrum)}{far}."
+    name = "Δ(q), eq. (26)," if spectrum.case.count == 2 else "The characteristic function Δ(q), (26) for two masses,"
+    return f"{name} has {zeros}{counted} {_scope(spectrum)}{far}."
 
 
 def _scope(spectrum: Spectrum) -> str:

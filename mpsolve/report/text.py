@@ -24,6 +24,7 @@ from mpsolve.spectrum.certify import Spectrum
 
 WIDTH = 88
 _PLACES = 8  # digits of the physical quantities; every digit of q is printed
+_TYPED = 36  # digits of a value that is typed; more are shortened
 _ROW = 76  # longest q that is printed in one row
 _COLOUR = {"UNSTABLE": "bold red", "STABLE": "bold green", "UNDECIDED": "bold yellow"}
 
@@ -109,7 +110,15 @@ def beam_rows(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
         yield f"M{j}", f"{shown(mass.M)} kg", f"mass at s {_equals(mass.position)} m"
     yield "√(k/m)", f"{shown(physical.time_scale)} rad/s", "τ = √(k/m) t"
     yield "χ", f"{shown(physical.chi)} 1/m", "(k/4EI)^(1/4): ξ = χ s"
-    yield "v_cr", f"{shown(physical.v_cr)} m/s", "critical velocity √(k/m)/χ"
+    yield "v_cr", f"{shown(physical.v_cr)} m/s", "critical velocity √(k/m)/χ on a Winkler foundation"
+    if physical.N or physical.kp:
+        yield "v_cr′", f"{_critical(physical)} m/s", "√(1 − η_N + η_S) v_cr, with N and kp, without damping"
+
+
+def _critical(physical: PhysicalCase) -> str:
+    with ball_arithmetic(working_bits(_PLACES)):
+        share = 1 - physical.dimensionless.axial.ball()
+        return f"≈ {proved_digits(share.sqrt() * physical.v_cr.ball(), _PLACES)}"
 
 
 def ratio_rows(case: Case) -> Iterator[tuple[str, str, str]]:
@@ -129,10 +138,11 @@ def _limits(spectrum: Spectrum) -> Iterator[tuple[str, str, str]]:
 
 
 def shown(x: Exact) -> str:
-    """x in short: exactly if at most 12 digits do, else its first proved digits, marked ≈."""
-    short = x.short(12)
-    if Exact.parse(short) == x:
-        return short
+    """x as it is typed: exactly if at most 36 digits do, else its first proved digits, marked ≈."""
+    for digits in (12, _TYPED):
+        short = x.short(digits)
+        if Exact.parse(short) == x:
+            return short
     with ball_arithmetic(working_bits(_PLACES)):
         return f"≈ {proved_digits(x.ball(), _PLACES)}"
 
@@ -162,6 +172,12 @@ def _motion(j: int, motion: Vibration) -> tuple[str, ...]:
     time = "" if motion.time is None else proved_digits(motion.time, _PLACES)
     frequency, rate = proved_digits(motion.frequency, _PLACES), proved_digits(motion.rate, _PLACES)
     return f"q{j}", frequency, rate, time, doing.get(motion.trend, motion.trend.value) + _several(motion)
+
+
+def in_words(row: tuple[str, ...], unit: str) -> str:
+    """What the vibration of a row does, and in which time, as "decays, halves in 2.5 s"."""
+    trend, bracket, several = row[4].partition(" (")
+    return f"{trend}{f' in {row[3]} {unit}' if row[3] else ''}{bracket}{several}"
 
 
 def _several(motion: Vibration) -> str:

@@ -30,10 +30,11 @@ FORMAT = "mpsolve chart"
 VERSION = 1
 AXES = ("eta_m", "d")
 SUFFIXES = (".png", ".svg", ".pdf", ".json")
-GUIDE = (
-    "Proved on each column, all along its height; between columns nothing is proved: the width of the columns and "
+_GUIDE = (
+    "Proved on each column, all along its height{}; between columns nothing is proved: the width of the columns and "
     "the lines that join crossings are a guide to the eye."
 )
+_BUT = " except where it is open (hatched in the picture)"
 _TOP = {
     "title": "a text",
     "digits": "the digits of a crossing",
@@ -94,6 +95,11 @@ class StabilityChart:
         """Whether nothing on any column is open."""
         return all(column.proved for column in self.columns)
 
+    @property
+    def guide(self) -> str:
+        """What is proved, and what only guides the eye."""
+        return _GUIDE.format("" if self.proved else _BUT)
+
     def to_json(self) -> str:
         """The data: x, and for each column points, bands and strips; alphas of bands and strips are float64."""
         content = {
@@ -105,7 +111,7 @@ class StabilityChart:
             "alpha": dict(zip(("start", "end"), map(specs.label, self.alpha), strict=True)),
             "x": {"parameter": self.x.parameter, "values": list(self.x.labels)},
             "columns": [_plain(column) for column in self.columns],
-            "proved": GUIDE,
+            "proved": self.guide,
             "assumed": ASSUMED,
         }
         return json.dumps(content, indent=1, ensure_ascii=False) + "\n"

@@ -80,10 +80,12 @@ def frequency_lines(
     eta_s: Number = 0,
     alpha: Iterable[Number] = (),
     digits: int = 15,
+    cuts: bool = True,
 ) -> FrequencyLines:
     """The frequency lines over an ascending grid `alpha` of two or more rational velocity ratios, proved.
 
-    digits: 15 to 10,000 certified digits of each root. Raises InputError.
+    digits: 15 to 10,000 certified digits of each root. cuts: whether to prove which ends reach the branch cut; if
+    not, they are "open", which saves much time for three and more masses. Raises InputError.
 
     >>> lines = frequency_lines("0.05", (10, 10), (0, "1.5"), alpha=["0.6", "0.65", "0.7"])
     >>> [len(line.q) for line in lines], lines.counts
@@ -101,7 +103,7 @@ def frequency_lines(
     complete = [spectrum.certificate is not None for spectrum in found]  # no root is missing, even if a sign is open
     steps = [_Step(grid[k : k + 2], levels[k : k + 2], followed, complete[k + 1]) for k in range(len(grid) - 1)]
     for k, step in enumerate(steps):
-        if found[k].proved and found[k + 1].proved:
+        if cuts and found[k].proved and found[k + 1].proved:
             step.name_cuts(rest, digits)
     lines = _joined(grid, levels, steps)
     counts = tuple(s.count if s.proved else None for s in found)

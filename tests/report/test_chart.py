@@ -181,3 +181,10 @@ def test_the_example(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_bad_specs_name_their_key(changes: dict[str, Any], said: str) -> None:
     with pytest.raises(InputError, match=said):
         stability_chart(SPEC | changes, workers=1)
+
+
+def test_what_is_proved_leaves_out_what_is_open(chart: StabilityChart) -> None:
+    assert chart.proved
+    assert "all along its height; between" in json.loads(chart.to_json())["proved"]
+    assert not MADE.proved
+    assert "all along its height except where it is open" in json.loads(MADE.to_json())["proved"]

@@ -9,7 +9,8 @@ from pathlib import Path
 from flint import arb, fmpq
 
 from mpsolve import Case, PhysicalCase, Rectangle, certify, read_case
-from mpsolve.report.data import as_data
+from mpsolve.model.parameters import Mass
+from mpsolve.report.data import as_data, physical_data
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNSTABLE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
@@ -48,7 +49,7 @@ def test_a_physical_case_can_be_rebuilt() -> None:
     case = read_case(EXAMPLES / "rail_60e1.toml")
     assert isinstance(case, PhysicalCase)
     data = as_data(certify(case), case)
-    masses = [(mass["M"], mass["position"]) for mass in data["physical"].pop("mass")]
+    masses = [Mass(**mass) for mass in data["physical"].pop("mass")]
     assert PhysicalCase(**data["physical"], masses=masses) == case
     assert data["units"]["frequency"] == "Hz"
 
@@ -60,3 +61,10 @@ def test_a_rectangle_and_an_undecided_case() -> None:
     data = as_data(certify(Case(alpha=1, eta_b=0, eta_m=20)))
     assert (data["status"], data["count"], data["unstable"], data["roots"]) == ("undecided", None, None, [])
     assert "alpha_C" in data["reason"]
+
+
+def test_the_forces_of_a_physical_case_are_there_exactly() -> None:
+    mass = Mass(10, 0, P="0.1", P_A="1/3", omega_f="125.5", phi_f="-0.25")
+    (written,) = physical_data(PhysicalCase(EI=1, m=1, k=1, v=1, masses=[mass]))["mass"]
+    assert written == {"M": "10", "position": "0", "P": "1/10", "P_A": "1/3", "omega_f": "251/2", "phi_f": "-1/4"}
+    assert Mass(**written) == mass

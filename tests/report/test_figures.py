@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +19,12 @@ from mpsolve.motion.solve import response
 from mpsolve.report import figures_lines, figures_plane, figures_response
 from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
 from mpsolve.report.figures_chart import stability_map
+from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.vibration import vibrations
 from mpsolve.stability.chart import Band, Column, Point, StabilityChart
-from mpsolve.stability.specs import Grid
+from mpsolve.stability.specs import ONE_MASS, Grid
+from mpsolve.stability.table import Entry, OnsetTable
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
 SPECTRUM = certify(CASE)
@@ -96,6 +99,14 @@ def test_the_plane_shows_roots_branch_points_and_halves() -> None:
         assert (abs(side * x - least) < 1e-9, y) == (True, 0.05)
     low, high = ax.get_ylim()
     assert low < min(float(root.q.imag) for root in SPECTRUM.roots) < 0.05 < high
+
+
+@pytest.mark.parametrize(("alpha", "said"), [("0.67", ["−", ""]), ("0.99", ["±"])])
+def test_branch_points_that_are_close_share_a_label(alpha: str, said: list[str]) -> None:
+    close = certify(Case(alpha=alpha, eta_b="0.1", eta_m=(70, 70), positions=(0, "1.2")))
+    figure = figure_of(lambda ax: figures_plane.q_plane(close, ax))
+    labels = [text.get_text() for text in figure.axes[0].texts if "q_{lm}" in text.get_text()]
+    assert labels == [f"{sign}$q_{{lm}}$ + i$η_b$" for sign in said]
 
 
 def test_joined_cuts_have_no_branch_point() -> None:
@@ -288,3 +299,24 @@ def test_the_user_s_settings_change_nothing(tmp_path: Path) -> None:
     with mpl.rc_context({"font.size": 20, "lines.linewidth": 9, "axes.facecolor": "red"}):
         assert save_figure(draw, tmp_path / "b.svg").read_bytes() == plain
         assert mpl.rcParams["font.size"] == 20
+
+
+def test_onsets_are_drawn_where_they_are_proved() -> None:
+    entries = ((Entry("proved", "0.9"), Entry("proved", "0.7")), (Entry("stable"), Entry("proved", "0.6")))
+    rows, columns = Grid("eta_m", (Exact(50), Exact(70))), Grid("d", (ONE_MASS, Exact(1)))
+    table = OnsetTable("", "onset velocity", 5, {}, (Exact(0), Exact(2)), rows, columns, entries)
+    (ax,) = figure_of(lambda ax: onsets(table, ax)).axes
+    drawn = {line.get_gid(): np.array(line.get_xydata()).tolist() for line in ax.lines if line.get_gid()}
+    assert drawn["onset-2"] == [[50, 0.7], [70, 0.6]]
+    assert drawn["onset-1"][0] == [50, 0.9]
+    assert np.isnan(drawn["onset-1"][1][1])
+    with pytest.raises(InputError, match="ranges"):
+        onsets(replace(table, quantity="unstable velocities"), ax)
+
+
+def test_curves_over_a_range() -> None:
+    (ax,) = figure_of(lambda ax: lowest_parts([0, 1], {"a": [0.1, -0.1]}, ax)).axes
+    assert (ax.get_ylabel(), [text.get_text() for text in ax.get_legend().get_texts()]) == ("lowest Im q", ["a"])
+    assert ax.patches
+    (ax,) = figure_of(lambda ax: amplitude_range([0, 1], {"a": ([2, 3], [1, 0])}, ax)).axes
+    assert [line.get_gid() for line in ax.lines] == ["greatest-1", "least-1"]

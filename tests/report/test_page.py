@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from dataclasses import replace
 from fractions import Fraction
 from html.parser import HTMLParser
@@ -19,14 +20,17 @@ from mpsolve.cli import cli
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load
+from mpsolve.model.parameters import Mass
 from mpsolve.report import page_parts
 from mpsolve.report.answer import Source
 from mpsolve.report.data import as_data
 from mpsolve.report.html_environment import with_subscripts
 from mpsolve.report.page import report_page
+from mpsolve.report.page_loads import load_rows
 from mpsolve.report.page_margins import Margin, _free, distance_margin, mass_margin, velocity_margin
 from mpsolve.report.page_parts import Part, Parts, gather, loads_for, times
 from mpsolve.report.page_words import card, margin_data
+from mpsolve.report.remedies import ADVICE, for_reader
 from mpsolve.stability.chart import case_chart
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
@@ -173,6 +177,41 @@ def test_a_margin_that_is_open_says_how_far_stability_is_proved_all_the_same(alp
     assert float(said["parameter"]["value"]) == pytest.approx(float(found.at_least))
 
 
+def test_a_margin_may_prove_stability_where_the_roots_are_undecided() -> None:
+    """Below α_C and without damping the energy decides, however near α_C is; above it, only what is proved counts."""
+    for alpha, expected in (("0.99999", True), ("1", None)):
+        case = Case(alpha=alpha, eta_b=0, eta_m=70)
+        spectrum = certify(case)
+        margins = (velocity_margin(case), mass_margin(case), distance_margin(case))
+        none: Part[Any] = Part(None, "left out")
+        found = Parts(Source(case, None, ""), spectrum, margins, none, none, none, (), "")
+        assert not spectrum.proved
+        assert (margins[0].stable, margins[1].stable, found.stable) == (expected,) * 3
+        assert found.verdict.startswith("STABLE: " if expected else "UNDECIDED: ")
+        page = Page(report_page(found, "x"))
+        assert ("The verdict: No root has Im q < 0" in page.under("proof")) is (expected is True)
+        assert json.loads(page.under("data"))["stable"] is expected
+        assert ("The case stays stable for every size" in page.under("verdict")) is (expected is True)
+        assert not found.proved
+
+
+@pytest.mark.parametrize(("alpha", "grows"), [("0.66", False), ("0.67", True)])
+def test_what_the_margins_say_of_the_case_is_what_a_count_says(alpha: str, grows: bool) -> None:
+    case = replace(CASE, alpha=Exact.parse(alpha))
+    assert unstable(case) is grows
+    assert {margin(case).stable for margin in (velocity_margin, mass_margin, distance_margin)} == {not grows}
+
+
+def test_what_helps_can_be_done_on_the_command_line() -> None:
+    """No remedy for library users is left, and every command and option that is named exists."""
+    for part, said in ADVICE.items():
+        assert for_reader("why: allow a larger budget", part) == f"why: {said}"
+        assert for_reader("two masses: lower the velocity", part) == "two masses: lower the velocity"
+        for words in re.findall(r"mpsolve ([a-z-]+)((?: FILE)?(?: --[a-z]+(?:[ =][A-Z0-9][A-Z0-9_,]*)?)*)", said):
+            known = {name for one in cli.commands[words[0]].params for name in one.opts}
+            assert set(re.findall(r"--[a-z]+", words[1])) <= known
+
+
 def test_what_is_open_at_the_case_itself_is_proved_nowhere() -> None:
     here = Exact.parse("1.1").ball()
     ends = [Exact.parse(x).ball() for x in (0, "1.3", 2)]
@@ -268,7 +307,7 @@ def test_what_the_input_says_is_text(page: Page) -> None:
 def test_the_verdict_comes_first(page: Page, parts: Parts) -> None:
     said = page.under("verdict")
     assert said.startswith("Verdict UNSTABLE" if parts.spectrum.unstable else "Verdict STABLE")
-    assert "Now 1080.0 km/h" in said
+    assert "Now 1080 km/h" in said
     assert "Now 1000 kg" in said
 
 
@@ -324,15 +363,39 @@ def test_parts_that_are_undecided_say_why(parts: Parts) -> None:
 
 
 def test_an_overdamped_case_has_a_page_too() -> None:
-    """Its cuts leave the line: no frequency lines and no response, but roots with Im q < 0 are decided."""
+    """Its cuts leave the line: no frequency lines and no response, but roots with Im q < 0 are decided.
+
+    Nothing is claimed of the others, which were not looked for.
+    """
     source = Source(Case(alpha="0.5", eta_b="1.2", eta_m=10), None, "")
     found = gather(source, 15, None, None, 3, (Fraction(1),))
     page = Page(report_page(found, "over"))
     assert page.under("verdict").startswith("Verdict STABLE")
-    assert "eta_b" in page.under("lines")
-    assert "sheet" in page.under("response")
+    for name in ("lines", "response"):
+        assert "from 1 on the branch cuts leave the line Im q = " in page.under(name)
+    assert "None with Im q < 0; those with Im q ≥ 0 are not looked for." in page.under("roots")
+    assert "Proves that no induced frequency has Im q < 0" in page.under("certificate")
+    everything = page.under("data") + " ".join(
+        page.under(name) for name in ("roots", "plane", "proof", "certificate")
+    )
+    assert not [
+        said for said in ("There is none", "no root.", "all induced frequencies", "region=") if said in everything
+    ]
     with ball_arithmetic(64):
         assert found.spectrum.region == "unstable"
+
+
+def test_more_masses_have_fewer_velocities_and_columns() -> None:
+    """So that a page takes no more than some minutes; the case's own masses are always among the columns."""
+    cases = [Case(alpha="0.5", eta_b="0.05", eta_m=[10] * n, positions=range(n)) for n in (1, 2, 3, 4, 5)]
+    points = [page_parts.points_of(case) for case in cases]
+    columns = [page_parts.factors_of(case) for case in cases]
+    assert points == sorted(points, reverse=True)
+    assert points[0] == points[1] > points[2] > points[3] == points[4] > 1
+    assert all(1 in one for one in columns)
+    assert [len(one) for one in columns] == [15, 15, 3, 1, 1]
+    together = replace(cases[2], positions=(Exact(0), Exact(1), Exact(1)))
+    assert page_parts.points_of(together) == points[1]  # two masses at one place are one
 
 
 def test_loads() -> None:
@@ -343,6 +406,29 @@ def test_loads() -> None:
     weight, said = loads_for(Source(PHYSICAL.dimensionless, PHYSICAL, ""), None)
     assert float(weight[0].constant) == 9806.65
     assert "its own weight" in said
+
+
+def test_the_page_holds_the_loads_from_which_its_response_can_be_had_again(parts: Parts) -> None:
+    mass = Mass(1000, 0, P="9806.65", P_A=500, omega_f="125.5", phi_f="0.5")
+    physical = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=300, c=9000, masses=[mass])
+    source = Source(physical.dimensionless, physical, "")
+    given, said = loads_for(source, None)
+    page = Page(report_page(replace(parts, source=source, loads=given, loads_said=said), "x"))
+    shown = page.under("case")
+    for row in ("P19806.65 N", "PA1500 N", "ωf1125.5 rad/s", "φf10.5 rad"):
+        assert row in shown
+    data = json.loads(page.under("data"))
+    assert tuple(Load(**one) for one in data["loads"]) == given
+    assert Mass(**data["report"]["physical"]["mass"][0]) == mass
+
+
+def test_the_loads_in_words_and_numbers() -> None:
+    weights = loads_for(Source(PHYSICAL.dimensionless, PHYSICAL, ""), None)[0]
+    (row,) = load_rows(Source(PHYSICAL.dimensionless, PHYSICAL, ""), weights)
+    assert row == ("P1", "9806.65 N", "weight of mass 1, for no force is given")
+    rows = list(load_rows(Source(CASE, None, ""), (Load(), Load("0.5", "0.1", "0.3"))))
+    assert [name for name, _, _ in rows] == ["η_C1", "η_C2", "η_A2", "ω̂_f2", "φ2"]
+    assert [value for _, value, _ in rows] == ["1", "0.5", "0.1", "0.3 per unit of τ", "0 rad"]
 
 
 def test_the_times_follow_the_roots() -> None:
@@ -391,6 +477,7 @@ def test_notebooks_show_spectra_responses_and_tables(parts: Parts) -> None:
     assert [len(one.all("svg")) for one in shown] == [1, 1, 0]
     assert shown[0].all("strong")[0][1].startswith(("STABLE", "UNSTABLE"))
     assert len(shown[0].all("tr")) == 1 + len([r for r in parts.spectrum.roots if not r.q.real < 0])
+    assert re.search(r"(halves|doubles) in [\d.]+ τ", shown[0].all("table")[0][1])
     assert "not proved" in shown[1].all("div")[0][1]
     assert shown[2].all("strong")[0][1] == "A <title>"
     assert "too & close" in shown[2].all("div")[0][1]

@@ -10,7 +10,7 @@ from flint import acb, arb
 from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, Status, certify, read_case
 from mpsolve.model.exact import Exact
 from mpsolve.report.statement import proved, verdict
-from mpsolve.report.text import WIDTH, render, shown
+from mpsolve.report.text import WIDTH, beam_rows, render, shown
 from mpsolve.spectrum.enclose import RootBall
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -99,3 +99,25 @@ def test_a_cluster_says_how_many_roots_it_holds() -> None:
 )
 def test_exact_numbers_are_told_from_rounded_ones(value: str | int, text: str) -> None:
     assert shown(Exact(value)) == text
+
+
+def test_a_value_is_shown_as_it_is_typed() -> None:
+    typed = "0.666918957284545"
+    assert shown(Exact.parse(typed)) == typed
+    assert shown(Exact.parse("1/3")) == "≈ 0.33333333"
+    assert shown(Exact.parse("9806.650")) == "9806.65"
+
+
+def test_the_critical_velocity_with_axial_force_and_pasternak_layer() -> None:
+    beam = {"EI": "6.4e6", "m": 60, "k": "1e6", "v": 100, "masses": [(1000, 0)]}
+    plain = {name: value for name, value, _ in beam_rows(PhysicalCase(**beam))}
+    assert "v_cr′" not in plain
+    rows = {name: value for name, value, _ in beam_rows(PhysicalCase(**beam, N=100000, kp=200000))}
+    v_cr = (1e6 / 60) ** 0.5 / (1e6 / 4 / 6.4e6) ** 0.25
+    expected = v_cr * (1 + 1e5 / (2 * (1e6 * 6.4e6) ** 0.5)) ** 0.5
+    assert float(rows["v_cr′"].split()[1]) == pytest.approx(expected, rel=1e-7)
+
+
+def test_equation_26_is_named_for_two_masses_only() -> None:
+    assert "eq. (26)," in proved(certify(UNDAMPED, region="unstable"))[0]
+    assert "(26) for two masses" in proved(certify(Case(alpha="0.5", eta_b="0.1", eta_m=5), region="unstable"))[0]

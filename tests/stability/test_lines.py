@@ -24,6 +24,12 @@ def test_a_root_is_followed_to_itself():
     assert follow(early.case, [], [], []) == []
 
 
+def test_ends_are_open_where_cuts_are_not_looked_for():
+    (ending, through) = frequency_lines(**REST, alpha=["0.97", "0.99"], cuts=False)
+    assert [end.kind for end in ending.ends] == ["range", "open"]
+    assert [end.kind for end in through.ends] == ["range", "range"]
+
+
 def test_a_line_ends_at_the_cut_and_another_begins():
     lines = frequency_lines(**REST, alpha=["0.95", "0.97", "0.99", "1.03", "1.05"])
     assert lines.counts == (4, 4, 2, 2, 4)
