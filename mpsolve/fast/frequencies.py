@@ -25,7 +25,7 @@ class Frequencies:
     q: complex128, shape (…, n), in each case sorted by (Re q, Im q), then nan; n is the largest count.
     count: int, shape (…): the number of roots, −1 where unresolved. outcome: int8, shape (…), see `Outcome`.
     Only where the outcome is CERTIFIED are count and roots proved; the sign of an Im q next to 0 is float64's. A
-    tracked root is good to about 1e-15 |q|, divided by its relative distance to the nearest other root of the case.
+    tracked root is good to about 1e-14 |q|, divided by its relative distance to the nearest other root of the case.
     Unresolved remain cases with a root within about 1e-8 of the cut: at η_b = 0 next above α_C.
     """
 

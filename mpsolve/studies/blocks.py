@@ -21,7 +21,7 @@ from mpsolve.studies.spec import PARAMETERS, Spec, spec_of
 if TYPE_CHECKING:
     from mpsolve.spectrum.enclose import RootBall
 
-FORMAT = 1
+FORMAT = 2
 """Raised when the results of a case, or the way they are written, change."""
 ENGINE = f"mpsolve {__version__}, results {FORMAT}"
 

@@ -226,3 +226,23 @@ def test_roots_that_nearly_meet_are_all_found() -> None:
     truth = Truth(pair(0.31, 0.4, 3, 15), 30)
     for q in rows(result)[1]:
         assert abs(complex(truth.root(q)) - q) < 1e-10 * abs(q)
+
+
+@pytest.mark.parametrize(
+    ("alpha", "eta_b", "eta_m", "d", "tension"),
+    [
+        (1.3835269629673326, 0.3028796550773879, 56.942191830801036, 1.9509126551937963, 1e4),
+        (0.7, 0.2, 40.0, 2.0, 1e2),
+        (0.7, 0.2, 40.0, 2.0, 1e5),
+    ],
+)
+def test_strong_tension_costs_no_digits(alpha: float, eta_b: float, eta_m: float, d: float, tension: float) -> None:
+    """Two p-roots are small beside the other two, and are not what is left of them in a difference."""
+    result = frequencies(alpha * np.array([0.999, 1, 1.001]), eta_b, eta_m, d, -tension)
+    assert result.outcome[1] == Outcome.TRACKED
+    case = Case(alpha=alpha, eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, d), eta_n=-tension)
+    truth = Truth(case, 40)
+    expected = [complex(truth.root(q)) for q in rows(result)[1]]
+    for q, root in zip(rows(result)[1], expected, strict=True):
+        separation = min([abs(root - other) for other in expected if other != root]) / abs(root)
+        assert abs(q - root) < 3e-14 * abs(root) / min(separation, 1)
