@@ -15,6 +15,7 @@ from mpsolve import Case, certify, unstable_velocities
 from mpsolve.errors import InputError
 from mpsolve.fast.follow import Outcome
 from mpsolve.fast.frequencies import Frequencies, frequencies
+from mpsolve.model.edge import edge_value
 
 ALPHA = np.arange(1, 141) / 100
 STUDY = {
@@ -109,6 +110,39 @@ def test_a_single_number_is_certified() -> None:
     assert result.q.shape == (4,)
     assert result.status == "certified"
     assert result.unstable == 2
+
+
+@pytest.mark.parametrize(
+    ("given", "count"),
+    [
+        ((0.5, 0.9999999999999999, 10, 1), 4),
+        ((0.5, 0, 10, 1, 0.9999999999999999), 4),
+        ((100, 0.1, 10, 1), -1),
+        ((1e12, 0.1, 10, 1), -1),
+    ],
+)
+def test_a_case_that_is_hard_to_prove_ends_soon(
+    given: tuple[float, ...], count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A proof has a limit; beyond it float64 tells the roots, or nothing does."""
+    pieces = [0]
+
+    def value(track: Any, r: Any) -> Any:
+        pieces[0] += 1
+        assert pieces[0] < 5_000
+        return edge_value(track, r)
+
+    monkeypatch.setattr("mpsolve.spectrum.winding.edge_value", value)
+    result = frequencies(*given)
+    assert result.count == count
+    assert result.status == ("tracked" if count > 0 else "unresolved")
+
+
+def test_work_is_cut_into_parts_that_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    alpha = np.linspace(0.2, 1.3, 60)
+    whole = frequencies(alpha, 0.3, 40, 12)
+    monkeypatch.setattr("mpsolve.fast.follow._WORK", 100)
+    assert np.array_equal(frequencies(alpha, 0.3, 40, 12).q, whole.q, equal_nan=True)
 
 
 def test_broadcasting_and_padding() -> None:
