@@ -90,6 +90,12 @@ def test_a_study_that_is_not_complete(run: Run) -> None:
         (("export", "none.sqlite", "--to", "csv"), 2, "store: none.sqlite does not exist"),
         (("export", "spec.toml", "--to", "csv"), 1, "it is no study"),
         (("status", "none.sqlite"), 2, "does not exist"),
+        (
+            ("status", "x" * 300),
+            2,
+            "cannot be used (File name too long): give the path of a file that `mpsolve study`",
+        ),
+        (("export", "x" * 300, "--to", "csv"), 2, "cannot be used (File name too long)"),
     ],
 )
 def test_errors_are_one_sentence(run: Run, arguments: tuple[str, ...], status: int, said: str) -> None:

@@ -111,7 +111,8 @@ def seeds(
     given = (alpha, eta_b, eta_m, d, eta_n, eta_s, mass_ratio)
     grids = []
     for name, values in zip(PARAMETERS, given, strict=True):
-        if isinstance(values, str) or not isinstance(values, (Sequence, np.ndarray)) or not len(values):
+        listed = isinstance(values, Sequence) and not isinstance(values, str)
+        if not (listed or (isinstance(values, np.ndarray) and values.ndim == 1)) or not len(values):
             raise InputError(name, f"is {values!r}: give a list of one or more values")
         grids.append([str(Exact.parse(value, name)) for value in values])
     rows = list(product(*grids))

@@ -54,6 +54,17 @@ _ADVICE = {
 }
 
 
+def store_path(given: object) -> Path:
+    """The path of a store, whatever was given for it; InputError if that is none."""
+    try:
+        path = Path(given)  # type: ignore[arg-type]
+    except TypeError:
+        path = None
+    if path is None or "\0" in str(path):
+        raise InputError("store", f"is {given!r}, which is no path: give the path of a file, such as study.sqlite")
+    return path
+
+
 class Store:
     """An open store; use as a context manager. Every error of the file is a StudyError that says what helps."""
 
@@ -80,8 +91,11 @@ class Store:
     @classmethod
     def read(cls, path: Path) -> Store:
         """The store at `path` as it is now; what is written later is not seen. InputError if there is no file."""
-        if not path.is_file():
-            state = "is a directory" if path.is_dir() else "does not exist"
+        try:
+            state = "" if path.is_file() else "is a directory" if path.is_dir() else "does not exist"
+        except OSError as error:  # a name that is too long, a folder that may not be looked into
+            state = f"cannot be used ({error.strerror})"
+        if state:
             raise InputError("store", f"{path} {state}: give the path of a file that `mpsolve study` wrote")
         with _explained(path):
             connection = sqlite3.connect(_address(path), uri=True, timeout=_PATIENCE, isolation_level=None)

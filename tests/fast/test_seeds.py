@@ -77,6 +77,9 @@ def test_files_hold_the_same_numbers(table: Seeds, tmp_path: Path) -> None:
 def test_bad_arguments(table: Seeds, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="output"):
         table.save(tmp_path / "seeds.txt")
+    for values in (np.array(0.5), np.ones((1, 1))):
+        with pytest.raises(InputError, match="alpha: is array"):
+            seeds(values, [0.1], [10], [1])
     for change, key in (({"alpha": []}, "alpha"), ({"eta_b": [1]}, "eta_b"), ({"mass_ratio": [-1]}, "mass_ratio")):
         values = {"alpha": [0.5], "eta_b": [0.1], "eta_m": [10], "d": [1], **change}
         with pytest.raises(InputError) as caught:
