@@ -114,6 +114,30 @@ def test_a_spec_that_differs_is_told_apart(run: Run) -> None:
     assert 'parameters.eta_n is not given there and "1" here' in other.stderr
 
 
+def test_ctrl_c_says_what_is_kept_and_how_to_go_on(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mpsolve.studies.run.study", interrupted)
+    result = run("study", "spec.toml", "-o", "s.sqlite", "--workers", 1)
+    assert (result.exit_code, result.stdout) == (1, "")
+    told = "mpsolve: interrupted; what is finished is stored in s.sqlite, and the same command goes on\n"
+    assert result.stderr == told
+
+
+@pytest.mark.parametrize("address", ["127.0.0.1:1", "tcp://127.0.0.1:1"])
+def test_a_scheduler_needs_no_scheme(address: str, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    distributed = pytest.importorskip("distributed")
+
+    def absent(given: str, **_: object) -> None:
+        raise OSError(f"asked {given}")
+
+    monkeypatch.setattr(distributed, "Client", absent)
+    result = run("study", "spec.toml", "-o", "s.sqlite", "--dask", address)
+    assert result.exit_code == 1
+    assert "no Dask scheduler answers at tcp://127.0.0.1:1 (asked tcp://127.0.0.1:1)" in result.stderr
+
+
 def test_dask_is_an_extra(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     result = run("study", "spec.toml", "-o", "s.sqlite", "--dask", "tcp://localhost:8786")
