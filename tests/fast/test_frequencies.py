@@ -13,8 +13,10 @@ from oracle import Truth, grid
 
 from mpsolve import Case, certify, unstable_velocities
 from mpsolve.errors import InputError
+from mpsolve.fast.cases import Cases
 from mpsolve.fast.follow import Outcome
 from mpsolve.fast.frequencies import Frequencies, frequencies
+from mpsolve.fast.order import alike
 from mpsolve.model.edge import edge_value
 
 ALPHA = np.arange(1, 141) / 100
@@ -231,6 +233,7 @@ def test_two_processes_give_the_same() -> None:
         ({"eta_s": -1}, "eta_s"),
         ({"mass_ratio": -1}, "mass_ratio"),
         ({"d": [True]}, "d"),
+        ({"d": np.ma.masked_array([1.0, 2.0], [False, True])}, "d"),
         ({"alpha": [0.1, 0.2], "d": [1, 2, 3]}, "alpha"),
         ({"workers": 0}, "workers"),
     ],
@@ -280,3 +283,25 @@ def test_strong_tension_costs_no_digits(alpha: float, eta_b: float, eta_m: float
     for q, root in zip(rows(result)[1], expected, strict=True):
         separation = min([abs(root - other) for other in expected if other != root]) / abs(root)
         assert abs(q - root) < 3e-14 * abs(root) / min(separation, 1)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"eta_m": 1e300},
+        {"d": 1e-300},
+        {"alpha": [1e300]},
+        {"eta_m": 1e300, "mass_ratio": 1e300},
+        {"eta_n": -1.7e308, "eta_s": 1.7e308},
+    ],
+)
+def test_what_float64_does_not_hold_is_unresolved_without_a_warning(change: dict[str, Any]) -> None:
+    result = frequencies(**{"alpha": [0.5, 0.6], "eta_b": 0.1, "eta_m": 10, "d": 1, **change})
+    assert (result.status == "unresolved").all()
+    assert (result.count == -1).all()
+
+
+def test_neighbours_stay_neighbours_among_very_many_values() -> None:
+    values = np.random.default_rng(1).permutation(20_000) / 20_000
+    one = np.ones(len(values))
+    assert (np.diff(values[alike(Cases(values, 0 * one, 0.1 * one, one, one, one))]) > 0).all()
