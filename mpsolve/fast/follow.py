@@ -23,8 +23,8 @@ from mpsolve.spectrum.certify import certify
 STRIDE = 8192  # cases between anchors
 MOST = 64  # roots of a case: one that has more is not followed
 _DIGITS = 17
-_PIECES = 4_000  # of the contour of a proof: some seconds, and four times what cases of ordinary beams need
-_FAILURES = 8  # of proofs after which no more of them are tried
+_PIECES = 2_000  # of the contour of a proof: a second, and twice what ordinary cases need
+_FAILURES = 16  # of proofs after which no more of them are tried
 _FEW = 256
 _WORK = 1 << 20  # guesses, times the roots that are divided out of each, at a time: it bounds the memory
 

@@ -26,7 +26,14 @@ class Frequencies:
     count: int, shape (…): the number of roots, −1 where unresolved. outcome: int8, shape (…), see `Outcome`.
     Only where the outcome is CERTIFIED are count and roots proved; the sign of an Im q next to 0 is float64's. A
     tracked root is good to about 1e-14 |q|, divided by its relative distance to the nearest other root of the case.
-    Unresolved remain cases with a root within about 1e-8 of the cut: at η_b = 0 next above α_C.
+
+    What float64 leaves open is certified, for 64 cases and one in 512. Beyond that, or where this fails too, cases
+    stay unresolved; most of them have
+        a root next to the cut: η_b = 0 within about 1e-4 of α_C on either side; any η_b within as much of an α where
+        a root comes out of the cut; light masses, η_M below 0.1, whose roots are next to the branch point;
+        two roots within about 1e-8 of one another: masses far apart, d above 20 or so;
+        very many roots: α above 20 or so; a case with more than 64 is not followed;
+        a parameter so large or small that the phase along the cut is too long to be followed, or overflows.
     """
 
     q: Any

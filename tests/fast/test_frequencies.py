@@ -305,3 +305,24 @@ def test_neighbours_stay_neighbours_among_very_many_values() -> None:
     values = np.random.default_rng(1).permutation(20_000) / 20_000
     one = np.ones(len(values))
     assert (np.diff(values[alike(Cases(values, 0 * one, 0.1 * one, one, one, one))]) > 0).all()
+
+
+def test_masses_far_apart_are_certified_where_float64_does_not_tell_their_roots_apart() -> None:
+    """Pairs of roots nearer than 1e-8 to one another, in more cases than one in 512."""
+    rng = np.random.default_rng(3)
+    alpha, eta_b, eta_m, d = rng.uniform([0.05, 0.2, 1, 24], [0.9, 0.95, 70, 32], (30, 4)).T
+    result = frequencies(alpha, eta_b, eta_m, d)
+    assert (result.outcome == Outcome.CERTIFIED).sum() > 17
+    assert (result.outcome > Outcome.UNRESOLVED).all()
+
+
+def test_one_process_gives_up_proofs_that_fail_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried = [0]
+
+    def fails(_cases: Cases, _place: int) -> None:
+        tried[0] += 1
+
+    monkeypatch.setattr("mpsolve.fast.follow.certified", fails)
+    touching = 1 + np.linspace(-1e-9, 1e-9, 60)
+    assert (frequencies(touching, 0, 20, 1.5).outcome == Outcome.UNRESOLVED).any()
+    assert 0 < tried[0] <= 16
