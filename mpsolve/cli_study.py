@@ -27,13 +27,13 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
     "-o", "--output", required=True, type=click.Path(path_type=Path), help="The store, such as study.sqlite."
 )
 @click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
-@click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786, instead of processes.")
+@click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes.")
 def study(file: Path, output: Path, workers: int | None, dask: str | None) -> None:
     """Compute all cases of the study that SPEC (TOML) describes, and store the results.
 
     What the store holds already is not computed again: an interrupted study goes on where it was. Exit status 0:
-    every case has an answer. 1: some are undecided, unresolved or refused, or the store cannot be written. 2: the
-    input cannot be used.
+    every case has an answer. 1: some are undecided, unresolved or refused, it was interrupted, or the store cannot
+    be written. 2: the input cannot be used.
     """
     with one_sentence():
         from mpsolve.errors import InputError
@@ -43,8 +43,14 @@ def study(file: Path, output: Path, workers: int | None, dask: str | None) -> No
         if dask is not None and workers is not None:
             raise InputError("--workers", "is given, but --dask leaves that to the cluster: give one of the two")
         checked_output(output, file, "the store")
-        with _cluster(dask) as (executor, size), _progress() as tell:
-            made = compute(file, executor, store=output, workers=workers, progress=tell, ahead=max(AHEAD, 2 * size))
+        try:
+            with _cluster(dask) as (executor, size), _progress() as tell:
+                ahead = max(AHEAD, 2 * size)
+                made = compute(file, executor, store=output, workers=workers, progress=tell, ahead=ahead)
+        except KeyboardInterrupt:
+            told = f"interrupted; what is finished is stored in {output}, and the same command goes on"
+            click.echo(f"mpsolve: {told}", err=True)
+            sys.exit(UNDECIDED)
         click.echo(_sentence(made))
     sys.exit(0 if made.answered else UNDECIDED)
 
@@ -146,6 +152,8 @@ def _cluster(address: str | None) -> Iterator[tuple[Executor | None, int]]:
         from distributed.comm import get_address_host_port
     except ImportError:
         raise InputError("--dask", "needs the package distributed: pip install 'mpsolve[dask]'") from None
+    if "://" not in address:
+        address = f"tcp://{address}"
     try:
         get_address_host_port(address, strict=True)
     except ValueError as error:

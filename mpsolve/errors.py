@@ -19,6 +19,10 @@ class PrecisionError(MpsolveError, ArithmeticError):
     """Balls too wide to decide at the present precision or piece length: split or raise the precision."""
 
 
+class EffortError(PrecisionError):
+    """The effort that was allowed is spent: only more of it would help."""
+
+
 class CertificateError(MpsolveError):
     """A certificate cannot be written or read; the message names the file and the cause."""
 

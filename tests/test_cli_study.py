@@ -90,6 +90,12 @@ def test_a_study_that_is_not_complete(run: Run) -> None:
         (("export", "none.sqlite", "--to", "csv"), 2, "store: none.sqlite does not exist"),
         (("export", "spec.toml", "--to", "csv"), 1, "it is no study"),
         (("status", "none.sqlite"), 2, "does not exist"),
+        (
+            ("status", "x" * 300),
+            2,
+            "cannot be used (File name too long): give the path of a file that `mpsolve study`",
+        ),
+        (("export", "x" * 300, "--to", "csv"), 2, "cannot be used (File name too long)"),
     ],
 )
 def test_errors_are_one_sentence(run: Run, arguments: tuple[str, ...], status: int, said: str) -> None:
@@ -106,6 +112,30 @@ def test_a_spec_that_differs_is_told_apart(run: Run) -> None:
     other = run("study", "buckles.toml", "-o", "s.sqlite", "--workers", 1)
     assert other.exit_code == 2
     assert 'parameters.eta_n is not given there and "1" here' in other.stderr
+
+
+def test_ctrl_c_says_what_is_kept_and_how_to_go_on(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mpsolve.studies.run.study", interrupted)
+    result = run("study", "spec.toml", "-o", "s.sqlite", "--workers", 1)
+    assert (result.exit_code, result.stdout) == (1, "")
+    told = "mpsolve: interrupted; what is finished is stored in s.sqlite, and the same command goes on\n"
+    assert result.stderr == told
+
+
+@pytest.mark.parametrize("address", ["127.0.0.1:1", "tcp://127.0.0.1:1"])
+def test_a_scheduler_needs_no_scheme(address: str, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    distributed = pytest.importorskip("distributed")
+
+    def absent(given: str, **_: object) -> None:
+        raise OSError(f"asked {given}")
+
+    monkeypatch.setattr(distributed, "Client", absent)
+    result = run("study", "spec.toml", "-o", "s.sqlite", "--dask", address)
+    assert result.exit_code == 1
+    assert "no Dask scheduler answers at tcp://127.0.0.1:1 (asked tcp://127.0.0.1:1)" in result.stderr
 
 
 def test_dask_is_an_extra(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

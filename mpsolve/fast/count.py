@@ -5,7 +5,8 @@ As in spectrum/winding.py, half of the sheet's boundary is enough, and the far a
     n = 2 + (A₊ − [arg G₊] + A₋ − [arg G₋])/π.
 
 Float64, hence no proof: a count is given only where every step of the phase is small after refinement, and the sum
-is an integer up to rounding; else it is −1.
+is an integer up to rounding; else it is −1. So it is where the phase would take too many pieces of the edge, as
+for 10⁴ half waves between the masses, or a parameter far out of any use.
 """
 
 from __future__ import annotations
@@ -23,7 +24,10 @@ MAX_GROWTH = 1.0  # of log |G|, beside (1 + r)³
 NODES = 48
 _SCALE = 0.1  # of √(r − q_lm) to its far end: nodes are uniform below it and geometric above
 _START = 1e-6  # of √(r − q_lm)
-_FINEST = 1e-7
+_FINEST = 1e-7  # piece, the least of all
+_LEVELS = 40  # of halving
+_PIECES = 4096  # of a case, made by halving
+_MANY = 1 << 17  # pieces at a time, which bounds the memory
 _BLOCK = 256  # cases at a time: their arrays stay in the processor's cache
 _PART = 8192  # cases that are refined together: enough to make few calls, few enough for memory
 
@@ -104,13 +108,17 @@ def _place(limit: Any, t: Any) -> Any:
 
 
 def _turning(cases: Cases, t: Any, G: Any) -> Any:
-    """[arg G₊] + [arg G₋] along the nodes, pieces halved until every step is small; nan where that fails."""
+    """[arg G₊] + [arg G₋] along the nodes, pieces halved until every step is small; nan where that fails.
+
+    Depth first, so that the pieces in hand stay few however many are made.
+    """
     shape = (len(t), t.shape[1] - 1)
     which = np.broadcast_to(np.arange(len(t))[:, None], shape).ravel()
     first, last = (part.reshape(2, -1) for part in (G[:, :, :-1], G[:, :, 1:]))
-    pieces = _Pieces(which, t[:, :-1].ravel(), t[:, 1:].ravel(), first, last)
-    turn = np.zeros(len(t))
-    while True:
+    waiting = [(0, _Pieces(which, t[:, :-1].ravel(), t[:, 1:].ravel(), first, last))]
+    turn, made = np.zeros(len(t)), np.zeros(len(t), int)
+    while waiting:
+        level, pieces = waiting.pop()
         limit = cases.limit[pieces.which]
         steps = np.angle(pieces.last / pieces.first)
         growth = 3 * np.log((1 + _place(limit, pieces.stop)) / (1 + _place(limit, pieces.start)))
@@ -118,11 +126,13 @@ def _turning(cases: Cases, t: Any, G: Any) -> Any:
         done = ((np.abs(steps) < MAX_STEP) & (np.abs(leap) < MAX_GROWTH)).all(axis=0)
         turn += np.bincount(pieces.which[done], steps.sum(axis=0)[done], len(turn))
         pieces = pieces[~done]
-        turn[pieces.which[pieces.stop - pieces.start < _FINEST]] = np.nan
+        made += np.bincount(pieces.which, minlength=len(made))
+        turn[made > _PIECES] = np.nan
+        turn[pieces.which[(pieces.stop - pieces.start < _FINEST) | (level == _LEVELS)]] = np.nan
         pieces = pieces[np.isfinite(turn[pieces.which])]
-        if not len(pieces.which):
-            return turn
-        pieces = _halved(cases, pieces)
+        for k in range(0, len(pieces.which), _MANY):
+            waiting.append((level + 1, _halved(cases, pieces[k : k + _MANY])))
+    return turn
 
 
 def _halved(cases: Cases, pieces: _Pieces) -> _Pieces:

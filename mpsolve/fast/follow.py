@@ -21,8 +21,12 @@ from mpsolve.fast.newton import distinct, packed, polish, snapped, weight
 from mpsolve.spectrum.certify import certify
 
 STRIDE = 8192  # cases between anchors
+MOST = 64  # roots of a case: one that has more is not followed
 _DIGITS = 17
+_PIECES = 2_000  # of the contour of a proof: a second, and twice what ordinary cases need
+_FAILURES = 16  # of proofs after which no more of them are tried
 _FEW = 256
+_WORK = 1 << 20  # guesses, times the roots that are divided out of each, at a time: it bounds the memory
 
 
 class Outcome(IntEnum):
@@ -41,26 +45,35 @@ class Following:
     edge: Edge
     q: Any = field(init=False)
     outcome: Any = field(init=False)
+    hopeless: Any = field(init=False)  # cases with too many roots, or whose proof has failed
 
     def __post_init__(self) -> None:
+        self.hopeless = self.edge.count > MOST
+        self.edge.count[self.hopeless] = -1
         width = max(2, int(self.edge.count.max(initial=0)))
         self.q = np.full((len(self.cases), width), np.nan, complex)
         none = self.edge.count == 0
         self.outcome = np.where(none, Outcome.TRACKED, Outcome.UNRESOLVED).astype(np.int8)
 
     def certify(self, places: Any) -> None:
-        for place in places.tolist():
+        """Proves the roots of these cases, as long as no more than a few proofs fail: they are what takes long."""
+        failures = 0
+        for place in places[~self.hopeless[places]].tolist():
             roots = certified(self.cases, place)
-            if roots is not None:
-                self.q = packed(self.q, max(len(roots), self.q.shape[1]))
-                self.q[place] = packed(np.array([roots], complex), self.q.shape[1])
-                self.outcome[place] = Outcome.CERTIFIED
+            if roots is None:
+                self.hopeless[place] = True
+                failures += 1
+                if failures == _FAILURES:
+                    return
+                continue
+            self.q = packed(self.q, max(len(roots), self.q.shape[1]))
+            self.q[place] = packed(np.array([roots], complex), self.q.shape[1])
+            self.outcome[place] = Outcome.CERTIFIED
 
     def between(self, places: Any, stride: int) -> None:
         """Solves cases whose neighbours at a distance of `stride` are done."""
         for there in (places - stride, places + stride):
-            inside = (there < len(self.q))[:, None]
-            roots = np.where(inside, self.q[np.minimum(there, len(self.q) - 1)], np.nan)
+            roots = self._roots_at(there)
             still = self._open(places)
             self._extend(places[still], roots[still])
         self.search(places)
@@ -86,8 +99,11 @@ class Following:
 
     def _extend(self, places: Any, guesses: Any, apart: bool = False) -> None:
         """Adds what the guesses lead to, if `apart` with the known roots divided out."""
-        if not len(places):
-            return
+        size = max(1, _WORK // (guesses.shape[1] * (1 + self.q.shape[1] * apart)))
+        for k in range(0, len(places), size):
+            self._add(places[k : k + size], guesses[k : k + size], apart)
+
+    def _add(self, places: Any, guesses: Any, apart: bool) -> None:
         known = self.q[places]
         each = np.repeat(np.arange(len(places)), guesses.shape[1])
         some = self.cases[places][each]
@@ -104,24 +120,30 @@ class Following:
 def follow(cases: Cases) -> tuple[Any, Any]:
     """(q, outcome) of the cases, one-dimensional and in order: roots with Re q ≥ 0, shape (cases, columns).
 
-    At most one case in 512 (and 16 more) is certified for its own sake.
+    At most one case in 512 (and 64 more) is certified for its own sake.
     """
+    with np.errstate(all="ignore"):  # beyond the range of float64 there is no count, and so no root
+        return _followed(cases)
+
+
+def _followed(cases: Cases) -> tuple[Any, Any]:
     n = len(cases)
     state = Following(cases, count_roots(cases))
     stride = min(STRIDE, 1 << max(n - 1, 0).bit_length())
-    state.certify(np.arange(0, n, stride))
+    anchors = np.arange(0, n, stride)
+    state.certify(anchors[state.edge.count[anchors] >= 0])
     while stride > 1:
         stride //= 2
         state.between(np.arange(stride, n, 2 * stride), stride)
     state.search(np.flatnonzero(state.outcome == Outcome.UNRESOLVED))  # anchors without a proof
-    state.certify(np.flatnonzero(state.outcome == Outcome.UNRESOLVED)[: 16 + n // 512])
+    state.certify(np.flatnonzero(state.outcome == Outcome.UNRESOLVED)[: 64 + n // 512])
     return np.where((state.outcome == Outcome.UNRESOLVED)[:, None], np.nan, state.q), state.outcome
 
 
 def certified(cases: Cases, place: int) -> list[complex] | None:
     """Every root of one case with Re q ≥ 0, proved and rounded to float64; None if the proof fails."""
     try:
-        spectrum = certify(cases.exact(place), _DIGITS)
+        spectrum = certify(cases.exact(place), _DIGITS, max_pieces=_PIECES)
     except MpsolveError:
         return None
     if not spectrum.proved or any(root.multiplicity > 1 for root in spectrum.roots):

@@ -25,8 +25,15 @@ class Frequencies:
     q: complex128, shape (…, n), in each case sorted by (Re q, Im q), then nan; n is the largest count.
     count: int, shape (…): the number of roots, −1 where unresolved. outcome: int8, shape (…), see `Outcome`.
     Only where the outcome is CERTIFIED are count and roots proved; the sign of an Im q next to 0 is float64's. A
-    tracked root is good to about 1e-15 |q|, divided by its relative distance to the nearest other root of the case.
-    Unresolved remain cases with a root within about 1e-8 of the cut: at η_b = 0 next above α_C.
+    tracked root is good to about 1e-14 |q|, divided by its relative distance to the nearest other root of the case.
+
+    What float64 leaves open is certified, for 64 cases and one in 512. Beyond that, or where this fails too, cases
+    stay unresolved; most of them have
+        a root next to the cut: η_b = 0 within about 1e-4 of α_C on either side; any η_b within as much of an α where
+        a root comes out of the cut; light masses, η_M below 0.1, whose roots are next to the branch point;
+        two roots within about 1e-8 of one another: masses far apart, d above 20 or so;
+        very many roots: α above 20 or so; a case with more than 64 is not followed;
+        a parameter so large or small that the phase along the cut is too long to be followed, or overflows.
     """
 
     q: Any
@@ -69,16 +76,7 @@ def frequencies(
     """
     arrays = _checked(alpha, eta_b, eta_m, d, eta_n, eta_s, mass_ratio)
     shape = arrays[0].shape
-    alpha, eta_b, eta_m, d, eta_n, eta_s, ratio = (a.ravel() for a in arrays)
-    single = (d == 0) | (ratio == 0)
-    cases = Cases(
-        alpha,
-        eta_n - eta_s,
-        eta_b,
-        np.where(single, eta_m * (1 + ratio), eta_m),
-        np.where(single, 0.0, eta_m * ratio),
-        np.where(single, 1.0, d),
-    )
+    cases = _cases(*(a.ravel() for a in arrays))
     order = alike(cases)
     jobs = [cases[order[k : k + CHUNK]] for k in range(0, len(order), CHUNK)]
     results = run(follow, jobs, workers, tell, "following")
@@ -92,6 +90,19 @@ def frequencies(
     n = int(count.max(initial=0))
     count = np.where(outcome == Outcome.UNRESOLVED, -1, count)
     return Frequencies(q[:, :n].reshape(*shape, n), count.reshape(shape), outcome.reshape(shape))
+
+
+def _cases(alpha: Any, eta_b: Any, eta_m: Any, d: Any, eta_n: Any, eta_s: Any, ratio: Any) -> Cases:
+    single = (d == 0) | (ratio == 0)
+    with np.errstate(over="ignore"):
+        return Cases(
+            alpha,
+            eta_n - eta_s,
+            eta_b,
+            np.where(single, eta_m * (1 + ratio), eta_m),
+            np.where(single, 0.0, eta_m * ratio),
+            np.where(single, 1.0, d),
+        )
 
 
 def _whole(half: Any, undamped: Any) -> Any:
@@ -121,6 +132,8 @@ def _checked(*values: Any) -> list[Any]:
     """Float64 arrays of one shape; InputError names the first element that breaks a bound."""
     arrays: list[Any] = []
     for (name, (stated, holds)), value in zip(_BOUNDS.items(), values, strict=True):
+        if np.ma.is_masked(value):
+            raise InputError(name, "has masked entries: give a number everywhere, or leave those cases out")
         try:
             array = np.asarray(value)
             if array.dtype.kind not in "iuf":
@@ -136,7 +149,8 @@ def _checked(*values: Any) -> list[Any]:
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(_BOUNDS, arrays, strict=True))
         raise InputError("alpha", f"and the others do not broadcast: their shapes are {shapes}") from None
-    axial = arrays[4] - arrays[5]
+    with np.errstate(over="ignore"):
+        axial = arrays[4] - arrays[5]
     rest = (
         "gives eta_n − eta_s not below √(1 − eta_b²), so that the cuts leave their line or the beam buckles: lower it"
     )

@@ -19,7 +19,7 @@ def alike(cases: Cases) -> Any:
             ranks.append((rank / (len(values) - 1), len(values)))
     if not ranks:
         return np.arange(len(cases))
-    bits = min(12, 62 // len(ranks))
+    bits = min(31, 62 // len(ranks))  # of each rank
     key = np.zeros(len(cases), np.uint64)
     levels = [np.minimum((share * 2**bits).astype(np.uint64), np.uint64(2**bits - 1)) for share, _ in ranks]
     for bit in range(bits - 1, -1, -1):

@@ -6,7 +6,7 @@ import csv
 import io
 import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -27,7 +27,7 @@ from mpsolve.spectrum.cluster import Taylor, taylor
 from mpsolve.stability.pool import run
 from mpsolve.stability.search import Tell
 
-FORMAT, VERSION = "mpsolve seeds", 1
+FORMAT, VERSION = "mpsolve seeds", 2
 PARAMETERS = ("alpha", "eta_b", "eta_m", "d", "eta_n", "eta_s", "mass_ratio")
 CLAIM = (
     "From any start with |q - seed| <= radius, Newton's method on Delta converges to the one root in that disc, and "
@@ -35,23 +35,27 @@ CLAIM = (
 )
 _BITS = 96
 _WIDER = 1.001  # the proof is for a disc that also holds the one about the root itself
-_CIRCLES, _ARCS, _SHRINK = 10, 32, 3
+_CIRCLES, _ARCS, _SHRINK = 40, 32, 3
 
 Row = tuple[str, ...]
+Found = list[tuple[complex, float | None]]  # every root of a case with its radius, None where none is proved
 
 
 @dataclass(frozen=True)
 class Seeds:
     """Row k: the case `cases[k]` (exact texts in the order of PARAMETERS), a root q[k] and its proved radius[k].
 
-    q: complex128, shape (n,), all the roots of a case together, sorted by (Re q, Im q), each within |q|·10^−15 of
-    the root; radius: float64. undecided: the cases whose roots are not all there, which have no row. The claim
-    is CLAIM, for exact arithmetic.
+    q: complex128, shape (n,), the roots of a case together, sorted by (Re q, Im q), each within |q|·10^−15 of the
+    root; radius: float64; roots: int, how many roots the case has. Where its rows are fewer, `missing` has the
+    others, (case, q) each: proved roots without a proved radius, next to a cut or to one another. undecided: the
+    cases whose roots are not proved, which have no row. The claim is CLAIM, for exact arithmetic.
     """
 
     cases: tuple[Row, ...]
     q: Any
     radius: Any
+    roots: Any
+    missing: tuple[tuple[Row, complex], ...]
     undecided: tuple[Row, ...]
 
     def save(self, path: str | os.PathLike[str]) -> Path:
@@ -64,31 +68,42 @@ class Seeds:
 
     def _npz(self) -> bytes:
         buffer = io.BytesIO()
-        columns = np.array(self.cases, dtype=str).reshape(-1, len(PARAMETERS)).T
-        content: dict[str, Any] = dict(zip(PARAMETERS, columns, strict=True))
-        content["undecided"] = np.array(self.undecided, dtype=str).reshape(-1, len(PARAMETERS))
-        np.savez(buffer, q=self.q, radius=self.radius, claim=np.array(CLAIM), **content)
+        content: dict[str, Any] = dict(zip(PARAMETERS, _table(self.cases).T, strict=True))
+        content |= {"q": self.q, "radius": self.radius, "roots": self.roots, "claim": np.array(CLAIM)}
+        content["missing"] = _table([case for case, _ in self.missing])
+        content["missing_q"] = np.array([q for _, q in self.missing], dtype=complex)
+        np.savez(buffer, undecided=_table(self.undecided), **content)
         return buffer.getvalue()
 
     def _csv(self) -> str:
         buffer = io.StringIO()
         table = csv.writer(buffer, lineterminator="\n")
-        table.writerow([*PARAMETERS, "q_re", "q_im", "radius"])
-        for case, q, radius in zip(self.cases, self.q.tolist(), self.radius.tolist(), strict=True):
-            table.writerow([*case, repr(q.real), repr(q.imag), repr(radius)])
+        table.writerow([*PARAMETERS, "q_re", "q_im", "radius", "roots"])
+        for case, q, radius, roots in self._rows():
+            table.writerow([*case, repr(q.real), repr(q.imag), repr(radius), roots])
         return buffer.getvalue()
 
     def _json(self) -> str:
-        rows = zip(self.cases, self.q.tolist(), self.radius.tolist(), strict=True)
         content = {
             "format": FORMAT,
             "version": VERSION,
             "claim": CLAIM,
             "parameters": PARAMETERS,
-            "seeds": [{"case": case, "q": [q.real, q.imag], "radius": radius} for case, q, radius in rows],
+            "seeds": [
+                {"case": case, "q": [q.real, q.imag], "radius": radius, "roots": roots}
+                for case, q, radius, roots in self._rows()
+            ],
+            "missing": [{"case": case, "q": [q.real, q.imag]} for case, q in self.missing],
             "undecided": self.undecided,
         }
         return json.dumps(content, indent=1) + "\n"
+
+    def _rows(self) -> Iterator[tuple[Row, complex, float, int]]:
+        return zip(self.cases, self.q.tolist(), self.radius.tolist(), self.roots.tolist(), strict=True)
+
+
+def _table(cases: Sequence[Row]) -> Any:
+    return np.array(cases, dtype=str).reshape(-1, len(PARAMETERS))
 
 
 def seeds(
@@ -105,13 +120,15 @@ def seeds(
 ) -> Seeds:
     """A table over all combinations of the values given, rational each: masses eta_m at 0, mass_ratio·eta_m at d.
 
-    mass_ratio = 0 is a single mass. Every root of the sheet is there, proved by `certify`, or the case is named as
-    undecided. workers as in `frequencies`. InputError for values that no case can have, before any work is done.
+    mass_ratio = 0 is a single mass. Every root of the sheet is proved by `certify`, and has a row or is named as
+    missing, or the case is named as undecided. workers as in `frequencies`. InputError for values that no case can
+    have, before any work is done.
     """
     given = (alpha, eta_b, eta_m, d, eta_n, eta_s, mass_ratio)
     grids = []
     for name, values in zip(PARAMETERS, given, strict=True):
-        if isinstance(values, str) or not isinstance(values, (Sequence, np.ndarray)) or not len(values):
+        listed = isinstance(values, Sequence) and not isinstance(values, str)
+        if not (listed or (isinstance(values, np.ndarray) and values.ndim == 1)) or not len(values):
             raise InputError(name, f"is {values!r}: give a list of one or more values")
         grids.append([str(Exact.parse(value, name)) for value in values])
     rows = list(product(*grids))
@@ -121,12 +138,16 @@ def seeds(
                 "eta_b", f"of the case {row} leaves no sheet with its cuts on a line: lower it, or eta_n"
             )
     results = run(_seeds_of, rows, workers, tell, "proving")
-    found = [(row, q, radius) for row, pairs in zip(rows, results, strict=True) for q, radius in pairs or ()]
+    proved = [(row, found) for row, found in zip(rows, results, strict=True) if found is not None]
+    every = [(row, q, radius, len(found)) for row, found in proved for q, radius in found]
+    there = [entry for entry in every if entry[2] is not None]
     return Seeds(
-        tuple(row for row, _, _ in found),
-        np.array([q for _, q, _ in found], dtype=complex),
-        np.array([radius for _, _, radius in found], dtype=float),
-        tuple(row for row, pairs in zip(rows, results, strict=True) if pairs is None),
+        tuple(row for row, _, _, _ in there),
+        np.array([q for _, q, _, _ in there], dtype=complex),
+        np.array([radius for _, _, radius, _ in there], dtype=float),
+        np.array([number for _, _, _, number in there], dtype=int),
+        tuple((row, q) for row, q, radius, _ in every if radius is None),
+        tuple(row for row, found in zip(rows, results, strict=True) if found is None),
     )
 
 
@@ -145,15 +166,24 @@ def _case(row: Row) -> Case:
     )
 
 
-def _seeds_of(row: Row) -> list[tuple[complex, float]] | None:
-    """(q, radius) of every root; None where a proof fails."""
+def _seeds_of(row: Row) -> Found | None:
+    """Every root, a multiple one as often as it counts; None where they are not proved."""
     case = _case(row)
     try:
         spectrum = certify(case, 30)
-        if not spectrum.proved:
-            return None
-        return [(complex(root.q.mid()), basin(case, root.q)) for root in spectrum.roots]
     except MpsolveError:
+        return None
+    if not spectrum.proved:
+        return None
+    return [
+        (complex(root.q.mid()), _radius(case, root.q)) for root in spectrum.roots for _ in range(root.multiplicity)
+    ]
+
+
+def _radius(case: Case, root: Any) -> float | None:
+    try:
+        return basin(case, root)
+    except PrecisionError:
         return None
 
 

@@ -13,9 +13,10 @@ from functools import cached_property
 from typing import Any
 
 import flint
+import numpy as np
 
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import Ball, Field
+from mpsolve.fields import Ball, Field, Float64
 from mpsolve.model.parameters import Case
 
 
@@ -89,8 +90,27 @@ def _factors(track: Track, q: Any) -> Pairing:
     field, r = track.field, q - track.field.i * track.eta_b
     c2, c1, c0 = -4 * track.A, 8 * track.alpha * r, 4 * track.beta2 - 4 * r * r
     s = field.dominant_sum(2 * c2, c2 * c2 - 4 * c0, -c1 * c1)
+    total = s * s + c2
+    if isinstance(field, Float64):
+        s, total = _sharpened(field, s, total, c2, c1, c0)
     y, h = s * s, c1 / s
-    return Pairing(s, y, h, c2, 2 * y * (y + c2) + h * h)
+    return Pairing(s, y, h, c2, 2 * y * total + h * h)
+
+
+def _sharpened(field: Float64, s: Any, total: Any, c2: Any, c1: Any, c0: Any) -> tuple[Any, Any]:
+    """s and u = t + t' where y + c2 cancels, as under strong tension: by Newton's method for u itself,
+    (u − c2)(u² − 4 c0) = c1², whose terms do not cancel there.
+    """
+    small = np.abs(total) < np.abs(s * s) / 4
+    if not np.any(small):
+        return s, total
+    u = total
+    for _ in range(2):
+        y, z = u - c2, u * u - 4 * c0
+        slope = z + 2 * u * y
+        u = u - np.where(slope == 0, 0, y * z - c1 * c1) / np.where(slope == 0, 1, slope)
+    small = small & np.isfinite(u)
+    return np.where(small, field.upper(field.sqrt(u - c2)), s)[()], np.where(small, u, total)[()]
 
 
 def _one_root(track: Track, q: Any, pair: Pairing) -> bool:

@@ -73,14 +73,15 @@ def certify(
     case: Case | PhysicalCase,
     digits: int = 30,
     region: Region = "sheet",
-    max_pieces: int = 200_000,
+    max_pieces: int = 100_000,
     progress: Progress | None = None,
 ) -> Spectrum:
     """Every root of Δ, eq. (26), in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
     digits: certified digits of each root relative to |q|, 15 to 10,000. region: "sheet" (the whole physical
-    sheet), "unstable" (Im q < 0) or a `Rectangle`. max_pieces bounds the effort of the count. progress is
-    called with a stage and a fraction from 0 to 1. Raises InputError for a region that has no meaning.
+    sheet), "unstable" (Im q < 0) or a `Rectangle`. max_pieces bounds the effort of the count, by default to about
+    a minute. progress is called with a stage and a fraction from 0 to 1. Raises InputError for a region that has
+    no meaning.
 
     >>> from mpsolve import Case, certify
     >>> certify(Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))).unstable

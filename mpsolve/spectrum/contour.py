@@ -15,7 +15,7 @@ from typing import Any
 
 import flint
 
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import EffortError, PrecisionError
 
 Values = tuple[Any, ...]
 Evaluate = Callable[[Any], Values]
@@ -49,15 +49,15 @@ def cover(
 
     `evaluate` takes a real ball and returns the image balls of one or more functions. `accept` may refuse a
     piece that a checker with enclosures of its own could not confirm. Raises
-    `PrecisionError` when a piece shrinks below the resolution of the path (a zero on it or next to it) or
-    after `limit` evaluations.
+    `PrecisionError` when a piece shrinks below the resolution of the path (a zero on it or next to it), and
+    `EffortError` after `limit` evaluations.
     """
     breaks, middles, count, here, widest = [start], [], 0, start, step
     while here < stop:
         there = _dyadic_sum(here, step, stop)
         count += 1
         if count > limit:
-            raise PrecisionError(f"the contour needs more than {limit} pieces: raise the effort")
+            raise EffortError(f"the contour needs more than {limit} pieces: raise max_pieces")
         values = _try(evaluate, flint.arb(here).union(flint.arb(there)), accept)
         if values is None:
             step = (there - here) * 0.625

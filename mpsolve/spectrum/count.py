@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from mpsolve.certificate import verify
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
@@ -80,6 +80,8 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
             for start in starts:
                 try:
                     sheet = count_sheet(model, start, radius, limit, _meter(tell, radius), checker, at_rest)
+                except EffortError:
+                    raise  # more bits, or another start, would take as many pieces again
                 except PrecisionError as error:
                     last = error
                 else:

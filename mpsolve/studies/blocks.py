@@ -21,7 +21,7 @@ from mpsolve.studies.spec import PARAMETERS, Spec, spec_of
 if TYPE_CHECKING:
     from mpsolve.spectrum.enclose import RootBall
 
-FORMAT = 1
+FORMAT = 2
 """Raised when the results of a case, or the way they are written, change."""
 ENGINE = f"mpsolve {__version__}, results {FORMAT}"
 
@@ -105,10 +105,10 @@ class Block:
         return hashlib.sha256(head.encode("ascii") + self.data).hexdigest()
 
 
-def work(text: str, number: int) -> Block:
-    """The block `number` of the study whose spec has this `text`."""
+def work(text: str, number: int, place: int | None = None) -> Block:
+    """The block `number` of the study whose spec has this `text`, or of a larger one; `place`: its number here."""
     spec = spec_of(text)
-    values = [spec.values(index) for index in spec.indices(number)]
+    values = [spec.values(index) for index in spec.indices(number if place is None else place)]
     with _alone:
         results = _certified(spec, values) if spec.kind == "certified" else _float64(spec, values)
     found = Counter(result.status for result in results)
@@ -119,9 +119,8 @@ def work(text: str, number: int) -> Block:
 
 def key(spec: Spec, values: Sequence[dict[str, Value]]) -> str:
     """SHA-256 of the engine, of what is asked, and of the exact cases."""
-    asked = json.dumps(spec.canonical["study"] | {"design": None}, sort_keys=True)
     lines = (",".join(f"{name}={value}" for name, value in case.items()) for case in values)
-    return hashlib.sha256("\n".join((ENGINE, asked, *lines)).encode("utf-8")).hexdigest()
+    return hashlib.sha256("\n".join((ENGINE, spec.asked, *lines)).encode("utf-8")).hexdigest()
 
 
 def pack(results: Sequence[Result]) -> bytes:

@@ -23,7 +23,7 @@ from mpsolve.stability.table import checked_suffix
 from mpsolve.studies.blocks import ENGINE, Result, Root
 from mpsolve.studies.design import Value
 from mpsolve.studies.run import stored_results
-from mpsolve.studies.store import Store
+from mpsolve.studies.store import Store, store_path
 
 FORMAT = "mpsolve study"
 VERSION = 1
@@ -43,7 +43,7 @@ def export(store: str | os.PathLike[str], path: str | os.PathLike[str]) -> Path:
     file = Path(path)
     suffix = checked_suffix(file, tuple(f".{kind}" for kind in KINDS))
     writers: tuple[Callable[[Store, BinaryIO], None], ...] = write_csv, write_json, write_npz, write_parquet
-    with Store.read(Path(store)) as source:
+    with Store.read(store_path(store)) as source:
         if not source.tally():
             raise StudyError(f"{store} holds no results of this version yet: run the study first")
         with whole_file(file) as target:

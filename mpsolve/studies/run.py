@@ -15,7 +15,7 @@ from mpsolve.stability.pool import WORKER_ENDED, checked_workers, process_pool
 from mpsolve.studies.blocks import GOOD, Block, Result, checked, work
 from mpsolve.studies.design import Value
 from mpsolve.studies.spec import Spec, read_spec
-from mpsolve.studies.store import Store
+from mpsolve.studies.store import Store, store_path
 
 Progress = Callable[[int, int], None]
 AHEAD = 64  # blocks that are handed to an executor at a time; it bounds the memory
@@ -106,7 +106,10 @@ def study(
     Raises InputError under the key at fault, or if the store is that of another study; StudyError if it cannot be
     written or is damaged, or if a worker ends before its work is done.
     """
-    plan, path = read_spec(spec), Path(store)
+    plan, path = read_spec(spec), store_path(store)
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        stated = f"is {executor!r}, which has no submit"
+        raise InputError("executor", f"{stated}: give a concurrent.futures.Executor, or None for processes")
     if isinstance(ahead, bool) or not isinstance(ahead, int) or ahead < 1:
         raise InputError("ahead", f"is {ahead!r}: give a whole number from 1")
     workers = checked_workers(workers)
@@ -123,13 +126,14 @@ def study(
 
 def open_study(path: str | os.PathLike[str]) -> Study:
     """The study in the file at `path`, complete or not. InputError if there is none, StudyError if it is damaged."""
-    with Store.read(Path(path)) as store:
+    path = store_path(path)
+    with Store.read(path) as store:
         tally = store.tally()
         others = store.other_engines()
         if others and not tally:
             stated = f"{path} holds results of another version only ({', '.join(others)})"
             raise StudyError(f"{stated}: use that one, or run the study again with this one")
-        return Study(Path(path), store.spec, tally)
+        return Study(path, store.spec, tally)
 
 
 def stored_results(store: Store, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
@@ -148,14 +152,14 @@ def _computed(
 ) -> Iterator[Block]:
     """The blocks with these numbers, in the order in which they are done."""
     if executor is not None:
-        yield from _by(executor, spec.text, numbers, ahead)
+        yield from _by(executor, spec, numbers, ahead)
     elif min(workers, spec.blocks) == 1:
         for number in numbers:
-            yield work(spec.text, number)
+            yield work(*spec.job(number))
     else:
         pool = process_pool(min(workers, spec.blocks))
         try:
-            yield from _by(pool, spec.text, numbers, 4 * workers)
+            yield from _by(pool, spec, numbers, 4 * workers)
         except BaseException as error:
             pool.shutdown(wait=False, cancel_futures=True)
             if isinstance(error, BrokenProcessPool):
@@ -164,12 +168,12 @@ def _computed(
         pool.shutdown()
 
 
-def _by(executor: Executor, text: str, numbers: Iterable[int], ahead: int) -> Iterator[Block]:
+def _by(executor: Executor, spec: Spec, numbers: Iterable[int], ahead: int) -> Iterator[Block]:
     """At most `ahead` blocks are under way at a time."""
     waiting: set[Future[Block]] = set()
     try:
         for number in numbers:
-            waiting.add(executor.submit(work, text, number))
+            waiting.add(executor.submit(work, *spec.job(number)))
             if len(waiting) >= ahead:
                 yield from _next(waiting)
         while waiting:

@@ -8,8 +8,8 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from math import prod
 from typing import Any
 
@@ -99,7 +99,14 @@ class Spec:
                 rest, places[name] = divmod(rest, _counted(self.axes[name]).count)
         return {name: axis.at(places.get(name, 0)) for name, axis in self.axes.items()}
 
-    @property
+    def job(self, number: int) -> tuple[str, int, int]:
+        """The arguments of `work` for a block: a certified case goes alone, so that its cost is not that of all."""
+        if self.kind != "certified":
+            return self.text, number, number
+        axes = {name: Listed((value,)) for name, value in self.values(number).items()}
+        return replace(self, design="list", total=1, axes=axes).text, number, 0
+
+    @cached_property
     def canonical(self) -> dict[str, Any]:
         """A mapping from which `read_spec` makes the same study; two studies are the same if these are equal."""
         region = self.region.as_dict() if isinstance(self.region, Rectangle) else self.region
@@ -115,7 +122,12 @@ class Spec:
             "parameters": {name: axis.canonical for name, axis in self.axes.items()},
         }
 
-    @property
+    @cached_property
+    def asked(self) -> str:
+        """What is computed of each case, as JSON; it does not depend on the other cases."""
+        return json.dumps(self.canonical["study"] | {"design": None}, sort_keys=True)
+
+    @cached_property
     def text(self) -> str:
         """`canonical` as JSON."""
         return json.dumps(self.canonical, ensure_ascii=True)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import mpmath
 import numpy as np
 import pytest
 from oracle import Truth
 
 from mpsolve import Case
+from mpsolve.fast import count as count_module
 from mpsolve.fast.cases import Cases, largest_real_root
-from mpsolve.fast.count import count_roots
+from mpsolve.fast.count import _halved, count_roots
 from mpsolve.fast.edge import edge_values
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
@@ -98,3 +101,31 @@ def test_one_minus_exp_by_its_series_and_apart(z: complex) -> None:
     exact = -1j * x if z == 0 else complex(-mpmath.expm1(1j * mpmath.mpc(z) * x) / z)
     assert abs(Float64().one_minus_exp(np.array([z]), x)[0] - exact) < 1e-12 * abs(exact)
     assert abs(Float64().one_minus_exp(np.array([z, 0.0]), x)[0] - exact) < 1e-12 * abs(exact)
+
+
+@pytest.mark.parametrize(
+    ("alpha", "d"), [(1e5, 1.0), (1e12, 1.0), (0.5, 1e-30), (0.5, 1e12)], ids=["fast", "faster", "near", "far"]
+)
+def test_a_case_far_out_of_use_takes_few_pieces(alpha: float, d: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It gets no count, soon; one beside it keeps its own."""
+    made = [0]
+
+    def halved(cases: Cases, pieces: Any) -> Any:
+        made[0] += len(pieces.which)
+        return _halved(cases, pieces)
+
+    monkeypatch.setattr(count_module, "_halved", halved)
+    one = np.ones(2)
+    with np.errstate(all="ignore"):
+        counts = count_roots(
+            Cases(one * [alpha, 0.67], 0 * one, 0.05 * one, 70 * one, 70 * one, one * [d, 1.5])
+        ).count
+    assert counts.tolist() == [-1, 4]
+    assert made[0] < 10_000
+
+
+def test_pieces_are_halved_a_part_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    cases = random_cases(25, 5)
+    expected = count_roots(cases).count
+    monkeypatch.setattr(count_module, "_MANY", 7)
+    assert np.array_equal(count_roots(cases).count, expected)

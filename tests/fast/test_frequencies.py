@@ -13,8 +13,11 @@ from oracle import Truth, grid
 
 from mpsolve import Case, certify, unstable_velocities
 from mpsolve.errors import InputError
+from mpsolve.fast.cases import Cases
 from mpsolve.fast.follow import Outcome
 from mpsolve.fast.frequencies import Frequencies, frequencies
+from mpsolve.fast.order import alike
+from mpsolve.model.edge import edge_value
 
 ALPHA = np.arange(1, 141) / 100
 STUDY = {
@@ -111,6 +114,39 @@ def test_a_single_number_is_certified() -> None:
     assert result.unstable == 2
 
 
+@pytest.mark.parametrize(
+    ("given", "count"),
+    [
+        ((0.5, 0.9999999999999999, 10, 1), 4),
+        ((0.5, 0, 10, 1, 0.9999999999999999), 4),
+        ((100, 0.1, 10, 1), -1),
+        ((1e12, 0.1, 10, 1), -1),
+    ],
+)
+def test_a_case_that_is_hard_to_prove_ends_soon(
+    given: tuple[float, ...], count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A proof has a limit; beyond it float64 tells the roots, or nothing does."""
+    pieces = [0]
+
+    def value(track: Any, r: Any) -> Any:
+        pieces[0] += 1
+        assert pieces[0] < 5_000
+        return edge_value(track, r)
+
+    monkeypatch.setattr("mpsolve.spectrum.winding.edge_value", value)
+    result = frequencies(*given)
+    assert result.count == count
+    assert result.status == ("tracked" if count > 0 else "unresolved")
+
+
+def test_work_is_cut_into_parts_that_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    alpha = np.linspace(0.2, 1.3, 60)
+    whole = frequencies(alpha, 0.3, 40, 12)
+    monkeypatch.setattr("mpsolve.fast.follow._WORK", 100)
+    assert np.array_equal(frequencies(alpha, 0.3, 40, 12).q, whole.q, equal_nan=True)
+
+
 def test_broadcasting_and_padding() -> None:
     result = frequencies(np.array([[0.5], [1.2]]), [0.05, 0.2, 0.4], 70, 4.5)
     assert result.count.shape == result.outcome.shape == result.status.shape == (2, 3)
@@ -197,6 +233,7 @@ def test_two_processes_give_the_same() -> None:
         ({"eta_s": -1}, "eta_s"),
         ({"mass_ratio": -1}, "mass_ratio"),
         ({"d": [True]}, "d"),
+        ({"d": np.ma.masked_array([1.0, 2.0], [False, True])}, "d"),
         ({"alpha": [0.1, 0.2], "d": [1, 2, 3]}, "alpha"),
         ({"workers": 0}, "workers"),
     ],
@@ -226,3 +263,66 @@ def test_roots_that_nearly_meet_are_all_found() -> None:
     truth = Truth(pair(0.31, 0.4, 3, 15), 30)
     for q in rows(result)[1]:
         assert abs(complex(truth.root(q)) - q) < 1e-10 * abs(q)
+
+
+@pytest.mark.parametrize(
+    ("alpha", "eta_b", "eta_m", "d", "tension"),
+    [
+        (1.3835269629673326, 0.3028796550773879, 56.942191830801036, 1.9509126551937963, 1e4),
+        (0.7, 0.2, 40.0, 2.0, 1e2),
+        (0.7, 0.2, 40.0, 2.0, 1e5),
+    ],
+)
+def test_strong_tension_costs_no_digits(alpha: float, eta_b: float, eta_m: float, d: float, tension: float) -> None:
+    """Two p-roots are small beside the other two, and are not what is left of them in a difference."""
+    result = frequencies(alpha * np.array([0.999, 1, 1.001]), eta_b, eta_m, d, -tension)
+    assert result.outcome[1] == Outcome.TRACKED
+    case = Case(alpha=alpha, eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, d), eta_n=-tension)
+    truth = Truth(case, 40)
+    expected = [complex(truth.root(q)) for q in rows(result)[1]]
+    for q, root in zip(rows(result)[1], expected, strict=True):
+        separation = min([abs(root - other) for other in expected if other != root]) / abs(root)
+        assert abs(q - root) < 3e-14 * abs(root) / min(separation, 1)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"eta_m": 1e300},
+        {"d": 1e-300},
+        {"alpha": [1e300]},
+        {"eta_m": 1e300, "mass_ratio": 1e300},
+        {"eta_n": -1.7e308, "eta_s": 1.7e308},
+    ],
+)
+def test_what_float64_does_not_hold_is_unresolved_without_a_warning(change: dict[str, Any]) -> None:
+    result = frequencies(**{"alpha": [0.5, 0.6], "eta_b": 0.1, "eta_m": 10, "d": 1, **change})
+    assert (result.status == "unresolved").all()
+    assert (result.count == -1).all()
+
+
+def test_neighbours_stay_neighbours_among_very_many_values() -> None:
+    values = np.random.default_rng(1).permutation(20_000) / 20_000
+    one = np.ones(len(values))
+    assert (np.diff(values[alike(Cases(values, 0 * one, 0.1 * one, one, one, one))]) > 0).all()
+
+
+def test_masses_far_apart_are_certified_where_float64_does_not_tell_their_roots_apart() -> None:
+    """Pairs of roots nearer than 1e-8 to one another, in more cases than one in 512."""
+    rng = np.random.default_rng(3)
+    alpha, eta_b, eta_m, d = rng.uniform([0.05, 0.2, 1, 24], [0.9, 0.95, 70, 32], (30, 4)).T
+    result = frequencies(alpha, eta_b, eta_m, d)
+    assert (result.outcome == Outcome.CERTIFIED).sum() > 17
+    assert (result.outcome > Outcome.UNRESOLVED).all()
+
+
+def test_one_process_gives_up_proofs_that_fail_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried = [0]
+
+    def fails(_cases: Cases, _place: int) -> None:
+        tried[0] += 1
+
+    monkeypatch.setattr("mpsolve.fast.follow.certified", fails)
+    touching = 1 + np.linspace(-1e-9, 1e-9, 60)
+    assert (frequencies(touching, 0, 20, 1.5).outcome == Outcome.UNRESOLVED).any()
+    assert 0 < tried[0] <= 16

@@ -10,6 +10,7 @@ import pytest
 from oracle import Truth, holds
 
 from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
+from mpsolve.model.edge import edge_value
 from mpsolve.spectrum.enclose import Symmetry
 
 
@@ -245,6 +246,22 @@ def test_the_effort_is_bounded(region: Any) -> None:
     found = certify(pair("0.67", "1.5"), max_pieces=3, region=region)
     assert found.status is Status.UNDECIDED
     assert "more than 3 pieces" in found.reason
+
+
+@pytest.mark.parametrize(("eta_b", "eta_n"), [("0.9999999999999999", "0"), ("0", "0.9999999999999999")])
+def test_effort_that_is_spent_is_not_spent_again(eta_b: str, eta_n: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither more bits nor another start would help: undecided after so many pieces, with what would."""
+    pieces = [0]
+
+    def value(track: Any, r: Any) -> Any:
+        pieces[0] += 1
+        return edge_value(track, r)
+
+    monkeypatch.setattr("mpsolve.spectrum.winding.edge_value", value)
+    found = certify(Case(alpha="0.5", eta_b=eta_b, eta_n=eta_n, eta_m=(10, 10), positions=(0, 1)), max_pieces=300)
+    assert found.status is Status.UNDECIDED
+    assert found.reason == "the contour needs more than 300 pieces: raise max_pieces"
+    assert pieces[0] <= 302
     assert "raise" in found.reason
     assert found.roots == ()
 

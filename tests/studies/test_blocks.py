@@ -145,3 +145,23 @@ def test_work_is_the_same_in_threads(certified: dict[str, Any]) -> None:
     with ThreadPoolExecutor(4) as threads:
         blocks = list(threads.map(work, [text] * 8, [0, 1, 2, 3] * 2))
     assert blocks[:4] == blocks[4:] == [work(text, number) for number in range(4)]
+
+
+def test_a_certified_case_goes_to_its_worker_alone() -> None:
+    """What is handed over does not grow with the study, and its block is the same."""
+    parameters = {
+        "alpha": ["1/3", "0.67"],
+        "eta_b": ["0.05", "root4(1/100000)"],
+        "eta_m": 40,
+        "d": ["one mass", "1.5"],
+    }
+    spec = read_spec({"study": {"kind": "certified"}, "parameters": parameters})
+    for number in (0, 5, spec.blocks - 1):
+        assert work(*spec.job(number)) == work(spec.text, number)
+    longer = read_spec(
+        {"study": {"kind": "certified"}, "parameters": parameters | {"alpha": [f"0.{k}1" for k in range(500)]}}
+    )
+    assert len(longer.job(7)[0]) < 300
+    assert longer.text is longer.text
+    quick = read_spec({"study": {"kind": "float64"}, "parameters": parameters})
+    assert quick.job(3) == (quick.text, 3, 3)

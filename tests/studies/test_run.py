@@ -19,7 +19,7 @@ import pytest
 
 from mpsolve import InputError, StudyError, open_study, study
 from mpsolve.studies.blocks import Block
-from mpsolve.studies.export import KINDS
+from mpsolve.studies.export import KINDS, export
 from mpsolve.studies.spec import read_spec
 
 ROOT = Path(__file__).parents[2]
@@ -152,10 +152,10 @@ def test_a_worker_that_dies_is_an_error_that_says_how_to_go_on(tmp_path: Path, c
         "import os, signal, sys\n"
         "from mpsolve import study\n"
         "from mpsolve.studies import blocks, run\n"
-        "def dies(text, number):\n"
+        "def dies(text, number, place):\n"
         "    if number == 1:\n"
         "        os.kill(os.getpid(), signal.SIGKILL)\n"
-        "    return blocks.work(text, number)\n"
+        "    return blocks.work(text, number, place)\n"
         "if __name__ == '__main__':\n"
         "    run.work = dies\n"
         f"    study({certified!r}, store='study.sqlite', workers=2)\n"
@@ -247,3 +247,30 @@ def test_only_results_of_another_version(
     with pytest.raises(StudyError, match=r"of another version only \(mpsolve 0\.0, results 0\)"):
         open_study(path)
     assert study(certified, Here(), store=path).complete
+
+
+@pytest.mark.parametrize(
+    ("given", "key"),
+    [
+        ({"store": "a\0b"}, "store"),
+        ({"store": 5}, "store"),
+        ({"store": b"study.sqlite"}, "store"),
+        ({"executor": "notanexecutor"}, "executor"),
+    ],
+)
+def test_what_is_no_store_or_executor_is_named(
+    given: dict[str, Any], key: str, certified: dict[str, Any], tmp_path: Path
+) -> None:
+    with pytest.raises(InputError) as caught:
+        study(certified, **{"store": tmp_path / "s.sqlite", **given})
+    assert caught.value.key == key
+    assert repr(given[key]) in str(caught.value)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "a\0b", 5, None])
+def test_what_is_no_study_is_named(name: Any, tmp_path: Path) -> None:
+    for act in (open_study, lambda path: export(path, tmp_path / "a.csv")):
+        with pytest.raises(InputError) as caught:
+            act(name)
+        assert caught.value.key == "store"

@@ -113,6 +113,20 @@ def test_what_is_put_is_there(tmp_path: Path, wide: dict[str, Any], block: Make)
         assert store.spec.canonical == spec.canonical
 
 
+def test_the_file_alone_holds_the_study_and_all_but_the_last_blocks(
+    tmp_path: Path, wide: dict[str, Any], block: Make
+) -> None:
+    """What a copy without NAME-wal has while the store is open, as after kill -9."""
+    path, copy = tmp_path / "study.sqlite", tmp_path / "copy.sqlite"
+    with Store.create(path, read_spec(wide)) as store:
+        copy.write_bytes(path.read_bytes())
+        assert numbers(copy) == []
+        for number in range(60):
+            store.put(block(number))
+        copy.write_bytes(path.read_bytes())
+        assert len(numbers(copy)) >= 20
+
+
 def test_readers_see_one_moment(tmp_path: Path, wide: dict[str, Any], block: Make) -> None:
     path = tmp_path / "study.sqlite"
     with Store.create(path, read_spec(wide)) as store:
@@ -305,7 +319,7 @@ def test_a_file_of_something_else(tmp_path: Path, wide: dict[str, Any]) -> None:
         connection.execute("CREATE TABLE mine (x)")
     for path, said in (
         (text, "it is no study, or is damaged at its start"),
-        (other, "is an SQLite file, but no study"),
+        (other, "is an SQLite file, but no study: give another path or, if this is a copy, copy "),
     ):
         before = path.read_bytes()
         for opened in (lambda p: Store.create(p, read_spec(wide)), Store.read):
