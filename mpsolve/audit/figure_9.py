@@ -35,8 +35,8 @@ def no_duplication(claim: Claim) -> Finding:
         sentence = f"A root may be the conjugate of another at {'; '.join(dict.fromkeys(twice))}."
         return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), certificates=certs)
     sentence = (
-        f"At {len(numbers)} certified cases of Figure 9 no root is the conjugate of a root, so each stands for the pair "
-        "q, −q̄ alone; for other parameters it is not proved."
+        f"At {len(numbers)} certified cases of Figure 9 no root is the conjugate of a root, so each stands for the "
+        "pair q, −q̄ alone; for other parameters it is not proved."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)
 
@@ -58,17 +58,20 @@ def rapidly_damped(claim: Claim) -> Finding:
     light, heavy = (longest[eta_m] for eta_m in claim.values("eta_m"))
     against = f"{heavy:.0f}" if math.isfinite(heavy) else "never (some grow)"
     sentence = (
-        f"'Rapidly' has no number. For η_M = {claim.values('eta_m')[0]} e^(−τ Im q) falls to 1 % within τ = {light:.0f} in "
-        f"every case, for η_M = {claim.values('eta_m')[1]}: {against}."
+        f"'Rapidly' has no number. For η_M = {claim.values('eta_m')[0]} e^(−τ Im q) falls to 1 % within τ = "
+        f"{light:.0f} in every case, for η_M = {claim.values('eta_m')[1]}: {against}."
     )
     verdict = Verdict.CONDITIONAL if light < heavy else Verdict.UNDECIDABLE
     return Finding(verdict, sentence, tuple(numbers), certificates=named(certificates))
 
 
 def usually_cut(claim: Claim) -> Finding:
-    """Conclusion (vi): where the lines of Figure 9 end below α_C; the higher one, if the line that goes on is lower."""
-    eta_b, cut, not_cut, numbers = claim.number("eta_b"), [], [], []
-    certificates: Certificates = []
+    """Conclusion (vi): where the lines of Figure 9 end below α_C; the higher one, if the line that goes on is "
+    "lower."""
+    eta_b = claim.number("eta_b")
+    cut: list[str] = []
+    not_cut: list[str] = []
+    numbers, certificates = [], []
     for text in claim.values("lines"):
         eta_m, d = text.split()
         found = cut_points(eta_b, (eta_m, eta_m), (0, d), alpha=(claim.number("from"), claim.number("to")), digits=15)
@@ -80,15 +83,17 @@ def usually_cut(claim: Claim) -> Finding:
             case = pair(after, eta_b, eta_m, d)
             left = ahead(case)
             higher = higher or any(below(q.real, point.q.real) for q in left)
-            numbers.append((f"{name}: a line ends at α, with Re q", f"{shown(point.alpha, 10)}, {shown(point.q.real, 8)}"))
+            numbers.append(
+                (f"{name}: a line ends at α, with Re q", f"{shown(point.alpha, 10)}, {shown(point.q.real, 8)}")
+            )
             numbers.append((f"  left at α = {after}, Re q", "; ".join(shown(q.real, 8) for q in left) or "none"))
             certificates.append((f"{claim.id}_eta{eta_m}_d{d}_alpha{after}", certificate(case)))
         (cut if higher else not_cut).append(name)
     sentence = (
-        f"'Usually' has no number. Of the {len(cut) + len(not_cut)} cases of Figure 9, for {claim.number('from')} ≤ α ≤ "
-        f"{claim.number('to')}, the higher line is cut in {len(cut)} ({'; '.join(cut) or 'none'}); in the others "
-        f"({'; '.join(not_cut) or 'none'}) the lower line is cut, if any, and the higher goes on. Where a line is cut, it is "
-        "at Im q = η_b (conclusion (iv))."
+        f"'Usually' has no number. Of the {len(cut) + len(not_cut)} cases of Figure 9, for {claim.number('from')} "
+        f"≤ α ≤ {claim.number('to')}, the higher line is cut in {len(cut)} ({'; '.join(cut) or 'none'}); in the "
+        f"others ({'; '.join(not_cut) or 'none'}) the lower line is cut, if any, and the higher goes on. Where a "
+        "line is cut, it is at Im q = η_b (conclusion (iv))."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
 

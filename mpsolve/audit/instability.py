@@ -15,7 +15,7 @@ def more_frequencies(claim: Claim) -> Finding:
     for text in claim.values("cases"):
         eta_b, alpha, eta_m, d = text.split()
         two, one = pair(alpha, eta_b, eta_m, d), single(alpha, eta_b, eta_m)
-        counts = [spectrum(case).count for case in (two, one)]
+        counts = [len(spectrum(case).roots) for case in (two, one)]
         where = f"η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}"
         numbers.append((f"{where}: induced frequencies of two masses, of one", f"{counts[0]}, {counts[1]}"))
         if counts[0] <= counts[1]:
@@ -43,8 +43,9 @@ def one_interval(claim: Claim) -> Finding:
         sentence = "One interval, or none, in this case; in general it is not proved."
         return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), certificates=certificates)
     sentence = (
-        f"With η_b = {eta_b}, η_M = {eta_m}, d = {d} there are {len(found)} unstable ranges up to α = {top}, and every α "
-        "between them is stable (all proved). The lowest unstable velocity is the onset, but it does not tell all."
+        f"With η_b = {eta_b}, η_M = {eta_m}, d = {d} there are {len(found)} unstable ranges up to α = {top}, and "
+        "every α between them is stable (all proved). The lowest unstable velocity is the onset, but it does not "
+        "tell all."
     )
     return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=certificates)
 

@@ -151,7 +151,8 @@ def agreement_is_excellent(claim: Claim) -> Finding:
 
 def differences_by_mass(claim: Claim) -> Finding:
     """Conclusion (ix): the differences increase with a decreasing η_M in the vicinity of α_c."""
-    falls, right, numbers = [], [], []
+    falls, right = [], []
+    numbers: list[tuple[str, str]] = []
     for alpha in claim.values("alpha"):
         table, rows = _starts(claim, alpha)
         numbers += rows
@@ -265,8 +266,8 @@ def misled_by_one_velocity(claim: Claim) -> Finding:
     if not all(right):
         return Finding(Verdict.REFUTED, "The higher pair is no small part there.", tuple(numbers), certificates=certs)
     sentence = (
-        f"If a part below {limit} is negligible: at the smallest distance the higher pair is one, at the largest it is "
-        f"not, for α = {' and '.join(alphas)} (all proved). No tolerance is stated. The velocity is printed as "
-        f"{alphas[0]} here and as {alphas[-1]} in Sections 4.1 and 5."
+        f"If a part below {limit} is negligible: at the smallest distance the higher pair is one, at the largest "
+        f"it is not, for α = {' and '.join(alphas)} (all proved). No tolerance is stated. The velocity is printed "
+        f"as {alphas[0]} here and as {alphas[-1]} in Sections 4.1 and 5."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)

@@ -47,7 +47,8 @@ CLAIMS = (
         "ix-mass", "Section 5 (ix)",
         "The differences between the full and harmonic solutions increase with a decreasing η_M in the "
         "vicinity of α_c.",
-        differences_by_mass, {}, {"alpha": ("0.9", "0.95", "0.99"), "eta_m": ("10", "40", "70"), "d": grid("0.5:0.5:4.5")},
+        differences_by_mass, {},
+        {"alpha": ("0.9", "0.95", "0.99"), "eta_m": ("10", "40", "70"), "d": grid("0.5:0.5:4.5")},
     ),
     Claim(
         "ix-distance", "Section 5 (ix), Section 4.1",

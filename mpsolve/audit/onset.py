@@ -44,11 +44,14 @@ def critical_ends(claim: Claim) -> Finding:
     text = "; ".join(f"η_b = {b}: printed {p}, proved {r}" for b, p, r in wrong)
     found = {step: [_lowest_on_grid(claim, b, step) for b in ends_] for step in claim.values("steps")}
     search = tuple(
-        f"distances in steps of {step}: the least Im q at d = {', '.join(at)} (certified)" for step, at in found.items()
+        f"distances in steps of {step}: the least Im q at d = {', '.join(at)} (certified)"
+        for step, at in found.items()
     )
     fitting = [step for step, at in found.items() if tuple(at) == claim.values("distance")]
     if fitting:
-        sentence = f"{text}. They are right if distances are looked at in steps of {' or '.join(fitting)} only (certified)."
+        sentence = (
+            f"{text}. They are right if distances are looked at in steps of {' or '.join(fitting)} only (certified)."
+        )
         return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), search=search, certificates=certs)
     return Finding(Verdict.REFUTED, text, tuple(numbers), search=search, certificates=certs)
 
@@ -79,8 +82,8 @@ def critical_falls(claim: Claim) -> Finding:
         return Finding(Verdict.REFUTED, text, tuple(numbers), certificates=certificates)
     sentence = (
         f"At all {len(values)} values the critical distance is the proved global minimum over d = {_NEAR[0]} to "
-        f"{_NEAR[1]}, and it falls from each to the next; between them it is not proved. Certificates are kept for the first, "
-        "the middle and the last of them."
+        f"{_NEAR[1]}, and it falls from each to the next; between them it is not proved. Certificates are kept for "
+        "the first, the middle and the last of them."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certificates)
 
@@ -165,8 +168,7 @@ def limit_at_critical(claim: Claim) -> Finding:
     if spectrum(pair(alpha, eta_b, printed, place)).unstable:
         sentence = (
             f"Unstable it is there (certified), but as the limiting mass it is not right: that is "
-            f"{shown(there[0].eta, 5)} "
-            f"at the critical distance, {shown(worst.eta, 5)} at the worst one."
+            f"{shown(there[0].eta, 5)} at the critical distance, {shown(worst.eta, 5)} at the worst one."
         )
         return Finding(Verdict.CONDITIONAL, sentence, numbers, search=search, certificates=named(certificates))
     sentence = f"Stable there: the limiting mass is {shown(there[0].eta, 5)}."

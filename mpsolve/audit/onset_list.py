@@ -30,7 +30,8 @@ _XII_A = Claim(
 CLAIMS = (
     Claim(
         "xi", "Section 5 (xi), Section 4.3",
-        "The critical distance (α = {alpha}, η_M = {eta_m}) is {distance} at the first and the last of η_b = {eta_b}.",
+        "The critical distance (α = {alpha}, η_M = {eta_m}) is {distance} at the first and the last of η_b = "
+        "{eta_b}.",
         critical_ends, {**_RANGE, "distance": ("1.25", "1.05"), "eta_b": ("0.04:0.01:0.99",)},
         {"steps": ("0.05", "0.1", "0.25")},
     ),

@@ -14,8 +14,8 @@ from mpsolve.stability.pool import run
 from mpsolve.stability.search import Tell
 
 _LISTS = (
-    "undamped_list damped_list figure_9 instability onset_list motion_list superposition history captions figure_list premises equation_list "
-    "modal"
+    "undamped_list damped_list figure_9 instability onset_list motion_list superposition history captions "
+    "figure_list premises equation_list modal"
 )
 _LONG = ("i", "xi-smooth-high", "xi-smooth-low", "iii", "fig-12-text", "xi")  # take longest: first
 

@@ -1,4 +1,5 @@
-"""Conclusions (viii), (ix) and Section 4.2: two single masses, or one doubled mass, in place of the pair; undamped."""
+"""Conclusions (viii), (ix) and Section 4.2: two single masses, or one doubled mass, in place of the pair; "
+"undamped."""
 
 from __future__ import annotations
 
@@ -62,9 +63,9 @@ def not_close(claim: Claim) -> Finding:
     parts, numbers, certificates = _table(claim, what, (d,))
     least, largest = (float(choose(parts.values(), key=float)) for choose in (min, max))
     sentence = (
-        f"No tolerance is stated. The frequency differs by {_percent(list(parts.values()))} from that of the pair's lower "
-        f"line at d = {d}: in opposite phase after {0.5 / largest:.0f} to {0.5 / least:.0f} periods; the amplitudes "
-        "differ as listed (all proved)."
+        f"No tolerance is stated. The frequency differs by {_percent(list(parts.values()))} from that of the "
+        f"pair's lower line at d = {d}: in opposite phase after {0.5 / largest:.0f} to {0.5 / least:.0f} periods; "
+        "the amplitudes differ as listed (all proved)."
     )
     verdict = Verdict.CONDITIONAL if all(below(0, x) for x in parts.values()) else Verdict.UNDECIDABLE
     return Finding(verdict, sentence, numbers, certificates=certificates)
@@ -78,14 +79,14 @@ def boundary(claim: Claim) -> Finding:
     worse = [f"η_M = {m}, α = {a}" for m, a in models if below(parts[near, m, a], parts[d, m, a])]
     here, before = ([parts[x, m, a] for m, a in models] for x in (d, near))
     sentence = (
-        f"No tolerance is stated. At d = {near} the frequency differs by {_percent(before)} from that of the pair's lower "
-        f"line, at d = {d} by {_percent(here)}"
+        f"No tolerance is stated. At d = {near} the frequency differs by {_percent(before)} from that of the "
+        f"pair's lower line, at d = {d} by {_percent(here)}"
     )
     if worse:
         sentence += f", and more than at d = {near} for {'; '.join(worse)}"
     sentence += (
-        f" (all proved): nothing changes at d = {d}. Read as 'possible from d = {d} on' it contradicts Section 4.2 and "
-        f"the Appendix, by which superposition is not acceptable at d = {d} itself."
+        f" (all proved): nothing changes at d = {d}. Read as 'possible from d = {d} on' it contradicts Section 4.2 "
+        f"and the Appendix, by which superposition is not acceptable at d = {d} itself."
     )
     return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
@@ -117,7 +118,8 @@ def in_the_limit(claim: Claim) -> Finding:
     sentence = (
         "Undamped, for times that are short against the beat: with d the two lines approach that of the single mass "
         f"(proved along this list), but the envelope still rises and falls, once in a time τ of "
-        f"{min(beats):.0f} to {max(beats):.1g}, which superposition never does. With damping the vibration may have ceased before."
+        f"{min(beats):.0f} to {max(beats):.1g}, which superposition never does. With damping the vibration may "
+        "have ceased before."
     )
     return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
 

@@ -24,9 +24,9 @@ _COLOUR = {
 }
 NOTATION = (
     "Equations are written as code: d(f, x, 2) is f with two derivatives by x, delta Dirac's or Kronecker's, x_2 the "
-    "dimensionless distance d̂, F_1 and F_2 those of (22); u_k, u1_k, u2_k are w_k, w_k,x, w_k,xx at the rear mass (vt), "
-    "v_k, v1_k, v2_k (v3_k: w_k,xxx) the same at the front mass (vt + d), q0, q1, q2 are q_k, q_k,t, q_k,tt; D_pp is "
-    "D_,pp, and h_pp, h_ppp are derivatives of h = D²."
+    "dimensionless distance d̂, P the constant P_C1 as a scale, F_1 and F_2 those of (22); u_k, u1_k, u2_k are "
+    "w_k, w_k,x, w_k,xx at the rear mass (vt), v_k, v1_k, v2_k (v3_k: w_k,xxx) the same at the front mass (vt + "
+    "d), q0, q1, q2 are q_k, q_k,t, q_k,tt; D_pp is D_,pp, and h_pp, h_ppp are derivatives of h = D²."
 )
 _CLAIM_WIDTH = 160  # characters of a claim in the table; all of it stands in the JSON and on the page
 

@@ -13,7 +13,11 @@ from mpsolve.audit.values import below, decimal, grid, last_on_grid, named, show
 from mpsolve.certificate.format import Certificate
 
 _STEP = Fraction(1, 100)
-_KEPT = ((MASSES[0], DISTANCES[0]), (MASSES[1], DISTANCES[4]), (MASSES[-1], DISTANCES[-1]))  # certificates of 27 cases
+_KEPT = (
+    (MASSES[0], DISTANCES[0]),
+    (MASSES[1], DISTANCES[4]),
+    (MASSES[-1], DISTANCES[-1]),
+)  # certificates of 27 cases
 
 
 def last_velocities(claim: Claim) -> Finding:
@@ -35,8 +39,8 @@ def last_velocities(claim: Claim) -> Finding:
     if wrong:
         return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers), certificates=named(certificates))
     sentence = (
-        "Each higher line has exactly one end in 0.01 ≤ α ≤ 0.999, between the printed α and the next 0.01: two pairs "
-        "are certified at the one, one pair at the other."
+        "Each higher line has exactly one end in 0.01 ≤ α ≤ 0.999, between the printed α and the next 0.01: two "
+        "pairs are certified at the one, one pair at the other."
     )
     return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
 
@@ -54,8 +58,8 @@ def cut_at_the_limit(claim: Claim) -> Finding:
     numbers = tuple((f"η_M = {m}, d = {d}: ends at α", shown(point.alpha, 12)) for m, d, point in ends)
     sentence = (
         "Below α_C every root is real and lies in the gap |q| < q_lm, where Δ is analytic, so a line can end at q_lm "
-        f"only (theorem). In the 27 cases of the paper {len(ends)} lines do, each once, and none begins: the numbers of "
-        "pairs beside some of these ends are certified."
+        f"only (theorem). In the 27 cases of the paper {len(ends)} lines do, each once, and none begins: the "
+        "numbers of pairs beside some of these ends are certified."
     )
     return Finding(Verdict.PROVED, sentence, numbers, proof.steps[:2], certificates=_before_and_after(claim.id))
 
@@ -157,8 +161,8 @@ def ends_by_mass(claim: Claim) -> Finding:
         "grow with η_M."
     )
     sentence = (
-        f"Where the higher pair exists for a mass it exists for every heavier one (theorem). {found.sentence} Only the "
-        "numbers of pairs beside some ends are certified."
+        f"Where the higher pair exists for a mass it exists for every heavier one (theorem). {found.sentence} Only "
+        "the numbers of pairs beside some ends are certified."
     )
     certificates = _before_and_after(claim.id)
     return replace(found, sentence=sentence, steps=(*proof.steps, nested), certificates=certificates)
@@ -187,7 +191,9 @@ def _ordered(rows: list[list[tuple[str, str]]], what: str, name: str) -> Finding
                 return Finding(Verdict.UNDECIDABLE, "Two ends cannot be told apart.")
     if against:
         return Finding(Verdict.REFUTED, "; ".join(against), tuple(numbers), certificates=named(certificates))
-    return Finding(Verdict.PROVED, f"In all 27 cases of the paper the end grows with the {what}; all ends are proved.")
+    return Finding(
+        Verdict.PROVED, f"In all 27 cases of the paper the end grows with the {what}; all ends are proved."
+    )
 
 
 def only_one_pair(claim: Claim) -> Finding:

@@ -24,6 +24,7 @@ CHANGES = {  # one number, sign or name of the printed form
     "eq-33": ("20", "10"),
     "eq-34": ("20", "10"), "eq-38": ("-d(", "d("), "eq-42-45": ("2*M_1", "M_1"), "eq-46-53": ("-u_j", "u_j"),
     "eq-54": ("2*M_1", "M_1"),
+    "eq-31-inversion": ("2*pi", "pi"), "eq-40": ("q*w", "q*w/2"),
 }  # fmt: skip
 
 
@@ -55,6 +56,22 @@ def test_a_slip_is_cured_by_its_correction_only(name: str) -> None:
     assert right.check(right).verdict is Verdict.PROVED
     wrong = replace(claim, at={**claim.at, "corrected": claim.printed["form"]})
     assert wrong.check(wrong).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("eq-42-45", "P_A1*sin", "P_A1*cos"),
+        ("eq-46-53", "sin(omega_f2", "sin(omega_f1"),
+        ("eq-46-53", "P_C1", "P_C2"),
+        ("eq-54", "P_C1 +", "P_C1 -"),
+        ("eq-10", "omega_f1/(chi", "omega_f1*(chi"),
+        ("eq-31-inversion", "a - I*T", "a + I*T"),
+    ],
+)
+def test_the_forces_are_tried_as_printed(name: str, old: str, new: str) -> None:
+    altered = changed(EQUATIONS[name], old, new)
+    assert altered.check(altered).verdict is Verdict.REFUTED
 
 
 def test_singularities_and_the_harmonic_sum() -> None:
