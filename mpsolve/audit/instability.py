@@ -15,7 +15,7 @@ def more_frequencies(claim: Claim) -> Finding:
     for text in claim.values("cases"):
         eta_b, alpha, eta_m, d = text.split()
         two, one = pair(alpha, eta_b, eta_m, d), single(alpha, eta_b, eta_m)
-        counts = [len(spectrum(case).roots) for case in (two, one)]
+        counts = [sum(root.multiplicity for root in spectrum(case).roots) for case in (two, one)]
         where = f"η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}"
         numbers.append((f"{where}: induced frequencies of two masses, of one", f"{counts[0]}, {counts[1]}"))
         if counts[0] <= counts[1]:

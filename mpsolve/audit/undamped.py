@@ -164,8 +164,9 @@ def ends_by_mass(claim: Claim) -> Finding:
         f"Where the higher pair exists for a mass it exists for every heavier one (theorem). {found.sentence} Only "
         "the numbers of pairs beside some ends are certified."
     )
+    ends = tuple((f"η_M = {m}, d = {d}: ends at α", shown(higher_end(m, d), 12)) for d in DISTANCES for m in MASSES)
     certificates = _before_and_after(claim.id)
-    return replace(found, sentence=sentence, steps=(*proof.steps, nested), certificates=certificates)
+    return replace(found, sentence=sentence, numbers=ends, steps=(*proof.steps, nested), certificates=certificates)
 
 
 def ends_by_distance(claim: Claim) -> Finding:

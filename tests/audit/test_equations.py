@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from mpsolve.audit import captions, equation_list, modal
+from mpsolve.audit import captions, equation_list, figure_list, modal
 from mpsolve.audit.claims import Claim, Verdict
 from mpsolve.audit.equations import read, vanishes
 
@@ -90,7 +90,7 @@ def test_texts_are_read_exactly() -> None:
     assert not vanishes(read("K(0,q) = K(x_2,q)"))
 
 
-CAPTIONS = {claim.id: claim for claim in captions.CLAIMS}
+CAPTIONS = {claim.id: claim for claim in (*captions.CLAIMS, *figure_list.CLAIMS)}
 
 
 @pytest.mark.parametrize(
@@ -98,6 +98,9 @@ CAPTIONS = {claim.id: claim for claim in captions.CLAIMS}
     [
         ("fig-12", {"caption": ("1:0.25:2",)}, Verdict.SLIP, Verdict.PROVED),
         ("fig-9b", {"caption": ("1:1:4",)}, Verdict.PROVED, Verdict.SLIP),
+        ("fig-3-list", {"caption": ("0.5", "0.8")}, Verdict.PROVED, Verdict.SLIP),
+        ("fig-A.1-list", {"text": ("0.5:0.5:4",)}, Verdict.PROVED, Verdict.SLIP),
+        ("4.1-velocity", {"caption": ("0.344",)}, Verdict.SLIP, Verdict.PROVED),
         ("fig-10b", {"values": ("0.05", "0.1", "0.2", "0.5")}, Verdict.SLIP, Verdict.PROVED),
         ("fig-2", {"panels": ("a", "b", "c", "d", "e")}, Verdict.SLIP, Verdict.PROVED),
         ("4.1-distances", {"distance": ("0.445", "4.45")}, Verdict.SLIP, Verdict.PROVED),
