@@ -102,9 +102,10 @@ def two_pairs_then_one(claim: Claim) -> Finding:
 def embedded(claim: Claim) -> Finding:
     """Conclusion (v), second sentence, and (vi), first: the order of the four lines."""
     proof, eta_m = lines_in_the_gap(), "40"
-    numbers, right = [], True
+    numbers, right, certificates = [], True, []
     for alpha, d in (("0.5", "1"), ("0.8", "3")):
         case = pair(alpha, "0", eta_m, d)
+        certificates.append((f"{claim.id}_alpha{alpha}_d{d}", certificate(case)))
         low, high = ahead(case)
         (one,), (both,) = ahead(single(alpha, "0", eta_m)), ahead(single(alpha, "0", "80"))
         right = right and all(below(x.real, y.real) for x, y in pairwise((both, low, one, high)))
@@ -119,7 +120,7 @@ def embedded(claim: Claim) -> Finding:
         "For every α < α_C, η_M and d: q_doubled < q_lower ≤ q_single ≤ q_higher (theorem; equality only where K(d) "
         "vanishes). The two examples confirm it."
     )
-    return Finding(_if(proof.holds), sentence, tuple(numbers), proof.steps)
+    return Finding(_if(proof.holds), sentence, tuple(numbers), proof.steps, certificates=named(certificates))
 
 
 def closer_with_distance(claim: Claim) -> Finding:
