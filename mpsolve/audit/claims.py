@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
+from mpsolve.audit.quotes import QUOTES
 from mpsolve.certificate.format import Certificate
 
 Printed = Mapping[str, tuple[str, ...]]
@@ -22,6 +23,9 @@ class Verdict(Enum):
     SLIP = "a slip of the print"
     AGREES = "computed, agrees"
     DISAGREES = "computed, disagrees"
+
+
+COMPUTED = (Verdict.AGREES, Verdict.DISAGREES)
 
 
 @dataclass(frozen=True)
@@ -46,7 +50,8 @@ class Finding:
 class Claim:
     """One claim: where it is printed, its words (with {name} for printed numbers), and the function that checks it.
 
-    at: the cases that the check looks at, where the paper's words do not name them.
+    at: the cases that the check looks at, where the paper's words do not name them. The words are the paper's own, or
+    say what is tried where `quotes` holds those.
     """
 
     id: str
@@ -58,13 +63,27 @@ class Claim:
 
     @property
     def text(self) -> str:
-        """The claim as printed."""
+        """What is tried."""
         values = {name: "; ".join(numbers) for name, numbers in self.printed.items()}
         return self.words.format(**values) if values else self.words
+
+    @property
+    def quote(self) -> str:
+        """The claim as printed."""
+        return QUOTES.get(self.id, self.text)
 
     def values(self, name: str) -> tuple[str, ...]:
         """The printed numbers of this name, or the cases that are looked at."""
         return self.printed[name] if name in self.printed else self.at[name]
+
+    def without_certificate(self, finding: Finding) -> str:
+        """What stands in place of certificates where the finding has none."""
+        if finding.certificates:
+            return ""
+        how = "computed, not proved" if finding.verdict in COMPUTED else "proved by computation"
+        if finding.verdict is Verdict.UNDECIDABLE:
+            how = "nothing is proved"
+        return f"No certificate: {how}; recompute with mpsolve audit --only {self.id}"
 
     def number(self, name: str) -> str:
         """The same where there is only one."""

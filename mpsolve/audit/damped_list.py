@@ -39,7 +39,7 @@ CLAIMS = (
     ),
     Claim(
         "4.3-lighter", "Section 4.3, Figure 9b",
-        "η_M = {eta_m}, η_b = {eta_b}, d̂ = {d}: no onset below α_c (the onset there is reported for η_M = 70 only).",
+        "η_M = {eta_m}, η_b = {eta_b}, d̂ = {d}: no onset below α_c, where the paper reports one for η_M = 70 only.",
         lighter_masses_stay_stable, _FIGURE_9, {"alpha": ("1",)},
     ),
     Claim(
@@ -85,7 +85,7 @@ CLAIMS = (
     Claim(
         "3-most-pairs", "Section 3",
         "In all cases examined until α = 1.4, the maximum number of pairs is {pairs}.",
-        most_pairs, {"pairs": ("4",)}, {"cases": _CROWDED},
+        most_pairs, {"pairs": ("4",)}, {"cases": _CROWDED, "searched": ("0", "0.05", "0.3"), "top": ("1.4",)},
     ),
     Claim(
         "3-pairs", "Section 3",

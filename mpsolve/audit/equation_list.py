@@ -99,10 +99,11 @@ _39 = "(-6*d(D_q(p)*{0},p)*{1} + 2*D_q(p)*{0}*{2})/(3*{3})"
 
 def _claim(
     number: str, form: str | tuple[str, ...], corrected: str | tuple[str, ...] = (), slip: str = "",
-    check: Callable[[Claim], Finding] = eq.equation, source: str = "",
+    check: Callable[[Claim], Finding] = eq.equation, source: str | tuple[str, ...] = "",
 ) -> Claim:  # fmt: skip
     forms, right = ((e,) if isinstance(e, str) else e for e in (form, corrected))
-    at = {"source": (source or f"({number})",)} | ({"corrected": right, "slip": (slip,)} if right else {})
+    sources = (source or f"({number})",) if isinstance(source, str) else source
+    at = {"source": sources} | ({"corrected": right, "slip": (slip,)} if right else {})
     return Claim(f"eq-{number.replace(', ', '-')}", _PLACE, f"Eq. ({number}): {{form}}", check, {"form": forms}, at)
 
 
@@ -117,7 +118,8 @@ CLAIMS = (
     _claim("8", _eight(_SHORT), _eight(_WAVE), _FREQUENCY),
     _claim("9", _nine(_SHORT), _nine(_WAVE), _FREQUENCY),
     _claim("10", ("xi = chi*s", "tau = chi*v_cr*t", "what(xi,tau) = w(s,t)/w_st", "w_st = P*chi/(2*k)",
-                  "chi = (k/(4*EI))**(1/4)", "v_cr = (4*k*EI/m**2)**(1/4)")),
+                  "chi = (k/(4*EI))**(1/4)", "v_cr = (4*k*EI/m**2)**(1/4)",
+                  "omegahat_f1 = omega_f1/(chi*v_cr)"), source=("(10)", "(12)")),
     _claim("11", ("eta_b = c_b/(2*sqrt(m*k))", "eta_N = N/(2*sqrt(k*EI))", "eta_s = k_p/(2*sqrt(k*EI))"),
            ("eta_b = c_b/(2*sqrt(m*k))", "eta_N = N/(2*sqrt(k*EI))", "eta_S = k_p/(2*sqrt(k*EI))"),
            "The Pasternak ratio is η_s here and in α_cr,ex = √(1 − η_N + η_s), η_S from (13) on."),
@@ -144,6 +146,9 @@ CLAIMS = (
     Claim("eq-31", _PLACE, "Eq. (31): a ensures that all singularities are located to the {side} from the "
     "integration line.",
           eq.side_of_singularities, {"side": ("right",)}),
+    Claim("eq-31-inversion", _PLACE, "Eq. (31): f(t) is the limit T → ∞ of the integral of {form} (integrand, "
+          "ends) ds.",
+          eq.inversion_by_time, {"form": ("F(s)*exp(s*t)/(2*pi*I)", "a - I*T", "a + I*T")}),
     _claim("32", ("Wtilde(xi,q)*exp(I*q*tau)/(2*pi)", "-I*a - T", "-I*a + T"), check=eq.inversion),
     _claim("33", _FIRST.format("-"), check=eq.branch_of_the_limit),
     _claim("34", _FIRST.format("+"), check=eq.branch_of_the_limit),

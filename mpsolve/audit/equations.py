@@ -32,7 +32,7 @@ def _names() -> dict[str, Any]:
     names |= {"x_2": st.positions(2)[1], "d_2": st.positions(2, "d_")[1], "load": st.load, "delta": sp.DiracDelta}
     names |= {
         name: sp.Function(name)
-        for name in ("w_01", "w_02", "w_0j", "F_1", "F_2", "D_q", "D_pp", "D_ppp", "h_pp", "h_ppp")
+        for name in ("F", "w_01", "w_02", "w_0j", "F_1", "F_2", "D_q", "D_pp", "D_ppp", "h_pp", "h_ppp")
     }
     return names | {"d": lambda f, *by: f.diff(*by), "D_p": _slope}
 
@@ -77,8 +77,9 @@ def holds(texts: tuple[str, ...], balances: list[Any]) -> bool:
 
 def equation(claim: Claim) -> Finding:
     """As printed, and as corrected, against the derivation."""
-    step = derived(claim.number("source"))
-    return judged(claim, lambda texts: holds(texts, statements(step)), step.note)
+    steps = [derived(source) for source in claim.values("source")]
+    balances = [balance for step in steps for balance in statements(step)]
+    return judged(claim, lambda texts: holds(texts, balances), steps[0].note)
 
 
 def judged(claim: Claim, right: Any, note: str) -> Finding:
@@ -106,6 +107,23 @@ def inversion(claim: Claim) -> Finding:
         return all(vanishes(read(text) - value) for text, value in zip(texts, right, strict=True))
 
     return judged(claim, same, step.note)
+
+
+def inversion_by_time(claim: Claim) -> Finding:
+    """(31): with s = iq and t = τ, integrand and ends are those of the derived (32)."""
+    step = derived("(31), (32)")
+    integral = step.statement.rhs.args[0]
+    _, low, high = integral.limits[0]
+    image = sp.Function("F")
+
+    def right(texts: tuple[str, ...]) -> bool:
+        inside = read(texts[0]).subs({st.s: sp.I * rs.q, st.t: st.tau}) * sp.I  # ds = i dq
+        inside = inside.subs(image(sp.I * rs.q), st.Wtilde(rs.xi, rs.q))
+        ends = [-sp.I * read(text) for text in texts[1:]]
+        pairs = zip((inside, *ends), (integral.function, low, high), strict=True)
+        return all(vanishes(value - expected) for value, expected in pairs)
+
+    return judged(claim, right, step.note)
 
 
 def branch_of_the_limit(claim: Claim) -> Finding:

@@ -30,9 +30,10 @@ _XII_A = Claim(
 CLAIMS = (
     Claim(
         "xi", "Section 5 (xi), Section 4.3",
-        "The critical distance between moving masses (α = {alpha}, η_M = {eta_m}) changes from {distance} within the "
-        "damping range of η_b = {eta_b}.",
+        "The critical distance (α = {alpha}, η_M = {eta_m}) is {distance} at the first and the last of η_b = "
+        "{eta_b}.",
         critical_ends, {**_RANGE, "distance": ("1.25", "1.05"), "eta_b": ("0.04:0.01:0.99",)},
+        {"steps": ("0.05", "0.1", "0.25")},
     ),
     *(
         Claim(
@@ -71,7 +72,7 @@ CLAIMS = (
     ),
     Claim(
         "fig-12-order", "Section 4.4, Figure 12",
-        "With proximate masses the onset of instability is lower than with one moving mass (η_b = {eta_b}).",
+        "Two masses have their onset of instability at a lower velocity than one (η_b = {eta_b}).",
         one_mass_first, {"eta_b": ("0.05",)}, {"eta_m": ("10", "40", "70", "100"), "d": ("0.5:0.5:2",)},
     ),
     Claim(

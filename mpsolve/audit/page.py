@@ -6,7 +6,7 @@ from html import escape
 
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.run import Report
-from mpsolve.audit.tables import PAPER, summary
+from mpsolve.audit.tables import NOTATION, PAPER, summary
 
 _CLASS = {
     Verdict.PROVED: "good",
@@ -42,6 +42,7 @@ _HEAD = """<!doctype html>
 <p>{paper}. Each verdict was computed when this page was made; every digit of a number is proved,
 unless the verdict says computed or the line says float64. Certificates are checked
 with <code>mpsolve verify</code>.</p>
+<p>{notation}</p>
 <p>{summary}</p>
 <nav>{links}</nav>
 """
@@ -50,7 +51,8 @@ with <code>mpsolve verify</code>.</p>
 def page(report: Report) -> str:
     """The whole page."""
     links = " ".join(f'<a href="#{escape(claim.id)}">{escape(claim.id)}</a>' for claim, _ in report.entries)
-    head = _HEAD.format(style=_STYLE, paper=escape(PAPER), summary=escape(summary(report)), links=links)
+    texts = {"paper": PAPER, "notation": NOTATION, "summary": summary(report)}
+    head = _HEAD.format(style=_STYLE, links=links, **{name: escape(text) for name, text in texts.items()})
     articles = "\n".join(_article(claim, finding, report.files[claim.id]) for claim, finding in report.entries)
     return f"{head}{articles}\n</body>\n</html>\n"
 
@@ -59,7 +61,8 @@ def _article(claim: Claim, finding: Finding, files: tuple[str, ...]) -> str:
     parts = [
         f'<article id="{escape(claim.id)}" class="{_CLASS[finding.verdict]}">',
         f"<h2>{escape(claim.id)} · {escape(claim.place)}</h2>",
-        f"<blockquote>{escape(claim.text)}</blockquote>",
+        f"<blockquote>{escape(claim.quote)}</blockquote>",
+        f"<p>Tried: {escape(claim.text)}</p>" if claim.text != claim.quote else "",
         f'<p><span class="verdict">{escape(finding.verdict.value)}.</span> {escape(finding.sentence)}</p>',
     ]
     if finding.search:
@@ -71,7 +74,9 @@ def _article(claim: Claim, finding: Finding, files: tuple[str, ...]) -> str:
         parts.append(_details(f"Numbers ({len(finding.numbers)})", f"<table>{rows}</table>"))
     if files:
         parts.append(_details(f"Certificates ({len(files)})", _list("", files, "ul")))
-    return "\n".join([*parts, "</article>"])
+    if without := claim.without_certificate(finding):
+        parts.append(f"<p>{escape(without)}.</p>")
+    return "\n".join([*filter(None, parts), "</article>"])
 
 
 def _list(title: str, lines: tuple[str, ...], kind: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 
 from mpsolve.audit.claims import Claim, Finding, Verdict
@@ -12,6 +13,10 @@ from mpsolve.errors import CertificateError, InputError, MpsolveError
 from mpsolve.stability.pool import run
 from mpsolve.stability.search import Tell
 
+_LISTS = (
+    "undamped_list damped_list figure_9 instability onset_list motion_list superposition history captions "
+    "figure_list premises equation_list modal"
+)
 _LONG = ("i", "xi-smooth-high", "xi-smooth-low", "iii", "fig-12-text", "xi")  # take longest: first
 
 
@@ -42,10 +47,7 @@ class Report:
 
 def all_claims() -> tuple[Claim, ...]:
     """Every claim, in the order of the report."""
-    from mpsolve.audit import captions, damped_list, equation_list, history, modal, motion_list, onset_list, premises
-    from mpsolve.audit import undamped_list as first
-
-    modules = [first, damped_list, onset_list, motion_list, history, captions, premises, equation_list, modal]
+    modules = (import_module(f"mpsolve.audit.{name}") for name in _LISTS.split())
     return tuple(claim for module in modules for claim in module.CLAIMS)
 
 

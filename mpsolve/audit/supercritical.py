@@ -68,9 +68,10 @@ def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
     sentence = (
         "Below α_C every root is real, for any masses (theorem). Just above it there is exactly one root near the "
         f"branch point, an unstable one (proved for every α of a strip at once), and each of the {len(models)} cases "
-        f"that are looked at is proved unstable from there to α = {top}."
+        f"that are looked at is proved unstable from there to α = {top}; for other masses and distances the part "
+        "above α_C is not proved."
     )
-    return Finding(Verdict.PROVED, sentence, tuple(numbers), steps, certificates=certs)
+    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), steps, certificates=certs)
 
 
 def _case(alpha: str, eta_m: str, d: str | None) -> Case:

@@ -22,6 +22,12 @@ _COLOUR = {
     Verdict.AGREES: "green",
     Verdict.DISAGREES: "bold red",
 }
+NOTATION = (
+    "Equations are written as code: d(f, x, 2) is f with two derivatives by x, delta Dirac's or Kronecker's, x_2 the "
+    "dimensionless distance d̂, P the constant P_C1 as a scale, F_1 and F_2 those of (22); u_k, u1_k, u2_k are "
+    "w_k, w_k,x, w_k,xx at the rear mass (vt), v_k, v1_k, v2_k (v3_k: w_k,xxx) the same at the front mass (vt + "
+    "d), q0, q1, q2 are q_k, q_k,t, q_k,tt; D_pp is D_,pp, and h_pp, h_ppp are derivatives of h = D²."
+)
 _CLAIM_WIDTH = 160  # characters of a claim in the table; all of it stands in the JSON and on the page
 
 
@@ -43,11 +49,11 @@ def document(report: Report) -> Group:
 
 
 def _body(claim: Claim, finding: Finding) -> Text:
-    text = claim.text if len(claim.text) <= _CLAIM_WIDTH else f"{claim.text[: _CLAIM_WIDTH - 1]}…"
+    text = claim.quote if len(claim.quote) <= _CLAIM_WIDTH else f"{claim.quote[: _CLAIM_WIDTH - 1]}…"
     body = Text(f"{text}\n", style="italic")
     body.append(finding.sentence, style="not italic")
-    for line in finding.search[:3]:
-        body.append(f"\n→ {line}", style="not italic")
+    for line in (*(f"→ {found}" for found in finding.search[:3]), claim.without_certificate(finding)):
+        body.append(f"\n{line}" if line else "", style="not italic")
     return body
 
 
@@ -55,13 +61,15 @@ def as_data(report: Report) -> dict[str, Any]:
     """Everything, as JSON takes it."""
     return {
         "paper": PAPER,
+        "notation": NOTATION,
         "summary": {verdict.value: report.count(verdict) for verdict in Verdict},
         "complete": report.complete,
         "claims": [
             {
                 "id": claim.id,
                 "place": claim.place,
-                "claim": claim.text,
+                "claim": claim.quote,
+                "tried": claim.text,
                 "printed": {name: list(values) for name, values in claim.printed.items()},
                 "looked at": {name: list(values) for name, values in claim.at.items()},
                 "verdict": finding.verdict.value,
@@ -70,6 +78,7 @@ def as_data(report: Report) -> dict[str, Any]:
                 "proof": list(finding.steps),
                 "search": list(finding.search),
                 "certificates": list(report.files[claim.id]),
+                "no certificate": claim.without_certificate(finding),
             }
             for claim, finding in report.entries
         ],

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from mpsolve.audit import captions, equation_list, modal
+from mpsolve.audit import captions, equation_list, figure_list, modal
 from mpsolve.audit.claims import Claim, Verdict
 from mpsolve.audit.equations import read, vanishes
 
@@ -24,6 +24,7 @@ CHANGES = {  # one number, sign or name of the printed form
     "eq-33": ("20", "10"),
     "eq-34": ("20", "10"), "eq-38": ("-d(", "d("), "eq-42-45": ("2*M_1", "M_1"), "eq-46-53": ("-u_j", "u_j"),
     "eq-54": ("2*M_1", "M_1"),
+    "eq-31-inversion": ("2*pi", "pi"), "eq-40": ("q*w", "q*w/2"),
 }  # fmt: skip
 
 
@@ -57,6 +58,22 @@ def test_a_slip_is_cured_by_its_correction_only(name: str) -> None:
     assert wrong.check(wrong).verdict is Verdict.REFUTED
 
 
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("eq-42-45", "P_A1*sin", "P_A1*cos"),
+        ("eq-46-53", "sin(omega_f2", "sin(omega_f1"),
+        ("eq-46-53", "P_C1", "P_C2"),
+        ("eq-54", "P_C1 +", "P_C1 -"),
+        ("eq-10", "omega_f1/(chi", "omega_f1*(chi"),
+        ("eq-31-inversion", "a - I*T", "a + I*T"),
+    ],
+)
+def test_the_forces_are_tried_as_printed(name: str, old: str, new: str) -> None:
+    altered = changed(EQUATIONS[name], old, new)
+    assert altered.check(altered).verdict is Verdict.REFUTED
+
+
 def test_singularities_and_the_harmonic_sum() -> None:
     side, whole = EQUATIONS["eq-31"], EQUATIONS["eq-36"]
     assert side.check(side).verdict is Verdict.SLIP
@@ -73,7 +90,7 @@ def test_texts_are_read_exactly() -> None:
     assert not vanishes(read("K(0,q) = K(x_2,q)"))
 
 
-CAPTIONS = {claim.id: claim for claim in captions.CLAIMS}
+CAPTIONS = {claim.id: claim for claim in (*captions.CLAIMS, *figure_list.CLAIMS)}
 
 
 @pytest.mark.parametrize(
@@ -81,6 +98,9 @@ CAPTIONS = {claim.id: claim for claim in captions.CLAIMS}
     [
         ("fig-12", {"caption": ("1:0.25:2",)}, Verdict.SLIP, Verdict.PROVED),
         ("fig-9b", {"caption": ("1:1:4",)}, Verdict.PROVED, Verdict.SLIP),
+        ("fig-3-list", {"caption": ("0.5", "0.8")}, Verdict.PROVED, Verdict.SLIP),
+        ("fig-A.1-list", {"text": ("0.5:0.5:4",)}, Verdict.PROVED, Verdict.SLIP),
+        ("4.1-velocity", {"caption": ("0.344",)}, Verdict.SLIP, Verdict.PROVED),
         ("fig-10b", {"values": ("0.05", "0.1", "0.2", "0.5")}, Verdict.SLIP, Verdict.PROVED),
         ("fig-2", {"panels": ("a", "b", "c", "d", "e")}, Verdict.SLIP, Verdict.PROVED),
         ("4.1-distances", {"distance": ("0.445", "4.45")}, Verdict.SLIP, Verdict.PROVED),

@@ -12,6 +12,7 @@ from click.testing import CliRunner
 from mpsolve import InputError, verify
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.page import page
+from mpsolve.audit.quotes import QUOTES
 from mpsolve.audit.run import audit, checked, chosen
 from mpsolve.audit.tables import as_data, document, summary
 from mpsolve.cli import cli
@@ -85,6 +86,22 @@ def test_the_page_is_whole_and_loads_nothing(report) -> None:
     assert "<script" not in text
     assert all(f'id="{claim.id}"' in text for claim, _ in report.entries)
     assert all(name in text for name in report.certificates)
+
+
+def test_a_finding_without_certificate_says_so() -> None:
+    """In the table, in the JSON and on the page; and the words tried stand beside those printed."""
+    found = audit(chosen(["eq-26-one-place", "eq-31"]), workers=1)
+    said = "No certificate: proved by computation; recompute with mpsolve audit --only eq-26-one-place"
+    assert said in " ".join(plain(document(found)).split())
+    data = {entry["id"]: entry for entry in as_data(found)["claims"]}
+    assert (data["eq-31"]["no certificate"], data["eq-26-one-place"]["no certificate"]) == ("", said)
+    assert said in page(found)
+    assert data["eq-31"]["claim"].startswith("where a is a convenient positive number")
+    assert "the rear mass" in as_data(found)["notation"]
+
+
+def test_every_quote_belongs_to_a_claim() -> None:
+    assert QUOTES.keys() <= {claim.id for claim in chosen([])}
 
 
 def test_a_check_without_end_is_a_finding() -> None:

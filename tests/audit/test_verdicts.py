@@ -70,7 +70,7 @@ def test_the_order_of_the_lines_with_damping() -> None:
 
 
 def test_numbers_of_pairs() -> None:
-    assert found("3-most-pairs").verdict is Verdict.REFUTED
+    assert found("3-most-pairs", at={"searched": ()}).verdict is Verdict.REFUTED
     assert found("3-most-pairs", pairs="6").verdict is Verdict.UNDECIDABLE
     assert found("v-pairs-damped").verdict is Verdict.REFUTED
     assert found("v-pairs-damped", at={"cases": ("0.05 0.5 70 1",)}).verdict is Verdict.UNDECIDABLE
@@ -111,10 +111,76 @@ def test_amplitudes() -> None:
     assert found("fig-7", at={"alpha": ("0.3", "0.5")}).verdict is Verdict.UNDECIDABLE
     assert found("fig-A.2").verdict is Verdict.AGREES
     assert found("fig-A.2", first="1").verdict is Verdict.DISAGREES
-    assert found("ix-distance").verdict is Verdict.CONDITIONAL
-    assert found("ix-distance", at={"eta_m": ("70",)}).verdict is Verdict.REFUTED
-    assert found("ix-distance", at={"eta_m": ("40",)}).verdict is Verdict.AGREES
     assert found("5-not-damping").verdict is Verdict.REFUTED
+
+
+def test_one_proved_fall_refutes_a_trend() -> None:
+    """(ix) says that differences grow as η_M falls, and grow with d up to one limit, after which they fall."""
+    near = {"alpha": ("0.9",), "d": ("2.5",)}
+    assert found("ix-mass", at=near).verdict is Verdict.REFUTED
+    assert len(found("ix-mass", at=near).certificates) == 2
+    assert found("ix-mass", at={**near, "d": ("2", "3")}).verdict is Verdict.CONDITIONAL
+    assert found("ix-distance", at={"eta_m": ("40",)}).verdict is Verdict.CONDITIONAL  # up to d = 3, then down
+    assert found("ix-distance", at={"eta_m": ("70",)}).verdict is Verdict.REFUTED  # down, then up
+    assert (
+        found("ix-distance", at={"eta_m": ("40",), "d": ("0.5", "1", "1.5")}).verdict is Verdict.REFUTED
+    )  # no limit
+
+
+def test_a_last_velocity_is_certified_at_itself_and_the_next() -> None:
+    names = [name for name, _ in found("4.2-final-10", d="0.5:0.5:0.5", alpha="0.37").certificates]
+    assert names == ["4.2-final-10_d0.5_alpha0.37", "4.2-final-10_d0.5_alpha0.38"]
+
+
+def test_what_is_proved_for_a_list_only_is_a_condition() -> None:
+    pairs = found("v-pairs-undamped")
+    assert pairs.verdict is Verdict.CONDITIONAL
+    assert "not proved" in pairs.sentence
+    assert len(pairs.certificates) == 6
+
+
+def test_superposition() -> None:
+    """(viii) draws the line at d = 4.5, Section 4.2 has none even there: the first tells of the second."""
+    few = {"alpha": ("0.9",), "eta_m": ("70",)}
+    line = found("viii-superposition", at=few)
+    assert line.verdict is Verdict.CONDITIONAL
+    assert "contradicts Section 4.2" in line.sentence
+    assert "more than at d = 4 for η_M = 70, α = 0.9" in line.sentence
+    assert found("4.2-superposition", at=few).verdict is Verdict.CONDITIONAL
+    limit = {"alpha": ("0.5",), "d": ("4.5", "9")}
+    assert found("ix-superposition", at=limit).verdict is Verdict.CONDITIONAL
+    assert found("ix-superposition", at={**limit, "d": ("9", "4.5")}).verdict is Verdict.UNDECIDABLE
+
+
+def test_the_number_of_frequencies_and_the_interval() -> None:
+    more = found("5-more-frequencies", at={"cases": ("0 0.8 40 0.5",)})
+    assert (more.verdict, len(more.certificates)) == (Verdict.REFUTED, 2)
+    assert found("5-more-frequencies", at={"cases": ("0 0.5 40 0.5",)}).verdict is Verdict.UNDECIDABLE
+    assert found("1-interval").verdict is Verdict.REFUTED
+    assert found("1-interval", at={"eta_m": ("70",), "alpha": ("0.8",)}).verdict is Verdict.UNDECIDABLE
+
+
+def test_figure_9() -> None:
+    few = {"lines": ("70 0.5", "70 1"), "alpha": ("0.9",)}
+    assert found("4.3-no-duplication", at=few).verdict is Verdict.CONDITIONAL
+    assert found("4.3-no-duplication", at={**few, "eta_b": ("0",)}).verdict is Verdict.UNDECIDABLE
+    assert "cut in 1 (η_M = 70, d = 0.5)" in found("vi-cut-damped", at=few).sentence
+    masses = {"d": ("1.5:1.5:1.5",) * 2, "alpha": ("0.5",)}
+    assert found("4.3-rapidly", at=masses).verdict is Verdict.CONDITIONAL
+    assert found("4.3-rapidly", at={**masses, "eta_m": ("70", "10")}).verdict is Verdict.UNDECIDABLE
+
+
+def test_the_transient_part_is_temporary() -> None:
+    short = {"d": ("0.5",)}
+    assert found("5-temporary", at=short).verdict is Verdict.AGREES
+    assert found("5-temporary", at={**short, "tau": ("8", "40")}).verdict is Verdict.DISAGREES  # too much is left
+    assert found("5-temporary", at={"d": ("1.5",), "tau": ("8", "40")}).verdict is Verdict.DISAGREES  # it grows
+
+
+def test_what_reproduces_the_most_pairs() -> None:
+    few = {"cases": ("0.99 1.4 10 4.5",), "searched": ("0",)}
+    (line,) = found("3-most-pairs", at=few).search
+    assert line.endswith("as printed")
 
 
 @pytest.mark.slow
