@@ -152,12 +152,11 @@ def _cluster(address: str | None) -> Iterator[tuple[Executor | None, int]]:
         from distributed.comm import get_address_host_port
     except ImportError:
         raise InputError("--dask", "needs the package distributed: pip install 'mpsolve[dask]'") from None
-    if "://" not in address:
-        address = f"tcp://{address}"
+    given, address = address, address if "://" in address else f"tcp://{address}"
     try:
         get_address_host_port(address, strict=True)
     except ValueError as error:
-        raise InputError("--dask", f"is {address!r}: {error}; give HOST:PORT, or what the scheduler says") from None
+        raise InputError("--dask", f"is {given!r}: {error}; give HOST:PORT, or what the scheduler says") from None
     try:
         client = Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:

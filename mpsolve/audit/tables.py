@@ -33,8 +33,11 @@ _CLAIM_WIDTH = 160  # characters of a claim in the table; all of it stands in th
 
 def summary(report: Report) -> str:
     """How many claims have each verdict."""
-    counts = ((verdict.value, report.count(verdict)) for verdict in Verdict)
-    return f"{len(report.entries)} claims: " + ", ".join(f"{n} {name}" for name, n in counts if n) + "."
+    counts = ((verdict, report.count(verdict)) for verdict in Verdict)
+    said = [
+        f"{n} {'slips of the print' if each is Verdict.SLIP and n > 1 else each.value}" for each, n in counts if n
+    ]
+    return f"{len(report.entries)} claims: " + ", ".join(said) + "."
 
 
 def document(report: Report) -> Group:
