@@ -10,6 +10,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -156,4 +157,14 @@ def main() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="replace" if os.name == "nt" else "strict")
-    cli(prog_name="mpsolve")
+    try:
+        cli(prog_name="mpsolve")
+    except OSError as error:  # a closed pipe is click's affair; a full disk behind it is told here
+        if error.filename is not None:
+            raise
+        with suppress(OSError):  # what is buffered still cannot be written: let the interpreter end in silence
+            sys.stdout.flush()
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        told = f"standard output cannot be written ({error.strerror}): make room, or send it elsewhere"
+        print(f"mpsolve: {told}", file=sys.stderr)
+        sys.exit(1)

@@ -28,6 +28,8 @@ def onset(eta_b: str, eta_m: str, d: str | None, alpha: tuple[str, str] = ("0", 
     found = onset_velocity(eta_b, masses, places_, alpha=alpha, digits=_DIGITS)
     if not found.proved:
         raise PrecisionError(found.reason)
+    if found.alpha is None:
+        raise PrecisionError(f"no onset lies between α = {alpha[0]} and {alpha[1]}")
     return found
 
 
@@ -42,21 +44,24 @@ def onsets_on_the_grid(claim: Claim) -> Finding:
     eta_b, eta_m = claim.number("eta_b"), claim.number("eta_m")
     numbers, wrong, certificates = [], [], []
     alpha_C = critical(pair("0", eta_b, eta_m, "1"))
+    step = Fraction(1, 10 ** min(places(printed) for printed in claim.values("alpha")))
     for d, printed in zip(claim.values("d"), claim.values("alpha"), strict=True):
         found = onset(eta_b, eta_m, d)
-        first = first_on_grid(found.alpha, Fraction(1, 10 ** places(printed)))
+        first = first_on_grid(found.alpha, step)
+        if not spectrum(pair(decimal(first), eta_b, eta_m, d)).unstable:
+            return Finding(Verdict.UNDECIDABLE, f"d = {d}: stable again at {decimal(first)}, next above the onset.")
         numbers.append((f"d = {d}: stable below α", shown(found.alpha, 18)))
         if first != Fraction(printed) or not below(found.alpha, alpha_C):
             wrong.append(f"d = {d}: printed {printed}, proved {decimal(first)}")
         certificates.append((f"{claim.id}_d{d}", found.certificate))
         certificates += [
             (f"{claim.id}_d{d}_alpha{alpha}", certificate(pair(alpha, eta_b, eta_m, d)))
-            for alpha in (decimal(first - Fraction(1, 100)), decimal(first))
+            for alpha in (decimal(first - step), decimal(first))
         ]
     numbers.append(("α_C", shown(alpha_C, 12)))
     if wrong:
         return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers), certificates=named(certificates))
-    sentence = "The printed α are the first unstable ones of the grid 0.01; all below are proved stable."
+    sentence = f"The printed α are the first unstable ones of the grid {decimal(step)}; all below are proved stable."
     return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
 
 
@@ -106,7 +111,8 @@ def one_mass_onset_grows(claim: Claim) -> Finding:
         wrong += [f"η_M = {eta_m}, η_b = {b}" for (_, x), (b, y) in pairwise(found) if not below(x, y)]
         numbers += [(f"η_M = {eta_m}, η_b = {b}: onset α", shown(x, 12)) for b, x in found]
     if wrong:
-        return Finding(Verdict.REFUTED, f"The onset does not grow at {'; '.join(wrong)}.", tuple(numbers))
+        sentence = f"The onset does not grow at {'; '.join(wrong)}."
+        return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates))
     sentence = (
         "The proved onsets grow along this list of damping ratios, for each mass; between them it is not proved."
     )
@@ -161,10 +167,15 @@ def heavier_decays_slower(claim: Claim) -> Finding:
                     for m, case in zip((light, heavy), cases, strict=True)
                 ]
             numbers.append((f"α = {alpha}, d = {d}: least Im q", f"{shown(least[0], 8)}, {shown(least[1], 8)}"))
-            if not least[0] > least[1]:
+            if not below(least[1], least[0]):
                 wrong.append(f"α = {alpha}, d = {d}")
+                certificates += [
+                    (f"{claim.id}_alpha{alpha}_eta{m}_d{d}", certificate(case))
+                    for m, case in zip((light, heavy), cases, strict=True)
+                ]
     if wrong:
-        return Finding(Verdict.REFUTED, f"Not at {'; '.join(wrong)}.", tuple(numbers))
+        sentence = f"Not at {'; '.join(wrong)}."
+        return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates))
     sentence = (
         "Certified at all of these cases, each with the same α, d and η_b for both masses; "
         "as a general statement it is not proved."

@@ -116,12 +116,14 @@ def limit_at(claim: Claim) -> Finding:
     """Conclusion (xii): the limiting mass at a printed damping ratio and distance; else what would give it."""
     alpha, eta_b, d, printed = (claim.number(name) for name in ("alpha", "eta_b", "d", "eta_m"))
     found = crossings(alpha, eta_b, d)
+    if found.counts != (0, 2):
+        return Finding(Verdict.UNDECIDABLE, f"Unstable roots from mass to mass: {found.counts}, not from one on.")
     certificates = [(claim.id, found.certificate)]
     numbers = [
         (f"η_b = {eta_b}, d = {d}: limiting mass", shown(found[0].eta, 14)),
         ("q there", shown(found[0].q, 12)),
     ]
-    if found.counts == (0, 2) and rounds_to(found[0].eta, printed):
+    if rounds_to(found[0].eta, printed):
         sentence = "The proved limiting mass rounds to the printed one; all heavier masses are unstable."
         return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
     here = pair(alpha, eta_b, printed, d)

@@ -11,7 +11,7 @@ from mpsolve.audit.cases import DISTANCES, MASSES, ahead, ball, certificate, pai
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.damped import critical
 from mpsolve.audit.theory import symmetries
-from mpsolve.audit.values import decimal, grid, last_on_grid, named, shown
+from mpsolve.audit.values import below, decimal, grid, last_on_grid, named, shown
 from mpsolve.certificate.format import Certificate
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.derivation import dispersion
@@ -202,7 +202,7 @@ def subcritical_velocity(claim: Claim) -> Finding:
         limit = (1 - alpha**4).sqrt() if alpha < 1 else None
     if limit is None:
         return Finding(Verdict.REFUTED, "It is not below α_cr,ex = 1.")
-    beyond = [b for b in grid(claim.number("eta_b")) if not ball(b) < limit]
+    beyond = [b for b in grid(claim.number("eta_b")) if not below(ball(b), limit)]
     numbers = (
         ("α = α_C at η_b", shown(limit, 12)),
         ("values of η_b at which α > α_C", f"{len(beyond)} of {len(grid(claim.number('eta_b')))}"),

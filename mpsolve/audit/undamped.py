@@ -153,9 +153,12 @@ def closer_with_distance(claim: Claim) -> Finding:
 def ends_by_mass(claim: Claim) -> Finding:
     """Conclusion (vi): a lower mass, a lower α, at each distance."""
     found, proof = _ordered([[(m, d) for m in MASSES] for d in DISTANCES], "mass", claim.id), lines_in_the_gap()
-    rising = claim.number("way") == "lower"
-    if (found.verdict is Verdict.PROVED) != rising or not proof.holds:
-        return replace(found, verdict=Verdict.REFUTED if proof.holds else Verdict.UNDECIDABLE)
+    if found.verdict is not Verdict.PROVED:
+        return found  # refuted at a mass and a distance, or not told apart
+    if not proof.holds:
+        return replace(found, verdict=Verdict.UNDECIDABLE)
+    if claim.number("way") != "lower":
+        return replace(found, verdict=Verdict.REFUTED)
     nested = (
         "The higher pair exists at α if and only if η_M g(α) > 1, where (2q²/π)(K(0) − |K(d)|) grows to g(α) as q → "
         "q_lm: if it exists for a mass, it exists for every heavier one. So where each line has one end, the ends "

@@ -58,6 +58,10 @@ def verify(path: Any) -> Verdict:
         return Verdict(False, str(error))
     except OSError as error:
         return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+        return Verdict(
+            False, f"no certificate, which is JSON in ASCII, as `mpsolve certify` writes it ({error})"[:200]
+        )
     except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
         return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
 

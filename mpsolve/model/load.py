@@ -72,7 +72,17 @@ def gives_forces(case: PhysicalCase) -> bool:
 
 
 def _forces(case: PhysicalCase) -> tuple[Load, ...]:
-    if not gives_forces(case):
-        return tuple(Load(mass.M * GRAVITY) for mass in case.masses)
-    unit = case.time_scale
-    return tuple(Load(mass.P, mass.P_A, mass.omega_f / unit, mass.phi_f) for mass in case.masses)
+    unit, weigh = case.time_scale, not gives_forces(case)
+    found = []
+    for j, mass in enumerate(case.masses, 1):
+        try:
+            given = (mass.M * GRAVITY,) if weigh else (mass.P, mass.P_A, mass.omega_f / unit, mass.phi_f)
+            found.append(Load(*given))
+        except InputError as error:
+            key = (
+                "M"
+                if weigh
+                else {"constant": "P", "amplitude": "P_A", "frequency": "omega_f"}.get(error.key, "phi_f")
+            )
+            raise InputError(f"mass[{j}].{key}", str(error).partition(": ")[2]) from None
+    return tuple(found)

@@ -140,7 +140,7 @@ def precise_response(
     for k, time in enumerate(found.tau):
         cut, closed = (
             max((ball.rad() for part in some for ball in part[:, k]), default=arb(0), key=float)
-            for some in (parts[3:], parts[1:3])
+            for some in (parts[3:], parts[:3])
         )
         if not (cut < limit and closed < limit):
             worst, why = (cut, _SLOW) if cut > closed else (closed, _BLUNT)

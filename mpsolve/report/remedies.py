@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 _FOR_LIBRARY = re.compile(
-    r"(?:shorten the range of alpha|allow a larger budget|start (?:above it|from alpha = 0\.001)"
+    r"(?:shorten the range of alpha|prove it in parts, over shorter ranges|start (?:above it|from alpha = 0\.001)"
     r"|ask for (?:more|fewer) digits(?:, so that clusters come apart, or for a rectangle)?"
     r'|change a parameter a little, or ask for another region \("unstable", a Rectangle\)'
-    r"|raise the (?:precision|effort)|certify (?:single cases|other positions one by one))"
+    r"|raise (?:the (?:precision|effort)|max_pieces)|certify (?:single cases|other positions one by one))"
 )
 _ONSET = "mpsolve onset FILE --all --from A --to B"
 ADVICE = {

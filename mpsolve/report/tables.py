@@ -129,13 +129,13 @@ def latex_text(table: OnsetTable) -> str:
     for i, (value, entries) in enumerate(zip(rows.labels, table.entries, strict=True)):
         cells = [_cell(value), *(_marked_cell(entry, marks.get((i, j))) for j, entry in enumerate(entries))]
         lines.append(" & ".join(cells) + " \\\\")
-    lines += ["\\bottomrule", "\\end{tabular}", "", "\\par\\smallskip\\noindent\\footnotesize"]
+    lines += ["\\bottomrule", "\\end{tabular}", "", "{\\par\\smallskip\\noindent\\footnotesize"]
     lines.append(_prose(proved_sentence(table)))
     groups: dict[str, list[str]] = {}
     for i, j, reason in notes(table):
         groups.setdefault(reason, []).append(marks[i, j])
     lines += [f"$^{{{','.join(places)}}}$ {_prose(reason)}." for reason, places in groups.items()]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, "\\par}"]) + "\n"
 
 
 def _marked(table: OnsetTable) -> list[tuple[int, int]]:

@@ -151,5 +151,8 @@ def _strips(boxes: Region, reasons: dict[tuple[int, int], str]) -> tuple[Strip, 
             spans[-1][1] = max(spans[-1][1], t1)
         else:
             spans.append([t0, t1])
-    reason = "; ".join(reasons.values()) or "the region is not resolved at this effort: allow a larger budget"
+    reason = (
+        "; ".join(reasons.values())
+        or "the region is not resolved at this effort: prove it in parts, over shorter ranges"
+    )
     return tuple(Strip(a, b, reason) for a, b in spans)

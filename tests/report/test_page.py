@@ -205,7 +205,7 @@ def test_what_the_margins_say_of_the_case_is_what_a_count_says(alpha: str, grows
 def test_what_helps_can_be_done_on_the_command_line() -> None:
     """No remedy for library users is left, and every command and option that is named exists."""
     for part, said in ADVICE.items():
-        assert for_reader("why: allow a larger budget", part) == f"why: {said}"
+        assert for_reader("why: prove it in parts, over shorter ranges", part) == f"why: {said}"
         assert for_reader("two masses: lower the velocity", part) == "two masses: lower the velocity"
         for words in re.findall(r"mpsolve ([a-z-]+)((?: FILE)?(?: --[a-z]+(?:[ =][A-Z0-9][A-Z0-9_,]*)?)*)", said):
             known = {name for one in cli.commands[words[0]].params for name in one.opts}
