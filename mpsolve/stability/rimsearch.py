@@ -281,7 +281,7 @@ def _finished(
     case: Case, found: list[EdgeZero], low: float, high: float, digits: int
 ) -> tuple[tuple[EdgeZero, ...], list[Strip]]:
     """The distinct zeros of the range, sharpened, with side and direction; and strips about those that resist."""
-    zeros: list[EdgeZero] = []
+    zeros: list[tuple[EdgeZero, EdgeZero]] = []  # each with the box that holds no other
     strips: list[Strip] = []
     for rough in found:
         t = float(rough.alpha.mid())
@@ -292,15 +292,37 @@ def _finished(
         except PrecisionError as error:
             strips.append(Strip(t - rough.reach, t + rough.reach, str(error)))
             continue
-        if zero.r < 0 or any(_same(zero, other) for other in zeros):
+        if zero.r < 0 or any(_same(case, zero, box) for box, _ in zeros):
             continue
-        zeros.append(zero)
-    return tuple(sorted(zeros, key=lambda z: float(z.alpha.mid()))), strips
+        if any(_close(zero, other) for _, other in zeros):
+            strips.append(Strip(t - rough.reach, t + rough.reach, "two cut points could not be told apart"))
+            continue
+        zeros.append((rough, zero))
+    return tuple(sorted((zero for _, zero in zeros), key=lambda z: float(z.alpha.mid()))), strips
 
 
-def _same(one: EdgeZero, two: EdgeZero) -> bool:
-    """One point of the edge, reached twice: by overlapping boxes, or by two wave numbers that stand for it."""
+def _same(case: Case, zero: EdgeZero, box: EdgeZero) -> bool:
+    """Whether the zero is proved to be the one of the box: it lies there, or the other wave number of its point does.
+
+    Where the cuts have joined, two real p-roots are upper ones, and either stands for the point of the edge.
+    """
+    if _holds(box, zero.p, zero.alpha):
+        return True
+    try:
+        with ball_arithmetic(_BITS + 32) as field:
+            other = edge_ball(replace(track(case, field), alpha=zero.alpha), zero.p).roots.b
+    except PrecisionError:
+        return False
+    return bool(other.imag.is_zero()) and _holds(box, other.real, zero.alpha)
+
+
+def _close(one: EdgeZero, two: EdgeZero) -> bool:
     return one.side == two.side and one.alpha.overlaps(two.alpha) and one.r.overlaps(two.r)
+
+
+def _holds(box: EdgeZero, p: Any, alpha: Any) -> bool:
+    p0, p1, t0, t1 = box.hole
+    return bool(p > p0 and p < p1 and alpha > t0 and alpha < t1)
 
 
 def _sharpened(case: Case, rough: EdgeZero, digits: int) -> EdgeZero:
