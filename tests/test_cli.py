@@ -161,6 +161,20 @@ def test_as_a_process_in_a_pipe(tmp_path: Path) -> None:
     assert (tmp_path / "rail_60e1.certificate.json").is_file()
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full on this system")
+def test_standard_output_on_a_full_disk(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "mpsolve", "certify", str(RAIL)]
+    environment = {**os.environ, "PYTHONPATH": str(Path(mpsolve.__file__).parents[1])}
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            command, cwd=tmp_path, env=environment, stdout=full, stderr=subprocess.PIPE, check=False
+        )
+    told = done.stderr.decode("utf-8")
+    assert (done.returncode, told.count("\n")) == (1, 1)
+    assert told.startswith("mpsolve: standard output cannot be written (No space left on device): make room")
+    assert (tmp_path / "rail_60e1.certificate.json").is_file()
+
+
 def test_importing_the_command_is_light() -> None:
     """Beside what `import mpsolve` loads, the module needs click alone."""
     code = "import sys, mpsolve; before = {*sys.modules}; import mpsolve.cli; print(*{*sys.modules} - before)"

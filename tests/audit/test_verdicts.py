@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from flint import arb
 
+from mpsolve.audit import undamped
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.audit.run import all_claims
+from mpsolve.errors import PrecisionError
 
 CLAIMS = {claim.id: claim for claim in all_claims()}
 
@@ -50,6 +53,20 @@ def test_the_onset_of_section_4_3() -> None:
     one = {"d": "1", "eta_m": "70"}
     assert found("4.3-onset", **one, alpha="0.97").verdict is Verdict.PROVED
     assert found("4.3-onset", **one, alpha="0.96").verdict is Verdict.REFUTED
+
+
+def test_a_velocity_next_above_the_onset_that_is_stable_again_proves_nothing() -> None:
+    """η_M = 37.7734, d = 1.5: unstable from 0.77085 to 0.78901 only, so that 0.8 is stable."""
+    narrow = found("4.3-onset", d="1.5", eta_m="37.7734", alpha="0.8")
+    assert narrow.verdict is Verdict.UNDECIDABLE
+    assert "stable again at 0.8" in narrow.sentence
+
+
+def test_balls_that_overlap_refute_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(PrecisionError, match="overlap"):
+        found("fig-11-decay", {"d": ("1",)}, alpha="0.5", eta_m="70; 70.00000000000000000000001")
+    monkeypatch.setattr(undamped, "higher_end", lambda _m, _d: arb(0.8, 0.01))
+    assert found("vi-mass").verdict is Verdict.UNDECIDABLE
 
 
 def test_the_limiting_masses_of_conclusion_xii_and_what_reproduces_them() -> None:

@@ -62,6 +62,15 @@ def test_forces_beyond_float64_are_refused(size: str) -> None:
         Load(0, size, 1)
 
 
+def test_a_physical_force_beyond_float64_is_named_by_its_key() -> None:
+    case = PhysicalCase(EI="6e6", m=60, k="1e6", v=50, masses=[Mass(100, 0), Mass("1e300", 2)])
+    with pytest.raises(InputError, match=r"^mass\[2\].M: is 9.80665e\+300, not within"):
+        loads_of(case)
+    pushed = PhysicalCase(EI="6e6", m=60, k="1e6", v=50, masses=[Mass(100, 0, P="1e200")])
+    with pytest.raises(InputError, match=r"^mass\[1\].P: "):
+        loads_of(pushed)
+
+
 def test_a_case_that_is_none_is_refused() -> None:
     with pytest.raises(InputError, match="case: is NoneType"):
         loads_of(None)  # type: ignore[arg-type]
