@@ -64,7 +64,8 @@ def test_basins_of_one_case_are_apart(table: Seeds) -> None:
 
 
 def test_files_hold_the_same_numbers(table: Seeds, tmp_path: Path) -> None:
-    arrays = np.load(table.save(tmp_path / "seeds.npz"))
+    with np.load(table.save(tmp_path / "seeds.npz")) as held:
+        arrays = dict(held)
     assert np.array_equal(arrays["q"], table.q)
     assert np.array_equal(arrays["radius"], table.radius)
     assert list(zip(*(arrays[name].tolist() for name in PARAMETERS), strict=True)) == list(table.cases)
@@ -112,7 +113,8 @@ def test_roots_without_a_basin_are_named(tmp_path: Path, monkeypatch: pytest.Mon
     assert found.roots.tolist() == [4, 4]
     assert [case for case, _ in found.missing] == [found.cases[0]] * 2
     assert sorted(abs(q) for _, q in found.missing)[0] > 0.3 > abs(found.q[0])
-    arrays = np.load(found.save(tmp_path / "seeds.npz"))
+    with np.load(found.save(tmp_path / "seeds.npz")) as held:
+        arrays = dict(held)
     assert arrays["missing_q"].tolist() == [q for _, q in found.missing]
     assert [tuple(case) for case in arrays["missing"].tolist()] == [case for case, _ in found.missing]
     content = json.loads(found.save(tmp_path / "seeds.json").read_text())

@@ -77,7 +77,8 @@ def test_json(made: Study) -> None:
 
 
 def test_npz(made: Study) -> None:
-    arrays = np.load(made.save(made.path.with_suffix(".npz")))
+    with np.load(made.save(made.path.with_suffix(".npz"))) as held:
+        arrays = dict(held)
     assert arrays["q"].shape == (made.total, 4)
     assert arrays["status_names"].tolist() == list(STATUSES[made.spec.kind])
     for k, (index, values, result) in enumerate(made.results()):
@@ -136,7 +137,8 @@ def test_a_multiple_root_stands_as_often_as_it_counts(tmp_path: Path, certified:
     lines = open_study(path).save(tmp_path / "a.csv").read_text("utf-8").splitlines()
     assert lines[0].endswith("re_1,im_1,re_2,im_2,re_3,im_3")
     assert lines[1].endswith("0.1,0.2,0.1,0.2,3,4")
-    q = np.load(open_study(path).save(tmp_path / "a.npz"))["q"]
+    with np.load(open_study(path).save(tmp_path / "a.npz")) as held:
+        q = held["q"]
     assert q.tolist() == [[0.1 + 0.2j, 0.1 + 0.2j, 3 + 4j]]
 
 
