@@ -7,6 +7,7 @@ the report only; progress and errors go to standard error, progress only if that
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import sys
@@ -152,6 +153,9 @@ for module in (cli_stability, cli_response, cli_receptance, cli_study, cli_repor
         cli.add_command(command)
 
 
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)  # of a stream that takes no more
+
+
 def main() -> None:
     """Run the command with standard output and error in UTF-8, whatever the locale says."""
     for stream in (sys.stdout, sys.stderr):
@@ -160,7 +164,7 @@ def main() -> None:
     try:
         cli(prog_name="mpsolve")
     except OSError as error:  # a closed pipe is click's affair; a full disk behind it is told here
-        if error.filename is not None:
+        if error.filename is not None or error.errno not in _FULL:
             raise
         with suppress(OSError):  # what is buffered still cannot be written: let the interpreter end in silence
             sys.stdout.flush()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -50,8 +49,8 @@ def contact_loss(loads: Sequence[Load], force: Any, tau: Any) -> tuple[tuple[flo
 
 
 def _first_loss(load: Load, force: Any, tau: Any, noise: float) -> tuple[float | None, str]:
-    resting = 0.0 if load.frequency else float(load.amplitude) * math.sin(float(load.phase))
-    if float(load.constant) + resting <= 0:
+    pressing = float(load.constant) if load.frequency else float(applied(load, 0.0))
+    if pressing <= 0:
         return None, "no constant force presses this mass on the beam, so its contact cannot be judged"
     lifted = np.flatnonzero(force < -noise)
     if not len(lifted):

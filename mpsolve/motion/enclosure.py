@@ -138,12 +138,12 @@ def precise_response(
     parts = found.w, found.steady, found.harmonic, found.transient
     limit = arb(10) ** -digits
     for k, time in enumerate(found.tau):
-        cut, closed = (
+        whole, closed, cut = (
             max((ball.rad() for part in some for ball in part[:, k]), default=arb(0), key=float)
-            for some in (parts[3:], parts[:3])
+            for some in (parts[:1], parts[1:3], parts[3:])
         )
-        if not (cut < limit and closed < limit):
-            worst, why = (cut, _SLOW) if cut > closed else (closed, _BLUNT)
+        worst, why = max(whole, closed, cut, key=float), _SLOW if cut > closed else _BLUNT
+        if not all(radius < limit for radius in (whole, closed, cut)):
             stated = f"at τ = {time.short()} the motion is known to {float(worst):.1e} only, not to {digits} decimals"
             raise PrecisionError(f"{stated}: {why}")
     values = [np.vectorize(_middle, otypes=[object])(part) for part in parts]
