@@ -1,14 +1,13 @@
 """Three arithmetics with the same operations: float64 arrays, mpmath numbers, and balls (flint.acb).
 
 A formula is written once, over a `Field`; which of the three it runs in is an explicit argument.
-This is the only file that touches the precision of flint. mpmath's global context is never used.
+mpmath's global context is never used.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, Protocol
@@ -19,8 +18,7 @@ import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.model.exact import Exact
-
-_precision_lock = threading.RLock()  # flint's precision is one per process: a second thread waits here
+from mpsolve.numbers.balls import precision
 
 Waves = tuple[Any, Any, Any]
 
@@ -359,13 +357,8 @@ class Ball:
 @contextmanager
 def ball_arithmetic(bits: int) -> Iterator[Ball]:
     """A `Ball` field whose precision holds inside the block, and is put back after it."""
-    with _precision_lock:
-        before = flint.ctx.prec
-        flint.ctx.prec = bits
-        try:
-            yield Ball(bits)
-        finally:
-            flint.ctx.prec = before
+    with precision(bits):
+        yield Ball(bits)
 
 
 def _seed_root(coefficients: Sequence[complex]) -> complex | None:
