@@ -1,4 +1,4 @@
-"""Δ̂(σ) = det [[S, −B], [Bᵀ, Ĝ + diag ĥ]]: the matrix and its slope, over any arithmetic; and R·Δ̂, free of division."""
+"""Δ̂ = det [[S, −B], [Bᵀ, Ĝ + diag ĥ]]: the matrix and its slope in σ, over any arithmetic; and R·Δ̂ without division."""
 
 from __future__ import annotations
 

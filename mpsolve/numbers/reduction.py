@@ -101,7 +101,7 @@ def _parity(order: list[int]) -> int:
     for k in range(len(order)):
         while k not in seen:
             seen.add(k)
-            k = order[k]  # noqa: PLW2901 — follows the cycle
+            k = order[k]
             sign = sign if k in seen else -sign
     return sign
 

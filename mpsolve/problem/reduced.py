@@ -15,7 +15,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
-from mpsolve.tracks.waveguide import Polynomial, mapped, moving, scaled
+from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped, moving, scaled
 from mpsolve.vehicles.felt import Parts, split_felt
 from mpsolve.vehicles.vehicle import Rows
 
@@ -107,8 +107,13 @@ def reduce_problem(problem: Problem) -> Reduced:
 
 
 def scale_guide(problem: Problem) -> Guide:
+    """The problem's track at its velocity, scaled."""
+    return track_guide(problem.track, problem.v)
+
+
+def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     """Powers of two for length and time that bring the coefficients of D nearest to one size."""
-    waveguide = problem.track.waveguide
+    waveguide = track.waveguide
     D, N = waveguide.dispersion, waveguide.numerator
     for name, polynomial in (("D", D), ("N", N)):
         if any(i % 2 for i, _ in polynomial):
@@ -123,7 +128,7 @@ def scale_guide(problem: Problem) -> Guide:
     D, N = mapped(D, rescale), mapped(N, rescale)
     e, f = (round(log2(float(max(map(abs, a.values()))))) for a in (D, N))
     D, N = scaled(D, Fraction(2) ** -e), scaled(N, Fraction(2) ** -f)
-    v = problem.v * unit_P / unit_s
+    v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
     moved = moving(D, v)
     top = max(i for i, _ in moved)
