@@ -143,5 +143,18 @@ class Floats:
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ on an array of σ."""
         A, A_sigma = self.matrices(sigma)
-        value = np.linalg.det(A)
-        return value, value * np.linalg.solve(A, A_sigma).trace(axis1=-2, axis2=-1)
+        value, slope = np.linalg.det(A), np.empty(len(A), complex)
+        regular = value != 0
+        turned = np.linalg.solve(A[regular], A_sigma[regular]).trace(axis1=-2, axis2=-1)
+        slope[regular] = value[regular] * turned
+        slope[~regular] = (_adjugate(A[~regular]) @ A_sigma[~regular]).trace(axis1=-2, axis2=-1)
+        return value, slope
+
+
+def _adjugate(A: Any) -> Any:
+    """For singular matrices too, from singular values."""
+    left, sizes, right = np.linalg.svd(A)
+    n = A.shape[-1]
+    others = np.stack([np.delete(sizes, k, -1).prod(-1) for k in range(n)], -1)
+    turn = np.linalg.det(left) * np.linalg.det(right)
+    return turn[:, None, None] * (right.conj().swapaxes(-1, -2) * others[:, None, :]) @ left.conj().swapaxes(-1, -2)

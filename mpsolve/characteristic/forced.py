@@ -60,6 +60,7 @@ def _receptance(track: Track, velocity: Fraction) -> Receptance:
 
 
 def _listed(name: str, values: Any, kind: type) -> Any:
+    out: Any
     try:
         out = np.atleast_1d(np.asarray(values, kind))
     except (TypeError, ValueError):

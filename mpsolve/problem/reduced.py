@@ -117,7 +117,9 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     D, N = waveguide.dispersion, waveguide.numerator
     for name, polynomial in (("D", D), ("N", N)):
         if any(i % 2 for i, _ in polynomial):
-            raise InputError("track", f"has odd powers of p in {name}, so it is not reciprocal: only such tracks are known here")
+            raise InputError(
+                "track", f"has odd powers of p in {name}, so it is not reciprocal: only such tracks are known here"
+            )
     keys = list(D)
     rows = np.array([[1.0, i, j] for i, j in keys])
     logs = np.array([log2(abs(c.numerator)) - log2(c.denominator) for c in D.values()])

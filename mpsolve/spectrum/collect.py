@@ -10,9 +10,10 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
+from mpsolve.spectrum.beam_roots import Box, isolate, refine
 from mpsolve.spectrum.cluster import separate
 from mpsolve.spectrum.count import BITS, Count
-from mpsolve.spectrum.enclose import Box, RootBall, Symmetry, isolate, refine
+from mpsolve.spectrum.enclose import RootBall, Symmetry
 from mpsolve.spectrum.region import Rectangle
 from mpsolve.spectrum.seek import seek
 

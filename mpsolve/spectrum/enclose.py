@@ -1,8 +1,8 @@
-"""Enclosures: a box proved to hold exactly one root of Δ, sharpened to any number of digits.
+"""Enclosures: a root of Δ̂ in a ball of any number of digits, proved to be the only one near it.
 
-Existence and uniqueness come from interval Newton with interior containment: if m − Δ(m)/Δ_q(X) lies in the
-interior of X, then X holds exactly one root. Precision doubles up to what is asked, and each step needs only
-the value of Δ at the new precision: its slope comes from the step before.
+Near a root the determinant is reduced to the scalar s of `numbers.reduction`, whose zeros are those of Δ̂; interval
+Newton isolates the zero and sharpens it. A box that is symmetric to the imaginary q-axis (σ real) and holds one root
+holds one on that axis, as roots come in pairs q, −q̄.
 """
 
 from __future__ import annotations
@@ -10,20 +10,22 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
+from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
-import flint
-
+from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.branch import track
-from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.model.parameters import Case
+from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.numbers.reduction import Reduction
+from mpsolve.proof.ladder import climb
+from mpsolve.proof.newton import Isolated, isolated, polished, sharpened
 
-acb, arb = flint.acb, flint.arb
-
-BASE_BITS = 80
+BASE_BITS = 64
 _GUARD = 24
+_TRIED = 640
+"""Bits at which a root that no box isolates is left to the search for clusters."""
+_NEAR_AXIS = 2.0**-30
 
 
 class Symmetry(Enum):
@@ -52,7 +54,7 @@ class RootBall:
     @property
     def mirrored(self) -> RootBall:
         """The ball of −q̄, exactly."""
-        with ball_arithmetic(2 * self.q.bits() + 64):
+        with precision(2 * self.q.bits() + 64):
             return RootBall(-self.q.conjugate(), self.exponent, self.multiplicity, self.symmetry)
 
 
@@ -69,49 +71,74 @@ _INNER = 0.4  # how far from its grid point, in units, a coordinate of the root 
 
 
 @dataclass(frozen=True)
-class Box:
-    """A box proved to hold one root; the root's sharper image in it, with the ball of Δ_q over the image."""
+class Scalar:
+    """The scalar to which the determinant is reduced near one root, as a function of σ."""
 
-    q: Any
-    image: Any
-    slope: Any
+    proved: Proved
+    reduction: Reduction
+
+    def value(self, sigma: Any) -> Any:
+        return self.reduction.scalar(self.proved.matrices(sigma, slope=False)[0])
+
+    def slope(self, sigma: Any) -> Any:
+        return self.reduction.scalar_slope(*self.proved.matrices(sigma))
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box of σ̂ that is proved to hold one root, with its sharper image, and the function that it is a root of."""
+
+    function: Scalar
+    sigma: Isolated
     symmetry: Symmetry
 
-
-def isolate(case: Case, seed: Any, bits: int = BASE_BITS) -> Box:
-    """A box around the root that Newton's method reaches from `seed` (complex or flint.acb), proved.
-
-    Raises `PrecisionError` if no box is proved to hold exactly one root.
-    """
-    with ball_arithmetic(bits) as field:
-        model = track(case, field)
-        middle = _polish(model, acb(seed), bits)
-        options = [Symmetry.NONE]
-        near_axis = 2.0**-30 * float(middle.abs_upper())
-        if abs(float(middle.real.mid())) < near_axis:
-            options.insert(0, Symmetry.IMAGINARY)
-        if not case.eta_b and abs(float(middle.imag.mid())) < near_axis:
-            options.insert(0, Symmetry.REAL)
-        for symmetry in options:
-            start = onto_axis(middle, symmetry).mid()
-            for shrink in range(16, bits - 12, 8):
-                box = _prove(model, start, start.abs_upper() * arb(2) ** -shrink, symmetry)
-                if box is not None:
-                    return box
-        raise PrecisionError(f"no box around {complex(acb(seed).mid()):.6g} is proved to hold exactly one root")
+    @cached_property
+    def unit(self) -> Fraction:
+        """q = q̂ · unit, a power of two."""
+        return self.function.proved.reduced.frequency_unit
 
 
-def _polish(model: Any, q: Any, bits: int) -> Any:
-    """A few Newton steps on midpoints."""
-    for _ in range(3):
-        value, slope = characteristic_rate(model, q)
-        step = value.mid() / slope.mid()
-        if not step.is_finite():
-            raise PrecisionError("Newton's method met a stationary point of the characteristic function")
-        q = (q - step).mid()
-        if step.abs_upper() < q.abs_lower() * arb(2) ** (8 - bits):
-            break
-    return q
+def isolate(proved: Proved, seed: complex, bits: int = BASE_BITS) -> Box:
+    """A box round the root that Newton's method reaches from `seed`, a σ̂; `PrecisionError` if none is proved."""
+    return climb(lambda _: _isolate(proved, seed), bits, max(bits, _TRIED))
+
+
+def _isolate(proved: Proved, seed: Any) -> Box:
+    start = acb(seed)
+    for _ in range(2):  # the reduction is made anew where Newton's method has led
+        function = Scalar(proved, Reduction.of(proved.matrices(start.mid(), slope=False)[0]))
+        start = polished(function, start)
+    size = start.abs_upper()
+    if abs(float(start.imag.mid())) < _NEAR_AXIS * float(size):
+        try:
+            found = isolated(function, acb(start.real.mid()), size)
+            return Box(function, Isolated(found.box, acb(found.image.real)), Symmetry.IMAGINARY)
+        except PrecisionError:
+            pass
+    return Box(function, isolated(function, start, size), Symmetry.NONE)
+
+
+def refine(box: Box, digits: int) -> RootBall:
+    """The root of `box` in a ball of relative radius below 10^−digits in the problem's own units."""
+    goal = math.ceil(digits * math.log2(10)) + 1
+    real = box.symmetry is Symmetry.IMAGINARY
+    image = sharpened(box.function, box.sigma.image, goal + _GUARD, real)
+    with precision(goal + 3 * _GUARD):
+        ball = on_grid(in_units(image, box.unit), goal, 1, box.symmetry)
+        if not (in_units(box.sigma.box, box.unit).contains(ball.q) and ball.q.contains(in_units(image, box.unit))):
+            raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
+    return ball
+
+
+def enclose(proved: Proved, seed: complex, digits: int) -> RootBall:
+    """The simple root near `seed` (σ̂, scaled) in its ball; `PrecisionError` where there is none, or several meet."""
+    return refine(isolate(proved, seed), digits)
+
+
+def in_units(sigma: Any, unit: Fraction) -> Any:
+    """q = −iσ in the problem's units: both steps are exact."""
+    scale = rational_ball(unit)
+    return acb(sigma.imag * scale, -sigma.real * scale)
 
 
 def onto_axis(q: Any, symmetry: Symmetry) -> Any:
@@ -121,51 +148,6 @@ def onto_axis(q: Any, symmetry: Symmetry) -> Any:
     if symmetry is Symmetry.IMAGINARY:
         return acb(0, q.imag)
     return q
-
-
-def _prove(model: Any, middle: Any, radius: Any, symmetry: Symmetry) -> Box | None:
-    reach = arb(0, radius.upper())
-    box = acb(middle.real + reach, middle.imag + reach)
-    try:
-        slope = characteristic_rate(model, box)[1]
-        image = middle - characteristic(model, middle) / slope
-    except PrecisionError:
-        return None
-    if not (image.is_finite() and box.contains_interior(image)):
-        return None
-    image = onto_axis(image, symmetry)
-    return Box(box, image, characteristic_rate(model, image)[1], symmetry)
-
-
-def refine(case: Case, box: Box, digits: int) -> RootBall:
-    """The root of `box` in a ball of relative radius below 10^−digits that lies within `box`.
-
-    Costs about one evaluation of Δ at the last precision and half of that again below it.
-    """
-    goal = math.ceil(digits * math.log2(10)) + 1
-    image, slope = box.image, box.slope
-    for bits in _ladder(goal + _GUARD):
-        with ball_arithmetic(bits + 10) as field:
-            model = track(case, field)
-            middle = onto_axis(image, box.symmetry).mid()
-            image = middle - characteristic(model, middle) / slope
-        if bits < goal + _GUARD:
-            with ball_arithmetic(max(BASE_BITS, bits)) as field:
-                slope = characteristic_rate(track(case, field), onto_axis(image, box.symmetry))[1]
-    with ball_arithmetic(goal + _GUARD + 10):
-        image = onto_axis(image, box.symmetry)
-        ball = on_grid(image, goal, 1, box.symmetry)
-        if not (box.q.contains(ball.q) and ball.q.contains(image)):
-            raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
-    return ball
-
-
-def _ladder(last: int) -> list[int]:
-    """Precisions that end at `last` and roughly double, from the image of a box, whose last bits are rounding."""
-    steps = [last]
-    while steps[0] > 2 * (BASE_BITS - 16):
-        steps.insert(0, steps[0] // 2 + 16)
-    return steps
 
 
 def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:

@@ -10,7 +10,8 @@ from oracle import Truth, holds
 
 from mpsolve import Case
 from mpsolve.fields import ball_arithmetic
-from mpsolve.spectrum.cluster import SAMPLES, Taylor, pellet, separate, taylor
+from mpsolve.proof.pellet import SAMPLES, Taylor, pellet, taylor
+from mpsolve.spectrum.cluster import separate
 
 acb, arb = flint.acb, flint.arb
 

@@ -11,7 +11,8 @@ from oracle import Truth, holds
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.spectrum.enclose import Symmetry, isolate, refine
+from mpsolve.spectrum.beam_roots import isolate, refine
+from mpsolve.spectrum.enclose import Symmetry
 from mpsolve.spectrum.seek import seek
 
 PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}
