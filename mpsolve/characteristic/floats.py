@@ -22,8 +22,8 @@ from mpsolve.numbers.float64 import Float64
 from mpsolve.problem.reduced import Guide, Reduced
 
 _K = Float64()
-_NEAR = 0.03
-"""Roots of one side that are nearer than this, relative to the largest, are taken together."""
+_NEAR = 0.15
+"""Roots of one side that are nearer than this, relative to the larger, are taken together."""
 _TIE = 1e-9
 _AHEAD = 1e-7
 
@@ -95,11 +95,12 @@ class Receptance:
         return z[:, : self.upper], z[:, self.upper :]
 
     def _meet(self, z: Any) -> Any:
-        size = np.abs(z).max(-1)
+        """Where two roots of one side are near."""
         near = np.zeros(len(z), bool)
         for side in self._sides(z):
-            gaps = np.abs(side[:, :, None] - side[:, None, :]) + size[:, None, None] * np.eye(side.shape[1])
-            near |= (gaps < _NEAR * size[:, None, None]).any((1, 2))
+            one, other = side[:, :, None], side[:, None, :]
+            reach = _NEAR * np.maximum(np.abs(one), np.abs(other))
+            near |= (np.abs(one - other) < reach * (1 - np.eye(side.shape[1]))).any((1, 2))
         return near
 
     def _residues(self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool) -> tuple[list[Any], list[Any]]:

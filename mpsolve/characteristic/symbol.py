@@ -10,7 +10,7 @@ from typing import Any
 
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial, add, multiply, scaled
+from mpsolve.tracks.waveguide import Polynomial
 
 Table = tuple[tuple[Fraction, ...], ...]
 
@@ -37,20 +37,16 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Symbols:
-    """What the receptance of a moving track is made of: D, N, their slopes in σ, and F = N_σ D − N D_σ."""
+    """What the receptance of a moving track is made of: D, N and their slopes in σ."""
 
     D: Symbol
     N: Symbol
     D_sigma: Symbol
     N_sigma: Symbol
-    F: Symbol
 
     @staticmethod
     def of(guide: Guide) -> Symbols:
-        D, N = guide.D, guide.N
-        D_s, N_s = _slope(D), _slope(N)
-        F = add(multiply(N_s, D), scaled(multiply(N, D_s), Fraction(-1)))
-        return Symbols(*map(Symbol.of, (D, N, D_s, N_s, F)))
+        return Symbols(*map(Symbol.of, (guide.D, guide.N, _slope(guide.D), _slope(guide.N))))
 
     @cached_property
     def degree(self) -> int:
