@@ -1,13 +1,15 @@
 """Tight determinants of matrices of balls, also where they are singular: everything is reduced to one scalar.
 
-An LU decomposition in float64 of the midpoint, P A Q ≈ L U, whose last pivot is left out of U, gives exact matrices
-left = L⁻¹P and right = Q U⁻¹ with left · A · right ≈ diag(1, …, 1, s): its first block is regular and near the
-identity, so det A = 0 exactly where the scalar s = b_nn − b_n B⁻¹ b^n is 0, and s loses no width to the others.
+Exact matrices, chosen in float64, make left · A · right ≈ diag(1, …, 1, s). Where the middle of A is regular, left is
+its inverse, right the identity and s ≈ 1: the first-order width is then the least possible. Where it is nearly
+singular, with a null vector v and a left null vector u, the last column of right is v, and left is the inverse of A
+with one column replaced by u: the first block is regular, so det A = 0 exactly where s = b_nn − b_n B⁻¹ b^n is 0.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,31 +17,39 @@ import numpy as np
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_mat, exact_ball
 
+_SINGULAR = 2.0**-20
+"""Of the largest singular value of an equilibrated matrix: below it a matrix is nearly singular."""
+
 
 @dataclass(frozen=True)
 class Reduction:
-    """left · A · right ≈ diag(1, …, 1, s); factor = 1/det(left · right), exact but for the rounding of its balls."""
+    """left · A · right ≈ diag(1, …, 1, s), both exact and regular."""
 
     left: Any
     right: Any
-    factor: Any
 
     @staticmethod
-    def of(A: Any) -> Reduction:
-        """The reduction for matrices near the midpoint of A; `PrecisionError` where float64 does not reach."""
+    def of(A: Any, near_root: bool = False) -> Reduction:
+        """The reduction for matrices near the midpoint of A; `PrecisionError` where float64 does not reach.
+
+        near_root: treat A as nearly singular at any rate, so that s is a smooth function next to a root.
+        """
         n = A.nrows()
         middle = np.array([[complex(A[i, j]) for j in range(n)] for i in range(n)])
         if not np.isfinite(middle).all():
             raise PrecisionError("the characteristic matrix is out of float64's range here")
-        L, U, rows, columns = _full_pivoting(middle)
-        U[-1, -1] = 1
-        left, right = np.zeros_like(L), np.zeros_like(U)
-        lower, upper = np.linalg.inv(L), np.linalg.inv(U)
-        left[:, rows], right[columns, :] = np.tril(lower, -1) + np.eye(n), np.triu(upper)
-        factor = acb(_parity(rows) * _parity(columns))
-        for x in np.diag(upper):
-            factor = factor / exact_ball(complex(x))
-        return Reduction(_exact(left), _exact(right), factor)
+        try:
+            left, right = _regular(middle) if not near_root and _is_regular(middle) else _bordered(middle)
+        except np.linalg.LinAlgError:
+            raise PrecisionError("the characteristic matrix has a kernel of more than one dimension here") from None
+        if not np.isfinite(left).all():
+            raise PrecisionError("the characteristic matrix is out of float64's range here")
+        return Reduction(_exact(left), _exact(right))
+
+    @cached_property
+    def factor(self) -> Any:
+        """1/det(left · right), at the precision at which it is first asked for."""
+        return 1 / (self.left.det() * self.right.det())
 
     def _blocks(self, A: Any) -> tuple[Any, Any, Any, Any]:
         B = self.left * A * self.right
@@ -67,7 +77,7 @@ class Reduction:
         s, d_s = self.scalar(A), self.scalar_slope(A, A_slope)
         if not first.nrows():
             return self.factor * s, self.factor * d_s
-        size = self.factor * first.det()
+        size = self.factor * _near_one(first)
         turn = _solved(first, self._blocks(A_slope)[0]).trace()
         return size * s, size * (d_s + s * turn)
 
@@ -86,6 +96,20 @@ def _solved(a: Any, b: Any) -> Any:
         raise PrecisionError("the characteristic matrix is too wide here: split the piece") from None
 
 
+def _near_one(a: Any) -> Any:
+    """The determinant of a matrix near the identity, by elimination without exchange: no width beyond first order."""
+    rows, value = a.tolist(), acb(1)
+    for k, pivots in enumerate(rows):
+        value *= pivots[k]
+        if pivots[k].contains(0):
+            raise PrecisionError("the characteristic matrix is too wide here: split the piece")
+        for row in rows[k + 1 :]:
+            factor = row[k] / pivots[k]
+            for j in range(k + 1, len(rows)):
+                row[j] -= factor * pivots[j]
+    return value
+
+
 def _entry(a: Any) -> Any:
     return a[0, 0]
 
@@ -95,33 +119,29 @@ def _exact(a: Any) -> Any:
     return acb_mat(n, n, [exact_ball(complex(x)) for x in a.ravel()])
 
 
-def _parity(order: list[int]) -> int:
-    """The sign of a permutation."""
-    seen, sign = set(), 1
-    for k in range(len(order)):
-        while k not in seen:
-            seen.add(k)
-            k = order[k]
-            sign = sign if k in seen else -sign
-    return sign
+def _equilibrated(a: Any) -> tuple[Any, Any, Any]:
+    """Powers of two r, c that bring the rows and columns of r a c near 1, and r a c."""
+    r = np.exp2(-np.round(np.log2(np.maximum(np.abs(a).max(1), 1e-300))))
+    c = np.exp2(-np.round(np.log2(np.maximum(np.abs(r[:, None] * a).max(0), 1e-300))))
+    return r, c, r[:, None] * a * c
 
 
-def _full_pivoting(a: Any) -> tuple[Any, Any, list[int], list[int]]:
-    """L, U, row and column order with a[rows][:, columns] = L U; the last pivot may be 0."""
-    n = len(a)
-    U, L = a.copy(), np.eye(n, dtype=complex)
-    rows, columns = list(range(n)), list(range(n))
-    for k in range(n - 1):
-        i, j = divmod(int(np.argmax(np.abs(U[k:, k:]))), n - k)
-        i, j = i + k, j + k
-        if U[i, j] == 0:
-            raise PrecisionError("the characteristic matrix has a kernel of more than one dimension in float64")
-        U[[k, i]] = U[[i, k]]
-        U[:, [k, j]] = U[:, [j, k]]
-        L[[k, i], :k] = L[[i, k], :k]
-        rows[k], rows[i] = rows[i], rows[k]
-        columns[k], columns[j] = columns[j], columns[k]
-        L[k + 1 :, k] = U[k + 1 :, k] / U[k, k]
-        U[k + 1 :] -= np.outer(L[k + 1 :, k], U[k])
-        U[k + 1 :, k] = 0
-    return L, U, rows, columns
+def _is_regular(a: Any) -> bool:
+    sizes = np.linalg.svd(_equilibrated(a)[2], compute_uv=False)
+    return bool(sizes[-1] > _SINGULAR * sizes[0])
+
+
+def _regular(a: Any) -> tuple[Any, Any]:
+    return np.linalg.inv(a), np.eye(len(a), dtype=complex)
+
+
+def _bordered(a: Any) -> tuple[Any, Any]:
+    """By the singular vectors of the least singular value."""
+    r, c, even = _equilibrated(a)
+    U, _, V = np.linalg.svd(even)
+    v, u = V[-1].conj() * c, U[:, -1] / r
+    j = int(np.argmax(np.abs(V[-1])))
+    v, others = v / v[j], [k for k in range(len(a)) if k != j]
+    right = np.eye(len(a), dtype=complex)[:, [*others, j]]
+    right[:, -1] = v
+    return np.linalg.inv(np.column_stack([a[:, others], u])), right

@@ -106,7 +106,7 @@ def isolate(proved: Proved, seed: complex, bits: int = BASE_BITS) -> Box:
 def _isolate(proved: Proved, seed: Any) -> Box:
     start = acb(seed)
     for _ in range(2):  # the reduction is made anew where Newton's method has led
-        function = Scalar(proved, Reduction.of(proved.matrices(start.mid(), slope=False)[0]))
+        function = Scalar(proved, Reduction.of(proved.matrices(start.mid(), slope=False)[0], near_root=True))
         start = polished(function, start)
     size = start.abs_upper()
     if abs(float(start.imag.mid())) < _NEAR_AXIS * float(size):

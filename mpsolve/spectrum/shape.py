@@ -43,7 +43,7 @@ def shape_of(proved: Proved, root: RootBall, places: Sequence[object] = ()) -> S
         unit = rational_ball(1 / reduced.frequency_unit)
         sigma = acb(-root.q.imag * unit, root.q.real * unit)
         A = proved.matrices(sigma, slope=False)[0]
-        kernel = Reduction.of(A).kernel(A)
+        kernel = Reduction.of(A, near_root=True).kernel(A)
         y, forces = kernel[: reduced.bodies], kernel[reduced.bodies :]
         motions = _motions(reduced, y)
         largest = max(motions, key=lambda x: float(abs(x.mid())))
