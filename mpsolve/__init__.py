@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solve import HarmonicSolution, Response, harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
-    from mpsolve.spectrum.certify import Spectrum, Status, certify
-    from mpsolve.spectrum.enclose import RootBall
-    from mpsolve.spectrum.region import Rectangle
+    from mpsolve.sheet.certify import Spectrum, Status, certify
+    from mpsolve.sheet.enclose import RootBall
+    from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
@@ -90,11 +90,11 @@ _HOME = {
     "Exact": "model.exact",
     "read_case": "model.inputfile",
     "receptance": "model.receptance",
-    "certify": "spectrum.certify",
-    "Rectangle": "spectrum.region",
-    "Spectrum": "spectrum.certify",
-    "Status": "spectrum.certify",
-    "RootBall": "spectrum.enclose",
+    "certify": "sheet.certify",
+    "Rectangle": "sheet.region",
+    "Spectrum": "sheet.certify",
+    "Status": "sheet.certify",
+    "RootBall": "sheet.enclose",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",
     "Outcome": "fast.follow",

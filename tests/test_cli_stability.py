@@ -17,7 +17,7 @@ from mpsolve.errors import CertificateError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact
 from mpsolve.report.text import WIDTH
-from mpsolve.spectrum.certify import Status
+from mpsolve.sheet.certify import Status
 from mpsolve.stability.distance import CriticalDistance
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

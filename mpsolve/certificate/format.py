@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from mpsolve.errors import CertificateError
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.enclose import RootBall, Symmetry
-from mpsolve.spectrum.region import Rectangle
+from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.sheet.region import Rectangle
 
 if TYPE_CHECKING:
-    from mpsolve.spectrum.count import Count
+    from mpsolve.sheet.count import Count
 
 FORMAT = "mpsolve certificate"
 VERSION = 1

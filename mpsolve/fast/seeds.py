@@ -22,8 +22,8 @@ from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import certify
-from mpsolve.spectrum.cluster import Taylor, taylor
+from mpsolve.sheet.certify import certify
+from mpsolve.sheet.cluster import Taylor, taylor
 from mpsolve.stability.pool import run
 from mpsolve.stability.search import Tell
 

@@ -36,7 +36,7 @@ from mpsolve.motion.rigorous_sum import Samples, physical_start
 from mpsolve.motion.rigorous_tail import far_start, tail
 from mpsolve.motion.rigorous_waves import BallWave, induced, steady
 from mpsolve.motion.solve import proved_spectrum
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 
 acb, arb = flint.acb, flint.arb
 

@@ -17,7 +17,7 @@ from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.solve import HarmonicPair, HarmonicSolution, proved_spectrum
 from mpsolve.motion.waves import Wave, induced_waves, steady_waves
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 
 _GUARD = 10  # digits beyond those asked for, in the roots and the arithmetic
 MOST = 1000

@@ -15,8 +15,8 @@ from mpsolve.model.edge import edge_roots
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 from mpsolve.motion.rigorous_forces import Setting
 from mpsolve.motion.transform import contact_image, numerators, system
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import Symmetry
+from mpsolve.sheet.certify import Spectrum
+from mpsolve.sheet.enclose import Symmetry
 
 acb, arb = flint.acb, flint.arb
 

@@ -15,7 +15,7 @@ from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.grid import checked_places, checked_times
 from mpsolve.motion.solve import Response, prepare, response
 from mpsolve.motion.waves import modulus
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 
 _REAL = 1e-12  # Im q below this part of |q| is a rounded 0
 

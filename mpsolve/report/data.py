@@ -10,9 +10,9 @@ from mpsolve.model.parameters import PhysicalCase
 from mpsolve.report.digits import decimal
 from mpsolve.report.statement import ASSUMED, known_count, proved, radius_text
 from mpsolve.report.vibration import Trend, Vibration, vibration, working_bits
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall
-from mpsolve.spectrum.region import Rectangle
+from mpsolve.sheet.certify import Spectrum
+from mpsolve.sheet.enclose import RootBall
+from mpsolve.sheet.region import Rectangle
 
 FORMAT = "mpsolve report"
 VERSION = 1

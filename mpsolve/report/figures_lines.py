@@ -14,7 +14,7 @@ from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.report.figures import COLOUR, Look, scaling, velocity_axis
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 from mpsolve.stability.family import changed
 from mpsolve.stability.lines import FrequencyLines
 

@@ -16,8 +16,8 @@ from mpsolve.model.parameters import Case
 from mpsolve.report.digits import proved_digits
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall
+from mpsolve.sheet.certify import Spectrum
+from mpsolve.sheet.enclose import RootBall
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from mpsolve.motion.solve import Response
-    from mpsolve.spectrum.certify import Spectrum
+    from mpsolve.sheet.certify import Spectrum
     from mpsolve.stability.table import OnsetTable
 
 _TEMPLATE = "card.html.j2"

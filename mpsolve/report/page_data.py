@@ -19,7 +19,7 @@ from mpsolve.report.figures_plane import gap_end
 from mpsolve.report.page_loads import load_data
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 from mpsolve.stability.lines import FrequencyLines, LineEnd
 
 FORMAT = "mpsolve page"

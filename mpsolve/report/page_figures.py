@@ -18,7 +18,7 @@ from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.statement import radius_text
 from mpsolve.report.vibration import Vibration, vibrations, working_bits
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 from mpsolve.stability.chart import StabilityChart
 from mpsolve.stability.lines import FrequencyLines
 

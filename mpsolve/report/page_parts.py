@@ -19,7 +19,7 @@ from mpsolve.report.answer import Source
 from mpsolve.report.page_margins import Margin, least_top, margins, places
 from mpsolve.report.remedies import for_reader
 from mpsolve.report.statement import verdict
-from mpsolve.spectrum.certify import Spectrum, certify
+from mpsolve.sheet.certify import Spectrum, certify
 from mpsolve.stability.chart import StabilityChart, case_chart
 from mpsolve.stability.lines import FrequencyLines, frequency_lines
 from mpsolve.stability.search import Tell

@@ -8,8 +8,8 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.report.digits import proved_digits
 from mpsolve.report.vibration import Trend, trend
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.region import Rectangle
+from mpsolve.sheet.certify import Spectrum
+from mpsolve.sheet.region import Rectangle
 
 ASSUMED = (
     "The model: an infinite Euler–Bernoulli beam on a Pasternak viscoelastic foundation, and point masses "

@@ -20,7 +20,7 @@ from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.report.digits import decimal, proved_digits
 from mpsolve.report.statement import ASSUMED, limits, proved, verdict
 from mpsolve.report.vibration import Trend, Vibration, vibrations, working_bits
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 
 WIDTH = 88
 _PLACES = 8  # digits of the physical quantities; every digit of q is printed

@@ -12,8 +12,8 @@ from flint import arb
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall, Symmetry
+from mpsolve.sheet.certify import Spectrum
+from mpsolve.sheet.enclose import RootBall, Symmetry
 
 _GUARD_BITS = 64
 

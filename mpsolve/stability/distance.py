@@ -18,8 +18,8 @@ from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
-from mpsolve.spectrum.seek import seek
+from mpsolve.sheet.certify import Status
+from mpsolve.sheet.seek import seek
 from mpsolve.stability.curvature import convex_branch, motion_with_distance
 from mpsolve.stability.family import Family
 from mpsolve.stability.masses import checked_digits

@@ -17,9 +17,9 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact
-from mpsolve.spectrum.certify import Spectrum, certify
-from mpsolve.spectrum.enclose import Symmetry
-from mpsolve.spectrum.far import far_radius
+from mpsolve.sheet.certify import Spectrum, certify
+from mpsolve.sheet.enclose import Symmetry
+from mpsolve.sheet.far import far_radius
 from mpsolve.stability.family import Family
 from mpsolve.stability.search import Strip, Tell, all_zeros
 from mpsolve.stability.together import Search, alone

@@ -30,7 +30,7 @@ from mpsolve.model.branch import track
 from mpsolve.model.characteristic import kernel_matrix
 from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.far import far_radius
+from mpsolve.sheet.far import far_radius
 from mpsolve.stability.curvature import NestedBalls, second_order, split_balls
 from mpsolve.stability.exclude import Job, arrays, grid, local
 from mpsolve.stability.family import Family, changed

@@ -19,7 +19,7 @@ from mpsolve.studies.design import Value
 from mpsolve.studies.spec import PARAMETERS, Spec, spec_of
 
 if TYPE_CHECKING:
-    from mpsolve.spectrum.enclose import RootBall
+    from mpsolve.sheet.enclose import RootBall
 
 FORMAT = 2
 """Raised when the results of a case, or the way they are written, change."""
@@ -150,7 +150,7 @@ def _certified(spec: Spec, cases: Sequence[dict[str, Value]]) -> list[Result]:
 
 def _certify(spec: Spec, values: dict[str, Value]) -> Result:
     from mpsolve.report.statement import known_count
-    from mpsolve.spectrum.certify import certify
+    from mpsolve.sheet.certify import certify
 
     try:
         found = certify(case_of(values, spec.masses), spec.digits, spec.region)

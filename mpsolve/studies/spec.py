@@ -15,8 +15,8 @@ from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.model.exact import Exact
-from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS
-from mpsolve.spectrum.region import Rectangle, Region
+from mpsolve.sheet.certify import MAX_DIGITS, MIN_DIGITS
+from mpsolve.sheet.region import Rectangle, Region
 from mpsolve.stability import specs
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
 

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from mpsolve import Case, CertificateError, certify
 from mpsolve.certificate.format import Certificate, digest, dyadic, write_whole
 from mpsolve.certificate.verify import precision, read, root
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.sheet.certify import Spectrum
 
 CASE = Case(alpha="0.9", eta_b="0.05", eta_m="root4(24010000)")
 

@@ -11,7 +11,7 @@ from oracle import Truth, holds
 
 from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
 from mpsolve.model.edge import edge_value
-from mpsolve.spectrum.enclose import Symmetry
+from mpsolve.sheet.enclose import Symmetry
 
 
 def pair(alpha: Any, d: Any, eta_m: Any = 70, eta_b: Any = "0.05", **rest: Any) -> Case:
@@ -257,7 +257,7 @@ def test_effort_that_is_spent_is_not_spent_again(eta_b: str, eta_n: str, monkeyp
         pieces[0] += 1
         return edge_value(track, r)
 
-    monkeypatch.setattr("mpsolve.spectrum.winding.edge_value", value)
+    monkeypatch.setattr("mpsolve.sheet.winding.edge_value", value)
     found = certify(Case(alpha="0.5", eta_b=eta_b, eta_n=eta_n, eta_m=(10, 10), positions=(0, 1)), max_pieces=300)
     assert found.status is Status.UNDECIDED
     assert found.reason == "the contour needs more than 300 pieces: raise max_pieces"

@@ -19,7 +19,7 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import laplace_det
 from mpsolve.model.branch import Track
-from mpsolve.spectrum.cluster import pellet, taylor
+from mpsolve.sheet.cluster import pellet, taylor
 
 acb, arb = flint.acb, flint.arb
 

@@ -9,10 +9,10 @@ from enum import Enum
 from mpsolve.certificate.format import Certificate, make_certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.spectrum.collect import collect
-from mpsolve.spectrum.count import Count, count_roots
-from mpsolve.spectrum.enclose import RootBall, Symmetry
-from mpsolve.spectrum.region import Rectangle, Region, checked_region
+from mpsolve.sheet.collect import collect
+from mpsolve.sheet.count import Count, count_roots
+from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.sheet.region import Rectangle, Region, checked_region
 
 MAX_DIGITS = 10_000
 MIN_DIGITS = 15

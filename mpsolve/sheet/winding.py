@@ -22,9 +22,9 @@ from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.edge import edge_roots, edge_value, resting_edge_value
-from mpsolve.spectrum.contour import Accept, Path, cover, turning
-from mpsolve.spectrum.region import Rectangle
-from mpsolve.spectrum.scatter import far_argument, paired_roots
+from mpsolve.sheet.contour import Accept, Path, cover, turning
+from mpsolve.sheet.region import Rectangle
+from mpsolve.sheet.scatter import far_argument, paired_roots
 
 acb, arb = flint.acb, flint.arb
 Meter = Callable[[float], None]

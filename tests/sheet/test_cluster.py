@@ -10,7 +10,7 @@ from oracle import Truth, holds
 
 from mpsolve import Case
 from mpsolve.fields import ball_arithmetic
-from mpsolve.spectrum.cluster import SAMPLES, Taylor, pellet, separate, taylor
+from mpsolve.sheet.cluster import SAMPLES, Taylor, pellet, separate, taylor
 
 acb, arb = flint.acb, flint.arb
 

@@ -13,8 +13,8 @@ from oracle import grid
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.spectrum.contour import cover, in_half_plane, turning
-from mpsolve.spectrum.winding import unique_integer
+from mpsolve.sheet.contour import cover, in_half_plane, turning
+from mpsolve.sheet.winding import unique_integer
 
 acb, arb = flint.acb, flint.arb
 few = settings(max_examples=30)

@@ -6,7 +6,7 @@ import pytest
 from oracle import Truth
 
 from mpsolve import Case
-from mpsolve.spectrum.seek import Candidate, seek
+from mpsolve.sheet.seek import Candidate, seek
 
 PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}
 CASES = [

@@ -11,9 +11,9 @@ from mpsolve import Case, Rectangle
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
-from mpsolve.spectrum.count import count_roots
-from mpsolve.spectrum.far import far_radius
-from mpsolve.spectrum.winding import count_rectangle, count_sheet, count_unstable
+from mpsolve.sheet.count import count_roots
+from mpsolve.sheet.far import far_radius
+from mpsolve.sheet.winding import count_rectangle, count_sheet, count_unstable
 
 LIMIT = 100_000
 PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}

@@ -11,8 +11,8 @@ from oracle import Truth, holds
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.spectrum.enclose import Symmetry, isolate, refine
-from mpsolve.spectrum.seek import seek
+from mpsolve.sheet.enclose import Symmetry, isolate, refine
+from mpsolve.sheet.seek import seek
 
 PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}
 CASES = {

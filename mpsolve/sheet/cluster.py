@@ -18,7 +18,7 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.enclose import RootBall, Symmetry, isolate, on_grid, radius_of, refine
+from mpsolve.sheet.enclose import RootBall, Symmetry, isolate, on_grid, radius_of, refine
 
 acb, arb = flint.acb, flint.arb
 

@@ -16,8 +16,8 @@ from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
-from mpsolve.spectrum.far import _next_reflection, _two_mass_product, asymptotics, far_radius, prove_far
-from mpsolve.spectrum.seek import seek
+from mpsolve.sheet.far import _next_reflection, _two_mass_product, asymptotics, far_radius, prove_far
+from mpsolve.sheet.seek import seek
 
 few = settings(max_examples=25)
 sectors = st.builds(cmath.rect, grid(1, 8), grid(0, 1).map(lambda turn: turn * math.pi / 2))

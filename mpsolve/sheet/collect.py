@@ -10,11 +10,11 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.cluster import separate
-from mpsolve.spectrum.count import BITS, Count
-from mpsolve.spectrum.enclose import Box, RootBall, Symmetry, isolate, refine
-from mpsolve.spectrum.region import Rectangle
-from mpsolve.spectrum.seek import seek
+from mpsolve.sheet.cluster import separate
+from mpsolve.sheet.count import BITS, Count
+from mpsolve.sheet.enclose import Box, RootBall, Symmetry, isolate, refine
+from mpsolve.sheet.region import Rectangle
+from mpsolve.sheet.seek import seek
 
 Progress = Callable[[str, float], None]
 _RECTANGLE_RADIUS = 200.0

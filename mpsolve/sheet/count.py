@@ -13,11 +13,11 @@ from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.contour import Path
-from mpsolve.spectrum.far import far_radius
-from mpsolve.spectrum.region import Rectangle, Region
-from mpsolve.spectrum.rest import resting_start
-from mpsolve.spectrum.winding import count_rectangle, count_sheet, count_unstable
+from mpsolve.sheet.contour import Path
+from mpsolve.sheet.far import far_radius
+from mpsolve.sheet.region import Rectangle, Region
+from mpsolve.sheet.rest import resting_start
+from mpsolve.sheet.winding import count_rectangle, count_sheet, count_unstable
 
 BITS = 64
 Progress = Callable[[str, float], None]
