@@ -26,7 +26,7 @@ def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | No
     The masses of FILE play no part. Exit status 0: written. 1: it could not be written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.certificate.format import write_whole
+        from mpsolve.files import write_whole
         from mpsolve.model.inputfile import read_input
         from mpsolve.model.parameters import PhysicalCase
         from mpsolve.report.receptances import receptances

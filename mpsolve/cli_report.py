@@ -37,8 +37,8 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> No
     page says, or the page could not be written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.certificate.format import write_whole
         from mpsolve.errors import InputError
+        from mpsolve.files import write_whole
         from mpsolve.model.inputfile import read_input
         from mpsolve.model.parameters import PhysicalCase
         from mpsolve.report.answer import Source

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.format import write_whole
 from mpsolve.errors import InputError
+from mpsolve.files import write_whole
 from mpsolve.motion.scale import Scale
 from mpsolve.motion.solve import Response
 from mpsolve.report.figures import rendered, require_matplotlib

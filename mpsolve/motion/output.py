@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.format import write_whole
+from mpsolve.files import write_whole
 from mpsolve.motion.scale import Scale
 from mpsolve.motion.solve import Response
 

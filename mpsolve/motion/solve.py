@@ -21,8 +21,8 @@ from mpsolve.motion.grid import checked_places, checked_times
 from mpsolve.motion.sheets import sections
 from mpsolve.motion.transient import Motion, contour_integral
 from mpsolve.motion.waves import Wave, induced_waves, modulus, steady_waves
+from mpsolve.parallel.threads import one_thread
 from mpsolve.sheet.certify import Spectrum, certify
-from mpsolve.threads import one_thread
 
 if TYPE_CHECKING:
     from mpsolve.motion.enclosure import Enclosure, PreciseMotion

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum
 
 from mpsolve.certificate.format import Certificate, make_certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.progress import Progress, silent
 from mpsolve.sheet.collect import collect
 from mpsolve.sheet.count import Count, count_roots
 from mpsolve.sheet.enclose import RootBall, Symmetry
@@ -17,8 +17,6 @@ from mpsolve.sheet.region import Rectangle, Region, checked_region
 MAX_DIGITS = 10_000
 MIN_DIGITS = 15
 _ROUNDS = 3  # of looking for roots that the count has and the enclosures lack
-
-Progress = Callable[[str, float], None]
 
 
 class Status(Enum):
@@ -92,7 +90,7 @@ def certify(
     if not (isinstance(digits, int) and MIN_DIGITS <= digits <= MAX_DIGITS):
         raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
     region = checked_region(case, region)
-    tell = progress or (lambda _stage, _fraction: None)
+    tell = progress or silent
     try:
         count = count_roots(case, region, max_pieces, tell)
     except PrecisionError as error:

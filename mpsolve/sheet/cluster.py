@@ -1,14 +1,8 @@
-"""Multiple and nearly multiple roots: Taylor coefficients with proved errors, and Pellet's test.
-
-With Δ(c + z) = Σ a_k z^k: if |a_m| h^m > Σ_{k≠m} |a_k| h^k, the disc |z| < h holds exactly m roots. The a_k come
-from samples on a circle; what the samples cannot see is bounded by the maximum of |Δ| on a larger disc.
-"""
+"""Multiple and nearly multiple roots: Δ's Taylor coefficients with proved errors, and Pellet's test."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import flint
@@ -18,40 +12,14 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.taylor import Taylor, taylor
+from mpsolve.proof.pellet import pellet
 from mpsolve.sheet.enclose import RootBall, Symmetry, isolate, on_grid, radius_of, refine
 
 acb, arb = flint.acb, flint.arb
 
-SAMPLES = 16
 MOST = 6  # roots in one cluster that are looked for
 _OUTER = 14  # the larger disc has the radius |c| 2^−14
-
-
-@dataclass(frozen=True)
-class Taylor:
-    """Balls of a_0 … a_{SAMPLES−1} of f(centre + z) = Σ a_k z^k; |a_k| ≤ bound/outer^k for every k."""
-
-    centre: Any
-    coefficients: tuple[Any, ...]
-    bound: Any
-    outer: Any
-
-
-def taylor(function: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, shrink: int) -> Taylor:
-    """From samples on the circle of radius outer·2^−shrink; `bound` ≥ |f| on the disc of radius `outer`.
-
-    What the samples cannot tell apart is below bound·2^(−shrink·SAMPLES).
-    """
-    inner = outer * arb(2) ** -shrink
-    turns = [acb(arb(2 * j) / SAMPLES).exp_pi_i() for j in range(SAMPLES)]
-    samples = [function(centre + inner * turn) for turn in turns]
-    alias = bound * arb(2) ** (1 - shrink * SAMPLES)
-    coefficients = []
-    for k in range(SAMPLES):
-        total = sum((f / turns[(j * k) % SAMPLES] for j, f in enumerate(samples)), acb(0)) / SAMPLES
-        error = arb(0, (alias / inner**k).upper())
-        coefficients.append(total / inner**k + acb(error, error))
-    return Taylor(centre, tuple(coefficients), bound, outer)
 
 
 def _taylor_of_delta(model: Track, centre: Any, shrink: int) -> Taylor:
@@ -59,16 +27,6 @@ def _taylor_of_delta(model: Track, centre: Any, shrink: int) -> Taylor:
     spread = arb(0, outer.upper())
     bound = arb(characteristic(model, centre + acb(spread, spread)).abs_upper())
     return taylor(lambda q: characteristic(model, q), centre, outer, bound, shrink)
-
-
-def pellet(series: Taylor, m: int, radius: Any) -> bool:
-    """True if the disc of this radius about the centre is proved to hold exactly m roots."""
-    if not radius > 0:
-        return False
-    ratio = radius / series.outer
-    tail = series.bound * ratio**SAMPLES / (1 - ratio)
-    others = sum((abs(a) * radius**k for k, a in enumerate(series.coefficients) if k != m), tail)
-    return bool(ratio < 1 and abs(series.coefficients[m]) * radius**m > others)
 
 
 def separate(case: Case, seed: complex, digits: int) -> list[RootBall]:

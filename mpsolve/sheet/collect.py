@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import flint
@@ -10,13 +9,13 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
+from mpsolve.progress import Progress
 from mpsolve.sheet.cluster import separate
 from mpsolve.sheet.count import BITS, Count
 from mpsolve.sheet.enclose import Box, RootBall, Symmetry, isolate, refine
 from mpsolve.sheet.region import Rectangle
 from mpsolve.sheet.seek import seek
 
-Progress = Callable[[str, float], None]
 _RECTANGLE_RADIUS = 200.0
 
 

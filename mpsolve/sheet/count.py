@@ -13,6 +13,7 @@ from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.model.parameters import Case
+from mpsolve.progress import Progress
 from mpsolve.sheet.contour import Path
 from mpsolve.sheet.far import far_radius
 from mpsolve.sheet.region import Rectangle, Region
@@ -20,7 +21,6 @@ from mpsolve.sheet.rest import resting_start
 from mpsolve.sheet.winding import count_rectangle, count_sheet, count_unstable
 
 BITS = 64
-Progress = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,8 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import laplace_det
 from mpsolve.model.branch import Track
-from mpsolve.sheet.cluster import pellet, taylor
+from mpsolve.numbers.taylor import taylor
+from mpsolve.proof.pellet import pellet
 
 acb, arb = flint.acb, flint.arb
 

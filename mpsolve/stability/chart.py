@@ -10,16 +10,18 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from mpsolve.certificate.format import Certificate, write_whole
+from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
+from mpsolve.files import write_whole
 from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.parallel.pool import run_bunches
+from mpsolve.progress import Progress
 from mpsolve.report.digits import fixed_digits
 from mpsolve.report.statement import ASSUMED
 from mpsolve.stability import specs
 from mpsolve.stability.passages import Passages
-from mpsolve.stability.pool import run_bunches
-from mpsolve.stability.search import Strip, Tell
+from mpsolve.stability.search import Strip
 from mpsolve.stability.specs import Grid
 from mpsolve.stability.table import checked_suffix
 from mpsolve.stability.together import Search, together
@@ -138,7 +140,7 @@ class _Job:
 
 
 def stability_chart(
-    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Tell | None = None
+    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Progress | None = None
 ) -> StabilityChart:
     """The chart that `spec` (a mapping, or the path of a TOML file) describes; the same for any number of workers.
 
@@ -181,7 +183,7 @@ def case_chart(
     alpha: tuple[Exact, Exact],
     digits: int = 15,
     workers: int | None = None,
-    progress: Tell | None = None,
+    progress: Progress | None = None,
 ) -> StabilityChart:
     """The chart of a case over all its masses times each of the `factors` > 0; it may have any masses and places."""
     scaled = [replace(case, eta_m=tuple(ratio * factor for ratio in case.eta_m)) for factor in factors]

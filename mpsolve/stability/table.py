@@ -9,16 +9,18 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
-from mpsolve.certificate.format import Certificate, write_whole
+from mpsolve.certificate.format import Certificate
 from mpsolve.errors import CertificateError, InputError, PrecisionError
+from mpsolve.files import write_whole
 from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.packed import PackedBall, pack, unpack
+from mpsolve.parallel.pool import run_bunches
+from mpsolve.progress import Progress
 from mpsolve.report.digits import fixed_digits
 from mpsolve.report.strips import UNIT, remark
 from mpsolve.stability import specs
 from mpsolve.stability.masses import crossings_search
-from mpsolve.stability.pool import PackedBall, pack, run_bunches, unpack
-from mpsolve.stability.search import Tell
 from mpsolve.stability.specs import Grid
 from mpsolve.stability.together import Search, together
 from mpsolve.stability.velocities import Interval, onset_search, velocities_search
@@ -185,7 +187,7 @@ class _Job:
 
 
 def onset_table(
-    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Tell | None = None
+    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Progress | None = None
 ) -> OnsetTable:
     """The table that `spec` (a mapping, or the path of a TOML file) describes; the same for any number of workers.
 

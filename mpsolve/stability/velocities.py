@@ -16,12 +16,13 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
+from mpsolve.progress import Progress
 from mpsolve.sheet.certify import Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.passages import Passages, counted, passing
-from mpsolve.stability.search import Strip, Tell
+from mpsolve.stability.search import Strip
 from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import Zero
 
@@ -87,7 +88,7 @@ def unstable_velocities(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, Fraction(7, 5)),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> UnstableRanges:
     """All velocity ratios in [lo, hi] at which a root of Δ, eq. (26), has Im q < 0, proved.
 
@@ -109,7 +110,7 @@ def velocities_search(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, Fraction(7, 5)),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Search[UnstableRanges]:
     """`unstable_velocities` as a search, for together.py."""
     case, low, high = _admitted(eta_b, eta_m, positions, eta_n, eta_s, alpha)
@@ -127,7 +128,7 @@ def onset_velocity(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, 2),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Onset:
     """The first velocity ratio in [lo, hi] at which the case becomes unstable: `.alpha`, with `.q`, or None if none.
 
@@ -147,7 +148,7 @@ def onset_search(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, 2),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Search[Onset]:
     """`onset_velocity` as a search, for together.py."""
     case, low, high = _admitted(eta_b, eta_m, positions, eta_n, eta_s, alpha)
@@ -224,13 +225,15 @@ def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
     return low, high
 
 
-def unstable_ranges(family: Family, low: Exact, high: Exact, digits: int, tell: Tell | None = None) -> UnstableRanges:
+def unstable_ranges(
+    family: Family, low: Exact, high: Exact, digits: int, tell: Progress | None = None
+) -> UnstableRanges:
     """The ranges of the family's parameter with a root below its line; for damped cases."""
     return alone(ranges_search(family, low, high, digits, tell))
 
 
 def ranges_search(
-    family: Family, low: Exact, high: Exact, digits: int, tell: Tell | None = None
+    family: Family, low: Exact, high: Exact, digits: int, tell: Progress | None = None
 ) -> Search[UnstableRanges]:
     """`unstable_ranges` as a search, for together.py."""
     from mpsolve.certificate.crossings import crossings_certificate

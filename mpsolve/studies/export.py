@@ -16,8 +16,8 @@ from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from mpsolve.certificate.format import whole_file
 from mpsolve.errors import StudyError
+from mpsolve.files import whole_file
 from mpsolve.report.statement import ASSUMED
 from mpsolve.stability.table import checked_suffix
 from mpsolve.studies.blocks import ENGINE, Result, Root

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError, StudyError
-from mpsolve.stability.pool import WORKER_ENDED, checked_workers, process_pool
+from mpsolve.parallel.pool import WORKER_ENDED, checked_workers, process_pool
 from mpsolve.studies.blocks import GOOD, Block, Result, checked, work
 from mpsolve.studies.design import Value
 from mpsolve.studies.spec import Spec, read_spec

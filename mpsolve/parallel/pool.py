@@ -9,31 +9,13 @@ from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
 from signal import SIG_DFL, SIG_IGN, SIGINT, getsignal, signal
 from threading import Thread
-from typing import Any, TypeVar
-
-from flint import arb
+from typing import TypeVar
 
 from mpsolve.errors import InputError, MpsolveError
-from mpsolve.stability.search import Tell
+from mpsolve.progress import Progress
 
 Job = TypeVar("Job")
 Result = TypeVar("Result")
-
-PackedBall = tuple[tuple[int, int], tuple[int, int]]
-"""(mantissa, exponent) of the midpoint and of the radius: balls do not travel between processes, these do."""
-
-
-def pack(ball: Any) -> PackedBall:
-    """A finite flint.arb in exact integers."""
-    middle, middle_exponent = ball.mid().man_exp()
-    radius, radius_exponent = ball.rad().man_exp()
-    return (int(middle), int(middle_exponent)), (int(radius), int(radius_exponent))
-
-
-def unpack(packed: PackedBall) -> Any:
-    """The flint.arb with the same midpoint, and the same radius up to its rounding upward, at any precision."""
-    return arb(*packed)
-
 
 _BUNCH = 40  # pieces of work that are done side by side, where this is quicker than one by one
 _BUNCHES = 8  # few pieces make at least so many bunches, so that processors have something to share
@@ -64,7 +46,8 @@ def _end_with_parent() -> None:
     if getsignal(SIGINT) is not SIG_IGN:  # where it is ignored, as in a shell's background, this process does so too
         signal(SIGINT, SIG_DFL)
     parent = parent_process()
-    assert parent is not None
+    if parent is None:  # a process that nobody started ends by itself
+        return
 
     def watch() -> None:
         parent.join()
@@ -77,7 +60,7 @@ def run_bunches(
     work: Callable[[Sequence[Job]], list[Result]],
     jobs: Sequence[Job],
     workers: int | None = None,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
     stage: str = "working",
 ) -> list[Result]:
     """The results of work(bunch) for bunches of jobs in order, the same for any number of workers; see `run`."""
@@ -90,7 +73,7 @@ def run(
     work: Callable[[Job], Result],
     jobs: Sequence[Job],
     workers: int | None = None,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
     stage: str = "working",
 ) -> list[Result]:
     """[work(job) for job in jobs], in `workers` processes (all processors if None; 1: in this one).
@@ -118,7 +101,7 @@ def run(
     return [results[place] for place in range(len(jobs))]
 
 
-def _here(work: Callable[[Job], Result], jobs: Sequence[Job], tell: Tell | None, stage: str) -> list[Result]:
+def _here(work: Callable[[Job], Result], jobs: Sequence[Job], tell: Progress | None, stage: str) -> list[Result]:
     results = []
     for done, job in enumerate(jobs, 1):
         results.append(work(job))

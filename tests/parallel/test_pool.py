@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import signal
 import subprocess
@@ -12,6 +13,9 @@ from typing import Any
 
 import pytest
 
+from mpsolve.errors import MpsolveError
+from mpsolve.parallel.pool import run
+
 ROOT = Path(__file__).parents[2]
 SCRIPT = """
 import os
@@ -21,7 +25,7 @@ from pathlib import Path
 
 import click
 
-from mpsolve.stability.pool import run
+from mpsolve.parallel.pool import run
 
 def work(k):
     Path(f"worker-{os.getpid()}").touch()
@@ -65,3 +69,14 @@ def test_ctrl_c_ends_all_processes_at_once_and_without_a_traceback_or_none(
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
     assert (process.returncode, output, errors.split()) == ends
+
+
+def test_a_worker_that_dies_is_named() -> None:
+    with pytest.raises(MpsolveError, match="a worker process ended"):
+        run(os._exit, [3, 3], workers=2)
+
+
+def test_an_error_of_a_worker_comes_through() -> None:
+    with pytest.raises(ValueError):  # noqa: PT011 (its words are Python's)
+        run(math.sqrt, [1.0, -1.0, 4.0], workers=2)
+    assert run(math.sqrt, [4.0, 1.0], workers=1) == [2.0, 1.0]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info
 
-from mpsolve.threads import one_thread
+from mpsolve.parallel.threads import one_thread
 
 
 def threads() -> list[int]:

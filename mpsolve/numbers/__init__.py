@@ -1,0 +1,1 @@
+"""Numbers: exact ones, and what they are written as."""

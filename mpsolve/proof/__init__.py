@@ -1,0 +1,1 @@
+"""Steps of proofs, each of which knows no model."""
