@@ -9,7 +9,6 @@ if TYPE_CHECKING:
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
-    from mpsolve.model.exact import Exact
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -17,6 +16,7 @@ if TYPE_CHECKING:
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solve import HarmonicSolution, Response, harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
+    from mpsolve.numbers.exact import Exact
     from mpsolve.sheet.certify import Spectrum, Status, certify
     from mpsolve.sheet.enclose import RootBall
     from mpsolve.sheet.region import Rectangle
@@ -87,7 +87,7 @@ _HOME = {
     "Case": "model.parameters",
     "PhysicalCase": "model.parameters",
     "Mass": "model.parameters",
-    "Exact": "model.exact",
+    "Exact": "numbers.exact",
     "read_case": "model.inputfile",
     "receptance": "model.receptance",
     "certify": "sheet.certify",

@@ -89,7 +89,7 @@ def _times(end: str, points: int) -> Any:
     import numpy as np
 
     from mpsolve.errors import InputError
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
 
     last = Exact.parse(end, "--to")
     if not last > 0:

@@ -12,7 +12,7 @@ import click
 from mpsolve.cli_tools import UNDECIDED, certificate_path, checked_output, one_sentence, progress, show
 
 if TYPE_CHECKING:
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
     from mpsolve.progress import Progress
     from mpsolve.report.answer import Answer, Source
     from mpsolve.stability.table import OnsetTable
@@ -121,7 +121,8 @@ def table(file: Path, output: Path | None, certificates: Path | None, workers: i
     """
     with one_sentence():
         from mpsolve.errors import InputError
-        from mpsolve.stability.table import SUFFIXES, checked_suffix, onset_table
+        from mpsolve.files import checked_suffix
+        from mpsolve.stability.table import SUFFIXES, onset_table
 
         if output is not None:
             checked_suffix(checked_output(output, file, "the table"), SUFFIXES)
@@ -166,8 +167,8 @@ def chart(file: Path, output: Path, workers: int | None) -> None:
     input cannot be used.
     """
     with one_sentence():
+        from mpsolve.files import checked_suffix
         from mpsolve.stability.chart import SUFFIXES, stability_chart
-        from mpsolve.stability.table import checked_suffix
 
         checked_suffix(checked_output(output, file, "the chart"), SUFFIXES)
         with progress() as tell:
@@ -184,7 +185,7 @@ COMMANDS = (onset, crossings, distance, table, chart)
 def _range(low: str, high: str) -> tuple[Exact, Exact]:
     """The ends, in order; InputError names the option."""
     from mpsolve.errors import InputError
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
 
     ends = Exact.parse(low, "--from"), Exact.parse(high, "--to")
     if not ends[0] < ends[1]:

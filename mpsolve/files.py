@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-from mpsolve.errors import CertificateError
+from mpsolve.errors import CertificateError, InputError
 
 
 def write_whole(path: Path, content: str | bytes) -> Path:
@@ -46,3 +46,11 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
     except OSError as error:
         cause = error.strerror or str(error)
         raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
+
+
+def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
+    """The suffix of the path in lower case; InputError if it is not one of those allowed."""
+    suffix = path.suffix.lower()
+    if suffix not in allowed:
+        raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
+    return suffix

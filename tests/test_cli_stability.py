@@ -15,7 +15,7 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.cli import cli
 from mpsolve.errors import CertificateError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.text import WIDTH
 from mpsolve.sheet.certify import Status
 from mpsolve.stability.distance import CriticalDistance

@@ -20,8 +20,8 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.files import write_whole
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.taylor import Taylor, taylor
 from mpsolve.parallel.pool import run
 from mpsolve.progress import Progress

@@ -24,7 +24,6 @@ from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Exact, Number, exact_list
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -36,6 +35,7 @@ from mpsolve.motion.rigorous_sum import Samples, physical_start
 from mpsolve.motion.rigorous_tail import far_start, tail
 from mpsolve.motion.rigorous_waves import BallWave, induced, steady
 from mpsolve.motion.solve import proved_spectrum
+from mpsolve.numbers.exact import Exact, Number, exact_list
 from mpsolve.sheet.certify import Spectrum
 
 acb, arb = flint.acb, flint.arb

@@ -11,7 +11,6 @@ import numpy as np
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.contact import contact_loss, own_forces
@@ -21,6 +20,7 @@ from mpsolve.motion.grid import checked_places, checked_times
 from mpsolve.motion.sheets import sections
 from mpsolve.motion.transient import Motion, contour_integral
 from mpsolve.motion.waves import Wave, induced_waves, modulus, steady_waves
+from mpsolve.numbers.exact import Number
 from mpsolve.parallel.threads import one_thread
 from mpsolve.sheet.certify import Spectrum, certify
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.grid import checked_places, checked_times
 from mpsolve.motion.solve import Response, prepare, response
 from mpsolve.motion.waves import modulus
+from mpsolve.numbers.exact import Number
 from mpsolve.sheet.certify import Spectrum
 
 _REAL = 1e-12  # Im q below this part of |q| is a rounded 0

@@ -7,7 +7,7 @@ from typing import Any
 
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
-from mpsolve.report.digits import decimal
+from mpsolve.numbers.decimals import decimal
 from mpsolve.report.statement import ASSUMED, known_count, proved, radius_text
 from mpsolve.report.vibration import Trend, Vibration, vibration, working_bits
 from mpsolve.sheet.certify import Spectrum

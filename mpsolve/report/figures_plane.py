@@ -13,7 +13,7 @@ import numpy as np
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
-from mpsolve.report.digits import proved_digits
+from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
 from mpsolve.sheet.certify import Spectrum

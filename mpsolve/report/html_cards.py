@@ -98,7 +98,7 @@ def table_html(table: OnsetTable) -> str:
 def _parts(q: Any) -> tuple[str, str]:
     """Re q and Im q in eight digits."""
     from mpsolve.fields import ball_arithmetic
-    from mpsolve.report.digits import proved_digits
+    from mpsolve.numbers.decimals import proved_digits
 
     with ball_arithmetic(128):
         real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)

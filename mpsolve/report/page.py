@@ -12,7 +12,7 @@ from typing import Any
 from mpsolve import __version__
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
-from mpsolve.report.digits import decimal
+from mpsolve.numbers.decimals import decimal
 from mpsolve.report.html_environment import rendered_template
 from mpsolve.report.page_data import Proof, page_data, proofs
 from mpsolve.report.page_figures import ball_pictures, chart_picture, line_pictures, plane_pictures, response_pictures

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from mpsolve.fields import ball_arithmetic
 from mpsolve.motion.scale import Scale
-from mpsolve.report.digits import proved_digits
+from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.figures import SIZE, figure_of
 from mpsolve.report.figures_chart import stability_map
 from mpsolve.report.figures_lines import line_frequencies, line_growth

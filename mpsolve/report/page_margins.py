@@ -14,8 +14,8 @@ from flint import arb
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import MpsolveError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.masses import CrossingMasses, below_critical, crossing_masses

@@ -11,10 +11,10 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from mpsolve.errors import MpsolveError
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import GRAVITY, Load, gives_forces, loads_of
 from mpsolve.model.parameters import Case
 from mpsolve.motion.solve import Response, response
+from mpsolve.numbers.exact import Exact
 from mpsolve.progress import Progress, silent
 from mpsolve.report.answer import Source
 from mpsolve.report.page_margins import Margin, least_top, margins, places

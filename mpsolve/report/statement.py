@@ -6,7 +6,7 @@ import decimal
 
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
-from mpsolve.report.digits import proved_digits
+from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.sheet.certify import Spectrum
 from mpsolve.sheet.region import Rectangle

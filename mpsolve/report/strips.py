@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from mpsolve.model.exact import Exact
-from mpsolve.report.digits import outward
+from mpsolve.model.specs import label
+from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.exact import Exact
 from mpsolve.stability.search import Strip
-from mpsolve.stability.specs import label
 
 UNIT = (Exact.parse(0), Exact.parse(1))
 _PLACES = 8

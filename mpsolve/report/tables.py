@@ -8,9 +8,9 @@ import json
 import re
 from typing import Any
 
-from mpsolve.report.digits import decimal
+from mpsolve.model.specs import label
+from mpsolve.numbers.decimals import decimal
 from mpsolve.report.statement import ASSUMED
-from mpsolve.stability.specs import label
 from mpsolve.stability.table import Entry, OnsetTable
 
 FORMAT = "mpsolve table"

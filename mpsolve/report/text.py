@@ -15,9 +15,9 @@ from rich.table import Table
 from rich.text import Text
 
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.report.digits import decimal, proved_digits
+from mpsolve.numbers.decimals import decimal, proved_digits
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.statement import ASSUMED, limits, proved, verdict
 from mpsolve.report.vibration import Trend, Vibration, vibrations, working_bits
 from mpsolve.sheet.certify import Spectrum

@@ -7,9 +7,9 @@ from typing import Literal, TypeAlias
 
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import limiting_frequency, require_cuts_on_line
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact, Number
 
 
 @dataclass(frozen=True, init=False)

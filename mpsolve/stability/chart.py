@@ -12,18 +12,17 @@ from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.files import write_whole
-from mpsolve.model.exact import Exact
+from mpsolve.files import checked_suffix, write_whole
+from mpsolve.model import specs
 from mpsolve.model.parameters import Case
+from mpsolve.model.specs import Grid
+from mpsolve.numbers.decimals import fixed_digits
+from mpsolve.numbers.exact import Exact
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.progress import Progress
-from mpsolve.report.digits import fixed_digits
 from mpsolve.report.statement import ASSUMED
-from mpsolve.stability import specs
 from mpsolve.stability.passages import Passages
 from mpsolve.stability.search import Strip
-from mpsolve.stability.specs import Grid
-from mpsolve.stability.table import checked_suffix
 from mpsolve.stability.together import Search, together
 from mpsolve.stability.velocities import UnstableRanges, velocities_search
 from mpsolve.stability.zero import Zero

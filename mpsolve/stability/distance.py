@@ -16,15 +16,16 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.ranges import checked_range
 from mpsolve.progress import Progress
 from mpsolve.sheet.certify import Status
 from mpsolve.sheet.seek import seek
 from mpsolve.stability.curvature import convex_branch, motion_with_distance
 from mpsolve.stability.family import Family
 from mpsolve.stability.masses import checked_digits
-from mpsolve.stability.velocities import UnstableRanges, checked_range, unstable_ranges
+from mpsolve.stability.velocities import UnstableRanges, unstable_ranges
 
 acb, arb = flint.acb, flint.arb
 _SAMPLES = 64  # distances at which the minimum is looked for, without proof

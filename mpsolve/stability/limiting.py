@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.exact import Number
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Number
+from mpsolve.numbers.ranges import checked_range
 from mpsolve.sheet.certify import Status
 from mpsolve.stability.masses import CrossingMasses, below_critical, checked_digits, crossing_masses
 from mpsolve.stability.together import alone
-from mpsolve.stability.velocities import checked_range
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ import flint
 
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact, Number
 from mpsolve.sheet.certify import Spectrum, certify
 from mpsolve.sheet.enclose import RootBall
 from mpsolve.stability.cuts import CutPoint, CutPoints, cut_points

@@ -10,9 +10,9 @@ from typing import Any, overload
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact, Number
 from mpsolve.progress import Progress
 from mpsolve.sheet.certify import MAX_DIGITS, MIN_DIGITS, Status
 from mpsolve.stability.family import Family

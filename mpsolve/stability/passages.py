@@ -16,7 +16,7 @@ import flint
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.progress import Progress
 from mpsolve.sheet.certify import Spectrum, certify
 from mpsolve.sheet.enclose import Symmetry

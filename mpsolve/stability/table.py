@@ -11,17 +11,17 @@ from typing import Any, Literal
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import CertificateError, InputError, PrecisionError
-from mpsolve.files import write_whole
-from mpsolve.model.exact import Exact
+from mpsolve.files import checked_suffix, write_whole
+from mpsolve.model import specs
 from mpsolve.model.parameters import Case
+from mpsolve.model.specs import Grid
+from mpsolve.numbers.decimals import fixed_digits
+from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.packed import PackedBall, pack, unpack
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.progress import Progress
-from mpsolve.report.digits import fixed_digits
 from mpsolve.report.strips import UNIT, remark
-from mpsolve.stability import specs
 from mpsolve.stability.masses import crossings_search
-from mpsolve.stability.specs import Grid
 from mpsolve.stability.together import Search, together
 from mpsolve.stability.velocities import Interval, onset_search, velocities_search
 
@@ -234,14 +234,6 @@ def onset_table(
     width = len(columns.values)
     lines = tuple(tuple(entries[k : k + width]) for k in range(0, len(entries), width))
     return OnsetTable(title, quantity, digits, shown, alpha, rows, columns, lines)
-
-
-def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
-    """The suffix of the path in lower case; InputError if it is not one of those allowed."""
-    suffix = path.suffix.lower()
-    if suffix not in allowed:
-        raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
-    return suffix
 
 
 def _range(fixed: Mapping[str, Any], quantity: str) -> tuple[Exact, Exact] | None:

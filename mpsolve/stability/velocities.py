@@ -13,9 +13,10 @@ import flint
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.ranges import checked_range
 from mpsolve.progress import Progress
 from mpsolve.sheet.certify import Status
 from mpsolve.stability.family import Family
@@ -209,20 +210,6 @@ def _admitted(
         raise InputError("alpha", f"starts at {low.short()}: a velocity ratio is not negative")
     case = Case(alpha=low, eta_b=eta_b, eta_m=eta_m, positions=positions, eta_n=eta_n, eta_s=eta_s)
     return case, low, high
-
-
-def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
-    """Two rational ends in order."""
-    try:
-        low, high = value
-    except (TypeError, ValueError):
-        raise InputError(key, f"is {value!r}: give a range (lo, hi)") from None
-    low, high = Exact.parse(low, key), Exact.parse(high, key)
-    if not (low.is_rational and high.is_rational):
-        raise InputError(key, "has an irrational end: give decimals or ratios p/q")
-    if not low < high:
-        raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
-    return low, high
 
 
 def unstable_ranges(

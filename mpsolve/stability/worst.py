@@ -28,8 +28,8 @@ from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.boxes import root_discs
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import kernel_matrix
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 from mpsolve.sheet.far import far_radius
 from mpsolve.stability.curvature import NestedBalls, second_order, split_balls
 from mpsolve.stability.exclude import Job, arrays, grid, local

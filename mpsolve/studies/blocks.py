@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from mpsolve import __version__
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, MpsolveError, StudyError
-from mpsolve.stability.specs import ONE_MASS, case_of
+from mpsolve.model.specs import ONE_MASS, case_of
 from mpsolve.studies.design import Value
 from mpsolve.studies.spec import PARAMETERS, Spec, spec_of
 
@@ -165,7 +165,7 @@ def _certify(spec: Spec, values: dict[str, Value]) -> Result:
 
 def _root(root: RootBall, digits: int) -> Root:
     from mpsolve.fields import ball_arithmetic
-    from mpsolve.report.digits import decimal
+    from mpsolve.numbers.decimals import decimal
     from mpsolve.report.vibration import working_bits
 
     with ball_arithmetic(working_bits(digits)):

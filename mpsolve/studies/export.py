@@ -17,9 +17,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from mpsolve.errors import StudyError
-from mpsolve.files import whole_file
+from mpsolve.files import checked_suffix, whole_file
 from mpsolve.report.statement import ASSUMED
-from mpsolve.stability.table import checked_suffix
 from mpsolve.studies.blocks import ENGINE, Result, Root
 from mpsolve.studies.design import Value
 from mpsolve.studies.run import stored_results

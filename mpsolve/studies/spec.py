@@ -1,6 +1,6 @@
 """What a study computes, and over which cases: read from a mapping or a TOML file, in exact numbers.
 
-Every mistake in it is an InputError under its key, as in mpsolve/stability/specs.py.
+Every mistake in it is an InputError under its key, as in mpsolve/model/specs.py.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from math import prod
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact
+from mpsolve.model import specs
+from mpsolve.numbers.exact import Exact
 from mpsolve.sheet.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.sheet.region import Rectangle, Region
-from mpsolve.stability import specs
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
 
 KINDS = ("certified", "float64")

@@ -8,7 +8,7 @@ import pytest
 from flint import acb, arb
 
 from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, Status, certify, read_case
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.statement import proved, verdict
 from mpsolve.report.text import WIDTH, beam_rows, render, shown
 from mpsolve.sheet.enclose import RootBall

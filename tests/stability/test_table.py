@@ -15,9 +15,10 @@ from flint import arb
 
 from mpsolve.errors import CertificateError, InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.model import specs
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.tables import _prose
-from mpsolve.stability import specs, table
+from mpsolve.stability import table
 from mpsolve.stability.table import Entry, OnsetTable, onset_table
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.report.digits import decimal, fixed_digits, outward, proved_digits
+from mpsolve.numbers.decimals import decimal, fixed_digits, outward, proved_digits
 
 EXACT = mpmath.MPContext()
 EXACT.prec = 4000

@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact
-from mpsolve.model.inputfile import _check_keys, _kind, _text, _toml
 from mpsolve.model.parameters import Case
-from mpsolve.stability.velocities import checked_range
+from mpsolve.model.toml import check_keys, kind, parsed, text_of
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.ranges import checked_range
 
 PARAMETERS = {
     "alpha": "the velocity ratio",
@@ -67,10 +67,10 @@ def load(spec: Mapping[str, Any] | str | os.PathLike[str], known: Mapping[str, s
     if isinstance(spec, Mapping):
         content = dict(spec)
     elif isinstance(spec, (str, os.PathLike)):
-        content = _toml(_text(Path(spec)), os.fspath(spec))
+        content = parsed(text_of(Path(spec)), os.fspath(spec))
     else:
         raise InputError("spec", f"is {kind_of(spec)}: give a mapping, or the path of a TOML file")
-    _check_keys(content, known, "")
+    check_keys(content, known, "")
     return content
 
 
@@ -197,7 +197,7 @@ def steps(given: Mapping[Any, Any], key: str) -> tuple[Fraction, Fraction, int]:
 
 def rationals(given: Mapping[Any, Any], key: str, known: Mapping[str, str]) -> dict[str, Fraction]:
     """The numbers in a table that has all keys of `known`, each with its meaning, and no other."""
-    _check_keys(given, known, f"{key}.")
+    check_keys(given, known, f"{key}.")
     numbers = {}
     for name, meaning in known.items():
         if name not in given:
@@ -213,7 +213,7 @@ def section(value: object, key: str, known: Mapping[str, str]) -> Mapping[str, A
     """The table under `key`, with no key that is not in `known`."""
     if not isinstance(value, Mapping):
         raise InputError(key, f"is {kind_of(value)}, not a section: give {', '.join(known)} in it")
-    _check_keys(value, known, f"{key}.")
+    check_keys(value, known, f"{key}.")
     return value
 
 
@@ -243,5 +243,5 @@ def _stepped(given: Mapping[Any, Any], key: str) -> tuple[Value, ...]:
 def kind_of(value: object) -> str:
     """The name of the type of `value` in TOML, or in Python where TOML has none."""
     if isinstance(value, (dict, list, str, bool, int)):
-        return _kind(value)
+        return kind(value)
     return f"of type {type(value).__name__}"
