@@ -4,6 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from mpsolve.certificate.certify import Spectrum, Status, certify
     from mpsolve.certificate.verify import Verdict, verify
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
@@ -14,10 +15,10 @@ if TYPE_CHECKING:
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.model.receptance import receptance
     from mpsolve.motion.beam import BeamResponse, finite_beam
-    from mpsolve.motion.solve import HarmonicSolution, Response, harmonic_solution, response
+    from mpsolve.motion.solution import HarmonicSolution, Response
+    from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
-    from mpsolve.sheet.certify import Spectrum, Status, certify
     from mpsolve.sheet.enclose import RootBall
     from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
@@ -90,10 +91,10 @@ _HOME = {
     "Exact": "numbers.exact",
     "read_case": "model.inputfile",
     "receptance": "model.receptance",
-    "certify": "sheet.certify",
+    "certify": "certificate.certify",
     "Rectangle": "sheet.region",
-    "Spectrum": "sheet.certify",
-    "Status": "sheet.certify",
+    "Spectrum": "certificate.certify",
+    "Status": "certificate.certify",
     "RootBall": "sheet.enclose",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",
@@ -112,9 +113,9 @@ _HOME = {
     "stability_chart": "stability.chart",
     "Load": "model.load",
     "response": "motion.solve",
-    "Response": "motion.solve",
+    "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
-    "HarmonicSolution": "motion.solve",
+    "HarmonicSolution": "motion.solution",
     "envelope": "motion.study",
     "superposition": "motion.study",
     "merged": "motion.study",

@@ -21,8 +21,8 @@ from mpsolve import cli_audit, cli_receptance, cli_report, cli_response, cli_sta
 from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
 
 if TYPE_CHECKING:
+    from mpsolve.certificate.certify import Spectrum
     from mpsolve.model.inputfile import InputFile
-    from mpsolve.sheet.certify import Spectrum
     from mpsolve.sheet.region import Region
 
 
@@ -68,8 +68,8 @@ def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | 
     could not be written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.certificate.certify import certify as prove
         from mpsolve.model.inputfile import read_input
-        from mpsolve.sheet.certify import certify as prove
 
         source = read_input(file)
         path = certificate_path(source.path, output)

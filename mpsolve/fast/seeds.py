@@ -15,6 +15,7 @@ from typing import Any
 import flint
 import numpy as np
 
+from mpsolve.certificate.certify import certify
 from mpsolve.errors import InputError, MpsolveError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.files import write_whole
@@ -25,7 +26,6 @@ from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.taylor import Taylor, taylor
 from mpsolve.parallel.pool import run
 from mpsolve.progress import Progress
-from mpsolve.sheet.certify import certify
 
 FORMAT, VERSION = "mpsolve seeds", 2
 PARAMETERS = ("alpha", "eta_b", "eta_m", "d", "eta_n", "eta_s", "mass_ratio")

@@ -12,6 +12,7 @@ from flint import fmpq, fmpz
 
 from mpsolve.errors import PrecisionError
 
+_GUARD_BITS = 64
 _FIXED = range(-5, 16)  # decimal exponents of numbers that are written without an exponent
 
 
@@ -127,6 +128,11 @@ def decimal(ball: Any, limit: int) -> Decimal:
     if not spread and not rounded.radius:
         return _without_zeros(rounded)
     return Decimal(rounded.digits, place, rounded.radius + spread)
+
+
+def working_bits(digits: int) -> int:
+    """The precision at which values of `digits` digits lose nothing that is printed."""
+    return math.ceil(digits * math.log2(10)) + _GUARD_BITS
 
 
 def _rounded(x: Any, place: int) -> Decimal:

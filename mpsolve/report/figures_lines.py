@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.report.figures import COLOUR, Look, scaling, velocity_axis
-from mpsolve.sheet.certify import Spectrum
 from mpsolve.stability.family import changed
 from mpsolve.stability.lines import FrequencyLines
 

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
-from mpsolve.sheet.certify import Spectrum
 from mpsolve.sheet.enclose import RootBall
 
 if TYPE_CHECKING:

@@ -10,17 +10,18 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.errors import MpsolveError
 from mpsolve.model.load import GRAVITY, Load, gives_forces, loads_of
 from mpsolve.model.parameters import Case
-from mpsolve.motion.solve import Response, response
+from mpsolve.motion.solution import Response
+from mpsolve.motion.solve import response
 from mpsolve.numbers.exact import Exact
 from mpsolve.progress import Progress, silent
 from mpsolve.report.answer import Source
 from mpsolve.report.page_margins import Margin, least_top, margins, places
 from mpsolve.report.remedies import for_reader
 from mpsolve.report.statement import verdict
-from mpsolve.sheet.certify import Spectrum, certify
 from mpsolve.stability.chart import StabilityChart, case_chart
 from mpsolve.stability.lines import FrequencyLines, frequency_lines
 

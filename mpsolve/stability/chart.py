@@ -11,16 +11,17 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.certificate.format import Certificate
+from mpsolve.display import save_picture
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.files import checked_suffix, write_whole
 from mpsolve.model import specs
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import Case
 from mpsolve.model.specs import Grid
 from mpsolve.numbers.decimals import fixed_digits
 from mpsolve.numbers.exact import Exact
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.progress import Progress
-from mpsolve.report.statement import ASSUMED
 from mpsolve.stability.passages import Passages
 from mpsolve.stability.search import Strip
 from mpsolve.stability.together import Search, together
@@ -126,9 +127,7 @@ class StabilityChart:
         file = Path(path)
         if checked_suffix(file, SUFFIXES) == ".json":
             return write_whole(file, self.to_json())
-        from mpsolve.report.chart import picture
-
-        return picture(self, file)
+        return save_picture(self, file)
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,12 @@ from typing import Any, overload
 
 import flint
 
+from mpsolve.certificate.certify import Status
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, require_cuts_on_line
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
-from mpsolve.sheet.certify import Status
 from mpsolve.stability.gapend import gap_ends
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.rimsearch import edge_zeros

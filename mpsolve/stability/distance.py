@@ -11,6 +11,7 @@ from typing import Any
 import flint
 import numpy as np
 
+from mpsolve.certificate.certify import Status
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
@@ -20,7 +21,6 @@ from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
 from mpsolve.progress import Progress
-from mpsolve.sheet.certify import Status
 from mpsolve.sheet.seek import seek
 from mpsolve.stability.curvature import convex_branch, motion_with_distance
 from mpsolve.stability.family import Family

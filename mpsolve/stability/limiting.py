@@ -6,11 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from mpsolve.certificate.certify import Status
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Number
 from mpsolve.numbers.ranges import checked_range
-from mpsolve.sheet.certify import Status
 from mpsolve.stability.masses import CrossingMasses, below_critical, checked_digits, crossing_masses
 from mpsolve.stability.together import alone
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, overload
 
+from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS, Status
+from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
@@ -14,7 +16,6 @@ from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.progress import Progress
-from mpsolve.sheet.certify import MAX_DIGITS, MIN_DIGITS, Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.passages import Passages, passing
 from mpsolve.stability.search import Strip
@@ -141,8 +142,6 @@ def _undamped(case: Case, digits: int) -> CrossingMasses:
 
 
 def _result(case: Case, found: Passages, digits: int) -> CrossingMasses:
-    from mpsolve.certificate.crossings import crossings_certificate
-
     with ball_arithmetic(int(3.33 * (digits + _GUARD)) + 64):
         crossings = [Crossing(mass_level(zero), zero.x, zero.direction) for zero in found.zeros]
     strips, counts = found.strips, found.counts

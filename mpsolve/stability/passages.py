@@ -14,11 +14,11 @@ from itertools import pairwise
 
 import flint
 
+from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
 from mpsolve.progress import Progress
-from mpsolve.sheet.certify import Spectrum, certify
 from mpsolve.sheet.enclose import Symmetry
 from mpsolve.sheet.far import far_radius
 from mpsolve.stability.family import Family

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from mpsolve.certificate.format import Certificate
+from mpsolve.display import card
 from mpsolve.errors import CertificateError, InputError, PrecisionError
 from mpsolve.files import checked_suffix, write_whole
 from mpsolve.model import specs
@@ -20,8 +21,9 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.packed import PackedBall, pack, unpack
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.progress import Progress
-from mpsolve.report.strips import UNIT, remark
 from mpsolve.stability.masses import crossings_search
+from mpsolve.stability.strips import UNIT, remark
+from mpsolve.stability.table_text import csv_text, json_text, latex_text
 from mpsolve.stability.together import Search, together
 from mpsolve.stability.velocities import Interval, onset_search, velocities_search
 
@@ -120,27 +122,19 @@ class OnsetTable:
 
     def to_csv(self) -> str:
         """A line a row, a column a column, and a last column with the notes of the row."""
-        from mpsolve.report.tables import csv_text
-
         return csv_text(self)
 
     def to_json(self) -> str:
-        """Everything, in the keys that mpsolve/report/tables.py lists."""
-        from mpsolve.report.tables import json_text
-
+        """Everything, in the keys that mpsolve/stability/table_text.py lists."""
         return json_text(self)
 
     def to_latex(self) -> str:
         """A tabular for the package booktabs, with the notes below it."""
-        from mpsolve.report.tables import latex_text
-
         return latex_text(self)
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        from mpsolve.report.html_cards import table_html
-
-        return table_html(self)
+        return card(self)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Writes .csv, .json or .tex, whole or not at all.

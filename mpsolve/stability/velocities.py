@@ -10,6 +10,8 @@ from typing import Any, overload
 
 import flint
 
+from mpsolve.certificate.certify import Status
+from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
@@ -18,7 +20,6 @@ from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
 from mpsolve.progress import Progress
-from mpsolve.sheet.certify import Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
 from mpsolve.stability.masses import checked_digits
@@ -223,8 +224,6 @@ def ranges_search(
     family: Family, low: Exact, high: Exact, digits: int, tell: Progress | None = None
 ) -> Search[UnstableRanges]:
     """`unstable_ranges` as a search, for together.py."""
-    from mpsolve.certificate.crossings import crossings_certificate
-
     try:
         found = yield from passing(family, low, high, digits, tell=tell)
     except PrecisionError as error:

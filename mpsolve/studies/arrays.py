@@ -16,7 +16,7 @@ from mpsolve.errors import InputError
 from mpsolve.model.specs import ONE_MASS
 from mpsolve.studies.blocks import STATUSES, Result
 from mpsolve.studies.design import Value
-from mpsolve.studies.run import stored_results
+from mpsolve.studies.results import stored_results
 from mpsolve.studies.store import Store
 
 _ROWS = 16_384  # cases in memory at a time

@@ -149,8 +149,7 @@ def _certified(spec: Spec, cases: Sequence[dict[str, Value]]) -> list[Result]:
 
 
 def _certify(spec: Spec, values: dict[str, Value]) -> Result:
-    from mpsolve.report.statement import known_count
-    from mpsolve.sheet.certify import certify
+    from mpsolve.certificate.certify import certify, known_count
 
     try:
         found = certify(case_of(values, spec.masses), spec.digits, spec.region)
@@ -165,8 +164,7 @@ def _certify(spec: Spec, values: dict[str, Value]) -> Result:
 
 def _root(root: RootBall, digits: int) -> Root:
     from mpsolve.fields import ball_arithmetic
-    from mpsolve.numbers.decimals import decimal
-    from mpsolve.report.vibration import working_bits
+    from mpsolve.numbers.decimals import decimal, working_bits
 
     with ball_arithmetic(working_bits(digits)):
         re, im = (decimal(part, digits + 2) for part in (root.q.real, root.q.imag))

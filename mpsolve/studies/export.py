@@ -18,10 +18,10 @@ from typing import Any, BinaryIO
 
 from mpsolve.errors import StudyError
 from mpsolve.files import checked_suffix, whole_file
-from mpsolve.report.statement import ASSUMED
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.studies.blocks import ENGINE, Result, Root
 from mpsolve.studies.design import Value
-from mpsolve.studies.run import stored_results
+from mpsolve.studies.results import stored_results
 from mpsolve.studies.store import Store, store_path
 
 FORMAT = "mpsolve study"

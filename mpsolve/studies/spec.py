@@ -13,10 +13,10 @@ from functools import cached_property, lru_cache
 from math import prod
 from typing import Any
 
+from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.errors import InputError
 from mpsolve.model import specs
 from mpsolve.numbers.exact import Exact
-from mpsolve.sheet.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.sheet.region import Rectangle, Region
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
 

@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mpsolve import Case, certify
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.format import Certificate, digest, dyadic
 from mpsolve.certificate.verify import precision, read, root
-from mpsolve.sheet.certify import Spectrum
 
 CASE = Case(alpha="0.9", eta_b="0.05", eta_m="root4(24010000)")
 

@@ -78,7 +78,7 @@ def test_a_shape_vanishes_far_away_and_passes_through_the_contact_points(tmp_pat
     pytest.importorskip("matplotlib")
     from matplotlib.figure import Figure
 
-    from mpsolve.motion.figures import animation, draw_envelope, draw_history, draw_shape
+    from mpsolve.report.figures_motion import animation, draw_envelope, draw_history, draw_shape
 
     found = deflection_shape(DAMPED, None, np.linspace(-12, 13.5, 103), (10, 30))
     contact = response(DAMPED, None, None, (10, 30))

@@ -17,9 +17,9 @@ from mpsolve.errors import CertificateError, InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model import specs
 from mpsolve.numbers.exact import Exact
-from mpsolve.report.tables import _prose
 from mpsolve.stability import table
 from mpsolve.stability.table import Entry, OnsetTable, onset_table
+from mpsolve.stability.table_text import _prose
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ONSET, MASS, RANGES = table.QUANTITIES

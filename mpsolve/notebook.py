@@ -1,33 +1,58 @@
-"""What a notebook shows of a Spectrum, a Response, an OnsetTable: a table, and a figure where it says more."""
+"""What a notebook shows of a Spectrum, a Response, an OnsetTable: a table, and a figure where it says more.
+
+Pictures that results save by themselves are listed here too. Only mpsolve/display.py loads this module.
+"""
 
 from __future__ import annotations
 
+import hashlib
+from collections.abc import Callable
+from functools import singledispatch
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.errors import InputError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.motion.solution import Response
+from mpsolve.numbers.decimals import proved_digits
+from mpsolve.report.chart import picture
 from mpsolve.report.figures import figure_of
+from mpsolve.report.figures_plane import q_plane
+from mpsolve.report.figures_response import displacements
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.html_environment import rendered_template
+from mpsolve.report.statement import proved, verdict
+from mpsolve.report.text import in_words, motion_rows
+from mpsolve.report.vibration import vibrations
+from mpsolve.stability.chart import StabilityChart
+from mpsolve.stability.table import OnsetTable
+from mpsolve.stability.table_text import notes, proved_sentence
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from matplotlib.axes import Axes
-
-    from mpsolve.motion.solve import Response
-    from mpsolve.sheet.certify import Spectrum
-    from mpsolve.stability.table import OnsetTable
 
 _TEMPLATE = "card.html.j2"
 
 
-def spectrum_html(spectrum: Spectrum) -> str:
-    """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
-    from mpsolve.report.figures_plane import q_plane
-    from mpsolve.report.statement import proved, verdict
-    from mpsolve.report.text import in_words, motion_rows
-    from mpsolve.report.vibration import vibrations
+@singledispatch
+def card(result: Any) -> str:
+    """The result in HTML."""
+    raise TypeError(f"a {type(result).__name__} has no card")
 
+
+@singledispatch
+def save_picture(result: Any, path: Path) -> Path:  # noqa: ARG001 (what is registered below needs it)
+    """Writes the picture of the result."""
+    raise TypeError(f"a {type(result).__name__} has no picture")
+
+
+save_picture.register(StabilityChart, picture)
+
+
+@card.register
+def spectrum_card(spectrum: Spectrum) -> str:
+    """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
     motions = vibrations(spectrum)
     rows = [
         (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, "τ"))
@@ -45,10 +70,9 @@ def spectrum_html(spectrum: Spectrum) -> str:
     )
 
 
-def response_html(response: Response) -> str:
+@card.register
+def response_card(response: Response) -> str:
     """Extremes of each contact point and force, and the displacements over time; float64, dimensionless."""
-    from mpsolve.report.figures_response import displacements
-
     values = [(f"displacement at ξ = {place:.6g}", row) for place, row in zip(response.xi, response.w, strict=True)]
     values += [(f"contact force of mass {k}", row) for k, row in enumerate(response.contact_forces, 1)]
     rows = [(name, f"{row.min():.6g}", f"{row.max():.6g}") for name, row in values if row.size]
@@ -73,10 +97,9 @@ def response_html(response: Response) -> str:
     )
 
 
-def table_html(table: OnsetTable) -> str:
+@card.register
+def table_card(table: OnsetTable) -> str:
     """The entries as they stand in the table, and what they mean."""
-    from mpsolve.report.tables import notes, proved_sentence
-
     rows = [
         (label, *(entry.text for entry in row))
         for label, row in zip(table.row_grid.labels, table.entries, strict=True)
@@ -97,9 +120,6 @@ def table_html(table: OnsetTable) -> str:
 
 def _parts(q: Any) -> tuple[str, str]:
     """Re q and Im q in eight digits."""
-    from mpsolve.fields import ball_arithmetic
-    from mpsolve.numbers.decimals import proved_digits
-
     with ball_arithmetic(128):
         real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)
     return ("±" if q.real else "") + real, imag.replace("-", "−")
@@ -107,8 +127,6 @@ def _parts(q: Any) -> tuple[str, str]:
 
 def _mark(case: dict[str, Any]) -> str:
     """A short name of the case, so that two figures of one notebook do not share ids."""
-    import hashlib
-
     return hashlib.sha256(repr(case).encode()).hexdigest()[:8]
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from mpsolve.certificate.format import Certificate, make_certificate
+from mpsolve.display import card
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.progress import Progress, silent
@@ -62,9 +63,7 @@ class Spectrum:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        from mpsolve.report.html_cards import spectrum_html
-
-        return spectrum_html(self)
+        return card(self)
 
 
 def certify(
@@ -153,3 +152,11 @@ def _below(root: RootBall) -> bool | None:
     if root.symmetry is Symmetry.REAL or root.q.imag >= 0:
         return False
     return True if root.q.imag < 0 else None
+
+
+def known_count(spectrum: Spectrum) -> int | None:
+    """The proved number of roots in the region, or None.
+
+    An undecided unstable region has none: its roots may have been counted on the whole sheet.
+    """
+    return None if spectrum.region == "unstable" and not spectrum.proved else spectrum.count

@@ -12,7 +12,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.files import write_whole
 from mpsolve.motion.scale import Scale
-from mpsolve.motion.solve import Response
+from mpsolve.motion.solution import Response
 from mpsolve.report.figures import rendered, require_matplotlib
 
 if TYPE_CHECKING:

@@ -6,12 +6,14 @@ import csv
 import io
 import json
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.specs import label
 from mpsolve.numbers.decimals import decimal
-from mpsolve.report.statement import ASSUMED
-from mpsolve.stability.table import Entry, OnsetTable
+
+if TYPE_CHECKING:
+    from mpsolve.stability.table import Entry, OnsetTable
 
 FORMAT = "mpsolve table"
 VERSION = 1
