@@ -48,18 +48,6 @@ def _over_time(ax: Axes, scale: Scale, where: str) -> Axes:
     return ax
 
 
-def draw_envelope(found: Response, modulus: Any, ax: Axes, index: int = 0) -> Axes:
-    """The unsteady harmonic part at xi[index] between its envelopes (Figures 3–8)."""
-    order = np.argsort(found.tau)
-    tau, bound = found.tau[order], np.asarray(modulus)[order]
-    ax.plot(tau, found.harmonic[index, order], color=_COLOURS["harmonic"], linewidth=1.0)
-    for sign in (1, -1):
-        ax.plot(tau, sign * bound, color="black", linestyle=":", linewidth=0.9)
-    ax.set(xlabel="$τ$", ylabel=f"unsteady harmonic part at $ξ = {found.xi[index]:g}$")
-    ax.invert_yaxis()
-    return ax
-
-
 def draw_shape(found: Response, ax: Axes, time: int = -1) -> Axes:
     """The deflection over ξ at tau[time], with the contact points."""
     order = np.argsort(found.xi)

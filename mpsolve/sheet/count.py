@@ -79,13 +79,13 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
             starts = [resting_start(model)] if from_disc else [0.0] if joined else _gap_points(case)
             for start in starts:
                 try:
-                    sheet = count_sheet(model, start, radius, limit, _meter(tell, radius), checker, at_rest)
+                    total, path = count_sheet(model, start, radius, limit, _meter(tell, radius), checker, at_rest)
                 except EffortError:
                     raise  # more bits, or another start, would take as many pieces again
                 except PrecisionError as error:
                     last = error
                 else:
-                    return Count(sheet.total, "edge", radius, start, (sheet.path,), bits)
+                    return Count(total, "edge", radius, start, (path,), bits)
     raise last or PrecisionError("the gap between the cuts is too narrow to enter: take alpha further from alpha_C")
 
 

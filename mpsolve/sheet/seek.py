@@ -28,23 +28,21 @@ class Candidate:
     step: float
 
 
-def seek(case: Case, radius: float, effort: int = 1, known: tuple[complex, ...] = ()) -> list[Candidate]:
+def seek(case: Case, radius: float, effort: int = 1) -> list[Candidate]:
     """Approximate roots with Re q ≥ 0 and |q − iη_b| < radius, sorted by modulus.
 
-    `effort` (1, 2, …) multiplies the starting points; `known` roots (and their mirror images −q̄) are divided
-    out, so that Newton's method leads elsewhere.
+    `effort` (1, 2, …) multiplies the starting points.
     """
     model = track(case, Float64())
     around = branch_points(case) if case.cuts_on_line else []
     q = _starting_points(radius, around, effort) + 1j * model.eta_b
     if effort > 1 and case.cuts_on_line:
         q = np.concatenate([q, _along_the_cut(model.positions, around[0], effort) + 1j * model.eta_b])
-    poles = np.array([z for k in known for z in (k, -k.conjugate())], dtype=complex)
     step = np.full(q.shape, np.inf)
     active = np.ones(q.shape, dtype=bool)
     with np.errstate(all="ignore"):
         for _ in range(_STEPS):
-            move = _newton_step(model, q[active], poles)
+            move = _newton_step(model, q[active])
             q[active] += move
             step[active] = np.abs(move)
             active &= (step > 1e-14 * np.abs(q)) & (np.abs(q) < 4 * radius) & np.isfinite(q)
@@ -54,12 +52,9 @@ def seek(case: Case, radius: float, effort: int = 1, known: tuple[complex, ...] 
     return _distinct(q[good], step[good])
 
 
-def _newton_step(model: Any, q: Any, poles: Any) -> Any:
+def _newton_step(model: Any, q: Any) -> Any:
     value, slope = characteristic_rate(model, q)
-    quotient = slope / value
-    for pole in poles:
-        quotient = quotient - 1 / (q - pole)
-    move = -1 / quotient
+    move = -value / slope
     size = np.abs(move)
     bound = 0.3 * np.abs(q) + 0.02  # a step of Newton's method far from a root is no more than a direction
     return move * np.minimum(1, bound / np.where(size > 0, size, 1))

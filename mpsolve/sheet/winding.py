@@ -13,7 +13,6 @@ on the cut, and rest.py gives the change of argument round the branch point; for
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import flint
@@ -34,17 +33,6 @@ def _silent(_here: float) -> None:
     """No progress report."""
 
 
-@dataclass(frozen=True)
-class SheetCount:
-    """The proved number of roots on the whole sheet; with joined cuts also below and above the cut line."""
-
-    total: int
-    below: int | None
-    above: int | None
-    rho: float
-    path: Path
-
-
 def count_sheet(
     track: Track,
     start: float,
@@ -53,8 +41,8 @@ def count_sheet(
     meter: Meter = _silent,
     accept: Accept | None = None,
     at_rest: bool = False,
-) -> SheetCount:
-    """Counts every root of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
+) -> tuple[int, Path]:
+    """The proved number of roots of Δ on the physical sheet. `start` is 0 for joined cuts, else a point of the gap.
 
     `at_rest`: one mass with α = 0, or more with α = N = 0 and `start` from `resting_start`. Raises
     `PrecisionError` when the edge cannot be covered.
@@ -68,10 +56,9 @@ def count_sheet(
     pi = track.field.pi
     halves = [1 + (far[k] - turning(path, k, first[k], last[k])) / pi for k in (0, 1)]
     if start == 0:
-        below, above = (unique_integer(half) for half in halves)
-        return SheetCount(below + above, below, above, rho, path)
+        return sum(unique_integer(half) for half in halves), path
     closing = _closing_argument(track, single, rho, first) / pi if at_rest else 0
-    return SheetCount(unique_integer(halves[0] + halves[1] + closing), None, None, rho, path)
+    return unique_integer(halves[0] + halves[1] + closing), path
 
 
 def _closing_argument(track: Track, single: bool, rho: float, first: tuple[Any, Any]) -> Any:

@@ -41,14 +41,6 @@ def test_a_root_next_to_a_branch_point_is_found() -> None:
     assert len(seek(case, 20.0)) == 1
 
 
-def test_known_roots_are_divided_out() -> None:
-    case = Case(alpha="0.67", eta_b="0.05", **PAIR)
-    first, second = (c.q for c in seek(case, 20.0))
-    again = [c.q for c in seek(case, 20.0, known=(first,))]
-    assert all(abs(q - first) > 1e-6 for q in again)
-    assert any(abs(q - second) < 1e-8 for q in again)
-
-
 def test_more_effort_finds_no_fewer() -> None:
     case = Case(alpha="1.4", eta_b=0, eta_m=(40, 40), positions=(0, "4.5"))
     assert len(seek(case, 20.0, effort=2)) >= len(seek(case, 20.0))
