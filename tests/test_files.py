@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from mpsolve import CertificateError
-from mpsolve.files import write_whole
+from mpsolve import CertificateError, InputError
+from mpsolve.files import checked_suffix, write_whole
 
 
 @pytest.mark.parametrize("step", ["fsync", "replace", "chmod", "fdopen"])
@@ -66,3 +66,9 @@ def test_a_device_a_pipe_and_a_link_stay_what_they_are(tmp_path: Path) -> None:
     assert link.is_symlink()
     assert target.read_text() == "new"
     assert sorted(one.name for one in tmp_path.iterdir()) == ["link", "pipe", "target"]
+
+
+def test_a_suffix_is_read_without_case_and_only_from_those_allowed() -> None:
+    assert checked_suffix(Path("a.b.SVG"), (".svg", ".png")) == ".svg"
+    with pytest.raises(InputError, match=r"^output: table\.xls does not end in \.csv, \.tex"):
+        checked_suffix(Path("table.xls"), (".csv", ".tex"))

@@ -1,1 +1,1 @@
-"""Numbers: exact ones, and what they are written as."""
+"""Numbers and their bounds: exact rationals, jets of discs in float64, balls."""

@@ -1,0 +1,105 @@
+"""What every track and vehicle is: a frozen record of exact rationals that describes its own parameters.
+
+The description (unit, meaning, bound, default) stands once, in the annotations of the class: validation, error
+messages, the reader of input files, `mpsolve models` and the documentation all read it there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
+
+import msgspec
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.exact import Exact, Number
+
+Rational: TypeAlias = Any
+"""An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One parameter: its unit, what it means, and the least value that it may have."""
+
+    unit: str
+    meaning: str
+    above: int | None = None
+    at_least: int | None = None
+    optional: bool = False
+
+    def checked(self, value: object, key: str) -> Fraction:
+        """The exact value of `value`; InputError under `key` where it breaks a bound."""
+        number = rational(value, key)
+        if self.above is not None and not number > self.above:
+            raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self._told}")
+        if self.at_least is not None and not number >= self.at_least:
+            raise InputError(key, f"is {shown(number)}, but must not be below {self.at_least}: give the {self._told}")
+        return number
+
+    @property
+    def _told(self) -> str:
+        return f"{self.meaning} in {self.unit}" if self.unit else self.meaning
+
+
+def positive(unit: str, meaning: str) -> Quantity:
+    return Quantity(unit, meaning, above=0)
+
+
+def nonnegative(unit: str, meaning: str) -> Quantity:
+    return Quantity(unit, meaning, at_least=0)
+
+
+def real(unit: str, meaning: str) -> Quantity:
+    return Quantity(unit, meaning)
+
+
+def contact_spring() -> Quantity:
+    """Stiffness of a contact spring; None means a tight contact."""
+    return Quantity("N/m", "stiffness of each contact spring (none: tight contact)", above=0, optional=True)
+
+
+class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Base of tracks and vehicles whose parameters are numbers; each field is Annotated with its Quantity."""
+
+    def __post_init__(self) -> None:
+        for name, quantity in quantities(type(self)).items():
+            value = getattr(self, name)
+            if value is None and quantity.optional:
+                continue
+            msgspec.structs.force_setattr(self, name, quantity.checked(value, name))
+        self.check()
+
+    def check(self) -> None:
+        """Raise InputError where the parameters exclude each other; the base accepts them."""
+
+    @property
+    def parameters(self) -> dict[str, Fraction]:
+        """The numeric parameters by name, in the order of the class; what is absent is left out."""
+        values = {name: getattr(self, name) for name in quantities(type(self))}
+        return {name: value for name, value in values.items() if value is not None}
+
+
+@cache
+def quantities(model: type[Any]) -> dict[str, Quantity]:
+    """The described parameters of a model by name."""
+    out: dict[str, Quantity] = {}
+    for name, hint in get_type_hints(model, include_extras=True).items():
+        if get_origin(hint) is Annotated:
+            out.update({name: note for note in get_args(hint)[1:] if isinstance(note, Quantity)})
+    return out
+
+
+def rational(value: Number | object, key: str) -> Fraction:
+    """The exact rational that `value` stands for; InputError under `key` where it is none."""
+    exact = Exact.parse(value, key)
+    if not exact.is_rational:
+        raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
+    return exact.as_fraction()
+
+
+def shown(number: Fraction) -> str:
+    """A short text of an exact number for messages."""
+    return Exact.parse(number).short()

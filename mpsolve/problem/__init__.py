@@ -1,0 +1,1 @@
+"""A problem: one track, vehicles at their places, one velocity; and its form for computation."""

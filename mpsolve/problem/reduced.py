@@ -1,0 +1,150 @@
+"""A problem in the form that is computed with: scaled by exact powers of two, unfelt and neutral modes taken out.
+
+P = P̂/L and σ = σ̂/T with L, T powers of two, so that the coefficients of D̂ and N̂ are near 1. G = g Ĝ, and the
+vehicle is scaled by g and body by body. Only nonzero constants and the named factors divide Δ.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import log2
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.problem.problem import Problem
+from mpsolve.tracks.waveguide import Polynomial, mapped, moving, scaled
+from mpsolve.vehicles.felt import Parts, split_felt
+from mpsolve.vehicles.vehicle import Rows
+
+
+@dataclass(frozen=True)
+class Guide:
+    """The track at a velocity in scaled units: D̂ and N̂ at rest (in P, s) and moving (in P, σ)."""
+
+    length: int
+    time: int
+    D_rest: Polynomial
+    N_rest: Polynomial
+    D: Polynomial
+    N: Polynomial
+    v: Fraction
+    g: Fraction
+
+    @property
+    def degree(self) -> int:
+        """The number of p-roots."""
+        return max(i for i, _ in self.D)
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """A scaled problem: Δ̂ = det [[S, −B], [Bᵀ, Ĝ + diag ĥ]], S = S₀ + S₁σ̂ + S₂σ̂², rows of neutral modes divided by σ̂.
+
+    places: the different places of contacts, ascending (scaled); index: for each contact the number of its place.
+    S: three matrices of scaled exact numbers; B, h as scaled; scales: powers of two of the coordinates.
+    """
+
+    problem: Problem
+    guide: Guide
+    places: tuple[Fraction, ...]
+    index: tuple[int, ...]
+    S: tuple[Rows, Rows, Rows]
+    B: Rows
+    h: tuple[Fraction, ...]
+    parts: Parts
+    scales: tuple[int, ...]
+
+    @property
+    def bodies(self) -> int:
+        return len(self.B)
+
+    @property
+    def contacts(self) -> int:
+        return len(self.index)
+
+    @property
+    def neutral(self) -> int:
+        """How many factors σ have been divided out."""
+        return self.parts.neutral
+
+    @property
+    def frequency_unit(self) -> Fraction:
+        """q = q̂ · frequency_unit."""
+        return Fraction(2) ** -self.guide.time
+
+    @property
+    def smallest_gap(self) -> Fraction | None:
+        """Of the scaled places; None for one place."""
+        gaps = [b - a for a, b in zip(self.places, self.places[1:], strict=False)]
+        return min(gaps) if gaps else None
+
+
+@lru_cache(maxsize=64)
+def reduce_problem(problem: Problem) -> Reduced:
+    """The scaled problem; InputError where a premise fails (an odd dispersion, a velocity at a wave speed)."""
+    guide = scale_guide(problem)
+    pencil = problem.pencil
+    unit = Fraction(2) ** guide.length
+    scaled_places = [place / unit for place in pencil.places]
+    places = sorted(set(scaled_places))
+    parts = split_felt(pencil)
+    rate = Fraction(2) ** -guide.time
+    S = [_times(rows, guide.g * rate**k) for k, rows in enumerate((parts.K, parts.C, parts.M))]
+    scales = _scales(S)
+    S = [_conjugate(rows, scales) for rows in S]
+    B = tuple(tuple(x * Fraction(2) ** scales[i] for x in row) for i, row in enumerate(parts.B))
+    neutral = range(len(B) - parts.neutral, len(B))
+    shift = lambda k: tuple(  # noqa: E731 — row i of S for neutral i is divided by σ
+        S[k + 1][i] if i in neutral and k < 2 else ((Fraction(0),) * len(S[k]) if i in neutral else S[k][i])
+        for i in range(len(S[k]))
+    )
+    h = tuple(x / guide.g for x in pencil.h)
+    index = tuple(places.index(place) for place in scaled_places)
+    return Reduced(problem, guide, tuple(places), index, (shift(0), shift(1), shift(2)), B, h, parts, scales)
+
+
+def scale_guide(problem: Problem) -> Guide:
+    """Powers of two for length and time that bring the coefficients of D nearest to one size."""
+    waveguide = problem.track.waveguide
+    D, N = waveguide.dispersion, waveguide.numerator
+    for name, polynomial in (("D", D), ("N", N)):
+        if any(i % 2 for i, _ in polynomial):
+            raise InputError("track", f"has odd powers of p in {name}, so it is not reciprocal: only such tracks are known here")
+    keys = list(D)
+    rows = np.array([[1.0, i, j] for i, j in keys])
+    logs = np.array([log2(abs(c.numerator)) - log2(c.denominator) for c in D.values()])
+    fit = np.linalg.lstsq(rows, logs, rcond=None)[0]
+    length, time = round(float(fit[1])), round(float(fit[2]))
+    unit_P, unit_s = Fraction(2) ** -length, Fraction(2) ** -time
+    rescale = lambda i, j, c: c * unit_P**i * unit_s**j  # noqa: E731
+    D, N = mapped(D, rescale), mapped(N, rescale)
+    e, f = (round(log2(float(max(map(abs, a.values()))))) for a in (D, N))
+    D, N = scaled(D, Fraction(2) ** -e), scaled(N, Fraction(2) ** -f)
+    v = problem.v * unit_P / unit_s
+    g = Fraction(2) ** (f - e - length)
+    moved = moving(D, v)
+    top = max(i for i, _ in moved)
+    return Guide(length, time, D, N, moved, moving(N, v), v, g) if top else _refuse()
+
+
+def _refuse() -> Guide:
+    raise InputError("track", "has no dispersion in p: give a track that carries waves")
+
+
+def _times(rows: Rows, factor: Fraction) -> Rows:
+    return tuple(tuple(x * factor for x in row) for row in rows)
+
+
+def _conjugate(rows: Rows, scales: tuple[int, ...]) -> Rows:
+    return tuple(
+        tuple(x * Fraction(2) ** (scales[i] + scales[j]) for j, x in enumerate(row)) for i, row in enumerate(rows)
+    )
+
+
+def _scales(S: list[Rows]) -> tuple[int, ...]:
+    """Powers of two that bring the diagonal of S near 1."""
+    sizes = [float(sum(abs(rows[i][i]) for rows in S)) for i in range(len(S[0]))]
+    return tuple(-round(log2(size) / 2) if size else 0 for size in sizes)

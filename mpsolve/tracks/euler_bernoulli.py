@@ -1,0 +1,29 @@
+"""An Euler–Bernoulli beam on a viscoelastic Pasternak foundation: the paper's rail, with damping of the rail."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Annotated, Any, ClassVar
+
+from mpsolve.numbers.model import Rational, nonnegative, positive, real
+from mpsolve.tracks.waveguide import Track
+
+
+class EulerBernoulli(Track, frozen=True):
+    """EI (1 + η ∂t) w⁗ + (N − kp) w″ + m ẅ + c ẇ + k w = load, eq. (1) with a Kelvin–Voigt rail."""
+
+    name: ClassVar[str] = "euler-bernoulli"
+    drawing: ClassVar[str] = "   ══════●════════════   rail EI, m, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+
+    EI: Annotated[Rational, positive("N m²", "bending stiffness of the rail")]
+    m: Annotated[Rational, positive("kg/m", "mass of the rail")]
+    k: Annotated[Rational, nonnegative("N/m²", "stiffness of the foundation")] = Fraction(0)
+    c: Annotated[Rational, nonnegative("N s/m²", "damping of the foundation")] = Fraction(0)
+    kp: Annotated[Rational, nonnegative("N", "Pasternak shear modulus of the foundation")] = Fraction(0)
+    N: Annotated[Rational, real("N", "axial force in the rail, compression positive")] = Fraction(0)
+    eta: Annotated[Rational, nonnegative("s", "Kelvin–Voigt damping of the rail, on EI")] = Fraction(0)
+
+    @staticmethod
+    def equations(x: Any) -> list[list[Any]]:
+        rail = x.EI * (1 + x.eta * x.s) * x.P**4 + (x.N - x.kp) * x.P**2 + x.m * x.s**2
+        return [[rail + x.c * x.s + x.k]]

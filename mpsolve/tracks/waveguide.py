@@ -1,0 +1,139 @@
+"""What a track is: exact equations of motion in P = ∂/∂x and s = ∂/∂t at rest.
+
+With x ahead in the moving frame, everything varies as e^{Px + σt}, where P = ip, σ = iq, and a material point of
+the track sees s = σ − vP (= iΩ, Ω = q − vp). A track is a square matrix A(P, s) of polynomials with real
+coefficients, and the number of the row that carries the contacts: A u = e λ, displacement of the rail u₀ = (N/D) λ
+with D = det A and N the cofactor of that row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from mpsolve.numbers.model import Model
+
+Polynomial = dict[tuple[int, int], Fraction]
+"""Σ c P^i s^j as {(i, j): c} with c ≠ 0."""
+Matrix = tuple[tuple[Polynomial, ...], ...]
+
+
+class Track(Model, frozen=True):
+    """Base of the tracks: what a new track must say is its parameters and `equations`."""
+
+    drawing: ClassVar[str] = ""
+    name: ClassVar[str] = ""
+    loaded: ClassVar[int] = 0
+
+    @staticmethod
+    def equations(x: Any) -> list[list[Any]]:
+        """The matrix A(P, s), written over `x.P`, `x.s` and the parameters; any ring will do."""
+        raise TypeError("a track defines its equations")
+
+    @property
+    def waveguide(self) -> Waveguide:
+        """The equations with these parameters, as exact data."""
+        names = tuple(self.parameters)
+        context = fmpq_mpoly_ctx.get(("P", "s", *names), "lex")
+        variables = dict(zip(("P", "s", *names), context.gens(), strict=True))
+        rows = self.equations(_Names(variables, context))
+        values = {name: fmpq(value.numerator, value.denominator) for name, value in self.parameters.items()}
+        matrix = tuple(tuple(_exact(context.constant(0) + entry, values) for entry in row) for row in rows)
+        return Waveguide(matrix, self.loaded)
+
+
+class _Names:
+    """The symbols of the equations as attributes."""
+
+    def __init__(self, variables: dict[str, Any], context: Any) -> None:
+        vars(self).update(variables)
+        self._context = context
+
+
+def _exact(entry: fmpq_mpoly, values: dict[str, fmpq]) -> Polynomial:
+    """The polynomial in P and s that is left when the parameters have their values."""
+    powers = list(values.values())
+    out: Polynomial = {}
+    for monomial, coefficient in entry.to_dict().items():
+        for value, power in zip(powers, monomial[2:], strict=True):
+            coefficient = coefficient * value ** int(power)
+        key = (int(monomial[0]), int(monomial[1]))
+        out[key] = out.get(key, Fraction(0)) + Fraction(int(coefficient.p), int(coefficient.q))
+    return {key: value for key, value in out.items() if value}
+
+
+@dataclass(frozen=True)
+class Waveguide:
+    """The equations of a track as data: `matrix` of polynomials in P and s, and the row that carries the contacts."""
+
+    matrix: Matrix
+    loaded: int = 0
+
+    @property
+    def dispersion(self) -> Polynomial:
+        """D(P, s) = det A."""
+        return determinant(self.matrix)
+
+    @property
+    def numerator(self) -> Polynomial:
+        """N(P, s): the cofactor of the loaded row."""
+        kept = [k for k in range(len(self.matrix)) if k != self.loaded]
+        return determinant(tuple(tuple(self.matrix[i][j] for j in kept) for i in kept))
+
+    @property
+    def waveguide(self) -> Waveguide:
+        """Itself, so that a problem takes a track or its bare equations alike."""
+        return self
+
+
+def add(*terms: Polynomial) -> Polynomial:
+    out: Polynomial = {}
+    for term in terms:
+        for key, value in term.items():
+            out[key] = out.get(key, Fraction(0)) + value
+    return {key: value for key, value in out.items() if value}
+
+
+def multiply(a: Polynomial, b: Polynomial) -> Polynomial:
+    out: Polynomial = {}
+    for (i, j), x in a.items():
+        for (k, m), y in b.items():
+            out[i + k, j + m] = out.get((i + k, j + m), Fraction(0)) + x * y
+    return {key: value for key, value in out.items() if value}
+
+
+def scaled(a: Polynomial, factor: Fraction) -> Polynomial:
+    return {key: value * factor for key, value in a.items()} if factor else {}
+
+
+def mapped(a: Polynomial, change: Callable[[int, int, Fraction], Fraction]) -> Polynomial:
+    """Each coefficient c of P^i s^j replaced by change(i, j, c)."""
+    out = {(i, j): change(i, j, value) for (i, j), value in a.items()}
+    return {key: value for key, value in out.items() if value}
+
+
+def determinant(matrix: Matrix) -> Polynomial:
+    """By expansion along the first row: tracks have few fields."""
+    if not matrix:
+        return {(0, 0): Fraction(1)}
+    terms = []
+    for j, entry in enumerate(matrix[0]):
+        if entry:
+            minor = tuple(tuple(row[k] for k in range(len(row)) if k != j) for row in matrix[1:])
+            terms.append(scaled(multiply(entry, determinant(minor)), Fraction(-1) ** j))
+    return add(*terms)
+
+
+def moving(a: Polynomial, velocity: Fraction) -> Polynomial:
+    """The polynomial in P and σ that is left when s = σ − vP."""
+    out: Polynomial = {}
+    for (i, j), value in a.items():
+        term: Polynomial = {(i, 0): value}
+        for _ in range(j):
+            term = multiply(term, {(0, 1): Fraction(1), (1, 0): -velocity})
+        out = add(out, term)
+    return out

@@ -1,0 +1,156 @@
+"""Which motions of a vehicle its contacts feel: exact linear algebra that takes the others out.
+
+In the inner product of H = M + C + K the space splits into the least one that holds B and is kept by M, C, K, and
+its complement, whose motions no contact feels. Among the felt coordinates those with K x = 0 and Bᵀx = 0 are neutral:
+their row of [S, −B] has the factor σ, which is divided out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from mpsolve.vehicles.vehicle import Pencil, Rows
+
+Vector = list[Fraction]
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Felt part (neutral coordinates last) and unfelt part of a pencil, in the coordinates of `basis` (columns).
+
+    basis is None where nothing had to change. unfelt: the (M, C, K) that are left over.
+    """
+
+    M: Rows
+    C: Rows
+    K: Rows
+    B: Rows
+    neutral: int
+    basis: Rows | None
+    unfelt: tuple[Rows, Rows, Rows] | None
+
+
+def split_felt(pencil: Pencil) -> Parts:
+    """The felt and the unfelt part of a vehicle."""
+    M, C, K, B = ([list(row) for row in rows] for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
+    n = len(M)
+    if _definite_at_rest(pencil):
+        return Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
+    H = [[M[i][j] + C[i][j] + K[i][j] for j in range(n)] for i in range(n)]
+    felt = _closure(H, (M, C, K), [[row[j] for row in B] for j in range(len(pencil.places))])
+    neutral = _kernel([*K, *[[row[j] for row in B] for j in range(len(pencil.places))]], n)
+    neutral = _project(neutral, felt, H)
+    if len(felt) == n and not neutral:
+        return Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
+    kept = _complete(neutral, felt)
+    unfelt = _kernel([_times(H, vector) for vector in felt], n)
+    columns = [*kept, *neutral, *unfelt]
+    basis = tuple(tuple(column[i] for column in columns) for i in range(n))
+    size = len(kept) + len(neutral)
+    parts = [_congruent(rows, columns) for rows in (M, C, K)]
+    head = [tuple(tuple(row[:size]) for row in rows[:size]) for rows in parts]
+    tail = [tuple(tuple(row[size:]) for row in rows[size:]) for rows in parts]
+    new_B = tuple(tuple(_dot(column, [row[j] for row in B]) for j in range(len(pencil.places))) for column in columns[:size])
+    rest = (tail[0], tail[1], tail[2]) if unfelt else None
+    return Parts(head[0], head[1], head[2], new_B, len(neutral), basis, rest)
+
+
+def _definite_at_rest(pencil: Pencil) -> bool:
+    """Every coordinate is in direct contact by a column of its own: nothing can be unfelt or neutral."""
+    columns = [[row[j] for row in pencil.B] for j in range(pencil.contacts)]
+    touched = {column.index(x) for column in columns for x in column if x and sum(map(bool, column)) == 1}
+    return len(touched) == pencil.size
+
+
+def _closure(H: list[Vector], maps: tuple[list[Vector], ...], start: list[Vector]) -> list[Vector]:
+    """A basis of the least space that holds H⁻¹ start and is kept by H⁻¹M, H⁻¹C, H⁻¹K."""
+    basis: list[Vector] = []
+    echelon: list[Vector] = []
+    queue = [_solve(H, vector) for vector in start]
+    while queue:
+        vector = queue.pop(0)
+        if _independent(vector, echelon):
+            basis.append(vector)
+            queue += [_solve(H, _times(rows, vector)) for rows in maps]
+    return basis
+
+
+def _independent(vector: Vector, echelon: list[Vector]) -> bool:
+    """Add `vector` to the echelon form if it is new."""
+    rest = list(vector)
+    for row in echelon:
+        lead = next(i for i, x in enumerate(row) if x)
+        if rest[lead]:
+            factor = rest[lead] / row[lead]
+            rest = [a - factor * b for a, b in zip(rest, row, strict=True)]
+    if any(rest):
+        echelon.append(rest)
+        echelon.sort(key=lambda row: next(i for i, x in enumerate(row) if x))
+        return True
+    return False
+
+
+def _project(vectors: list[Vector], felt: list[Vector], H: list[Vector]) -> list[Vector]:
+    """A basis of the H-orthogonal projections of `vectors` on the felt space."""
+    gram = [[_dot(a, _times(H, b)) for b in felt] for a in felt]
+    out: list[Vector] = []
+    echelon: list[Vector] = []
+    for vector in vectors:
+        weights = _solve(gram, [_dot(a, _times(H, vector)) for a in felt])
+        image = [sum((w * a[i] for w, a in zip(weights, felt, strict=True)), Fraction(0)) for i in range(len(vector))]
+        if _independent(image, echelon):
+            out.append(image)
+    return out
+
+
+def _complete(first: list[Vector], space: list[Vector]) -> list[Vector]:
+    """Vectors of `space` that, with `first`, are a basis of it."""
+    echelon: list[Vector] = []
+    for vector in first:
+        _independent(vector, echelon)
+    return [vector for vector in space if _independent(vector, echelon)]
+
+
+def _kernel(rows: list[Vector], n: int) -> list[Vector]:
+    """A basis of the common kernel of the rows."""
+    echelon: list[Vector] = []
+    for row in rows:
+        _independent(row, echelon)
+    leads = [next(i for i, x in enumerate(row) if x) for row in echelon]
+    out = []
+    for free in (i for i in range(n) if i not in leads):
+        vector = [Fraction(0)] * n
+        vector[free] = Fraction(1)
+        for row, lead in sorted(zip(echelon, leads, strict=True), key=lambda pair: -pair[1]):
+            rest = sum((row[i] * vector[i] for i in range(lead + 1, n)), Fraction(0))
+            vector[lead] = -rest / row[lead]
+        out.append(vector)
+    return out
+
+
+def _solve(rows: list[Vector], right: Vector) -> Vector:
+    """The solution of a regular system."""
+    a = [[*row, x] for row, x in zip(rows, right, strict=True)]
+    n = len(a)
+    for k in range(n):
+        pivot = next(i for i in range(k, n) if a[i][k])
+        a[k], a[pivot] = a[pivot], a[k]
+        for i in range(n):
+            if i != k and a[i][k]:
+                factor = a[i][k] / a[k][k]
+                a[i] = [x - factor * y for x, y in zip(a[i], a[k], strict=True)]
+    return [a[k][n] / a[k][k] for k in range(n)]
+
+
+def _times(rows: list[Vector], vector: Vector) -> Vector:
+    return [_dot(row, vector) for row in rows]
+
+
+def _dot(a: Vector, b: Vector) -> Fraction:
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
+
+
+def _congruent(rows: list[Vector], columns: list[Vector]) -> list[Vector]:
+    images = [_times(rows, column) for column in columns]
+    return [[_dot(a, image) for image in images] for a in columns]
