@@ -17,8 +17,8 @@ import mpmath
 import numpy as np
 
 from mpsolve.errors import PrecisionError
-from mpsolve.model.exact import Exact
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.exact import Exact
 
 Waves = tuple[Any, Any, Any]
 

@@ -1,1 +1,1 @@
-"""The characteristic function of a problem: p-roots split in two factors, receptances, the bordered determinant."""
+"""The characteristic function of a problem: p-roots and their splitting, receptances, the determinant."""

@@ -8,7 +8,8 @@ from typing import Any
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, precision, square
-from mpsolve.proof.pellet import Taylor, pellet, taylor
+from mpsolve.numbers.taylor import Taylor, taylor
+from mpsolve.proof.pellet import pellet
 from mpsolve.spectrum.enclose import RootBall, Symmetry, in_units, isolate, on_grid, radius_of, refine
 
 MOST = 6

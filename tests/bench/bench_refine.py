@@ -12,7 +12,7 @@ from mpsolve import Case
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.spectrum import beam_roots
+from mpsolve.sheet import enclose
 
 GOAL = 4
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
@@ -22,15 +22,15 @@ REPEATS = {100: 25, 1000: 15, 10_000: 5}
 
 
 def compare(digits: int) -> None:
-    box, repeats = beam_roots.isolate(CASE, SEED, START_BITS), REPEATS[digits]
+    box, repeats = enclose.isolate(CASE, SEED, START_BITS), REPEATS[digits]
     bits = math.ceil(digits * math.log2(10))
     values, slopes = Counted(characteristic), Counted(characteristic_rate)
     with (
-        mock.patch.object(beam_roots, "characteristic", values),
-        mock.patch.object(beam_roots, "characteristic_rate", slopes),
+        mock.patch.object(enclose, "characteristic", values),
+        mock.patch.object(enclose, "characteristic_rate", slopes),
     ):
-        ball = beam_roots.refine(CASE, box, digits)
-    sharpening = median(lambda: beam_roots.refine(CASE, box, digits), repeats)
+        ball = enclose.refine(CASE, box, digits)
+    sharpening = median(lambda: enclose.refine(CASE, box, digits), repeats)
     with ball_arithmetic(bits) as field:
         model, middle = track(CASE, field), ball.q.mid()
         once = median(lambda: characteristic_rate(model, middle), repeats)

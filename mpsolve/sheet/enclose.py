@@ -1,0 +1,193 @@
+"""Enclosures: a box proved to hold exactly one root of Δ, sharpened to any number of digits.
+
+Existence and uniqueness come from interval Newton with interior containment: if m − Δ(m)/Δ_q(X) lies in the
+interior of X, then X holds exactly one root. Precision doubles up to what is asked, and each step needs only
+the value of Δ at the new precision: its slope comes from the step before.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+import flint
+
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.model.branch import track
+from mpsolve.model.characteristic import characteristic, characteristic_rate
+from mpsolve.model.parameters import Case
+
+acb, arb = flint.acb, flint.arb
+
+BASE_BITS = 80
+_GUARD = 24
+
+
+class Symmetry(Enum):
+    """Where a root lies as a consequence of its box being symmetric and holding one root."""
+
+    NONE = "none"
+    IMAGINARY = "imaginary"  # Re q = 0, from the symmetry q → −q̄
+    REAL = "real"  # Im q = 0, from the symmetry q → q̄ of the undamped gap
+
+
+@dataclass(frozen=True)
+class RootBall:
+    """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
+
+    A single root is isolated by interval Newton, a cluster (multiplicity > 1) by Pellet's test. The midpoint
+    is a pair of integers times 2^exponent, and the radius of each coordinate RADIUS·2^exponent (0 for one that
+    vanishes by symmetry), so that a changed digit is a ball without the root. A cluster's radius is larger by
+    2^CLUSTER.
+    """
+
+    q: Any
+    exponent: int
+    multiplicity: int = 1
+    symmetry: Symmetry = Symmetry.NONE
+
+    @property
+    def mirrored(self) -> RootBall:
+        """The ball of −q̄, exactly."""
+        with ball_arithmetic(2 * self.q.bits() + 64):
+            return RootBall(-self.q.conjugate(), self.exponent, self.multiplicity, self.symmetry)
+
+
+RADIUS = (29, -6)  # 29/64 as mantissa and exponent
+CLUSTER = 10  # the grid of a cluster is finer by this many bits than its radius
+
+
+def radius_of(exponent: int, multiplicity: int) -> Any:
+    """The radius of each coordinate of a root ball, exact."""
+    return arb((RADIUS[0], RADIUS[1] + exponent + (CLUSTER if multiplicity > 1 else 0)))
+
+
+_INNER = 0.4  # how far from its grid point, in units, a coordinate of the root may lie
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box proved to hold one root; the root's sharper image in it, with the ball of Δ_q over the image."""
+
+    q: Any
+    image: Any
+    slope: Any
+    symmetry: Symmetry
+
+
+def isolate(case: Case, seed: Any, bits: int = BASE_BITS) -> Box:
+    """A box around the root that Newton's method reaches from `seed` (complex or flint.acb), proved.
+
+    Raises `PrecisionError` if no box is proved to hold exactly one root.
+    """
+    with ball_arithmetic(bits) as field:
+        model = track(case, field)
+        middle = _polish(model, acb(seed), bits)
+        options = [Symmetry.NONE]
+        near_axis = 2.0**-30 * float(middle.abs_upper())
+        if abs(float(middle.real.mid())) < near_axis:
+            options.insert(0, Symmetry.IMAGINARY)
+        if not case.eta_b and abs(float(middle.imag.mid())) < near_axis:
+            options.insert(0, Symmetry.REAL)
+        for symmetry in options:
+            start = onto_axis(middle, symmetry).mid()
+            for shrink in range(16, bits - 12, 8):
+                box = _prove(model, start, start.abs_upper() * arb(2) ** -shrink, symmetry)
+                if box is not None:
+                    return box
+        raise PrecisionError(f"no box around {complex(acb(seed).mid()):.6g} is proved to hold exactly one root")
+
+
+def _polish(model: Any, q: Any, bits: int) -> Any:
+    """A few Newton steps on midpoints."""
+    for _ in range(3):
+        value, slope = characteristic_rate(model, q)
+        step = value.mid() / slope.mid()
+        if not step.is_finite():
+            raise PrecisionError("Newton's method met a stationary point of the characteristic function")
+        q = (q - step).mid()
+        if step.abs_upper() < q.abs_lower() * arb(2) ** (8 - bits):
+            break
+    return q
+
+
+def onto_axis(q: Any, symmetry: Symmetry) -> Any:
+    """q with the coordinate that the symmetry proves to vanish set to 0."""
+    if symmetry is Symmetry.REAL:
+        return acb(q.real, 0)
+    if symmetry is Symmetry.IMAGINARY:
+        return acb(0, q.imag)
+    return q
+
+
+def _prove(model: Any, middle: Any, radius: Any, symmetry: Symmetry) -> Box | None:
+    reach = arb(0, radius.upper())
+    box = acb(middle.real + reach, middle.imag + reach)
+    try:
+        slope = characteristic_rate(model, box)[1]
+        image = middle - characteristic(model, middle) / slope
+    except PrecisionError:
+        return None
+    if not (image.is_finite() and box.contains_interior(image)):
+        return None
+    image = onto_axis(image, symmetry)
+    return Box(box, image, characteristic_rate(model, image)[1], symmetry)
+
+
+def refine(case: Case, box: Box, digits: int) -> RootBall:
+    """The root of `box` in a ball of relative radius below 10^−digits that lies within `box`.
+
+    Costs about one evaluation of Δ at the last precision and half of that again below it.
+    """
+    goal = math.ceil(digits * math.log2(10)) + 1
+    image, slope = box.image, box.slope
+    for bits in _ladder(goal + _GUARD):
+        with ball_arithmetic(bits + 10) as field:
+            model = track(case, field)
+            middle = onto_axis(image, box.symmetry).mid()
+            image = middle - characteristic(model, middle) / slope
+        if bits < goal + _GUARD:
+            with ball_arithmetic(max(BASE_BITS, bits)) as field:
+                slope = characteristic_rate(track(case, field), onto_axis(image, box.symmetry))[1]
+    with ball_arithmetic(goal + _GUARD + 10):
+        image = onto_axis(image, box.symmetry)
+        ball = on_grid(image, goal, 1, box.symmetry)
+        if not (box.q.contains(ball.q) and ball.q.contains(image)):
+            raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
+    return ball
+
+
+def _ladder(last: int) -> list[int]:
+    """Precisions that end at `last` and roughly double, from the image of a box, whose last bits are rounding."""
+    steps = [last]
+    while steps[0] > 2 * (BASE_BITS - 16):
+        steps.insert(0, steps[0] // 2 + 16)
+    return steps
+
+
+def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:
+    """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image."""
+    size = float(image.abs_lower())
+    first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
+    first -= CLUSTER if multiplicity > 1 else 0
+    for exponent in range(first, first - 22, -1):  # two coordinates near grid points: 64 % of all tries
+        grid = [x * arb((1, -exponent)) for x in (image.real, image.imag)]
+        near = [(x.mid() + arb(0.5)).floor() for x in grid]
+        if all(abs(x - n) < _INNER for x, n in zip(grid, near, strict=True)):
+            radius = arb(0, radius_of(exponent, multiplicity))
+            real, imag = (n * arb((1, exponent)) for n in near)
+            if symmetry is not Symmetry.IMAGINARY:
+                real += radius
+            if symmetry is not Symmetry.REAL:
+                imag += radius
+            return RootBall(acb(real, imag), exponent, multiplicity, symmetry)
+    raise PrecisionError(f"the ball near {image.str(6)} is too wide for its grid: raise the precision")
+
+
+def _exponent(image: Any) -> int:
+    """The binary exponent of |image| where float64 underflows."""
+    mantissa, exponent = image.abs_lower().man_exp()
+    return int(exponent) + int(mantissa).bit_length()
