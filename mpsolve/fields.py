@@ -453,12 +453,9 @@ def simple_root(coefficients: Sequence[Any], seed: Any, bits: int) -> Any:
     y, reached = number(seed), 40
     while reached < bits:
         reached = min(2 * reached, bits)
-        flint.ctx.prec = max(reached, 64) if reached < bits else bits
-        try:
+        with precision(max(reached, 64) if reached < bits else bits):
             value, slope = _horner(mids, y)
             y = (y - value / slope).mid()
-        finally:
-            flint.ctx.prec = bits
         if not y.is_finite():
             raise PrecisionError("Newton's method for a p-root sum left the finite plane: split the piece")
     value, slope = _horner(coefficients, y)

@@ -63,7 +63,7 @@ def by_companions(
         return two_sided(K, split.upper, split.lower, N, xi), []
     dU, dL, dN = _slopes(K, symbols, split, sigma, N)
     U, L = Dual([like + c for c in split.upper], dU), Dual([like + c for c in split.lower], dL)
-    out = {}
+    out: dict[Any, tuple[Any, Any]] = {}
     for one, other, sign in ((U, L, 1), (L, U, -1)):
         side = [x for x in xi if (x >= 0) is (sign > 0)]
         found = dual_residues(K, one, other, Dual(N, dN), [K.number(x) for x in side], like)
