@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -93,9 +94,9 @@ def test_an_upper_root_meets_a_lower_one() -> None:
         assert abs(product / (R * delta) - 1) < mp.mpf(10) ** -40
         values.append(product)
         factors.append(abs(R))
-    assert all(0.5e-2 < b / a < 2e-2 for a, b in zip(factors, factors[1:], strict=False))
-    steps = [abs(b - a) for a, b in zip(values, values[1:], strict=False)]
-    assert all(0.5e-2 < b / a < 2e-2 for a, b in zip(steps, steps[1:], strict=False))
+    assert all(0.5e-2 < b / a < 2e-2 for a, b in pairwise(factors))
+    steps = [abs(b - a) for a, b in pairwise(values)]
+    assert all(0.5e-2 < b / a < 2e-2 for a, b in pairwise(steps))
     assert abs(values[-1]) > 1e3 * steps[-1]
 
 

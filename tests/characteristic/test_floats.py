@@ -97,9 +97,7 @@ def test_undamped_waves_run_away_from_the_force() -> None:
 
 def problem(kind: str) -> Problem:
     if kind == "bogie":
-        bogie = Bogie(
-            wheel=1813, frame=2615, inertia=1476, wheelbase="2.5", k="2.4e6", c="3e4", k_contact="1.5e9"
-        )
+        bogie = Bogie(wheel=1813, frame=2615, inertia=1476, wheelbase="2.5", k="2.4e6", c="3e4", k_contact="1.5e9")
         return Problem(TRACKS["two-layer"], [bogie.at(1)], 600)
     beam = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
     return Problem(beam, [Mass(70).at(0), Mass(70).at("1.5"), Mass(3).at(4)], "0.8")
@@ -147,7 +145,9 @@ def test_the_slope_at_an_exactly_singular_matrix() -> None:
 
     A = np.array([[[2.0, 3, 1], [4, 6, 5], [1, 1.5, 7]], [[1, 0, 0], [0, 2, 0], [0, 0, 0]]], complex)
     minors = [[np.delete(np.delete(a, i, 0), j, 1) for i in range(3)] for a in A for j in range(3)]
-    truth = np.array([[(-1) ** (i + j) * np.linalg.det(m) for i, m in enumerate(row)] for j, row in enumerate(minors)])
+    truth = np.array(
+        [[(-1) ** (i + j) * np.linalg.det(m) for i, m in enumerate(row)] for j, row in enumerate(minors)]
+    )
     assert np.allclose(np.abs(_adjugate(A)), np.abs(truth.reshape(2, 3, 3)), atol=1e-12)
     assert np.allclose(_adjugate(A)[1], np.diag([0, 0, 2.0]), atol=1e-12)
 

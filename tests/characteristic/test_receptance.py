@@ -22,7 +22,10 @@ A, B, F = [-1 + 2j, -0.5 - 1j, -0.3 + 0j], [2 + 0j, 1 - 1j], [1 + 0j, 0.5, 2j]
 
 def simple(xi: float) -> complex:
     return sum(
-        np.exp(z * xi) * (F[0] + F[1] * z + F[2] * z * z) / np.prod([z - x for x in A if x != z]) / np.prod(z - np.array(B))
+        np.exp(z * xi)
+        * (F[0] + F[1] * z + F[2] * z * z)
+        / np.prod([z - x for x in A if x != z])
+        / np.prod(z - np.array(B))
         for z in A
     )
 
