@@ -47,7 +47,7 @@ def random_track(size: int, seed: int) -> Waveguide:
 
 
 class Residues:
-    """Ĝ of a scaled moving track from its p-roots, at `digits` digits; which are upper is told by the sign of Re P."""
+    """Ĝ of a scaled moving track from its p-roots, at `digits` digits; upper ones are told by the sign of Re P."""
 
     def __init__(self, guide: Guide, digits: int) -> None:
         self.mp = mpmath.MPContext()
