@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Annotated, Any, ClassVar
 
 from mpsolve.numbers.model import Rational, nonnegative, positive, real
+from mpsolve.tracks.rail import layer, rail
 from mpsolve.tracks.waveguide import Track
 
 
@@ -25,5 +26,4 @@ class EulerBernoulli(Track, frozen=True):
 
     @staticmethod
     def equations(x: Any) -> list[list[Any]]:
-        rail = x.EI * (1 + x.eta * x.s) * x.P**4 + (x.N - x.kp) * x.P**2 + x.m * x.s**2
-        return [[rail + x.c * x.s + x.k]]
+        return [[rail(x) + layer(x, x.k, x.c)]]

@@ -73,6 +73,9 @@ class Waveguide:
     matrix: Matrix
     loaded: int = 0
 
+    def __hash__(self) -> int:
+        return hash((self.loaded, tuple(tuple(frozenset(entry.items()) for entry in row) for row in self.matrix)))
+
     @property
     def dispersion(self) -> Polynomial:
         """D(P, s) = det A."""
