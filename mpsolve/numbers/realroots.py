@@ -35,7 +35,9 @@ def samples(f: fmpq_poly) -> list[Fraction]:
     if not roots:
         return [Fraction(1)]
     ends = [(Fraction(0), Fraction(0)), *((_end(ball, -1), _end(ball, 1)) for ball in roots)]
-    return [_between(below[1], above[0]) for below, above in pairwise(ends)] + [_between(ends[-1][1], 4 * ends[-1][1])]
+    return [_between(below[1], above[0]) for below, above in pairwise(ends)] + [
+        _between(ends[-1][1], 4 * ends[-1][1])
+    ]
 
 
 def is_positive(f: fmpq_poly) -> bool:

@@ -14,7 +14,9 @@ class EulerBernoulli(Track, frozen=True):
     """EI (1 + η ∂t) w⁗ + (N − kp) w″ + m ẅ + c ẇ + k w = load, eq. (1) with a Kelvin–Voigt rail."""
 
     name: ClassVar[str] = "euler-bernoulli"
-    drawing: ClassVar[str] = "   ══════●════════════   rail EI, m, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    drawing: ClassVar[str] = (
+        "   ══════●════════════   rail EI, m, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    )
 
     EI: Annotated[Rational, positive("N m²", "bending stiffness of the rail")]
     m: Annotated[Rational, positive("kg/m", "mass of the rail")]

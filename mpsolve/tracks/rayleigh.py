@@ -14,7 +14,9 @@ class Rayleigh(Track, frozen=True):
     """EI (1 + η ∂t) w⁗ + (N − kp) w″ + m ẅ − J ẅ″ + c ẇ + k w = load: short waves run at √(EI/J)."""
 
     name: ClassVar[str] = "rayleigh"
-    drawing: ClassVar[str] = "   ══════●════════════   rail EI, m, J, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    drawing: ClassVar[str] = (
+        "   ══════●════════════   rail EI, m, J, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    )
 
     EI: Annotated[Rational, positive("N m²", "bending stiffness of the rail")]
     m: Annotated[Rational, positive("kg/m", "mass of the rail")]

@@ -17,7 +17,9 @@ class Timoshenko(Track, frozen=True):
     """
 
     name: ClassVar[str] = "timoshenko"
-    drawing: ClassVar[str] = "   ══════●════════════   rail EI, S, m, J, N\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    drawing: ClassVar[str] = (
+        "   ══════●════════════   rail EI, S, m, J, N\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    )
 
     EI: Annotated[Rational, positive("N m²", "bending stiffness of the rail")]
     m: Annotated[Rational, positive("kg/m", "mass of the rail")]
