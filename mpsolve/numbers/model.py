@@ -6,6 +6,7 @@ messages, the reader of input files, `mpsolve models` and the documentation all 
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -44,6 +45,53 @@ class Quantity:
         return f"{self.meaning} in {self.unit}" if self.unit else self.meaning
 
 
+@dataclass(frozen=True)
+class Entries(Quantity):
+    """A list of numbers, or a matrix as a list of rows (depth 2)."""
+
+    depth: int = 1
+
+    def checked(self, value: object, key: str) -> Any:
+        """The exact entries as nested tuples; InputError names the entry that is none."""
+        return self._level(value, key, self.depth)
+
+    def _level(self, value: object, key: str, depth: int) -> Any:
+        if not depth:
+            return rational(value, key)
+        if isinstance(value, (str, bytes, Mapping, Set)) or not isinstance(value, Iterable):
+            wanted = "a list of rows" if depth == 2 else "a list of numbers"
+            raise InputError(key, f"is of type {type(value).__name__}: give {wanted}, the {self._told}")
+        return tuple(self._level(entry, f"{key}[{j}]", depth - 1) for j, entry in enumerate(value, 1))
+
+
+@dataclass(frozen=True)
+class Texts(Quantity):
+    """A list of texts."""
+
+    def checked(self, value: object, key: str) -> Any:
+        """The texts as a tuple; InputError where one is none."""
+        if isinstance(value, str) or not isinstance(value, Iterable):
+            raise InputError(key, f"is of type {type(value).__name__}: give a list of texts, the {self._told}")
+        texts = tuple(value)
+        for j, text in enumerate(texts, 1):
+            if not isinstance(text, str) or not text:
+                raise InputError(f"{key}[{j}]", "is no text: give a name in quotes")
+        return texts
+
+
+@dataclass(frozen=True)
+class Part(Quantity):
+    """Another model of the kind that the parameter is declared as."""
+
+    kind: type[Any] = object
+
+    def checked(self, value: object, key: str) -> Any:
+        """The model itself; InputError where it is none of this kind."""
+        if not isinstance(value, self.kind):
+            raise InputError(key, f"is of type {type(value).__name__}: give a {self.kind.__name__}, the {self._told}")
+        return value
+
+
 def positive(unit: str, meaning: str) -> Quantity:
     return Quantity(unit, meaning, above=0)
 
@@ -76,20 +124,26 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Raise InputError where the parameters exclude each other; the base accepts them."""
 
     @property
-    def parameters(self) -> dict[str, Fraction]:
-        """The numeric parameters by name, in the order of the class; what is absent is left out."""
+    def parameters(self) -> dict[str, Any]:
+        """The parameters by name, in the order of the class; what is absent is left out."""
         values = {name: getattr(self, name) for name in quantities(type(self))}
         return {name: value for name, value in values.items() if value is not None}
 
 
 @cache
 def quantities(model: type[Any]) -> dict[str, Quantity]:
-    """The described parameters of a model by name."""
+    """The described parameters of a model by name, in the order of its arguments."""
     out: dict[str, Quantity] = {}
     for name, hint in get_type_hints(model, include_extras=True).items():
         if get_origin(hint) is Annotated:
             out.update({name: note for note in get_args(hint)[1:] if isinstance(note, Quantity)})
     return out
+
+
+def defaults(model: type[Any]) -> dict[str, Any]:
+    """The values of the parameters that may be left out."""
+    fields = msgspec.structs.fields(model)
+    return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}
 
 
 def rational(value: Number | object, key: str) -> Fraction:

@@ -10,14 +10,15 @@ from typing import Any
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
 from mpsolve.tracks.waveguide import Track, Waveguide
-from mpsolve.vehicles.vehicle import Pencil, Placed, Vehicle, checked_pencil
+from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
 
 
 @dataclass(frozen=True, init=False)
 class Problem:
     """Vehicles that move at the velocity v along a track; one consistent set of units, SI by default.
 
-    vehicles: any number of vehicles at their places (`Mass("900").at("2.5")`), in any order; a bare one stands at 0.
+    vehicles: any number of vehicles at their places (`Mass("900").at("2.5")`) and trains of them, in any order; a bare
+    one stands at 0.
     v ≥ 0. InputError names the argument that cannot be used.
     """
 
@@ -39,42 +40,27 @@ class Problem:
     @property
     def pencil(self) -> Pencil:
         """All vehicles as one: bodies in the order of the vehicles, contacts from rear to front."""
-        return checked_pencil(_together([(placed.vehicle.pencil, placed.position) for placed in self.vehicles]))
+        one = len(self.vehicles) == 1
+        endings = ["" if one else f" of vehicle {k}" for k in range(1, len(self.vehicles) + 1)]
+        pencils = [checked_pencil(placed.vehicle.pencil) for placed in self.vehicles]
+        places = [placed.position for placed in self.vehicles]
+        return joined(list(zip(pencils, places, endings, strict=True)))
 
 
 def _placed(vehicles: Any) -> tuple[Placed, ...]:
-    entries = vehicles if isinstance(vehicles, Iterable) and not isinstance(vehicles, Vehicle) else [vehicles]
+    entries = vehicles if _many(vehicles) else [vehicles]
+    flat = [(f"[{j}]", entry) for j, entry in enumerate(entries, 1)]
     out: list[Placed] = []
-    for j, entry in enumerate(entries, 1):
-        if isinstance(entry, Vehicle):
+    for key, entry in ((key, one) for key, entry in flat for one in (entry if _many(entry) else [entry])):
+        if isinstance(entry, AnyVehicle):
             out.append(entry.at(0))
         elif isinstance(entry, Placed):
             out.append(entry)
         else:
             given = type(entry).__name__
-            raise InputError(f"vehicles[{j}]", f"is of type {given}: give a vehicle, or a vehicle.at(x)")
+            raise InputError(f"vehicles{key}", f"is of type {given}: give a vehicle, a vehicle.at(x), or a train")
     return tuple(out)
 
 
-def _together(parts: list[tuple[Pencil, Fraction]]) -> Pencil:
-    """The vehicles as one pencil with contacts sorted by place."""
-    order = sorted(
-        ((position + place, k, j) for k, (pencil, position) in enumerate(parts) for j, place in enumerate(pencil.places))
-    )
-    size = sum(pencil.size for pencil, _ in parts)
-    blocks: dict[str, list[list[Fraction]]] = {key: [[Fraction(0)] * size for _ in range(size)] for key in "MCK"}
-    B = [[Fraction(0)] * len(order) for _ in range(size)]
-    names: list[str] = []
-    column = {(k, j): i for i, (_, k, j) in enumerate(order)}
-    for k, (pencil, _) in enumerate(parts):
-        first = len(names)
-        for key, matrix in blocks.items():
-            for i, row in enumerate(getattr(pencil, key)):
-                matrix[first + i][first : first + pencil.size] = row
-        for i, row in enumerate(pencil.B):
-            for j, value in enumerate(row):
-                B[first + i][column[k, j]] = value
-        names += [name if len(parts) == 1 else f"{name} of vehicle {k + 1}" for name in pencil.names]
-    h = tuple(parts[k][0].h[j] for _, k, j in order)
-    M, C, K = (tuple(tuple(row) for row in blocks[key]) for key in "MCK")
-    return Pencil(M, C, K, tuple(map(tuple, B)), tuple(place for place, _, _ in order), h, tuple(names))
+def _many(entry: Any) -> bool:
+    return isinstance(entry, Iterable) and not isinstance(entry, (str, bytes, AnyVehicle, Placed))
