@@ -18,7 +18,9 @@ TYPICAL = {
     "coach": vehicles.Coach(
         body=32000, inertia="1.97e6", bogie=vehicles.Bogie(**BOGIE), pivots=19, k2="4.3e5", c2="2e4"
     ),
-    "matrices": vehicles.Vehicle(M=[[10, 1], [1, 5]], C=[[1, 0], [0, 0]], K=[[3, -3], [-3, 3]], B=[[1], [0]], places=[0]),
+    "matrices": vehicles.Vehicle(
+        M=[[10, 1], [1, 5]], C=[[1, 0], [0, 0]], K=[[3, -3], [-3, 3]], B=[[1], [0]], places=[0]
+    ),
 }
 """By name."""
 

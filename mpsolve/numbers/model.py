@@ -131,12 +131,12 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 @cache
-def quantities(model: type[Any]) -> dict[str, Quantity]:
+def quantities(model: type[Model]) -> dict[str, Quantity]:
     """The described parameters of a model by name, in the order of its arguments."""
     out: dict[str, Quantity] = {}
     for name, hint in get_type_hints(model, include_extras=True).items():
         if get_origin(hint) is Annotated:
-            out.update({name: note for note in get_args(hint)[1:] if isinstance(note, Quantity)})
+            out[name] = next(note for note in get_args(hint)[1:] if isinstance(note, Quantity))
     return out
 
 

@@ -17,8 +17,8 @@ from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil,
 class Problem:
     """Vehicles that move at the velocity v along a track; one consistent set of units, SI by default.
 
-    vehicles: any number of vehicles at their places (`Mass("900").at("2.5")`) and trains of them, in any order; a bare
-    one stands at 0.
+    vehicles: any number of vehicles at their places (`Mass("900").at("2.5")`) and trains of them, in any order; a
+    bare one stands at 0.
     v ≥ 0. InputError names the argument that cannot be used.
     """
 
@@ -31,7 +31,9 @@ class Problem:
             raise InputError("track", f"is of type {type(track).__name__}: give one of mpsolve.tracks")
         velocity = rational(v, "v")
         if velocity < 0:
-            raise InputError("v", f"is {shown(velocity)}, but must not be below 0: x runs ahead, turn the vehicles round")
+            raise InputError(
+                "v", f"is {shown(velocity)}, but must not be below 0: x runs ahead, turn the vehicles round"
+            )
         placed = _placed(vehicles)
         if not placed:
             raise InputError("vehicles", "is empty: give at least one vehicle")
@@ -49,16 +51,16 @@ class Problem:
 
 def _placed(vehicles: Any) -> tuple[Placed, ...]:
     entries = vehicles if _many(vehicles) else [vehicles]
-    flat = [(f"[{j}]", entry) for j, entry in enumerate(entries, 1)]
+    flat = [(j, one) for j, entry in enumerate(entries, 1) for one in (entry if _many(entry) else [entry])]
     out: list[Placed] = []
-    for key, entry in ((key, one) for key, entry in flat for one in (entry if _many(entry) else [entry])):
+    for j, entry in flat:
         if isinstance(entry, AnyVehicle):
             out.append(entry.at(0))
         elif isinstance(entry, Placed):
             out.append(entry)
         else:
             given = type(entry).__name__
-            raise InputError(f"vehicles{key}", f"is of type {given}: give a vehicle, a vehicle.at(x), or a train")
+            raise InputError(f"vehicles[{j}]", f"is of type {given}: give a vehicle, a vehicle.at(x), or a train")
     return tuple(out)
 
 

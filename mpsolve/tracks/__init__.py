@@ -2,6 +2,7 @@
 
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.tracks.floating_ice import FloatingIce
+from mpsolve.tracks.own import Waveguide
 from mpsolve.tracks.rayleigh import Rayleigh
 from mpsolve.tracks.slab import Slab
 from mpsolve.tracks.string import String
@@ -31,6 +32,7 @@ __all__ = [
     "ThreeLayer",
     "Slab",
     "FloatingIce",
+    "Waveguide",
     "Track",
     "CATALOGUE",
 ]

@@ -52,7 +52,7 @@ class AtRest:
         where = [f"p = {p:.6g}" for p in self.wavenumbers] + ["p → ∞"] * self.at_infinity
         if self.status is Status.UNSTABLE:
             return f"the track {'buckles' if self.buckles else 'grows'} by itself at {', '.join(where)}"
-        return self.status.value + (f": {', '.join(where)}" if where else "")
+        return str(self.status.value) + (f": {', '.join(where)}" if where else "")
 
 
 @lru_cache(maxsize=256)

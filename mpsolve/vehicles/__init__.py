@@ -11,15 +11,4 @@ from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed
 CATALOGUE: tuple[type[AnyVehicle], ...] = (Mass, Oscillator, Bogie, Coach, Vehicle)
 """Every vehicle, from the plainest to the richest."""
 
-__all__ = [
-    "Mass",
-    "Oscillator",
-    "Bogie",
-    "Coach",
-    "Vehicle",
-    "train",
-    "AnyVehicle",
-    "Pencil",
-    "Placed",
-    "CATALOGUE",
-]
+__all__ = ["Mass", "Oscillator", "Bogie", "Coach", "Vehicle", "train", "AnyVehicle", "Pencil", "Placed", "CATALOGUE"]

@@ -89,7 +89,9 @@ def assemble(
 
 def joined(parts: list[tuple[Pencil, Fraction, str]]) -> Pencil:
     """Several vehicles as one: (pencil, place of its middle, what its names end with); contacts from rear to front."""
-    order = sorted((x + place, k, j) for k, (pencil, x, _) in enumerate(parts) for j, place in enumerate(pencil.places))
+    order = sorted(
+        (x + place, k, j) for k, (pencil, x, _) in enumerate(parts) for j, place in enumerate(pencil.places)
+    )
     size = sum(pencil.size for pencil, _, _ in parts)
     blocks = {key: _square(size) for key in "MCK"}
     B = [[Fraction(0)] * len(order) for _ in range(size)]
@@ -128,7 +130,9 @@ def checked_pencil(pencil: Pencil) -> Pencil:
     loose = _loose(_sum(_sum(pencil.M, pencil.C), pencil.K))
     if loose is not None:
         raise InputError("M", f"leaves {pencil.names[loose]} without mass, spring and damper: leave the body out")
-    touch = tuple(tuple(sum((a * b for a, b in zip(x, y, strict=True)), Fraction(0)) for y in pencil.B) for x in pencil.B)
+    touch = tuple(
+        tuple(sum((a * b for a, b in zip(x, y, strict=True)), Fraction(0)) for y in pencil.B) for x in pencil.B
+    )
     loose = _loose(_sum(_sum(pencil.C, pencil.K), touch))
     if loose is not None:
         stated = f"and C leave {pencil.names[loose]} free to move without any spring, damper or contact"

@@ -1,0 +1,1 @@
+"""What needs sympy: derivations from first principles, and the reading of anybody's own track."""
