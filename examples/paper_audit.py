@@ -12,7 +12,7 @@ from pathlib import Path
 from mpsolve.audit.page import page
 from mpsolve.audit.run import Report, all_claims, audit
 from mpsolve.audit.tables import summary
-from mpsolve.certificate.format import write_whole
+from mpsolve.files import write_whole
 
 HERE = Path(__file__).resolve().parent
 FOLDER = HERE.parent / "certs" / "paper"

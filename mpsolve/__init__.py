@@ -4,22 +4,23 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from mpsolve.certificate.certify import Spectrum, Status, certify
     from mpsolve.certificate.verify import Verdict, verify
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
-    from mpsolve.model.exact import Exact
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.model.receptance import receptance
     from mpsolve.motion.beam import BeamResponse, finite_beam
-    from mpsolve.motion.solve import HarmonicSolution, Response, harmonic_solution, response
+    from mpsolve.motion.solution import HarmonicSolution, Response
+    from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
-    from mpsolve.spectrum.certify import Spectrum, Status, certify
-    from mpsolve.spectrum.enclose import RootBall
-    from mpsolve.spectrum.region import Rectangle
+    from mpsolve.numbers.exact import Exact
+    from mpsolve.sheet.enclose import RootBall
+    from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
@@ -87,14 +88,14 @@ _HOME = {
     "Case": "model.parameters",
     "PhysicalCase": "model.parameters",
     "Mass": "model.parameters",
-    "Exact": "model.exact",
+    "Exact": "numbers.exact",
     "read_case": "model.inputfile",
     "receptance": "model.receptance",
-    "certify": "spectrum.certify",
-    "Rectangle": "spectrum.region",
-    "Spectrum": "spectrum.certify",
-    "Status": "spectrum.certify",
-    "RootBall": "spectrum.enclose",
+    "certify": "certificate.certify",
+    "Rectangle": "sheet.region",
+    "Spectrum": "certificate.certify",
+    "Status": "certificate.certify",
+    "RootBall": "sheet.enclose",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",
     "Outcome": "fast.follow",
@@ -112,9 +113,9 @@ _HOME = {
     "stability_chart": "stability.chart",
     "Load": "model.load",
     "response": "motion.solve",
-    "Response": "motion.solve",
+    "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
-    "HarmonicSolution": "motion.solve",
+    "HarmonicSolution": "motion.solution",
     "envelope": "motion.study",
     "superposition": "motion.study",
     "merged": "motion.study",

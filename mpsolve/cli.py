@@ -21,9 +21,9 @@ from mpsolve import cli_audit, cli_receptance, cli_report, cli_response, cli_sta
 from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
 
 if TYPE_CHECKING:
+    from mpsolve.certificate.certify import Spectrum
     from mpsolve.model.inputfile import InputFile
-    from mpsolve.spectrum.certify import Spectrum
-    from mpsolve.spectrum.region import Region
+    from mpsolve.sheet.region import Region
 
 
 def _show_version(context: click.Context, _option: click.Parameter, asked: bool) -> None:
@@ -68,8 +68,8 @@ def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | 
     could not be written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.certificate.certify import certify as prove
         from mpsolve.model.inputfile import read_input
-        from mpsolve.spectrum.certify import certify as prove
 
         source = read_input(file)
         path = certificate_path(source.path, output)
@@ -81,7 +81,7 @@ def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | 
 
 def _region(text: str) -> Region:
     from mpsolve.errors import InputError
-    from mpsolve.spectrum.region import Rectangle
+    from mpsolve.sheet.region import Rectangle
 
     if text == "sheet":
         return "sheet"

@@ -43,7 +43,7 @@ def audit(
             report.save_certificates(certificates)
         if html is not None:
             from mpsolve.audit.page import page
-            from mpsolve.certificate.format import write_whole
+            from mpsolve.files import write_whole
 
             write_whole(html, page(report))
     sys.exit(0 if report.complete else UNDECIDED)

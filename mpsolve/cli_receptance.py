@@ -26,7 +26,7 @@ def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | No
     The masses of FILE play no part. Exit status 0: written. 1: it could not be written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.certificate.format import write_whole
+        from mpsolve.files import write_whole
         from mpsolve.model.inputfile import read_input
         from mpsolve.model.parameters import PhysicalCase
         from mpsolve.report.receptances import receptances
@@ -49,7 +49,7 @@ _MOST = 1_000_000
 
 
 def _places(text: str) -> tuple[float, ...]:
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
 
     return tuple(float(Exact.parse(word.strip(), "--xi")) for word in text.split(","))
 
@@ -58,7 +58,7 @@ def _frequencies(text: str) -> tuple[float, ...]:
     import numpy as np
 
     from mpsolve.errors import InputError
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
 
     first, last, count = [*text.split(","), "", ""][:3]
     if text.count(",") != 2 or not (count.strip().isdecimal() and 1 <= int(count) <= _MOST):

@@ -37,8 +37,8 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> No
     page says, or the page could not be written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.certificate.format import write_whole
         from mpsolve.errors import InputError
+        from mpsolve.files import checked_suffix, write_whole
         from mpsolve.model.inputfile import read_input
         from mpsolve.model.parameters import PhysicalCase
         from mpsolve.report.answer import Source
@@ -46,7 +46,6 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> No
         from mpsolve.report.page import report_page
         from mpsolve.report.page_parts import gather
         from mpsolve.report.pdf import browser, save_pdf
-        from mpsolve.stability.table import checked_suffix
 
         given = read_input(file)
         path = checked_output(output or Path(f"{given.path.stem}.html"), given.path, "the page")

@@ -13,7 +13,7 @@ from mpsolve.cli_tools import checked_output, one_sentence
 if TYPE_CHECKING:
     from mpsolve.model.inputfile import InputFile
     from mpsolve.motion.scale import Scale
-    from mpsolve.motion.solve import Response
+    from mpsolve.motion.solution import Response
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
 _END = click.option("--to", "end", default="100", show_default=True, help="The last time τ.")
@@ -89,7 +89,7 @@ def _times(end: str, points: int) -> Any:
     import numpy as np
 
     from mpsolve.errors import InputError
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
 
     last = Exact.parse(end, "--to")
     if not last > 0:
@@ -127,7 +127,7 @@ def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> N
 
         save_arrays(found, path, scale)
     else:
-        from mpsolve.motion.figures import save_history
+        from mpsolve.report.figures_motion import save_history
 
         save_history(found, path, title, scale)
 
@@ -185,6 +185,6 @@ def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title:
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
         save_columns(time_columns(tau, scale) | shown, path)
     else:
-        from mpsolve.motion.figures import save_curves
+        from mpsolve.report.figures_motion import save_curves
 
         save_curves(curves, tau, path, title, scale)

@@ -12,7 +12,8 @@ import click
 from mpsolve.cli_tools import UNDECIDED, certificate_path, checked_output, one_sentence, progress, show
 
 if TYPE_CHECKING:
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
+    from mpsolve.progress import Progress
     from mpsolve.report.answer import Answer, Source
     from mpsolve.stability.table import OnsetTable
 
@@ -20,7 +21,6 @@ _FILE = click.argument("file", type=click.Path(path_type=Path))
 _DIGITS = click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
 _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 _WORKERS = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
-_TELL = Callable[[str, float], None]
 
 
 def _certificate_option(kind: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -43,7 +43,7 @@ def onset(file: Path, low: str, high: str, everything: bool, digits: int, as_jso
     helps, or the certificate could not be written. 2: the input cannot be used.
     """
 
-    def answer(source: Source, tell: _TELL | None) -> Answer:
+    def answer(source: Source, tell: Progress | None) -> Answer:
         from mpsolve.report.onsets import onset_answer, ranges_answer
         from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
@@ -67,7 +67,7 @@ def crossings(file: Path, digits: int, as_json: bool, output: Path | None) -> No
     The masses grow from 0 to infinity in the proportions of the case. Exit status as for onset.
     """
 
-    def answer(source: Source, _tell: _TELL | None) -> Answer:
+    def answer(source: Source, _tell: Progress | None) -> Answer:
         from mpsolve.report.crossings import crossings_answer, largest
         from mpsolve.stability.masses import crossing_masses
 
@@ -93,7 +93,7 @@ def distance(file: Path, low: str, high: str, digits: int, as_json: bool, output
     Exit status as for onset.
     """
 
-    def answer(source: Source, tell: _TELL | None) -> Answer:
+    def answer(source: Source, tell: Progress | None) -> Answer:
         from mpsolve.report.crossings import distance_answer
         from mpsolve.stability.distance import critical_distance
 
@@ -121,7 +121,8 @@ def table(file: Path, output: Path | None, certificates: Path | None, workers: i
     """
     with one_sentence():
         from mpsolve.errors import InputError
-        from mpsolve.stability.table import SUFFIXES, checked_suffix, onset_table
+        from mpsolve.files import checked_suffix
+        from mpsolve.stability.table import SUFFIXES, onset_table
 
         if output is not None:
             checked_suffix(checked_output(output, file, "the table"), SUFFIXES)
@@ -166,8 +167,8 @@ def chart(file: Path, output: Path, workers: int | None) -> None:
     input cannot be used.
     """
     with one_sentence():
+        from mpsolve.files import checked_suffix
         from mpsolve.stability.chart import SUFFIXES, stability_chart
-        from mpsolve.stability.table import checked_suffix
 
         checked_suffix(checked_output(output, file, "the chart"), SUFFIXES)
         with progress() as tell:
@@ -184,7 +185,7 @@ COMMANDS = (onset, crossings, distance, table, chart)
 def _range(low: str, high: str) -> tuple[Exact, Exact]:
     """The ends, in order; InputError names the option."""
     from mpsolve.errors import InputError
-    from mpsolve.model.exact import Exact
+    from mpsolve.numbers.exact import Exact
 
     ends = Exact.parse(low, "--from"), Exact.parse(high, "--to")
     if not ends[0] < ends[1]:
@@ -196,7 +197,7 @@ def _range(low: str, high: str) -> tuple[Exact, Exact]:
 
 
 def _answer(
-    file: Path, output: Path | None, kind: str, as_json: bool, answer: Callable[[Source, _TELL | None], Answer]
+    file: Path, output: Path | None, kind: str, as_json: bool, answer: Callable[[Source, Progress | None], Answer]
 ) -> None:
     """Reads, answers, saves the certificate, reports, and exits."""
     with one_sentence():

@@ -13,7 +13,7 @@ import numpy as np
 
 from mpsolve.dual import Dual
 from mpsolve.fields import laplace_det
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 
 _EPS = 2.0**-48
 _UP = 1 + _EPS

@@ -18,7 +18,7 @@ import mpmath
 import numpy as np
 
 from mpsolve.errors import PrecisionError
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 
 _precision_lock = threading.RLock()  # flint's precision is one per process: a second thread waits here
 

@@ -11,13 +11,13 @@ import pytest
 from click.testing import CliRunner, Result
 from flint import acb, arb
 
+from mpsolve.certificate.certify import Status
 from mpsolve.certificate.format import Certificate
 from mpsolve.cli import cli
 from mpsolve.errors import CertificateError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.text import WIDTH
-from mpsolve.spectrum.certify import Status
 from mpsolve.stability.distance import CriticalDistance
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mpsolve.discs import DiscField, Discs, exponential_quotient, where
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 
 mp = mpmath.MPContext()
 mp.dps = 700  # what float64 spans, exactly

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.format import write_whole
 from mpsolve.errors import InputError
+from mpsolve.files import write_whole
 
 LIMIT: dict[str, Any] = {"color": "black", "linestyle": ":", "linewidth": 0.9}
 SINGLE: dict[str, Any] = {"color": "black", "linestyle": "--", "linewidth": 0.9}

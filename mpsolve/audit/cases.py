@@ -8,10 +8,10 @@ from typing import Any
 
 import flint
 
+from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import PrecisionError
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Spectrum, certify
 from mpsolve.stability.cuts import CutPoint, cut_points
 
 MASSES = ("10", "40", "70")  # η_M = 10:30:70, Section 4.1

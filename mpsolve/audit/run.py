@@ -10,8 +10,8 @@ from pathlib import Path
 from mpsolve.audit.claims import Claim, Finding, Verdict
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import CertificateError, InputError, MpsolveError
-from mpsolve.stability.pool import run
-from mpsolve.stability.search import Tell
+from mpsolve.parallel.pool import run
+from mpsolve.progress import Progress
 
 _LISTS = (
     "undamped_list damped_list figure_9 instability onset_list motion_list superposition history captions "
@@ -65,7 +65,7 @@ def _named(claim: Claim, name: str) -> bool:
     return claim.id == name or claim.id.startswith(f"{name}-")
 
 
-def audit(claims: Sequence[Claim], workers: int | None = None, tell: Tell | None = None) -> Report:
+def audit(claims: Sequence[Claim], workers: int | None = None, tell: Progress | None = None) -> Report:
     """The findings of the claims, the same for any number of workers. InputError, MpsolveError as `pool.run`."""
     order = sorted(
         range(len(claims)), key=lambda k: _LONG.index(claims[k].id) if claims[k].id in _LONG else len(_LONG)

@@ -13,8 +13,8 @@ from mpsolve.audit.theory import symmetries, undamped_roots_are_real
 from mpsolve.audit.values import decimal, ends, named, shown
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import PrecisionError
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 from mpsolve.stability.tube import follow
 from mpsolve.stability.velocities import UnstableRanges, unstable_velocities
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import PrecisionError
-from mpsolve.report.digits import fixed_digits
+from mpsolve.numbers.decimals import fixed_digits
 
 
 def shown(ball: Any, digits: int = 12) -> str:

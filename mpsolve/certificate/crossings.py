@@ -4,16 +4,74 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Protocol
 
 from mpsolve.certificate import verify
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.format import FORMAT, VERSION, Certificate, digest, dyadic
 from mpsolve.errors import CertificateError
-from mpsolve.stability.passages import Passages
-from mpsolve.stability.zero import Zero, mass_level
+from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 
 KIND = "crossings"
 _LEAST_REACH = 2.0**-48
+
+
+class Zero(Protocol):
+    """What is written of a passage: stability/zero.py says what its parts mean."""
+
+    @property
+    def x(self) -> Any: ...
+    @property
+    def t(self) -> Any: ...
+    @property
+    def level(self) -> Any: ...
+    @property
+    def reach(self) -> tuple[float, float]: ...
+    @property
+    def direction(self) -> int: ...
+
+
+class Family(Protocol):
+    """What is written of a family: stability/family.py."""
+
+    @property
+    def case(self) -> Case: ...
+    @property
+    def parameter(self) -> str: ...
+    @property
+    def height(self) -> Exact: ...
+
+
+class Base(Protocol):
+    """What is written of a certified count: stability/passages.py."""
+
+    @property
+    def t(self) -> Exact: ...
+    @property
+    def spectrum(self) -> Spectrum: ...
+
+
+class Passages(Protocol):
+    """What is written of a proof: stability/passages.py."""
+
+    @property
+    def family(self) -> Family: ...
+    @property
+    def start(self) -> Exact: ...
+    @property
+    def end(self) -> Exact: ...
+    @property
+    def radius(self) -> float: ...
+    @property
+    def zeros(self) -> Sequence[Zero]: ...
+    @property
+    def counts(self) -> Sequence[int | None]: ...
+    @property
+    def bases(self) -> Sequence[Base]: ...
+    @property
+    def proved(self) -> bool: ...
 
 
 def crossings_certificate(found: Passages) -> Certificate | None:
@@ -45,14 +103,16 @@ def make_crossings_certificate(found: Passages) -> Certificate:
     }
     zeros, counts = list(found.zeros), list(found.counts)
     if family.parameter == "level":  # counts mean something between mass levels η, which u does not order
-        zeros.sort(key=lambda zero: float(mass_level(zero).mid()))
+        zeros.sort(key=lambda zero: float(zero.level.mid()))
         counts = [0, *itertools.accumulate(2 * zero.direction for zero in zeros)]
     content["claim"] = {"counts": counts}
     content["crossings"] = [_crossing(content, zero) for zero in zeros]
     if found.bases:
         base = found.bases[0]
-        assert base.spectrum.certificate is not None
-        content["base"] = {"t": str(base.t), "certificate": base.spectrum.certificate.content}
+        certificate = base.spectrum.certificate
+        if certificate is None:
+            raise CertificateError("the count that fixes all others has no certificate: nothing was written")
+        content["base"] = {"t": str(base.t), "certificate": certificate.content}
     return Certificate(content | {"sha256": digest(content)})
 
 

@@ -5,20 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING, Any
 
-from mpsolve.errors import CertificateError
+from mpsolve.files import write_whole
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.enclose import RootBall, Symmetry
-from mpsolve.spectrum.region import Rectangle
+from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.sheet.region import Rectangle
 
 if TYPE_CHECKING:
-    from mpsolve.spectrum.count import Count
+    from mpsolve.sheet.count import Count
 
 FORMAT = "mpsolve certificate"
 VERSION = 1
@@ -48,42 +45,6 @@ def _lines(value: Any) -> str:
     if isinstance(value, list) and any(isinstance(v, (list, dict)) for v in value):
         return "[\n" + ",\n".join("  " + json.dumps(v, allow_nan=False) for v in value) + "]"
     return json.dumps(value, allow_nan=False)
-
-
-def write_whole(path: Path, content: str | bytes) -> Path:
-    """Writes `content` beside `path` first and then moves it there."""
-    with whole_file(path) as file:
-        file.write(content.encode("utf-8") if isinstance(content, str) else content)
-    return path
-
-
-@contextmanager
-def whole_file(path: Path) -> Iterator[BinaryIO]:
-    """A file beside `path` that is moved there at the end, or removed after an error.
-
-    A link is followed; a device or a pipe, such as /dev/stdout, is written to as it is. Raises CertificateError if it
-    cannot be written.
-    """
-    try:
-        if path.exists() and not path.is_file() and not path.is_dir():
-            with path.open("wb") as file:
-                yield file
-            return
-        path = path.resolve()
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        try:
-            with os.fdopen(handle, "wb") as file:
-                yield file
-                file.flush()
-                os.fsync(file.fileno())
-            os.chmod(name, 0o644)
-            os.replace(name, path)
-        except BaseException:
-            os.unlink(name)
-            raise
-    except OSError as error:
-        cause = error.strerror or str(error)
-        raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
 
 
 def make_certificate(case: Case, count: Count, roots: tuple[RootBall, ...]) -> Certificate:

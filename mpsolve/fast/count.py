@@ -1,6 +1,6 @@
 """How many induced frequencies each of many cases has: float64 winding numbers of R·Δ along the edge of the cut.
 
-As in spectrum/winding.py, half of the sheet's boundary is enough, and the far arc is closed by principal values:
+As in sheet/winding.py, half of the sheet's boundary is enough, and the far arc is closed by principal values:
 
     n = 2 + (A₊ − [arg G₊] + A₋ − [arg G₋])/π.
 
@@ -149,7 +149,7 @@ def _halved(cases: Cases, pieces: _Pieces) -> _Pieces:
 
 
 def _far_arguments(cases: Cases, r: Any, G: Any) -> Any:
-    """A₊ + A₋ (spectrum/winding.py); nan where a factor leaves its half-plane, so that no principal value holds."""
+    """A₊ + A₋ (sheet/winding.py); nan where a factor leaves its half-plane, so that no principal value holds."""
     roots = edge_roots(cases, r)
     R = roots.R
     contact = -4j * np.pi * (roots.a + roots.b) / R

@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import certify
 from mpsolve.errors import MpsolveError
 from mpsolve.fast.cases import Cases
 from mpsolve.fast.count import NODES, Edge, count_roots
 from mpsolve.fast.guesses import edge_guesses, grid_guesses
 from mpsolve.fast.newton import distinct, packed, polish, snapped, weight
-from mpsolve.spectrum.certify import certify
 
 STRIDE = 8192  # cases between anchors
 MOST = 64  # roots of a case: one that has more is not followed

@@ -12,8 +12,8 @@ from mpsolve.errors import InputError
 from mpsolve.fast.cases import Cases
 from mpsolve.fast.follow import Outcome, follow
 from mpsolve.fast.order import alike
-from mpsolve.stability.pool import run
-from mpsolve.stability.search import Tell
+from mpsolve.parallel.pool import run
+from mpsolve.progress import Progress
 
 CHUNK = 16_384  # cases at a time, which bounds the memory: about 150 MB a process
 
@@ -62,7 +62,7 @@ def frequencies(
     mass_ratio: Any = 1,
     *,
     workers: int = 1,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Frequencies:
     """The induced frequencies of masses eta_m at 0 and mass_ratio·eta_m at d, (26), for arrays that broadcast.
 

@@ -15,17 +15,17 @@ from typing import Any
 import flint
 import numpy as np
 
-from mpsolve.certificate.format import write_whole
+from mpsolve.certificate.certify import certify
 from mpsolve.errors import InputError, MpsolveError, PrecisionError
 from mpsolve.fields import ball_arithmetic
+from mpsolve.files import write_whole
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import certify
-from mpsolve.spectrum.cluster import Taylor, taylor
-from mpsolve.stability.pool import run
-from mpsolve.stability.search import Tell
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.taylor import Taylor, taylor
+from mpsolve.parallel.pool import run
+from mpsolve.progress import Progress
 
 FORMAT, VERSION = "mpsolve seeds", 2
 PARAMETERS = ("alpha", "eta_b", "eta_m", "d", "eta_n", "eta_s", "mass_ratio")
@@ -116,7 +116,7 @@ def seeds(
     mass_ratio: Sequence[Number] = (1,),
     *,
     workers: int = 1,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Seeds:
     """A table over all combinations of the values given, rational each: masses eta_m at 0, mass_ratio·eta_m at d.
 

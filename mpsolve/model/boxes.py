@@ -15,7 +15,7 @@ import numpy as np
 
 from mpsolve.discs import Discs, where
 from mpsolve.fields import Float64
-from mpsolve.model.branch import Track, _factors
+from mpsolve.model.branch import Track, factors
 from mpsolve.model.scaled import SplitRoots
 
 _WIDENING = 1.5  # the radius tried about a p-root, in first-order estimates of its motion
@@ -33,20 +33,20 @@ class RootDiscs:
 def root_discs(track: Track, q: Discs) -> RootDiscs:
     """Encloses the p-roots for every q, α, η_b of each box (`track` holds discs, arrays of the shape of q)."""
     with np.errstate(all="ignore"):
-        shifts = _Shifts(track, q)
+        shifts = Shifts(track, q)
         seeds = _seeds(shifts)
         found = [shifts.isolate(m) for m in seeds]
         inside = found[0].proved & found[1].proved & found[2].proved & found[3].proved
-        discs = _sharpened(found, inside)
+        discs = sharpened(found, inside)
         sides = _sides(found)
         a, c, parted, paired = _vieta_pair(shifts, found, discs)
         paired = paired & ~inside
         roots = SplitRoots(where(paired, a, discs[0]), discs[1], where(paired, c, discs[2]), discs[3])
-        apart = sides & (inside | (paired & parted)) & _disjoint(roots)
+        apart = sides & (inside | (paired & parted)) & disjoint(roots)
         return RootDiscs(roots, sides & ((inside & apart) | paired), apart)
 
 
-class _Shifts:
+class Shifts:
     """D(p) over the boxes as its value at the middle and what q, α and η_b change."""
 
     def __init__(self, track: Track, q: Discs) -> None:
@@ -102,10 +102,10 @@ class _Isolated:
     proved: Any
 
 
-def _seeds(shifts: _Shifts) -> list[Any]:
+def _seeds(shifts: Shifts) -> list[Any]:
     """Approximate p-roots at the middles, a and c the closest of an upper and a lower one."""
     track = Track(Float64(), shifts.alpha0, shifts.axial.m.real, shifts.eta0, (), (), True)
-    pair = _factors(track, shifts.q0)
+    pair = factors(track, shifts.q0)
     over, under = np.sqrt(pair.discriminant(1)), np.sqrt(pair.discriminant(-1))
     upper, lower = (pair.s / 2 + over, pair.s / 2 - over), (-pair.s / 2 + under, -pair.s / 2 - under)
     best = np.argmin([np.abs(u - v) for u in upper for v in lower], axis=0)
@@ -116,7 +116,7 @@ def _seeds(shifts: _Shifts) -> list[Any]:
     return [m - (((m * m - 4 * A) * m + linear) * m + constant) / ((4 * m * m - 8 * A) * m + linear) for m in order]
 
 
-def _sharpened(found: list[_Isolated], inside: Any) -> list[Discs]:
+def sharpened(found: list[_Isolated], inside: Any) -> list[Discs]:
     """Where all four are isolated: D(m) = Π(m − p') gives p = m − D(m)/Π(m − p') over the three others."""
     result = []
     for k, one in enumerate(found):
@@ -140,13 +140,13 @@ def _beside(one: _Isolated, disc: Discs) -> Any:
     return (Discs(one.m, one.thin) - disc).nonzero()
 
 
-def _disjoint(z: SplitRoots) -> Any:
+def disjoint(z: SplitRoots) -> Any:
     every = (z.a, z.b, z.c, z.e)
     pairs = [(every[j] - every[k]).nonzero() for k in range(4) for j in range(k)]
     return np.logical_and.reduce(pairs)
 
 
-def _vieta_pair(shifts: _Shifts, found: list[_Isolated], discs: list[Discs]) -> tuple[Discs, Discs, Any, Any]:
+def _vieta_pair(shifts: Shifts, found: list[_Isolated], discs: list[Discs]) -> tuple[Discs, Discs, Any, Any]:
     """(a, c, whether apart, whether proved): the last two roots from b and e, a + c = −(b + e).
 
     (p + (b + e)/2)² = 4A + be − 3(b + e)²/4 for p = a, c. Where the square may vanish both share one disc.

@@ -75,18 +75,18 @@ def pairing(track: Track, q: Any) -> Pairing:
 
     Raises `PrecisionError` where balls cannot decide (q near the cut, or a ball too wide).
     """
-    pair = _factors(track, q)
+    pair = factors(track, q)
     if isinstance(track.field, Ball) and not _is_physical(pair):
         # y is one simple root all over the ball: it is enough to look at one point, if no cut is met
         q = flint.acb(q)
-        middle = _factors(track, q.mid())
+        middle = factors(track, q.mid())
         same = pair.s.contains(middle.s) and _one_root(track, q.mid(), pair)
         if not (_off_the_cut(track, q) and same and _is_physical(middle)):
             raise PrecisionError("the ball of q meets the cut, or is too wide to tell upper from lower p-roots")
     return pair
 
 
-def _factors(track: Track, q: Any) -> Pairing:
+def factors(track: Track, q: Any) -> Pairing:
     field, r = track.field, q - track.field.i * track.eta_b
     c2, c1, c0 = -4 * track.A, 8 * track.alpha * r, 4 * track.beta2 - 4 * r * r
     s = field.dominant_sum(2 * c2, c2 * c2 - 4 * c0, -c1 * c1)

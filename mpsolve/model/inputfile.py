@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase, errors_under
-
-MAX_BYTES = 1_000_000
-"""Largest file that is read; a case of a thousand masses takes a tenth of it."""
+from mpsolve.model.toml import check_keys, kind, parsed, text_of
 
 _PHYSICAL = {
     "EI": "the bending stiffness of the beam in N m²",
@@ -52,12 +48,6 @@ _TOP = {"title": "a text"} | dict.fromkeys(_SECTIONS, "a section")
 _REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
 
 
-class _Written(str):
-    """A TOML float as it stands in the file, told apart from a TOML string."""
-
-    __slots__ = ()
-
-
 @dataclass(frozen=True)
 class InputFile:
     """A case that has passed every check, with the title ("" if none), the path of its file, and its loads.
@@ -87,11 +77,11 @@ def read_input(path: str | Path) -> InputFile:
     be read.
     """
     file = Path(path)
-    content = _toml(_text(file), str(file))
-    _check_keys(content, _TOP, "")
+    content = parsed(text_of(file), str(file))
+    check_keys(content, _TOP, "")
     title = content.get("title", "")
     if type(title) is not str:
-        raise InputError("title", f'is {_kind(title)}, not a text: write title = "…"')
+        raise InputError("title", f'is {kind(title)}, not a text: write title = "…"')
     if "dimensionless" in content:
         case = _dimensionless(content)
         return InputFile(case, title, file, _loads(content, case))
@@ -104,42 +94,6 @@ def read_input(path: str | Path) -> InputFile:
     raise InputError(str(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
 
 
-def _text(file: Path) -> str:
-    """Return the text of a regular UTF-8 file of at most `MAX_BYTES`."""
-    try:
-        content = _bytes(file)
-        return content.decode("utf-8-sig")
-    except OSError as error:
-        reason = f"cannot be read ({error.strerror}): give the path of a readable TOML file"
-    except UnicodeDecodeError as error:
-        reason = f"is not UTF-8 at byte {error.start}: save it as UTF-8 text"
-    raise InputError(str(file), reason)
-
-
-def _bytes(file: Path) -> bytes:
-    if not file.is_file():
-        state = "does not exist"
-        if file.exists():
-            state = "is a directory" if file.is_dir() else "is not a regular file"
-        raise InputError(str(file), f"{state}: give the path of a TOML file")
-    with file.open("rb") as stream:
-        content = stream.read(MAX_BYTES + 1)
-    if len(content) > MAX_BYTES:
-        raise InputError(str(file), f"is longer than {MAX_BYTES} bytes: give a file with one case")
-    return content
-
-
-def _toml(text: str, key: str) -> dict[str, Any]:
-    try:
-        return tomllib.loads(text, parse_float=_Written)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(key, f"is not valid TOML ({error}): correct it there") from None
-    except ValueError:  # Python refuses to read integers beyond its own limit of digits
-        raise InputError(key, "has an integer with too many digits: give at most 400") from None
-    except RecursionError:
-        raise InputError(key, "is nested too deeply: lists in lists have no meaning here") from None
-
-
 def _dimensionless(content: Mapping[str, Any]) -> Case:
     for other in ("physical", "mass"):
         if other in content:
@@ -148,7 +102,7 @@ def _dimensionless(content: Mapping[str, Any]) -> Case:
     with errors_under("dimensionless."):
         for name in ("eta_m", "positions"):
             if not isinstance(table[name], list):
-                raise InputError(name, f"is {_kind(table[name])}, not a list: write {name} = [ … ]")
+                raise InputError(name, f"is {kind(table[name])}, not a list: write {name} = [ … ]")
         return Case(**table)
 
 
@@ -157,7 +111,7 @@ def _loads(content: Mapping[str, Any], case: Case) -> tuple[Load, ...] | None:
         return None
     entries = content["load"]
     if not isinstance(entries, list):
-        raise InputError("load", f"is {_kind(entries)}: write [[load]] in double brackets for each mass")
+        raise InputError("load", f"is {kind(entries)}: write [[load]] in double brackets for each mass")
     loads = []
     for j, entry in enumerate(entries, 1):
         table = _table(entry, f"load[{j}]", _LOAD)
@@ -172,7 +126,7 @@ def _physical(content: Mapping[str, Any]) -> PhysicalCase:
     table = _table(content["physical"], "physical", _PHYSICAL)
     entries = content.get("mass", [])
     if not isinstance(entries, list):
-        raise InputError("mass", f"is {_kind(entries)}: write [[mass]] in double brackets for each mass")
+        raise InputError("mass", f"is {kind(entries)}: write [[mass]] in double brackets for each mass")
     if not entries:
         raise InputError("mass", "is missing: add [[mass]] with M and position for each mass")
     masses = [_mass(entry, f"mass[{j}]") for j, entry in enumerate(entries, 1)]
@@ -192,25 +146,9 @@ def _mass(entry: object, key: str) -> Mass:
 def _table(value: object, key: str, known: Mapping[str, str]) -> dict[str, Any]:
     """Return a table that has every required key and no unknown one; its values are not looked at."""
     if not isinstance(value, dict):
-        raise InputError(key, f"is {_kind(value)}, not a section: give {', '.join(known)} in it")
-    _check_keys(value, known, f"{key}.")
+        raise InputError(key, f"is {kind(value)}, not a section: give {', '.join(known)} in it")
+    check_keys(value, known, f"{key}.")
     for name, meaning in known.items():
         if name in _REQUIRED and name not in value:
             raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
     return value
-
-
-def _check_keys(table: Mapping[str, Any], known: Mapping[str, str], prefix: str) -> None:
-    for name in table:
-        if name not in known:
-            lower = {candidate.lower(): candidate for candidate in known}
-            near = get_close_matches(name.lower(), lower, n=1, cutoff=0.5)
-            advice = f"did you mean {lower[near[0]]}?" if near else f"the keys here are {', '.join(known)}"
-            shown = name if name.isidentifier() and len(name) <= 40 else repr(name[:40])
-            raise InputError(f"{prefix}{shown}", f"is unknown: {advice}")
-
-
-def _kind(value: object) -> str:
-    """Return the name that TOML has for the type of `value`."""
-    kinds = {bool: "a boolean", int: "a number", _Written: "a number", str: "a text", list: "a list"}
-    return "a table" if isinstance(value, dict) else kinds.get(type(value), "a date or time")

@@ -34,12 +34,6 @@ def kernel_at_contact_rate(track: Track, pair: Pairing, rate: PairingRate) -> tu
     return value, value * (rate.s / pair.s - rate.R / pair.R)
 
 
-def kernel_rate(track: Track, pair: Pairing, rate: PairingRate, side: int, distance: Any) -> tuple[Any, Any]:
-    """K and its rate at ξ = side·distance, for a point that stands still."""
-    value, rates = kernel_rates(track, pair, [(rate, 0)], side, distance)
-    return value, rates[0]
-
-
 def kernel_rates(
     track: Track, pair: Pairing, rates: Sequence[tuple[PairingRate, Any]], side: int, distance: Any
 ) -> tuple[Any, list[Any]]:

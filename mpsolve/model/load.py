@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.numbers.exact import Exact, Number
 
 GRAVITY = Exact.parse("9.80665")  # m/s², the standard acceleration
 _LEAST, _MOST = Fraction(1, 10**150), Fraction(10**150)  # what float64 can square

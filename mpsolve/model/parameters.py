@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact, Number
+from mpsolve.numbers.exact import Exact, Number
 
 _BUCKLED = "so the beam buckles without any load: lower the compression"
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from mpsolve.motion.beam import BeamError, BeamResponse, finite_beam
     from mpsolve.motion.newmark import coupled_beam
-    from mpsolve.motion.solve import HarmonicPair, HarmonicSolution, Response, harmonic_solution, response
+    from mpsolve.motion.solution import HarmonicPair, HarmonicSolution, Response
+    from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import (
         Envelope,
         Importance,
@@ -37,7 +38,8 @@ __all__ = [
 ]
 
 _HOME = {
-    **dict.fromkeys(__all__[:5], "solve"),
+    **dict.fromkeys(("response", "harmonic_solution"), "solve"),
+    **dict.fromkeys(("Response", "HarmonicSolution", "HarmonicPair"), "solution"),
     **dict.fromkeys(__all__[5:12], "study"),
     **dict.fromkeys(__all__[12:15], "beam"),
     "coupled_beam": "newmark",

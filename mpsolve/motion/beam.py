@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.beam_figures import Figures, Problem
+from mpsolve.numbers.exact import Number
 
 
 @dataclass(frozen=True)

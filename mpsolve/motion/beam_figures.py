@@ -14,7 +14,7 @@ from mpsolve.model.parameters import Case
 from mpsolve.motion.beam_march import UNKNOWN, Loading, Motion, march
 from mpsolve.motion.beam_modes import Beam
 from mpsolve.motion.grid import checked_times, float_list
-from mpsolve.threads import one_thread
+from mpsolve.parallel.threads import one_thread
 
 LONGEST_STEP = 0.5
 FEWEST_STEPS = 8

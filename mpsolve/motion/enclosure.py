@@ -20,14 +20,15 @@ import flint
 import mpmath
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Exact, Number, exact_list
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.motion.certified import proved_spectrum
 from mpsolve.motion.rigorous_forces import Setting, setting
 from mpsolve.motion.rigorous_path import Guide, Route, float_track, guide, route
 from mpsolve.motion.rigorous_quadrature import panels
@@ -35,8 +36,7 @@ from mpsolve.motion.rigorous_sheet import prove_clear
 from mpsolve.motion.rigorous_sum import Samples, physical_start
 from mpsolve.motion.rigorous_tail import far_start, tail
 from mpsolve.motion.rigorous_waves import BallWave, induced, steady
-from mpsolve.motion.solve import proved_spectrum
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.numbers.exact import Exact, Number, exact_list
 
 acb, arb = flint.acb, flint.arb
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.fields import Field
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import exact_list
+from mpsolve.numbers.exact import exact_list
 
 
 def float_list(values: Any, key: str) -> Any:

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.format import write_whole
+from mpsolve.files import write_whole
 from mpsolve.motion.scale import Scale
-from mpsolve.motion.solve import Response
+from mpsolve.motion.solution import Response
 
 _PARTS = ("w", "steady", "harmonic", "transient")
 

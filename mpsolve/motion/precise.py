@@ -8,16 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.errors import InputError
 from mpsolve.fields import MP
 from mpsolve.model.branch import Track, track
-from mpsolve.model.exact import Number, exact_list
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.motion.solve import HarmonicPair, HarmonicSolution, proved_spectrum
+from mpsolve.motion.certified import proved_spectrum
+from mpsolve.motion.solution import HarmonicPair, HarmonicSolution
 from mpsolve.motion.waves import Wave, induced_waves, steady_waves
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.numbers.exact import Number, exact_list
 
 _GUARD = 10  # digits beyond those asked for, in the roots and the arithmetic
 MOST = 1000

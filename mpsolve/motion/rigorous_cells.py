@@ -15,7 +15,7 @@ import flint
 import numpy as np
 
 from mpsolve.discs import Discs
-from mpsolve.model.boxes import _disjoint, _sharpened, _Shifts
+from mpsolve.model.boxes import Shifts, disjoint, sharpened
 from mpsolve.model.branch import Track
 from mpsolve.model.scaled import SplitRoots, scaled_characteristic
 from mpsolve.motion.rigorous_path import Guide, Route
@@ -68,11 +68,11 @@ def cells(track: Track, guide: Guide, way: Route, v: Discs) -> Cells:
     """The p-roots over discs of v, named as the guide does; `track` in discs."""
     with np.errstate(all="ignore"):
         q = way.frequency(track, v)
-        shifts = _Shifts(track, q)
+        shifts = Shifts(track, q)
         found = [shifts.isolate(m) for m in guide.seeds(v.m)]
         proved = np.logical_and.reduce([one.proved for one in found])
-        roots = _sharpened(found, proved)
-        known = proved & _disjoint(SplitRoots(*roots))
+        roots = sharpened(found, proved)
+        known = proved & disjoint(SplitRoots(*roots))
         r = q - 1j * track.eta_b
         slopes = [(p * p * 4 - track.A * 8) * p + r * track.alpha * 8 for p in roots]
         known = known & np.logical_and.reduce([slope.nonzero() for slope in slopes])

@@ -10,10 +10,10 @@ import flint
 
 from mpsolve.discs import DiscField, Discs
 from mpsolve.fields import Ball
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case
 from mpsolve.motion.forcing import Tone, image, tones
+from mpsolve.numbers.exact import Exact
 
 acb, arb = flint.acb, flint.arb
 

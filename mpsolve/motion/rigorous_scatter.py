@@ -1,7 +1,7 @@
 """Three and more masses far out on the continued sheet: waves that nearly passive obstacles scatter.
 
 With the travelling waves of rigorous_tail.py, B = I − κηK is diag(B)(I + M + V): M of the travelling waves, V of the
-evanescent ones. As in spectrum/far.py, det(I + M) = Π (1 + g z_j), z_j being what the masses beyond j reflect. Here
+evanescent ones. As in sheet/far.py, det(I + M) = Π (1 + g z_j), z_j being what the masses beyond j reflect. Here
 
     g = iηw gain √(FB)/4 / (1 + ηwX'),   F = −4C₂, B = 4C₀,   X' near (1 + i)/4,
 
@@ -21,7 +21,7 @@ from typing import Any
 import flint
 
 from mpsolve.model.branch import Track
-from mpsolve.spectrum.far import Asymptotics, deviating, product, require
+from mpsolve.sheet.far import Asymptotics, deviating, product, require
 
 acb, arb = flint.acb, flint.arb
 

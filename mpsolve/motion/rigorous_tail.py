@@ -1,6 +1,6 @@
 """Far out on the sheet that continues the lower side of the cut: no zero of Δ, and a bound of |W̃|.
 
-With 2r = w² and the notation of spectrum/far.py the upper p-roots are there w P₁ ≈ iw and w P₂ ≈ −w, the lower ones
+With 2r = w² and the notation of sheet/far.py the upper p-roots are there w P₁ ≈ iw and w P₂ ≈ −w, the lower ones
 w P₀ ≈ w and w P₃ ≈ −iw, wherever 0 ≤ Im w ≤ δ, Re w > 0: they are for Im w < 0, on the physical sheet, and none of
 them meets another on the way. Then 1 − κη K(0) = 1 + ηwX' with X' near (1 + i)/4, and
 
@@ -26,7 +26,7 @@ from mpsolve.model.branch import Track
 from mpsolve.motion.forcing import Tone
 from mpsolve.motion.rigorous_path import Route
 from mpsolve.motion.rigorous_scatter import inverse_bound, least
-from mpsolve.spectrum.far import Asymptotics, asymptotics
+from mpsolve.sheet.far import Asymptotics, asymptotics
 
 acb, arb = flint.acb, flint.arb
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import flint
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Pairing, Track, pairing
 from mpsolve.model.characteristic import characteristic_rate
@@ -15,8 +16,7 @@ from mpsolve.model.edge import edge_roots
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 from mpsolve.motion.rigorous_forces import Setting
 from mpsolve.motion.transform import contact_image, numerators, system
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import Symmetry
+from mpsolve.sheet.enclose import Symmetry
 
 acb, arb = flint.acb, flint.arb
 

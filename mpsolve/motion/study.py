@@ -8,14 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Number
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.grid import checked_places, checked_times
-from mpsolve.motion.solve import Response, prepare, response
+from mpsolve.motion.solution import Response
+from mpsolve.motion.solve import prepare, response
 from mpsolve.motion.waves import modulus
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.numbers.exact import Number
 
 _REAL = 1e-12  # Im q below this part of |q| is a rounded 0
 
@@ -130,8 +131,9 @@ def deflection_shape(
 ) -> Response:
     """The whole shape of the beam at the given times: `response` on a grid of ξ around the masses.
 
-    Without xi: 401 points from 10 behind the rear mass to 10 before the front mass. `mpsolve.motion.figures` draws
-    it: draw_shape(found, ax, time) at one time, animation(found) as it moves. Errors as for `response`.
+    Without xi: 401 points from 10 behind the rear mass to 10 before the front mass. For pictures
+    mpsolve/report/figures_motion.py has draw_shape(found, ax, time) at one time, and animation(found) as it moves.
+    Errors as for `response`.
     """
     whole = case.dimensionless if isinstance(case, PhysicalCase) else case
     if xi is None:

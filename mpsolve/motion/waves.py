@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import MP
 from mpsolve.model.branch import Pairing, Track, pairing, track
@@ -23,8 +24,7 @@ from mpsolve.motion.field import images_at
 from mpsolve.motion.forcing import Tone, image, tones
 from mpsolve.motion.sheets import pairing_below
 from mpsolve.motion.transform import contact_image, numerators, system
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall, Symmetry
+from mpsolve.sheet.enclose import RootBall, Symmetry
 
 BITS = 160
 _NEAR = 1e-5  # closer frequencies, relative, lose too many digits in float64

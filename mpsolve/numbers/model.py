@@ -15,7 +15,7 @@ from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hin
 import msgspec
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact, Number
+from mpsolve.numbers.exact import Exact, Number
 
 Rational: TypeAlias = Any
 """An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""

@@ -13,14 +13,13 @@ from rich.text import Text
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.model.specs import label
+from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.data import physical_data
-from mpsolve.report.digits import decimal, proved_digits
-from mpsolve.report.statement import ASSUMED
 from mpsolve.report.text import beam_rows, certificate_text, columns_of, ratio_rows, section
-from mpsolve.report.vibration import working_bits
-from mpsolve.stability.specs import label
 
 VERSION = 1
 PLACES = 8  # digits of the quantities that follow from the certified ones

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, Any
 from flint import arb
 
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
-from mpsolve.report import strips
+from mpsolve.numbers.decimals import proved_digits, working_bits
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.answer import Answer, Source, between, number, short
-from mpsolve.report.digits import proved_digits
-from mpsolve.report.vibration import working_bits
+from mpsolve.stability import strips
 from mpsolve.stability.masses import Crossing, CrossingMasses
 
 if TYPE_CHECKING:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from mpsolve.certificate.certify import Spectrum, known_count
 from mpsolve.fields import ball_arithmetic
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import PhysicalCase
-from mpsolve.report.digits import decimal
-from mpsolve.report.statement import ASSUMED, known_count, proved, radius_text
-from mpsolve.report.vibration import Trend, Vibration, vibration, working_bits
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall
-from mpsolve.spectrum.region import Rectangle
+from mpsolve.numbers.decimals import decimal, working_bits
+from mpsolve.report.statement import proved, radius_text
+from mpsolve.report.vibration import Trend, Vibration, vibration
+from mpsolve.sheet.enclose import RootBall
+from mpsolve.sheet.region import Rectangle
 
 FORMAT = "mpsolve report"
 VERSION = 1

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.format import write_whole
 from mpsolve.errors import InputError
+from mpsolve.files import write_whole
 from mpsolve.model.parameters import PhysicalCase
 
 if TYPE_CHECKING:

@@ -6,16 +6,17 @@ Ids in the pictures: line-K, the K-th of the lines from 1, and here-K, the K-th 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.figures import COLOUR, Look, scaling, velocity_axis
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.stability.family import changed
 from mpsolve.stability.lines import FrequencyLines
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ def _limit(case: Case, lines: FrequencyLines, ax: Axes, look: Look) -> None:
     if not case.cuts_on_line:
         return
     grid = np.linspace(float(lines.alpha[0]), float(lines.alpha[-1]), _SAMPLES).tolist()
-    q = [float(limiting_frequency(changed(case, alpha=round(alpha, 9)), Float64())) for alpha in grid]
+    q = [float(limiting_frequency(replace(case, alpha=Exact.parse(round(alpha, 9))), Float64())) for alpha in grid]
     shown = [(alpha, value) for alpha, value in zip(grid, q, strict=True) if value > 0]
     if shown:
         ax.plot(*zip(*shown, strict=True), color=look.ink, linestyle=":", linewidth=1, label="$q_{lm}$")

@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
-from mpsolve.report.digits import proved_digits
+from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall
+from mpsolve.sheet.enclose import RootBall
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,9 +9,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from mpsolve.errors import InputError
+from mpsolve.model.specs import ONE_MASS
 from mpsolve.report.chart import SYMBOLS
 from mpsolve.report.figures import COLOUR, Look
-from mpsolve.stability.specs import ONE_MASS
 from mpsolve.stability.table import OnsetTable
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mpsolve.motion.scale import Scale
-from mpsolve.motion.solve import Response
+from mpsolve.motion.solution import Response
 from mpsolve.report.figures import COLOUR, Look
 
 if TYPE_CHECKING:

@@ -7,12 +7,11 @@ from typing import Any
 from flint import arb
 
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
-from mpsolve.report import strips
+from mpsolve.model.specs import label
+from mpsolve.numbers.decimals import outward, proved_digits, working_bits
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.answer import PLACES, Answer, Source, between, number, short
-from mpsolve.report.digits import outward, proved_digits
-from mpsolve.report.vibration import working_bits
-from mpsolve.stability.specs import label
+from mpsolve.stability import strips
 from mpsolve.stability.velocities import Interval, Onset, UnstableRanges
 
 _REMEDY = "A shorter range (--from, --to) that leaves the strip out, or more --digits, may help."

@@ -11,8 +11,9 @@ from typing import Any
 
 from mpsolve import __version__
 from mpsolve.fields import ball_arithmetic
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import PhysicalCase
-from mpsolve.report.digits import decimal
+from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.report.html_environment import rendered_template
 from mpsolve.report.page_data import Proof, page_data, proofs
 from mpsolve.report.page_figures import ball_pictures, chart_picture, line_pictures, plane_pictures, response_pictures
@@ -20,9 +21,9 @@ from mpsolve.report.page_loads import load_rows
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import Card, card, here_text
 from mpsolve.report.remedies import for_reader
-from mpsolve.report.statement import ASSUMED, limits, proved
+from mpsolve.report.statement import limits, proved
 from mpsolve.report.text import beam_rows, in_words, motion_rows, ratio_rows, shown
-from mpsolve.report.vibration import Vibration, vibrations, working_bits
+from mpsolve.report.vibration import Vibration, vibrations
 
 TEMPLATE = "page.html.j2"
 

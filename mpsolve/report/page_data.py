@@ -8,18 +8,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve import __version__
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.format import Certificate
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.motion.scale import Scale
-from mpsolve.motion.solve import Response
+from mpsolve.motion.solution import Response
 from mpsolve.report.answer import number
 from mpsolve.report.data import as_data
 from mpsolve.report.figures_plane import gap_end
 from mpsolve.report.page_loads import load_data
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import margin_data
-from mpsolve.spectrum.certify import Spectrum
 from mpsolve.stability.lines import FrequencyLines, LineEnd
 
 FORMAT = "mpsolve page"

@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.fields import ball_arithmetic
 from mpsolve.motion.scale import Scale
-from mpsolve.report.digits import proved_digits
+from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.report.figures import SIZE, figure_of
 from mpsolve.report.figures_chart import stability_map
 from mpsolve.report.figures_lines import line_frequencies, line_growth
@@ -17,8 +18,7 @@ from mpsolve.report.figures_response import contact_forces, displacements
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.statement import radius_text
-from mpsolve.report.vibration import Vibration, vibrations, working_bits
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.report.vibration import Vibration, vibrations
 from mpsolve.stability.chart import StabilityChart
 from mpsolve.stability.lines import FrequencyLines
 

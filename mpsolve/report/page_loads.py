@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load, gives_forces
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.answer import Source
 from mpsolve.report.text import shown
 

@@ -14,11 +14,11 @@ from flint import arb
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import MpsolveError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
+from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.masses import CrossingMasses, below_critical, crossing_masses
-from mpsolve.stability.search import Tell
 from mpsolve.stability.velocities import UnstableRanges, unstable_ranges, unstable_velocities
 
 DIGITS = 20
@@ -68,12 +68,12 @@ class Margin:
         return min(both, key=lambda end: abs(float((end - self.here).mid())), default=None)
 
 
-def margins(case: Case, tell: Tell | None = None) -> tuple[Margin, Margin, Margin]:
+def margins(case: Case, tell: Progress | None = None) -> tuple[Margin, Margin, Margin]:
     """The margins in velocity, mass and distance; what cannot be decided says why."""
     return velocity_margin(case, tell), mass_margin(case, tell), distance_margin(case, tell)
 
 
-def velocity_margin(case: Case, tell: Tell | None = None) -> Margin:
+def velocity_margin(case: Case, tell: Progress | None = None) -> Margin:
     """All else as it is, from rest up to 5/4 of the case's own α, and to `least_top` at least."""
     low, high = Exact.parse(0), _decimal_above(max(least_top(case), Fraction(float(case.alpha)) * _HEADROOM))
 
@@ -94,7 +94,7 @@ def places(case: Case) -> int:
     return len(set(case.positions))
 
 
-def mass_margin(case: Case, tell: Tell | None = None) -> Margin:
+def mass_margin(case: Case, tell: Progress | None = None) -> Margin:
     """All masses by one factor in (0, ∞), at the case's velocity."""
     low = Exact.parse(0)
 
@@ -117,7 +117,7 @@ def mass_margin(case: Case, tell: Tell | None = None) -> Margin:
     return Margin("mass", here, below, above, low, None, not reason, reason, certificate=certificate, stable=stable)
 
 
-def distance_margin(case: Case, tell: Tell | None = None) -> Margin:
+def distance_margin(case: Case, tell: Progress | None = None) -> Margin:
     """All distances of neighbouring, equally spaced masses, from 1/5 to 4 times that of the case."""
     d = _spacing(case)
     if d is None:

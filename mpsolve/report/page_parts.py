@@ -10,19 +10,20 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
+from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.errors import MpsolveError
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import GRAVITY, Load, gives_forces, loads_of
 from mpsolve.model.parameters import Case
-from mpsolve.motion.solve import Response, response
+from mpsolve.motion.solution import Response
+from mpsolve.motion.solve import response
+from mpsolve.numbers.exact import Exact
+from mpsolve.progress import Progress, silent
 from mpsolve.report.answer import Source
 from mpsolve.report.page_margins import Margin, least_top, margins, places
 from mpsolve.report.remedies import for_reader
 from mpsolve.report.statement import verdict
-from mpsolve.spectrum.certify import Spectrum, certify
 from mpsolve.stability.chart import StabilityChart, case_chart
 from mpsolve.stability.lines import FrequencyLines, frequency_lines
-from mpsolve.stability.search import Tell
 
 LINE_POINTS = 25  # velocities of the frequency lines
 FACTORS = tuple(Fraction(k, 5) for k in range(1, 16))  # of the masses in the chart, the case's own among them
@@ -95,7 +96,7 @@ class Parts:
 def gather(
     source: Source,
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
     loads: tuple[Load, ...] | None = None,
     line_points: int | None = None,
     factors: tuple[Fraction, ...] | None = None,
@@ -105,7 +106,7 @@ def gather(
     loads: of the response, by default those of the case. line_points: velocities of the frequency lines; factors: of
     all masses, the columns of the chart; by default as many as one or two minutes allow.
     """
-    say = tell or (lambda _stage, _fraction: None)
+    say = tell or silent
     case = source.case
     spectrum = certify(case, digits, "sheet" if case.cuts_on_line else "unstable", progress=tell)
     found = margins(case, tell)

@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.decimals import proved_digits
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.answer import Source, number
-from mpsolve.report.digits import proved_digits
 from mpsolve.report.page_margins import DIGITS, Margin
 from mpsolve.report.remedies import for_reader
 from mpsolve.report.text import shown

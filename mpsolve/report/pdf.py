@@ -8,8 +8,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from mpsolve.certificate.format import write_whole
 from mpsolve.errors import CertificateError, InputError
+from mpsolve.files import write_whole
 
 VARIABLE = "MPSOLVE_BROWSER"
 SECONDS = 180

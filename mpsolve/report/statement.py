@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import decimal
 
+from mpsolve.certificate.certify import Spectrum, known_count
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
-from mpsolve.report.digits import proved_digits
+from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.vibration import Trend, trend
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.region import Rectangle
+from mpsolve.sheet.region import Rectangle
 
-ASSUMED = (
-    "The model: an infinite Euler–Bernoulli beam on a Pasternak viscoelastic foundation, and point masses "
-    "that move at a constant velocity and never leave it. The software: Python, and FLINT's ball arithmetic."
-)
 _LIMIT_BITS = 128
 _LIMIT_DIGITS = 10
 
@@ -36,14 +32,6 @@ def verdict(spectrum: Spectrum) -> str:
 def proved(spectrum: Spectrum) -> tuple[str, ...]:
     """The sentences that are proved of the count, the far field and the balls; empty if nothing is."""
     return tuple(sentence for sentence in (_count(spectrum), _balls(spectrum)) if sentence)
-
-
-def known_count(spectrum: Spectrum) -> int | None:
-    """The proved number of roots in the region, or None.
-
-    An undecided unstable region has none: its roots may have been counted on the whole sheet.
-    """
-    return None if spectrum.region == "unstable" and not spectrum.proved else spectrum.count
 
 
 def radius_text(radius: float) -> str:

@@ -14,13 +14,14 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.report.digits import decimal, proved_digits
-from mpsolve.report.statement import ASSUMED, limits, proved, verdict
-from mpsolve.report.vibration import Trend, Vibration, vibrations, working_bits
-from mpsolve.spectrum.certify import Spectrum
+from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
+from mpsolve.numbers.exact import Exact
+from mpsolve.report.statement import limits, proved, verdict
+from mpsolve.report.vibration import Trend, Vibration, vibrations
 
 WIDTH = 88
 _PLACES = 8  # digits of the physical quantities; every digit of q is printed

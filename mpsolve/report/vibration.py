@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
 from flint import arb
 
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
-from mpsolve.spectrum.certify import Spectrum
-from mpsolve.spectrum.enclose import RootBall, Symmetry
-
-_GUARD_BITS = 64
+from mpsolve.numbers.decimals import working_bits
+from mpsolve.sheet.enclose import RootBall, Symmetry
 
 
 class Trend(Enum):
@@ -83,8 +81,3 @@ def trend(root: RootBall) -> Trend:
     if root.q.imag < 0:
         return Trend.GROWS
     return Trend.DECAYS if root.q.imag > 0 else Trend.OPEN
-
-
-def working_bits(digits: int) -> int:
-    """The precision at which values of `digits` digits lose nothing that is printed."""
-    return math.ceil(digits * math.log2(10)) + _GUARD_BITS

@@ -10,18 +10,20 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from mpsolve.certificate.format import Certificate, write_whole
+from mpsolve.certificate.format import Certificate
+from mpsolve.display import save_picture
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.exact import Exact
+from mpsolve.files import checked_suffix, write_whole
+from mpsolve.model import specs
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import Case
-from mpsolve.report.digits import fixed_digits
-from mpsolve.report.statement import ASSUMED
-from mpsolve.stability import specs
+from mpsolve.model.specs import Grid
+from mpsolve.numbers.decimals import fixed_digits
+from mpsolve.numbers.exact import Exact
+from mpsolve.parallel.pool import run_bunches
+from mpsolve.progress import Progress
 from mpsolve.stability.passages import Passages
-from mpsolve.stability.pool import run_bunches
-from mpsolve.stability.search import Strip, Tell
-from mpsolve.stability.specs import Grid
-from mpsolve.stability.table import checked_suffix
+from mpsolve.stability.search import Strip
 from mpsolve.stability.together import Search, together
 from mpsolve.stability.velocities import UnstableRanges, velocities_search
 from mpsolve.stability.zero import Zero
@@ -125,9 +127,7 @@ class StabilityChart:
         file = Path(path)
         if checked_suffix(file, SUFFIXES) == ".json":
             return write_whole(file, self.to_json())
-        from mpsolve.report.chart import picture
-
-        return picture(self, file)
+        return save_picture(self, file)
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class _Job:
 
 
 def stability_chart(
-    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Tell | None = None
+    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Progress | None = None
 ) -> StabilityChart:
     """The chart that `spec` (a mapping, or the path of a TOML file) describes; the same for any number of workers.
 
@@ -181,7 +181,7 @@ def case_chart(
     alpha: tuple[Exact, Exact],
     digits: int = 15,
     workers: int | None = None,
-    progress: Tell | None = None,
+    progress: Progress | None = None,
 ) -> StabilityChart:
     """The chart of a case over all its masses times each of the `factors` > 0; it may have any masses and places."""
     scaled = [replace(case, eta_m=tuple(ratio * factor for ratio in case.eta_m)) for factor in factors]

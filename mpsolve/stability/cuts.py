@@ -14,16 +14,16 @@ from typing import Any, overload
 
 import flint
 
+from mpsolve.certificate.certify import Status
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio, require_cuts_on_line
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.ranges import checked_range
 from mpsolve.stability.gapend import gap_ends
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.rimsearch import edge_zeros
 from mpsolve.stability.search import Strip
-from mpsolve.stability.velocities import checked_range
 
 acb, arb = flint.acb, flint.arb
 _BUDGET = 2_000_000  # boxes

@@ -11,20 +11,21 @@ from typing import Any
 import flint
 import numpy as np
 
+from mpsolve.certificate.certify import Status
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
-from mpsolve.spectrum.seek import seek
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.ranges import checked_range
+from mpsolve.progress import Progress
+from mpsolve.sheet.seek import seek
 from mpsolve.stability.curvature import convex_branch, motion_with_distance
 from mpsolve.stability.family import Family
 from mpsolve.stability.masses import checked_digits
-from mpsolve.stability.search import Tell
-from mpsolve.stability.velocities import UnstableRanges, checked_range, unstable_ranges
+from mpsolve.stability.velocities import UnstableRanges, unstable_ranges
 
 acb, arb = flint.acb, flint.arb
 _SAMPLES = 64  # distances at which the minimum is looked for, without proof
@@ -63,7 +64,7 @@ def critical_distance(
     eta_s: Number = 0,
     d: tuple[Number, Number] = ("0.3", 5),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> CriticalDistance:
     """The distance in [lo, hi] that minimises Im q over all roots of Δ, eq. (26): a proved global minimum.
 
@@ -139,7 +140,7 @@ def _critical_point(family: Family, d: float, q: complex, digits: int) -> tuple[
 
 
 def _proved(
-    family: Family, low: Exact, high: Exact, place: Any, root: Any, digits: int, tell: Tell | None
+    family: Family, low: Exact, high: Exact, place: Any, root: Any, digits: int, tell: Progress | None
 ) -> CriticalDistance:
     reason = "the least imaginary part has two minima that are nearly equal: give a range with one of them"
     for lift in _LIFTS:

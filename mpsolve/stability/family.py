@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from mpsolve.model.branch import ALONG_ALPHA, ALONG_DAMPING, Motion, Track, track
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 
 Parameter = Literal["alpha", "eta_b", "distance", "level", "mass"]
 
@@ -57,11 +57,11 @@ class Family:
     def case_at(self, t: Exact) -> Case:
         """The case at an exact t (not for a free mass level)."""
         if self.parameter == "alpha":
-            return changed(self.case, alpha=t)
+            return replace(self.case, alpha=t)
         if self.parameter == "eta_b":
-            return changed(self.case, eta_b=t)
+            return replace(self.case, eta_b=t)
         if self.parameter == "distance":
-            return changed(self.case, positions=[t * k for k in range(self.case.count)])
+            return replace(self.case, positions=tuple(t * k for k in range(self.case.count)))
         raise ValueError("a free mass level has no case of its own")
 
     def motion(self, count: int) -> Motion:
@@ -83,10 +83,3 @@ def moved(model: Track, name: Parameter, value: Any) -> Track:
     if name == "distance":
         return replace(model, positions=tuple(k * value for k in range(len(model.eta_m))))
     return model
-
-
-def changed(case: Case, **changes: Any) -> Case:
-    """The case with other values for some of its keys."""
-    values: dict[str, Any] = {name: getattr(case, name) for name in ("alpha", "eta_b", "eta_n", "eta_s")}
-    values |= {"eta_m": case.eta_m, "positions": case.positions} | changes
-    return Case(**values)

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from mpsolve.certificate.certify import Status
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.exact import Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.numbers.exact import Number
+from mpsolve.numbers.ranges import checked_range
 from mpsolve.stability.masses import CrossingMasses, below_critical, checked_digits, crossing_masses
 from mpsolve.stability.together import alone
-from mpsolve.stability.velocities import checked_range
 
 
 @dataclass(frozen=True)

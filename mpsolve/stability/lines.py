@@ -13,12 +13,12 @@ from typing import Any, overload
 
 import flint
 
+from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Spectrum, certify
-from mpsolve.spectrum.enclose import RootBall
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.sheet.enclose import RootBall
 from mpsolve.stability.cuts import CutPoint, CutPoints, cut_points
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.tube import follow

@@ -7,16 +7,18 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, overload
 
+from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS, Status
+from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS, Status
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.passages import Passages, passing
-from mpsolve.stability.search import Strip, Tell
+from mpsolve.stability.search import Strip
 from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import mass_level
 
@@ -76,7 +78,7 @@ def crossing_masses(
     eta_n: Number = 0,
     eta_s: Number = 0,
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> CrossingMasses:
     """Every mass level η in (0, ∞), masses η·proportions, at which a root of Δ, eq. (26), crosses the real axis.
 
@@ -98,7 +100,7 @@ def crossings_search(
     eta_n: Number = 0,
     eta_s: Number = 0,
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Search[CrossingMasses]:
     """`crossing_masses` as a search, for together.py."""
     places = list(positions) if isinstance(positions, Iterable) and not isinstance(positions, str) else [positions]
@@ -140,8 +142,6 @@ def _undamped(case: Case, digits: int) -> CrossingMasses:
 
 
 def _result(case: Case, found: Passages, digits: int) -> CrossingMasses:
-    from mpsolve.certificate.crossings import crossings_certificate
-
     with ball_arithmetic(int(3.33 * (digits + _GUARD)) + 64):
         crossings = [Crossing(mass_level(zero), zero.x, zero.direction) for zero in found.zeros]
     strips, counts = found.strips, found.counts

@@ -14,14 +14,15 @@ from itertools import pairwise
 
 import flint
 
+from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
-from mpsolve.spectrum.certify import Spectrum, certify
-from mpsolve.spectrum.enclose import Symmetry
-from mpsolve.spectrum.far import far_radius
+from mpsolve.numbers.exact import Exact
+from mpsolve.progress import Progress
+from mpsolve.sheet.enclose import Symmetry
+from mpsolve.sheet.far import far_radius
 from mpsolve.stability.family import Family
-from mpsolve.stability.search import Strip, Tell, all_zeros
+from mpsolve.stability.search import Strip, all_zeros
 from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import BITS, Zero, sharpen
 
@@ -71,7 +72,7 @@ class Passages:
 
 
 def passages(
-    family: Family, start: Exact, end: Exact, digits: int, budget: int | None = None, tell: Tell | None = None
+    family: Family, start: Exact, end: Exact, digits: int, budget: int | None = None, tell: Progress | None = None
 ) -> Passages:
     """All passages in the range, to `digits` digits; what is open is returned as strips. Needs damping.
 
@@ -81,7 +82,7 @@ def passages(
 
 
 def passing(
-    family: Family, start: Exact, end: Exact, digits: int, budget: int | None = None, tell: Tell | None = None
+    family: Family, start: Exact, end: Exact, digits: int, budget: int | None = None, tell: Progress | None = None
 ) -> Search[Passages]:
     """`passages` as a search, for together.py."""
     budget = budget or _BUDGET // max(1, family.case.merged.count - 1) ** 2

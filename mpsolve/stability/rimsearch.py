@@ -15,7 +15,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.far import far_radius
+from mpsolve.sheet.far import far_radius
 from mpsolve.stability.exclude import inside
 from mpsolve.stability.krawczyk import ball_of, contracted, newton_step
 from mpsolve.stability.rim import edge_ball, slopes_ball, value_ball

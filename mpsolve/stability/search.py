@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
+from mpsolve.progress import Progress
 from mpsolve.stability.exclude import Job, Region, grid, inside
 from mpsolve.stability.family import Family
 from mpsolve.stability.together import Search
@@ -21,8 +21,6 @@ _ROUNDS = 12
 _LEVELS = 6  # of halving in each round but the first
 _BALLS = 600  # evaluations in balls a round
 _MERGE = 1.5
-
-Tell = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)
@@ -44,7 +42,7 @@ class Zeros:
 
 
 def all_zeros(
-    family: Family, reach: float, t0: float, t1: float, budget: int = 3_000_000, tell: Tell | None = None
+    family: Family, reach: float, t0: float, t1: float, budget: int = 3_000_000, tell: Progress | None = None
 ) -> Search[Zeros]:
     """Every zero with 0 ≤ x ≤ reach and t0 ≤ t ≤ t1 (0 < x for a free mass level): a search, for together.py."""
     boxes, evaluations = grid(reach, t0, t1), 0

@@ -17,14 +17,14 @@ from typing import Any, overload
 
 import flint
 
+from mpsolve.certificate.certify import Status, certify
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import ALONG_DAMPING, ALONG_Q, track
 from mpsolve.model.characteristic import characteristic_rates
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status, certify
-from mpsolve.spectrum.enclose import RootBall, Symmetry, isolate, refine
+from mpsolve.sheet.enclose import RootBall, Symmetry, isolate, refine
 from mpsolve.stability.masses import below_critical, checked_digits
 
 arb = flint.arb

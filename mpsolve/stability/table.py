@@ -9,17 +9,21 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
-from mpsolve.certificate.format import Certificate, write_whole
+from mpsolve.certificate.format import Certificate
+from mpsolve.display import card
 from mpsolve.errors import CertificateError, InputError, PrecisionError
-from mpsolve.model.exact import Exact
+from mpsolve.files import checked_suffix, write_whole
+from mpsolve.model import specs
 from mpsolve.model.parameters import Case
-from mpsolve.report.digits import fixed_digits
-from mpsolve.report.strips import UNIT, remark
-from mpsolve.stability import specs
+from mpsolve.model.specs import Grid
+from mpsolve.numbers.decimals import fixed_digits
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.packed import PackedBall, pack, unpack
+from mpsolve.parallel.pool import run_bunches
+from mpsolve.progress import Progress
 from mpsolve.stability.masses import crossings_search
-from mpsolve.stability.pool import PackedBall, pack, run_bunches, unpack
-from mpsolve.stability.search import Tell
-from mpsolve.stability.specs import Grid
+from mpsolve.stability.strips import UNIT, remark
+from mpsolve.stability.table_text import csv_text, json_text, latex_text
 from mpsolve.stability.together import Search, together
 from mpsolve.stability.velocities import Interval, onset_search, velocities_search
 
@@ -118,27 +122,19 @@ class OnsetTable:
 
     def to_csv(self) -> str:
         """A line a row, a column a column, and a last column with the notes of the row."""
-        from mpsolve.report.tables import csv_text
-
         return csv_text(self)
 
     def to_json(self) -> str:
-        """Everything, in the keys that mpsolve/report/tables.py lists."""
-        from mpsolve.report.tables import json_text
-
+        """Everything, in the keys that mpsolve/stability/table_text.py lists."""
         return json_text(self)
 
     def to_latex(self) -> str:
         """A tabular for the package booktabs, with the notes below it."""
-        from mpsolve.report.tables import latex_text
-
         return latex_text(self)
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        from mpsolve.report.html_cards import table_html
-
-        return table_html(self)
+        return card(self)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Writes .csv, .json or .tex, whole or not at all.
@@ -185,7 +181,7 @@ class _Job:
 
 
 def onset_table(
-    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Tell | None = None
+    spec: Mapping[str, Any] | str | os.PathLike[str], workers: int | None = None, progress: Progress | None = None
 ) -> OnsetTable:
     """The table that `spec` (a mapping, or the path of a TOML file) describes; the same for any number of workers.
 
@@ -232,14 +228,6 @@ def onset_table(
     width = len(columns.values)
     lines = tuple(tuple(entries[k : k + width]) for k in range(0, len(entries), width))
     return OnsetTable(title, quantity, digits, shown, alpha, rows, columns, lines)
-
-
-def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
-    """The suffix of the path in lower case; InputError if it is not one of those allowed."""
-    suffix = path.suffix.lower()
-    if suffix not in allowed:
-        raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
-    return suffix
 
 
 def _range(fixed: Mapping[str, Any], quantity: str) -> tuple[Exact, Exact] | None:

@@ -10,18 +10,21 @@ from typing import Any, overload
 
 import flint
 
+from mpsolve.certificate.certify import Status
+from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.ranges import checked_range
+from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.passages import Passages, counted, passing
-from mpsolve.stability.search import Strip, Tell
+from mpsolve.stability.search import Strip
 from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import Zero
 
@@ -87,7 +90,7 @@ def unstable_velocities(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, Fraction(7, 5)),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> UnstableRanges:
     """All velocity ratios in [lo, hi] at which a root of Δ, eq. (26), has Im q < 0, proved.
 
@@ -109,7 +112,7 @@ def velocities_search(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, Fraction(7, 5)),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Search[UnstableRanges]:
     """`unstable_velocities` as a search, for together.py."""
     case, low, high = _admitted(eta_b, eta_m, positions, eta_n, eta_s, alpha)
@@ -127,7 +130,7 @@ def onset_velocity(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, 2),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Onset:
     """The first velocity ratio in [lo, hi] at which the case becomes unstable: `.alpha`, with `.q`, or None if none.
 
@@ -147,7 +150,7 @@ def onset_search(
     eta_s: Number = 0,
     alpha: tuple[Number, Number] = (0, 2),
     digits: int = 30,
-    tell: Tell | None = None,
+    tell: Progress | None = None,
 ) -> Search[Onset]:
     """`onset_velocity` as a search, for together.py."""
     case, low, high = _admitted(eta_b, eta_m, positions, eta_n, eta_s, alpha)
@@ -210,31 +213,17 @@ def _admitted(
     return case, low, high
 
 
-def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
-    """Two rational ends in order."""
-    try:
-        low, high = value
-    except (TypeError, ValueError):
-        raise InputError(key, f"is {value!r}: give a range (lo, hi)") from None
-    low, high = Exact.parse(low, key), Exact.parse(high, key)
-    if not (low.is_rational and high.is_rational):
-        raise InputError(key, "has an irrational end: give decimals or ratios p/q")
-    if not low < high:
-        raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
-    return low, high
-
-
-def unstable_ranges(family: Family, low: Exact, high: Exact, digits: int, tell: Tell | None = None) -> UnstableRanges:
+def unstable_ranges(
+    family: Family, low: Exact, high: Exact, digits: int, tell: Progress | None = None
+) -> UnstableRanges:
     """The ranges of the family's parameter with a root below its line; for damped cases."""
     return alone(ranges_search(family, low, high, digits, tell))
 
 
 def ranges_search(
-    family: Family, low: Exact, high: Exact, digits: int, tell: Tell | None = None
+    family: Family, low: Exact, high: Exact, digits: int, tell: Progress | None = None
 ) -> Search[UnstableRanges]:
     """`unstable_ranges` as a search, for together.py."""
-    from mpsolve.certificate.crossings import crossings_certificate
-
     try:
         found = yield from passing(family, low, high, digits, tell=tell)
     except PrecisionError as error:

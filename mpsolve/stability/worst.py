@@ -28,12 +28,12 @@ from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.boxes import root_discs
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import kernel_matrix
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.far import far_radius
+from mpsolve.numbers.exact import Exact
+from mpsolve.sheet.far import far_radius
 from mpsolve.stability.curvature import NestedBalls, second_order, split_balls
 from mpsolve.stability.exclude import Job, arrays, grid, local
-from mpsolve.stability.family import Family, changed
+from mpsolve.stability.family import Family
 from mpsolve.stability.krawczyk import ball_of, contracted, contracted_all
 from mpsolve.stability.together import Search
 from mpsolve.stability.zero import BITS, approach, isolate, mass_level, sharpen
@@ -120,7 +120,7 @@ def _between(d: float, box: tuple[float, float, float], low: Exact, high: Exact)
 
 
 def _scaled(case: Case, scale: Exact) -> Case:
-    return changed(case, eta_m=[ratio * scale for ratio in case.eta_m])
+    return replace(case, eta_m=tuple(ratio * scale for ratio in case.eta_m))
 
 
 def _region(reach: float, ceiling: float, low: Exact, high: Exact) -> Any:
@@ -307,7 +307,7 @@ class _Place:
 
 
 def _with_distance(case: Case, d: Exact) -> Case:
-    return changed(case, positions=[d * k for k in range(case.count)])
+    return replace(case, positions=tuple(d * k for k in range(case.count)))
 
 
 def _sharpened(family: Family, point: Point, box: Any, digits: int) -> Point:

@@ -48,6 +48,11 @@ class Zero:
         dx, dt = (0.99 * h for h in self.reach)
         return x - dx, x + dx, t - dt, t + dt
 
+    @property
+    def level(self) -> Any:
+        """η, of a zero of a free mass level."""
+        return mass_level(self)
+
 
 def mass_level(zero: Any) -> Any:
     """η = πx/(2q²), x = (1 + q²) u/(1 − u), of a zero of a free mass level."""

@@ -13,10 +13,10 @@ from zipfile import ZipFile, ZipInfo
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.stability.specs import ONE_MASS
+from mpsolve.model.specs import ONE_MASS
 from mpsolve.studies.blocks import STATUSES, Result
 from mpsolve.studies.design import Value
-from mpsolve.studies.run import stored_results
+from mpsolve.studies.results import stored_results
 from mpsolve.studies.store import Store
 
 _ROWS = 16_384  # cases in memory at a time

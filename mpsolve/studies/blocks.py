@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 from mpsolve import __version__
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, MpsolveError, StudyError
-from mpsolve.stability.specs import ONE_MASS, case_of
+from mpsolve.model.specs import ONE_MASS, case_of
 from mpsolve.studies.design import Value
 from mpsolve.studies.spec import PARAMETERS, Spec, spec_of
 
 if TYPE_CHECKING:
-    from mpsolve.spectrum.enclose import RootBall
+    from mpsolve.sheet.enclose import RootBall
 
 FORMAT = 2
 """Raised when the results of a case, or the way they are written, change."""
@@ -149,8 +149,7 @@ def _certified(spec: Spec, cases: Sequence[dict[str, Value]]) -> list[Result]:
 
 
 def _certify(spec: Spec, values: dict[str, Value]) -> Result:
-    from mpsolve.report.statement import known_count
-    from mpsolve.spectrum.certify import certify
+    from mpsolve.certificate.certify import certify, known_count
 
     try:
         found = certify(case_of(values, spec.masses), spec.digits, spec.region)
@@ -165,8 +164,7 @@ def _certify(spec: Spec, values: dict[str, Value]) -> Result:
 
 def _root(root: RootBall, digits: int) -> Root:
     from mpsolve.fields import ball_arithmetic
-    from mpsolve.report.digits import decimal
-    from mpsolve.report.vibration import working_bits
+    from mpsolve.numbers.decimals import decimal, working_bits
 
     with ball_arithmetic(working_bits(digits)):
         re, im = (decimal(part, digits + 2) for part in (root.q.real, root.q.imag))

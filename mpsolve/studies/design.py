@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 from math import lcm
 from typing import Any, TypeAlias
 
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 
 Value: TypeAlias = "Fraction | Exact | str"
 """A rational number, a fourth root that is irrational, or "one mass" for d."""

@@ -16,13 +16,12 @@ from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from mpsolve.certificate.format import whole_file
 from mpsolve.errors import StudyError
-from mpsolve.report.statement import ASSUMED
-from mpsolve.stability.table import checked_suffix
+from mpsolve.files import checked_suffix, whole_file
+from mpsolve.model.assumed import ASSUMED
 from mpsolve.studies.blocks import ENGINE, Result, Root
 from mpsolve.studies.design import Value
-from mpsolve.studies.run import stored_results
+from mpsolve.studies.results import stored_results
 from mpsolve.studies.store import Store, store_path
 
 FORMAT = "mpsolve study"

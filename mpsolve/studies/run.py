@@ -11,9 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError, StudyError
-from mpsolve.stability.pool import WORKER_ENDED, checked_workers, process_pool
-from mpsolve.studies.blocks import GOOD, Block, Result, checked, work
+from mpsolve.parallel.pool import WORKER_ENDED, checked_workers, process_pool
+from mpsolve.studies.blocks import GOOD, Block, Result, work
 from mpsolve.studies.design import Value
+from mpsolve.studies.export import export
+from mpsolve.studies.results import stored_results
 from mpsolve.studies.spec import Spec, read_spec
 from mpsolve.studies.store import Store, store_path
 
@@ -66,8 +68,6 @@ class Study:
         Raises InputError for another name, CertificateError if it cannot be written, StudyError if the store is
         damaged.
         """
-        from mpsolve.studies.export import export
-
         return export(self.path, path)
 
 
@@ -134,17 +134,6 @@ def open_study(path: str | os.PathLike[str]) -> Study:
             stated = f"{path} holds results of another version only ({', '.join(others)})"
             raise StudyError(f"{stated}: use that one, or run the study again with this one")
         return Study(path, store.spec, tally)
-
-
-def stored_results(store: Store, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
-    """See `Study.results`."""
-    spec = store.spec
-    for block in store.blocks(start // spec.block):
-        for index, (values, result) in zip(
-            spec.indices(block.number), zip(*checked(spec, block, store.path), strict=True), strict=True
-        ):
-            if index >= start:
-                yield index, values, result
 
 
 def _computed(

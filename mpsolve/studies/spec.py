@@ -1,6 +1,6 @@
 """What a study computes, and over which cases: read from a mapping or a TOML file, in exact numbers.
 
-Every mistake in it is an InputError under its key, as in mpsolve/stability/specs.py.
+Every mistake in it is an InputError under its key, as in mpsolve/model/specs.py.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from functools import cached_property, lru_cache
 from math import prod
 from typing import Any
 
+from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact
-from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS
-from mpsolve.spectrum.region import Rectangle, Region
-from mpsolve.stability import specs
+from mpsolve.model import specs
+from mpsolve.numbers.exact import Exact
+from mpsolve.sheet.region import Rectangle, Region
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
 
 KINDS = ("certified", "float64")

@@ -21,7 +21,7 @@ from mpsolve import Case, Spectrum, certify
 from mpsolve.fields import Float64
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.spectrum import seek
+from mpsolve.sheet import seek
 
 GOAL = 50
 NEEDS = "the comparison needs cxroots: pip install '.[bench]'"

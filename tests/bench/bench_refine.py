@@ -12,7 +12,7 @@ from mpsolve import Case
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.spectrum import enclose
+from mpsolve.sheet import enclose
 
 GOAL = 4
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))

@@ -39,7 +39,7 @@ from mpsolve.certificate.verify import (
     value_off_cut,
     verify,
 )
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.stability.family import Family
 from mpsolve.stability.zero import Zero, approach, isolate, sharpen
 

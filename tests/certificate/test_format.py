@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import json
-import os
 import stat
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any
 
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mpsolve import Case, CertificateError, certify
-from mpsolve.certificate.format import Certificate, digest, dyadic, write_whole
+from mpsolve import Case, certify
+from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.format import Certificate, digest, dyadic
 from mpsolve.certificate.verify import precision, read, root
-from mpsolve.spectrum.certify import Spectrum
 
 CASE = Case(alpha="0.9", eta_b="0.05", eta_m="root4(24010000)")
 
@@ -78,58 +75,3 @@ def test_saving_gives_the_path_and_a_file_that_others_can_read(tmp_path: Path) -
     assert stat.S_IMODE(file.stat().st_mode) == 0o644
     assert certificate().save(str(file)) == file
     assert list(tmp_path.iterdir()) == [file]
-
-
-@pytest.mark.parametrize("step", ["fsync", "replace", "chmod", "fdopen"])
-def test_a_failing_write_leaves_the_old_file_whole_and_nothing_else(
-    step: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    file = tmp_path / "case.json"
-    file.write_text("old")
-
-    def fail(*_: Any, **__: Any) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, step, fail)
-    with pytest.raises(CertificateError, match=r"case\.json cannot be written: No space left on device"):
-        write_whole(file, "new")
-    assert file.read_text() == "old"
-    assert list(tmp_path.iterdir()) == [file]
-
-
-def test_an_interrupted_write_leaves_the_old_file_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    file = tmp_path / "case.json"
-    file.write_text("old")
-
-    def interrupt(*_: Any) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(os, "replace", interrupt)
-    with pytest.raises(KeyboardInterrupt):
-        write_whole(file, "new")
-    assert file.read_text() == "old"
-    assert list(tmp_path.iterdir()) == [file]
-
-
-def test_a_folder_that_is_missing_is_named(tmp_path: Path) -> None:
-    with pytest.raises(CertificateError, match="cannot be written"):
-        write_whole(tmp_path / "missing" / "case.json", "new")
-
-
-def test_a_device_a_pipe_and_a_link_stay_what_they_are(tmp_path: Path) -> None:
-    """`-o /dev/stdout` prints, and `-o link.json` writes where the link leads."""
-    pipe, target, link = tmp_path / "pipe", tmp_path / "target", tmp_path / "link"
-    os.mkfifo(pipe)
-    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
-    try:
-        write_whole(pipe, "through the pipe")
-        assert os.read(reader, 100) == b"through the pipe"
-    finally:
-        os.close(reader)
-    assert stat.S_ISFIFO(pipe.stat().st_mode)
-    target.write_text("old")
-    link.symlink_to(target)
-    write_whole(link, "new")
-    assert link.is_symlink()
-    assert target.read_text() == "new"
-    assert sorted(one.name for one in tmp_path.iterdir()) == ["link", "pipe", "target"]

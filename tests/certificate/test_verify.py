@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 
 from mpsolve import Case, Rectangle, certify, read_case
 from mpsolve.certificate import verify as module
+from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.verify import Verdict, verify
-from mpsolve.spectrum.certify import Spectrum
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = Path(module.__file__)

@@ -16,7 +16,7 @@ from mpsolve.fast.count import _halved, count_roots
 from mpsolve.fast.edge import edge_values
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
-from mpsolve.spectrum.count import count_roots as proved_count
+from mpsolve.sheet.count import count_roots as proved_count
 
 
 def random_cases(n: int, seed: int) -> Cases:

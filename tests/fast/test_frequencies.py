@@ -134,7 +134,7 @@ def test_a_case_that_is_hard_to_prove_ends_soon(
         assert pieces[0] < 5_000
         return edge_value(track, r)
 
-    monkeypatch.setattr("mpsolve.spectrum.winding.edge_value", value)
+    monkeypatch.setattr("mpsolve.sheet.winding.edge_value", value)
     result = frequencies(*given)
     assert result.count == count
     assert result.status == ("tracked" if count > 0 else "unresolved")

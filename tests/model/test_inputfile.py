@@ -12,9 +12,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from mpsolve.errors import InputError
-from mpsolve.model.inputfile import MAX_BYTES, read_case, read_input
+from mpsolve.model.inputfile import read_case, read_input
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase
+from mpsolve.model.toml import MAX_BYTES
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

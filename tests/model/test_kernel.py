@@ -15,7 +15,7 @@ from oracle import Truth, cases, frequencies, grid, holds, point, sharp
 from mpsolve import Case
 from mpsolve.fields import MP, Float64, ball_arithmetic
 from mpsolve.model.branch import pairing, pairing_rate, track
-from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact, kernel_at_contact_rate, kernel_rate
+from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact, kernel_at_contact_rate, kernel_rates
 
 few = settings(max_examples=25)
 places = st.one_of(st.just(0.0), grid(-6, 6))
@@ -29,7 +29,8 @@ def kernel_at(model: Any, q: Any, xi: float, number: Callable[[float], Any] = fl
 def rates_at(model: Any, q: Any, xi: float, number: Callable[[float], Any] = float) -> tuple[Any, Any]:
     pair = pairing(model, q)
     side = AHEAD if xi >= 0 else BEHIND
-    return kernel_rate(model, pair, pairing_rate(model, q, pair), side, number(abs(xi)))
+    value, (rate,) = kernel_rates(model, pair, [(pairing_rate(model, q, pair), 0)], side, number(abs(xi)))
+    return value, rate
 
 
 @few

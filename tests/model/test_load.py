@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from mpsolve import Case, InputError, Mass, PhysicalCase
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load, loads_of
+from mpsolve.numbers.exact import Exact
 
 CASE = Case(alpha="0.5", eta_b="0.1", eta_m=(70, 70), positions=(0, 1))
 

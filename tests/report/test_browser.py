@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from mpsolve import InputError, verify
-from mpsolve.certificate.format import write_whole
+from mpsolve.files import write_whole
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.report.answer import Source
 from mpsolve.report.page import report_page

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.model.exact import Exact
+from mpsolve.model.specs import Grid
+from mpsolve.numbers.exact import Exact
 from mpsolve.stability import chart as charts
 from mpsolve.stability.chart import Band, Column, Point, StabilityChart, stability_chart
 from mpsolve.stability.search import Strip
-from mpsolve.stability.specs import Grid
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SPEC: dict[str, Any] = {

@@ -14,8 +14,9 @@ import pytest
 
 from mpsolve import Case, PhysicalCase, certify, frequency_lines
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.model.exact import Exact
+from mpsolve.model.specs import ONE_MASS, Grid
 from mpsolve.motion.solve import response
+from mpsolve.numbers.exact import Exact
 from mpsolve.report import figures_lines, figures_plane, figures_response
 from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
 from mpsolve.report.figures_chart import stability_map
@@ -23,7 +24,6 @@ from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.vibration import vibrations
 from mpsolve.stability.chart import Band, Column, Point, StabilityChart
-from mpsolve.stability.specs import ONE_MASS, Grid
 from mpsolve.stability.table import Entry, OnsetTable
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))

@@ -18,9 +18,9 @@ from click.testing import CliRunner
 from mpsolve import Case, PhysicalCase, certify, verify
 from mpsolve.cli import cli
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Mass
+from mpsolve.numbers.exact import Exact
 from mpsolve.report import page_parts
 from mpsolve.report.answer import Source
 from mpsolve.report.data import as_data
@@ -464,7 +464,7 @@ def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, parts: Par
 
 
 def test_notebooks_show_spectra_responses_and_tables(parts: Parts) -> None:
-    from mpsolve.stability.specs import Grid
+    from mpsolve.model.specs import Grid
     from mpsolve.stability.table import Entry, OnsetTable
 
     table = OnsetTable(

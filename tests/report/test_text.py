@@ -8,10 +8,10 @@ import pytest
 from flint import acb, arb
 
 from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, Status, certify, read_case
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.report.statement import proved, verdict
 from mpsolve.report.text import WIDTH, beam_rows, render, shown
-from mpsolve.spectrum.enclose import RootBall
+from mpsolve.sheet.enclose import RootBall
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNSTABLE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))

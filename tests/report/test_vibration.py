@@ -10,7 +10,7 @@ import pytest
 
 from mpsolve import Case, PhysicalCase, certify, read_case
 from mpsolve.errors import InputError
-from mpsolve.report.digits import decimal
+from mpsolve.numbers.decimals import decimal
 from mpsolve.report.vibration import Trend, vibrations
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

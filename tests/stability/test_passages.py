@@ -11,8 +11,8 @@ import pytest
 
 from mpsolve import Case, certify
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
-from mpsolve.spectrum.far import prove_far
+from mpsolve.numbers.exact import Exact
+from mpsolve.sheet.far import prove_far
 from mpsolve.stability.family import Family
 from mpsolve.stability.passages import Passages, _down, _events, _gaps, _runs, _up, passages
 from mpsolve.stability.search import Strip

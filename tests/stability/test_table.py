@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
@@ -14,12 +13,13 @@ from typing import Any
 import pytest
 from flint import arb
 
-from mpsolve.errors import CertificateError, InputError, MpsolveError, PrecisionError
+from mpsolve.errors import CertificateError, InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
-from mpsolve.report.tables import _prose
-from mpsolve.stability import pool, specs, table
+from mpsolve.model import specs
+from mpsolve.numbers.exact import Exact
+from mpsolve.stability import table
 from mpsolve.stability.table import Entry, OnsetTable, onset_table
+from mpsolve.stability.table_text import _prose
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ONSET, MASS, RANGES = table.QUANTITIES
@@ -277,26 +277,3 @@ def test_steps_are_exact_and_inclusive() -> None:
     assert specs.grid(content, "rows", ("d",)).labels == ("0.1", "0.2", "0.3")
     content = {"rows": {"parameter": "d", "values": {"start": 3, "stop": "1.1", "step": -1}}}
     assert specs.grid(content, "rows", ("d",)).labels == ("3", "2")
-
-
-def test_balls_travel_exactly() -> None:
-    with ball_arithmetic(400):
-        balls = [arb.pi(), arb(0), arb("0.1") * arb(10) ** 40, -arb(2).sqrt() + arb(0, arb(2) ** -300)]
-    for ball in balls:
-        same = pool.unpack(pool.pack(ball))
-        assert same.mid().man_exp() == ball.mid().man_exp()
-        assert same.rad() >= ball.rad()
-        assert same.rad() <= ball.rad() * arb("1.000001")
-
-
-def test_a_worker_that_dies_is_named() -> None:
-    import os
-
-    with pytest.raises(MpsolveError, match="a worker process ended"):
-        pool.run(os._exit, [3, 3], workers=2)
-
-
-def test_an_error_of_a_worker_comes_through() -> None:
-    with pytest.raises(ValueError):  # noqa: PT011 (its words are Python's)
-        pool.run(math.sqrt, [1.0, -1.0, 4.0], workers=2)
-    assert pool.run(math.sqrt, [4.0, 1.0], workers=1) == [2.0, 1.0]

@@ -11,7 +11,7 @@ from oracle import Truth
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.stability.family import Family
 from mpsolve.stability.masses import mass_level
 from mpsolve.stability.zero import Zero, approach, isolate, sharpen, slopes, value

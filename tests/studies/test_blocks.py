@@ -16,7 +16,7 @@ from mpsolve import Case, certify, verify
 from mpsolve.errors import StudyError
 from mpsolve.fast.frequencies import frequencies
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.exact import Exact
+from mpsolve.numbers.exact import Exact
 from mpsolve.studies.blocks import Block, Result, Root, checked, key, pack, unpack, work
 from mpsolve.studies.spec import read_spec
 

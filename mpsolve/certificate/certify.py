@@ -1,0 +1,162 @@
+"""Every induced frequency of one case in a region: found, enclosed, counted, and the two held against each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from mpsolve.certificate.format import Certificate, make_certificate
+from mpsolve.display import card
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.progress import Progress, silent
+from mpsolve.sheet.collect import collect
+from mpsolve.sheet.count import Count, count_roots
+from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.sheet.region import Rectangle, Region, checked_region
+
+MAX_DIGITS = 10_000
+MIN_DIGITS = 15
+_ROUNDS = 3  # of looking for roots that the count has and the enclosures lack
+
+
+class Status(Enum):
+    """What has been decided about the region."""
+
+    PROVED = "proved"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The induced frequencies of a case in a region; `proved` only if count and enclosures are both proved.
+
+    roots: disjoint balls `root.q` (flint.acb), each with exactly `root.multiplicity` roots, relative radius
+    below 10^−digits, sorted by (Re q, Im q). count: number of roots in the region with multiplicity.
+    unstable: how many of them have Im q < 0. When undecided, `reason` says why and what helps; `count` is then
+    the proved number if there is one, and None otherwise.
+    """
+
+    case: Case
+    region: Region
+    digits: int
+    status: Status
+    reason: str
+    count: int | None
+    unstable: int | None
+    roots: tuple[RootBall, ...]
+    radius: float | None = None
+    certificate: Certificate | None = field(default=None, repr=False)
+    evaluations: int = 0
+
+    @property
+    def proved(self) -> bool:
+        """Whether every root of the region is counted and enclosed."""
+        return self.status is Status.PROVED
+
+    @property
+    def stable(self) -> bool | None:
+        """True if proved that no root has Im q < 0, False if proved that one has, None when undecided."""
+        if not self.proved or isinstance(self.region, Rectangle):
+            return None
+        return self.unstable == 0
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return card(self)
+
+
+def certify(
+    case: Case | PhysicalCase,
+    digits: int = 30,
+    region: Region = "sheet",
+    max_pieces: int = 100_000,
+    progress: Progress | None = None,
+) -> Spectrum:
+    """Every root of Δ, eq. (26), in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
+
+    digits: certified digits of each root relative to |q|, 15 to 10,000. region: "sheet" (the whole physical
+    sheet), "unstable" (Im q < 0) or a `Rectangle`. max_pieces bounds the effort of the count, by default to about
+    a minute. progress is called with a stage and a fraction from 0 to 1. Raises InputError for a region that has
+    no meaning.
+
+    >>> from mpsolve import Case, certify
+    >>> certify(Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))).unstable
+    2
+    """
+    if isinstance(case, PhysicalCase):
+        case = case.dimensionless
+    if not (isinstance(digits, int) and MIN_DIGITS <= digits <= MAX_DIGITS):
+        raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
+    region = checked_region(case, region)
+    tell = progress or silent
+    try:
+        count = count_roots(case, region, max_pieces, tell)
+    except PrecisionError as error:
+        return Spectrum(case, region, digits, Status.UNDECIDED, str(error), None, None, ())
+    return _explain(case, region, digits, count, tell)
+
+
+def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progress) -> Spectrum:
+    """Looks for the counted roots, with more effort each round, and encloses them."""
+    roots: tuple[RootBall, ...] = ()
+    reason = ""
+    for effort in range(1, _ROUNDS + 1):
+        try:
+            roots = collect(case, count, digits, 2 ** (effort - 1), tell)
+            reason = ""
+        except PrecisionError as error:
+            reason = str(error)
+        if sum(root.multiplicity for root in roots) == count.total:
+            return _verdict(case, region, digits, count, roots)
+    found = sum(root.multiplicity for root in roots)
+    reason = reason or f"{count.total} roots were counted, but {found} could be enclosed"
+    remedy = "ask for more digits, so that clusters come apart, or for a rectangle"
+    known = count.total if _counts_region(region, count) else None
+    return Spectrum(case, region, digits, Status.UNDECIDED, f"{reason}: {remedy}", known, None, roots, count.radius)
+
+
+def _counts_region(region: Region, count: Count) -> bool:
+    """Whether the count is that of the region itself, not of the sheet around it."""
+    return region != "unstable" or count.contour == "line"
+
+
+def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple[RootBall, ...]) -> Spectrum:
+    signs = [_below(root) for root in roots]
+    certificate = make_certificate(case, count, roots)
+    if any(sign is None for sign in signs):
+        reason = "a root's ball meets the real axis, so that the sign of Im q is open: ask for more digits"
+        known = count.total if _counts_region(region, count) else None
+        return Spectrum(case, region, digits, Status.UNDECIDED, reason, known, None, roots, count.radius, certificate)
+    unstable = tuple(root for root, sign in zip(roots, signs, strict=True) if sign)
+    number = sum(root.multiplicity for root in unstable)
+    if region == "unstable":
+        roots = unstable
+    return Spectrum(
+        case,
+        region,
+        digits,
+        Status.PROVED,
+        "",
+        sum(root.multiplicity for root in roots),
+        number,
+        roots,
+        count.radius,
+        certificate,
+        count.evaluations,
+    )
+
+
+def _below(root: RootBall) -> bool | None:
+    """True if Im q < 0, False if Im q ≥ 0 (real by symmetry included), None if the ball does not tell."""
+    if root.symmetry is Symmetry.REAL or root.q.imag >= 0:
+        return False
+    return True if root.q.imag < 0 else None
+
+
+def known_count(spectrum: Spectrum) -> int | None:
+    """The proved number of roots in the region, or None.
+
+    An undecided unstable region has none: its roots may have been counted on the whole sheet.
+    """
+    return None if spectrum.region == "unstable" and not spectrum.proved else spectrum.count

@@ -1,0 +1,235 @@
+"""The splitting U·L = D/lead and the receptance on many discs of σ at once, rigorous in float64.
+
+Nodes z are floats near the p-roots, the first `up` of them for U (the roots with Re P < 0 where Re σ > 0). With
+U = U₀(1 + Σ a_k/(P − z_k)) and L likewise, U·L = D/lead is a_k = W_k/(1 + Σ_l b_l/(z_k − z_l)), l over the other
+side, W_k = D(z_k)/(lead Π_{i≠k}(z_k − z_i)): a contraction where those sums stay below 1/2 (SPEC, splitting).
+Any nodes are allowed: nothing rests on them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.symbol import Table
+from mpsolve.numbers.jets import UP, Jet, U
+from mpsolve.problem.reduced import Guide
+
+
+@dataclass(frozen=True)
+class Splittings:
+    """On each disc |σ − m| ≤ r: exactly one pair has |a_k| ≤ box_k, and it has |a_k| ≤ tight_k, where `good`."""
+
+    m: Any
+    r: Any
+    z: Any
+    up: int
+    box: Any
+    tight: Any
+    good: Any
+    T: Any
+    error: Any
+
+    def take(self, rows: Any) -> Splittings:
+        parts = (self.m, self.r, self.z, self.box, self.tight, self.good, self.T, self.error)
+        m, r, z, box, tight, good, T, error = (part[rows] for part in parts)
+        return Splittings(m, r, z, self.up, box, tight, good, T, error)
+
+
+def split(table: Table, m: Any, r: Any, up: int) -> Splittings:
+    """Splittings on the discs |σ − m| ≤ r with `up` roots in U."""
+    with np.errstate(all="ignore"):
+        T, error = table.in_time(m)
+        z = _nodes(T[:, 0, :], up)
+        n = z.shape[1]
+        c, lost = table.at(z, T, error)
+        gap = z[:, :, None] - z[:, None, :]
+        gap[:, np.arange(n), np.arange(n)] = 1
+        powers = r[:, None] ** np.arange(T.shape[1])
+        lead, lead_lost = np.abs(T[:, :, n]), error[:, :, n]
+        low = lead[:, 0] - lead_lost[:, 0] - ((lead + lead_lost)[:, 1:] * powers[:, 1:]).sum(1) * UP
+        size = np.abs(gap)
+        W = np.einsum("bkj,bj->bk", np.abs(c[:, :, 0, :]) + lost[:, :, 0, :], powers) * UP
+        W = W / (size.prod(2) * low[:, None]) * (1 + 64 * n * U) * UP
+        W = np.where(low[:, None] > 0, W, np.inf)
+        inverse = (1 + 8 * U) / size
+        inverse[:, :up, :up] = 0
+        inverse[:, up:, up:] = 0
+        box, image = 1.2 * W + 1e-280, W
+        done = np.zeros(len(m), bool)
+        for _ in range(10):
+            s = np.einsum("bkl,bl->bk", inverse, box) * UP
+            image = np.where(done[:, None], image, W / (1 - s) * UP)
+            inside = (s < 0.499).all(1) & (image < 0.999 * box).all(1)
+            done |= inside
+            box = np.where(done[:, None], box, 1.15 * image)
+            if done.all():
+                break
+        return Splittings(m, r, z, up, box, image, done, T, error)
+
+
+def _nodes(coefficients: Any, up: int) -> Any:
+    """Floats near the roots of each polynomial (coefficients ascending), those of U first, never two the same."""
+    n = coefficients.shape[1] - 1
+    monic = coefficients[:, :n] / coefficients[:, n:]
+    companion = np.zeros((len(monic), n, n), complex)
+    companion[:, np.arange(n - 1), np.arange(1, n)] = 1
+    companion[:, n - 1, :] = -np.where(np.isfinite(monic), monic, 0)
+    z = np.linalg.eigvals(companion)
+    for _ in range(2):
+        value, slope = np.zeros_like(z), np.zeros_like(z)
+        for k in range(n, -1, -1):
+            slope = slope * z + value
+            value = value * z + coefficients[:, k, None]
+        step = value / slope
+        z = np.where(np.isfinite(step) & (np.abs(step) < 0.1 * np.abs(z)), z - step, z)
+    z = np.take_along_axis(z, np.argsort(z.real, axis=1), 1)
+    scale = np.abs(z).max(1)
+    for i in range(n):
+        for k in range(i + 1, n):
+            near = np.abs(z[:, i] - z[:, k]) < 1e-5 * scale
+            z[:, k] = np.where(near, z[:, k] + (1e-3 if k < up else 1e-3j) * scale, z[:, k])
+    return z
+
+
+def linked(disc: Splittings, thin: Splittings) -> Any:
+    """True where the pair of `thin`, at a point of `disc`, is the pair of `disc`: |a_k| = |U(z_k)/U₀′(z_k)| < box."""
+    ok = disc.good & thin.good
+    with np.errstate(all="ignore"):
+        for part in (slice(0, disc.up), slice(disc.up, None)):
+            z, w, tight = disc.z[:, part], thin.z[:, part], thin.tight[:, part]
+            count = z.shape[1]
+            if not count:
+                continue
+            gap = z[:, :, None] - z[:, None, :]
+            gap[:, np.arange(count), np.arange(count)] = 1
+            to = np.abs(z[:, :, None] - w[:, None, :])
+            value = to.prod(2)
+            for i in range(count):
+                value = value + tight[:, i, None] * np.delete(to, i, 2).prod(2)
+            value = value / np.abs(gap).prod(2) * (1 + 128 * count * U) * UP
+            ok = ok & (value < disc.box[:, part]).all(1)
+    return ok
+
+
+@dataclass(frozen=True)
+class Receptances:
+    """G at each signed distance as jets of shape (discs, distances); `good` where it is bounded."""
+
+    jet: Jet
+    good: Any
+
+
+def receptances(guide: Guide, N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
+    """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), on each disc where the roots are apart."""
+    with np.errstate(all="ignore"):
+        roots, alone = _roots(D, s)
+        weight, p = _weights(N, D, s, roots)
+        ahead, behind = distances >= 0, distances < 0
+        parts = []
+        for side, mask, sign in ((slice(0, s.up), ahead, 1.0), (slice(s.up, None), behind, -1.0)):
+            x = distances[mask]
+            if not len(x):
+                continue
+            if weight.a[:, side].shape[1] == 0:
+                zero = np.zeros((len(s.m), len(x)))
+                parts.append((mask, Jet(zero + 0j, zero + 0j, zero, s.r)))
+                continue
+            grown = Jet(*(part[:, side, None] for part in (p.a, p.b, p.e)), s.r)
+            heavy = Jet(*(part[:, side, None] for part in (weight.a, weight.b, weight.e)), s.r)
+            parts.append((mask, ((grown * x).exp() * heavy * sign).sum(1)))
+        a, b = (np.zeros((len(s.m), len(distances)), complex) for _ in range(2))
+        e = np.zeros((len(s.m), len(distances)))
+        for mask, jet in parts:
+            a[:, mask], b[:, mask], e[:, mask] = jet.a, jet.b, jet.e
+        good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(a).all(1)
+        return Receptances(Jet(a, b, e, s.r), good)
+
+
+@dataclass(frozen=True)
+class _Roots:
+    c: Any
+    lost: Any
+    eps: Any
+    powers: Any
+
+
+def _roots(D: Table, s: Splittings) -> tuple[_Roots, Any]:
+    """A disc |P − z_k| ≤ eps that holds exactly one root for every σ of the disc, and which belongs to its side."""
+    c, lost = D.at(s.z, s.T, s.error)
+    powers = s.r[:, None] ** np.arange(c.shape[3])
+    slope = np.abs(c[:, :, 1, 0]) - lost[:, :, 1, 0]
+    E = (np.abs(c) + lost) / slope[:, :, None, None] * UP
+    E[:, :, 1, 0] = lost[:, :, 1, 0] / slope * UP
+    by_e = np.einsum("bkij,bj->bki", E, powers) * UP
+    order = np.arange(c.shape[2])
+    base = by_e[:, :, 0] + 1e-280
+    eps = 1.5 * base
+    done = np.zeros(eps.shape, bool)
+    for _ in range(6):
+        terms = by_e * order * eps[:, :, None] ** np.maximum(order, 0)
+        image = (base + terms.sum(2)) * UP
+        done |= image < 0.999 * eps  # e → e − D/c₁₀ maps the disc into itself and contracts
+        eps = np.where(done, eps, 1.6 * image)
+        if done.all():
+            break
+    done &= slope > 0
+    away = np.abs(s.z[:, :, None] - s.z[:, None, :]) * (1 - 8 * U) - eps[:, :, None]
+    other = np.zeros((s.z.shape[1],) * 2, bool)
+    other[: s.up, s.up :] = True
+    other[s.up :, : s.up] = True
+    reach = np.where(other, s.tight[:, None, :] / np.where(other, away, 1), 0).sum(2) * UP
+    own = np.where(other, away > 0, True).all(2) & (reach < 1)  # no root of the other factor in the disc
+    return _Roots(c, lost, eps, powers), (done & own).all(1)
+
+
+def _weights(N: Table, D: Table, s: Splittings, roots: _Roots) -> tuple[Jet, Jet]:
+    """N/D_P and P at the roots, as jets of shape (discs, roots)."""
+    c, lost, eps, powers = roots.c, roots.lost, roots.eps, roots.powers
+    r = s.r[:, None]
+    slope = c[:, :, 1, 0]
+    low = (np.abs(slope) - lost[:, :, 1, 0]) * (1 - 8 * U)
+    e0, e1 = -c[:, :, 0, 0] / slope, -(c[:, :, 0, 1] / slope if c.shape[3] > 1 else 0 * slope)
+    orders = _orders(c.shape[2], c.shape[3])
+    grid = eps[:, :, None] ** np.arange(c.shape[2])
+    high = np.einsum("bkij,bki,bj->bk", np.where(orders >= 2, np.abs(c) + lost, 0), grid, powers)
+    first = lost[:, :, 0, 0] + lost[:, :, 1, 0] * eps + (lost[:, :, 0, 1] * r if c.shape[3] > 1 else 0)
+    rounding = 16 * U * (np.abs(e0) + np.abs(e1) * r)
+    root = Jet(e0, e1, ((high + first) / low + rounding) * UP, s.r)
+    P = Jet(s.z + root.a, root.b, root.e + 2 * U * (np.abs(s.z) + np.abs(root.a)), s.r)
+    derivative = _expand(_slopes(c), _slopes(lost), root, grid, powers)
+    T, error = N.in_time(s.m)
+    n, n_lost = N.at(s.z, T, error)
+    n_grid = eps[:, :, None] ** np.arange(n.shape[2])
+    n_powers = s.r[:, None] ** np.arange(n.shape[3])
+    return _expand(n, n_lost, root, n_grid, n_powers) * derivative.inverse(), P
+
+
+def _orders(rows: int, columns: int) -> Any:
+    return np.arange(rows)[:, None] + np.arange(columns)[None, :]
+
+
+def _slopes(c: Any) -> Any:
+    """The coefficients of the derivative in e."""
+    return c[:, :, 1:, :] * np.arange(1, c.shape[2])[:, None]
+
+
+def _expand(c: Any, lost: Any, root: Jet, grid: Any, powers: Any) -> Jet:
+    """Σ c_ij e^i t^j at e = root, as a jet."""
+    rows, columns = c.shape[2], c.shape[3]
+    grid, powers = grid[:, :, :rows], powers[:, :columns]
+    r = root.r[:, None]
+    a, b, e = c[:, :, 0, 0], np.zeros_like(c[:, :, 0, 0]), lost[:, :, 0, 0]
+    if rows > 1:
+        term = c[:, :, 1, 0]
+        a, b = a + term * root.a, b + term * root.b
+        e = e + np.abs(term) * root.e + lost[:, :, 1, 0] * grid[:, :, 1]
+    if columns > 1:
+        b = b + c[:, :, 0, 1]
+        e = e + lost[:, :, 0, 1] * r
+    high = np.where(_orders(rows, columns) >= 2, np.abs(c) + lost, 0)
+    e = e + np.einsum("bkij,bki,bj->bk", high, grid, powers)
+    size = np.abs(c[:, :, 0, 0]) + (np.abs(c[:, :, 1, 0]) * grid[:, :, 1] if rows > 1 else 0) + np.abs(b) * r
+    return Jet(a, b, (e + 16 * U * size) * UP, root.r)

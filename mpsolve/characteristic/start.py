@@ -1,0 +1,76 @@
+"""Where the splitting starts: at q = −i y the p-roots of a stable track are never real, and two kinds are told apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from flint import acb, acb_poly, arb, fmpq
+
+from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.symbol import Table
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import precision
+from mpsolve.problem.reduced import Guide
+
+
+@dataclass(frozen=True)
+class Start:
+    """At σ̂ = depth the number of roots with Re P < 0 is `up`, and the splitting found there is that pair."""
+
+    depth: float
+    up: int
+
+
+def start(guide: Guide, depths: tuple[float, ...] = (1.0, 0.5, 2.0, 4.0)) -> Start:
+    """The number of decaying roots; PrecisionError where no depth serves."""
+    for depth in depths:
+        up = _count(guide, depth)
+        if up is not None:
+            return Start(depth, up)
+    raise PrecisionError("the p-roots far below the real axis cannot be told apart into decaying and growing ones")
+
+
+def _count(guide: Guide, depth: float) -> int | None:
+    with precision(96):
+        roots = dispersion_at(guide, acb(depth)).roots()
+        if not all(root.real < 0 or root.real > 0 for root in roots):
+            return None
+        up = sum(1 for root in roots if root.real < 0)
+        s = split(Table.of(guide.D), np.array([depth + 0j]), np.zeros(1), up)
+        if not s.good[0]:
+            return None
+        growing = [root for root in roots if root.real > 0]
+        decaying = [root for root in roots if root.real < 0]
+        mine, other = factors(s, 0)
+        apart = all(not mine(z).contains(0) for z in growing) and all(not other(z).contains(0) for z in decaying)
+        return up if apart else None
+
+
+def dispersion_at(guide: Guide, sigma: acb) -> acb_poly:
+    """D̂(P, σ̂) as a polynomial in P with ball coefficients."""
+    out = [acb(0)] * (guide.degree + 1)
+    for (i, j), c in guide.D.items():
+        out[i] += acb(arb(fmpq(c.numerator, c.denominator))) * sigma**j
+    return acb_poly(out)
+
+
+def factors(s: Any, row: int) -> tuple[acb_poly, acb_poly]:
+    """U and L of one disc as polynomials with ball coefficients."""
+    out = []
+    for part in (slice(0, s.up), slice(s.up, None)):
+        nodes = [acb(complex(z)) for z in s.z[row, part]]
+        full = _product(nodes)
+        for k, size in enumerate(s.tight[row, part]):
+            ball = arb(0, float(size))
+            full += acb_poly([acb(ball, ball)]) * _product(nodes[:k] + nodes[k + 1 :])
+        out.append(full)
+    return out[0], out[1]
+
+
+def _product(nodes: list[acb]) -> acb_poly:
+    full = acb_poly([1])
+    for z in nodes:
+        full *= acb_poly([-z, 1])
+    return full

@@ -1,0 +1,75 @@
+"""A polynomial in P and σ as a table of floats, expanded at points in batches, with bounds of what rounding loses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import comb
+from typing import Any
+
+import numpy as np
+
+from mpsolve.numbers.jets import UP, U
+from mpsolve.tracks.waveguide import Polynomial
+
+
+@dataclass(frozen=True)
+class Table:
+    """d[i, j]: the coefficient of P^i σ^j, rounded to nearest."""
+
+    d: Any
+
+    @classmethod
+    def of(cls, polynomial: Polynomial, degree: int | None = None) -> Table:
+        top = max((i for i, _ in polynomial), default=0) if degree is None else degree
+        d = np.zeros((top + 1, max((j for _, j in polynomial), default=0) + 1))
+        for (i, j), value in polynomial.items():
+            d[i, j] = float(value)
+        return cls(d)
+
+    @property
+    def degree(self) -> int:
+        """In P."""
+        return int(self.d.shape[0]) - 1
+
+    @property
+    def _loss(self) -> float:
+        """The relative error of each coefficient of an expansion, against the sum of the moduli of its terms."""
+        return 64 * (self.d.shape[0] + self.d.shape[1]) * U
+
+    def in_time(self, sigma: Any) -> tuple[Any, Any]:
+        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: shape (discs,)."""
+        weights = _binomials(self.d.shape[1])
+        powers = _powers(sigma, self.d.shape[1])
+        sizes = np.abs(powers)
+        T = np.zeros((len(sigma), self.d.shape[1], self.d.shape[0]), complex)
+        A = np.zeros(T.shape)
+        for j in range(self.d.shape[1]):
+            w = weights[j, j:]
+            T[:, j, :] = powers[:, : len(w)] @ (self.d[:, j:] * w).T
+            A[:, j, :] = sizes[:, : len(w)] @ (np.abs(self.d[:, j:]) * w).T
+        return T, A * self._loss * UP
+
+    def at(self, z: Any, T: Any, error: Any) -> tuple[Any, Any]:
+        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: shape (discs, nodes)."""
+        n = self.d.shape[0]
+        weights, powers = _binomials(n), _powers(z, n)
+        sizes = np.abs(powers)
+        absolute = np.abs(T) + error / self._loss
+        c = np.empty((*z.shape, n, T.shape[1]), complex)
+        size = np.empty(c.shape)
+        for i in range(n):
+            w = weights[i, i:]
+            c[:, :, i, :] = powers[:, :, : len(w)] @ np.swapaxes(T[:, :, i:] * w, 1, 2)
+            size[:, :, i, :] = sizes[:, :, : len(w)] @ np.swapaxes(absolute[:, :, i:] * w, 1, 2)
+        return c, size * self._loss * UP
+
+
+def _binomials(n: int) -> Any:
+    return np.array([[comb(m, j) for m in range(n)] for j in range(n)], float)
+
+
+def _powers(z: Any, n: int) -> Any:
+    out = np.ones((*z.shape, n), complex)
+    for k in range(1, n):
+        out[..., k] = out[..., k - 1] * z
+    return out

@@ -1,0 +1,56 @@
+"""Files that are written whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from mpsolve.errors import CertificateError, InputError
+
+
+def write_whole(path: Path, content: str | bytes) -> Path:
+    """Writes `content` beside `path` first and then moves it there."""
+    with whole_file(path) as file:
+        file.write(content.encode("utf-8") if isinstance(content, str) else content)
+    return path
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[BinaryIO]:
+    """A file beside `path` that is moved there at the end, or removed after an error.
+
+    A link is followed; a device or a pipe, such as /dev/stdout, is written to as it is. Raises CertificateError if it
+    cannot be written.
+    """
+    try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            with path.open("wb") as file:
+                yield file
+            return
+        path = path.resolve()
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        try:
+            with os.fdopen(handle, "wb") as file:
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            os.chmod(name, 0o644)
+            os.replace(name, path)
+        except BaseException:
+            os.unlink(name)
+            raise
+    except OSError as error:
+        cause = error.strerror or str(error)
+        raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
+
+
+def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
+    """The suffix of the path in lower case; InputError if it is not one of those allowed."""
+    suffix = path.suffix.lower()
+    if suffix not in allowed:
+        raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
+    return suffix

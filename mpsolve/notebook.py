@@ -1,0 +1,138 @@
+"""What a notebook shows of a Spectrum, a Response, an OnsetTable: a table, and a figure where it says more.
+
+Pictures that results save by themselves are listed here too. Only mpsolve/display.py loads this module.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from functools import singledispatch
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mpsolve.certificate.certify import Spectrum
+from mpsolve.errors import InputError
+from mpsolve.fields import ball_arithmetic
+from mpsolve.motion.solution import Response
+from mpsolve.numbers.decimals import proved_digits
+from mpsolve.report.chart import picture
+from mpsolve.report.figures import figure_of
+from mpsolve.report.figures_plane import q_plane
+from mpsolve.report.figures_response import displacements
+from mpsolve.report.figures_svg import inline_svg
+from mpsolve.report.html_environment import rendered_template
+from mpsolve.report.statement import proved, verdict
+from mpsolve.report.text import in_words, motion_rows
+from mpsolve.report.vibration import vibrations
+from mpsolve.stability.chart import StabilityChart
+from mpsolve.stability.table import OnsetTable
+from mpsolve.stability.table_text import notes, proved_sentence
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_TEMPLATE = "card.html.j2"
+
+
+@singledispatch
+def card(result: Any) -> str:
+    """The result in HTML."""
+    raise TypeError(f"a {type(result).__name__} has no card")
+
+
+@singledispatch
+def save_picture(result: Any, path: Path) -> Path:  # noqa: ARG001 (what is registered below needs it)
+    """Writes the picture of the result."""
+    raise TypeError(f"a {type(result).__name__} has no picture")
+
+
+save_picture.register(StabilityChart, picture)
+
+
+@card.register
+def spectrum_card(spectrum: Spectrum) -> str:
+    """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
+    motions = vibrations(spectrum)
+    rows = [
+        (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, "τ"))
+        for motion, row in zip(motions, motion_rows(motions), strict=True)
+    ]
+    name = f"spectrum-{_mark(spectrum.case.as_dict())}"
+    return rendered_template(
+        _TEMPLATE,
+        head=verdict(spectrum),
+        caption="Induced frequencies, in units of τ",
+        headings=("", "Re q", "Im q", "frequency [1/τ]", "growth rate [1/τ]", "what it does"),
+        rows=rows,
+        notes=proved(spectrum),
+        svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane"),
+    )
+
+
+@card.register
+def response_card(response: Response) -> str:
+    """Extremes of each contact point and force, and the displacements over time; float64, dimensionless."""
+    values = [(f"displacement at ξ = {place:.6g}", row) for place, row in zip(response.xi, response.w, strict=True)]
+    values += [(f"contact force of mass {k}", row) for k, row in enumerate(response.contact_forces, 1)]
+    rows = [(name, f"{row.min():.6g}", f"{row.max():.6g}") for name, row in values if row.size]
+    notes = [
+        f"mass {k}: {note or f'contact is lost at τ = {loss:.6g}'}"
+        for k, (loss, note) in enumerate(zip(response.contact_loss, response.contact_note, strict=True), 1)
+        if loss is not None
+    ]
+    notes.append(f"Computed in float64, not proved; the initial conditions are missed by {response.misfit:.0e}.")
+    return rendered_template(
+        _TEMPLATE,
+        head=f"Response for τ from {response.tau.min():.6g} to {response.tau.max():.6g}"
+        if response.tau.size
+        else "Response at no time",
+        caption="Least and greatest values, in w_st of the unit force and in unit forces",
+        headings=("", "least", "greatest"),
+        rows=rows,
+        notes=notes,
+        svg=_svg(
+            lambda ax: displacements(response, ax), f"response-{_mark(response.case.as_dict())}", "Displacements"
+        ),
+    )
+
+
+@card.register
+def table_card(table: OnsetTable) -> str:
+    """The entries as they stand in the table, and what they mean."""
+    rows = [
+        (label, *(entry.text for entry in row))
+        for label, row in zip(table.row_grid.labels, table.entries, strict=True)
+    ]
+    remarks = [
+        f"{table.row_grid.labels[i]}, {table.column_grid.labels[j]}: {reason}" for i, j, reason in notes(table)
+    ]
+    return rendered_template(
+        _TEMPLATE,
+        head=table.title or table.quantity,
+        caption=", ".join((table.quantity, *(f"{name} = {value}" for name, value in table.fixed.items()))),
+        headings=(f"{table.row_grid.parameter} \\ {table.column_grid.parameter}", *table.column_grid.labels),
+        rows=rows,
+        notes=[proved_sentence(table), *remarks],
+        svg="",
+    )
+
+
+def _parts(q: Any) -> tuple[str, str]:
+    """Re q and Im q in eight digits."""
+    with ball_arithmetic(128):
+        real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)
+    return ("±" if q.real else "") + real, imag.replace("-", "−")
+
+
+def _mark(case: dict[str, Any]) -> str:
+    """A short name of the case, so that two figures of one notebook do not share ids."""
+    return hashlib.sha256(repr(case).encode()).hexdigest()[:8]
+
+
+def _svg(draw: Callable[[Axes], Axes], name: str, title: str) -> str:
+    """The figure, or nothing where matplotlib is missing: the table says it all."""
+    try:
+        return inline_svg(figure_of(draw), name, title, "Its numbers are in the table.")
+    except InputError:
+        return ""

@@ -1,0 +1,41 @@
+"""Taylor coefficients of an analytic function in balls, with proved errors.
+
+They come from samples on a circle; what the samples cannot see is bounded by the maximum of |f| on a larger disc.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb
+
+SAMPLES = 16
+
+
+@dataclass(frozen=True)
+class Taylor:
+    """Balls of a_0 … a_{SAMPLES−1} of f(centre + z) = Σ a_k z^k; |a_k| ≤ bound/outer^k for every k."""
+
+    centre: Any
+    coefficients: tuple[Any, ...]
+    bound: Any
+    outer: Any
+
+
+def taylor(function: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, shrink: int) -> Taylor:
+    """From samples on the circle of radius outer·2^−shrink; `bound` ≥ |f| on the disc of radius `outer`.
+
+    What the samples cannot tell apart is below bound·2^(−shrink·SAMPLES).
+    """
+    inner = outer * arb(2) ** -shrink
+    turns = [acb(arb(2 * j) / SAMPLES).exp_pi_i() for j in range(SAMPLES)]
+    samples = [function(centre + inner * turn) for turn in turns]
+    alias = bound * arb(2) ** (1 - shrink * SAMPLES)
+    coefficients = []
+    for k in range(SAMPLES):
+        total = sum((f / turns[(j * k) % SAMPLES] for j, f in enumerate(samples)), acb(0)) / SAMPLES
+        error = arb(0, (alias / inner**k).upper())
+        coefficients.append(total / inner**k + acb(error, error))
+    return Taylor(centre, tuple(coefficients), bound, outer)

@@ -1,0 +1,101 @@
+"""No passive vehicle has a root with Im q < 0 outside a rectangle: a theorem about track, velocity and places alone.
+
+V = σG is proved passive (V + V* positive definite) for real q from ρ to X by pieces, beyond X by the tail theorem, and
+on the walls of the rectangle |Re q| ≤ ρ, −d ≤ Im q ≤ 0; G vanishes at infinity. By Phragmén–Lindelöf V is passive in
+all of Im q ≤ 0 outside the rectangle (SPEC, half-plane).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.paths import PathTests
+from mpsolve.errors import PrecisionError
+from mpsolve.passivity.decay import vanishes
+from mpsolve.passivity.tail import Tail, prove_tail
+from mpsolve.proof.cover import cover
+from mpsolve.proof.effort import Effort
+
+
+@dataclass(frozen=True)
+class Beyond:
+    """The rectangle (ρ, d) in scaled units, the tail theorem, and the break points on walls and axis."""
+
+    rho: float
+    depth: float
+    tail: Tail
+    walls: Any
+    axis: Any
+
+    @property
+    def pieces(self) -> int:
+        return len(self.walls) + len(self.axis) - 2
+
+
+def prove_beyond(arrays: Arrays, tests: PathTests, effort: Effort) -> Beyond | str:
+    """The theorem with a small rectangle, or the reason why there is none."""
+    guide = arrays.reduced.guide
+    if not vanishes(guide.D, guide.N, guide.v):
+        return "the receptance is not proved to vanish at infinity"
+    tail = prove_tail(guide, arrays.reduced.smallest_gap)
+    if tail is None:
+        return "no passivity beyond a frequency: the contacts run faster than waves of the track, or it has no damping"
+    reason = ""
+    for margin in (1.15, 1.6, 3.0):
+        rho = _first_passive(arrays, tests.up, tail.X, margin)
+        depth = _depth(arrays, tests.up, rho)
+        try:
+            axis = cover(_axis(rho, tail.X), tests.passive, effort).points
+            corner = complex(rho, -depth)
+            walls = cover(np.concatenate([_line(rho, corner), _line(corner, complex(0, -depth))[1:]]), tests.passive, effort)
+        except PrecisionError as error:
+            reason = str(error)
+            continue
+        return Beyond(rho, depth, tail, walls.points, axis)
+    return f"passivity is not proved between the counted rectangle and the frequency X: {reason}"
+
+
+def _first_passive(arrays: Arrays, up: int, X: float, margin: float) -> float:
+    """In floats: the frequency from which on V is passive up to X, times `margin`, at most X."""
+    q = np.concatenate([np.geomspace(X / 200, X, 160)])
+    passive = _least(arrays, up, q + 0j) > 1e-7
+    open_ = np.flatnonzero(~passive)
+    first = q[min(open_[-1] + 1, len(q) - 1)] if len(open_) else q[0]
+    return _short(min(float(first) * margin, X))
+
+
+def _depth(arrays: Arrays, up: int, rho: float) -> float:
+    """In floats: how deep the rectangle must be for its walls to be passive."""
+    for factor in (1.0, 0.5, 2.0, 4.0):
+        depth = rho * factor
+        points = np.concatenate([rho - 1j * np.linspace(0, depth, 24), np.linspace(0, rho, 24) - 1j * depth])
+        if (_least(arrays, up, points) > 1e-9).all():
+            return _short(depth)
+    return _short(rho)
+
+
+def _least(arrays: Arrays, up: int, q: Any) -> Any:
+    """Least eigenvalue of V + V* over the largest, in floats; −1 where G is not known."""
+    _, G, good = arrays.evaluate(1j * q, np.zeros(len(q)), up)
+    V = (1j * q)[:, None, None] * G.a
+    H = (V + np.swapaxes(V.conj(), 1, 2)) / 2
+    values = np.linalg.eigvalsh(np.where(good[:, None, None], H, -np.eye(H.shape[1])))
+    return np.where(good, values[:, 0] / np.abs(values).max(1), -1.0)
+
+
+def _short(x: float) -> float:
+    """A float with few digits, so that files are short."""
+    return float(np.float32(x))
+
+
+def _axis(rho: float, X: float) -> Any:
+    count = max(2, int(4 * np.log2(X / rho)) + 2)
+    return np.unique(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
+
+
+def _line(a: complex, b: complex, pieces: int = 6) -> Any:
+    return a + (b - a) * np.linspace(0, 1, pieces + 1)

@@ -1,0 +1,108 @@
+"""At infinity the receptance vanishes: exact exponents from the Newton polygon of D(P, σ − vP).
+
+As σ → ∞ each P-root behaves as c σ^θ, θ a slope of the polygon and c a nonzero root of its edge polynomial; where
+these are simple, the weight N/D_P is O(σ^ω) with ω = max over N of (iθ + j) − (edge value of D − θ), in every
+direction of Re σ ≥ 0, and |e^{Pξ}| ≤ 1 on the root's own side. If ω < 0 on every edge, G → 0. Roots that are carried
+along, P ~ σ/v with s = σ − vP of lower order, are looked at in s in the same way.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import comb
+
+from flint import fmpq, fmpq_poly
+
+from mpsolve.tracks.waveguide import Polynomial
+
+
+@dataclass(frozen=True)
+class Edge:
+    """Roots ~ c σ^slope; `roots`: the polynomial of c, ascending; weight: the exponent of N/D_P there."""
+
+    slope: Fraction
+    roots: tuple[Fraction, ...]
+    weight: Fraction
+
+
+def edges(D: Polynomial, N: Polynomial) -> tuple[Edge, ...]:
+    """The edges of the Newton polygon of D at σ = ∞, in ascending slope, with the exponent of the weight on each."""
+    top: dict[int, int] = {}
+    for i, j in D:
+        top[i] = max(top.get(i, 0), j)
+    powers = sorted(top)
+    at, out = powers[0], []
+    while at != powers[-1]:
+        theta, end = min((Fraction(top[at] - top[i], i - at), -i) for i in powers if i > at)
+        value = at * theta + top[at]
+        out.append(Edge(theta, _edge_polynomial(D, at, -end, value, theta), _weight(N, theta) - (value - theta)))
+        at = -end
+    return tuple(out)
+
+
+def _edge_polynomial(D: Polynomial, first: int, last: int, value: Fraction, theta: Fraction) -> tuple[Fraction, ...]:
+    orders = [value - i * theta for i in range(first, last + 1)]
+    return tuple(
+        D.get((first + k, int(order)), Fraction(0)) if order.denominator == 1 else Fraction(0)
+        for k, order in enumerate(orders)
+    )
+
+
+def _weight(N: Polynomial, theta: Fraction) -> Fraction:
+    return max(i * theta + j for i, j in N)
+
+
+def vanishes(D: Polynomial, N: Polynomial, v: Fraction) -> bool:
+    """True if G → 0 as σ → ∞ in Re σ ≥ 0 is proved; D and N in P and σ, no p-root identically 0."""
+    if min(i for i, _ in D) != 0:
+        return False
+    carried = 0
+    for edge in edges(D, N):
+        poly = _poly(edge.roots)
+        if v and edge.slope == 1:
+            poly, carried = _without(poly, fmpq_poly([fmpq(1), fmpq(-v.numerator, v.denominator)]))
+            if poly.degree() == 0:
+                continue
+        if edge.weight >= 0 or not _squarefree(poly):
+            return False
+    return not carried or _carried_vanish(in_s(D, v), in_s(N, v), carried)
+
+
+def _carried_vanish(D: Polynomial, N: Polynomial, count: int) -> bool:
+    """The same for the `count` roots s of lower order than σ; D and N in s and σ."""
+    found = 0
+    least = min(i for i, _ in D)
+    for edge in edges(D, N):
+        if edge.slope >= 1:
+            break
+        if edge.weight >= 0 or not _squarefree(_poly(edge.roots)):
+            return False
+        found += len(edge.roots) - 1
+    return least == 0 and found == count
+
+
+def in_s(polynomial: Polynomial, v: Fraction) -> Polynomial:
+    """The polynomial in s and σ at P = (σ − s)/v, v > 0."""
+    out: Polynomial = {}
+    for (i, j), c in polynomial.items():
+        for k in range(i + 1):
+            key = (k, i - k + j)
+            out[key] = out.get(key, Fraction(0)) + c * comb(i, k) * (-1) ** k / v**i
+    return {key: c for key, c in out.items() if c}
+
+
+def _poly(coefficients: tuple[Fraction, ...]) -> fmpq_poly:
+    return fmpq_poly([fmpq(c.numerator, c.denominator) for c in coefficients])
+
+
+def _squarefree(poly: fmpq_poly) -> bool:
+    return bool(poly.gcd(poly.derivative()).degree() == 0)
+
+
+def _without(poly: fmpq_poly, factor: fmpq_poly) -> tuple[fmpq_poly, int]:
+    """`poly` without the factor, and how often it was there."""
+    count = 0
+    while poly.degree() > 0 and (poly % factor) == 0:
+        poly, count = poly // factor, count + 1
+    return poly, count

@@ -1,0 +1,301 @@
+"""−Im G(q) is positive definite for all real q ≥ X: what the track absorbs outweighs what it gives (SPEC, tail).
+
+With W = −Im(N conj D) at P = ip, s = iΩ: −Im u*Gu = (1/2π)∫ |Σ u_j e^{−ipξ_j}|² W/|D|² dp. It absorbs on the block
+p = z q^γ, z₁ ≤ z ≤ z₂, at least κ q^{−e} (for each of a few blocks); it gives where p ≥ q/v, at most C p^{−α}. A large-sieve inequality bounds
+∫|V|² over intervals by their lengths ± 2π/δ, δ the smallest gap between contacts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from flint import arb, fmpq
+from numpy.polynomial.polynomial import polyval2d
+
+from mpsolve.characteristic.symbol import Table
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.jets import UP, U
+from mpsolve.passivity.decay import edges
+from mpsolve.problem.reduced import Guide
+from mpsolve.tracks.waveguide import Polynomial, add, multiply, scaled
+
+_SPLIT = 14  # halvings of a box at most
+_OMEGA = 4.0  # where the two charts of the envelope meet
+
+
+@dataclass(frozen=True)
+class Tail:
+    """The proof: X, the blocks (z₁, z₂, κ) at γ with e, the envelope (ω₀, C, α). All floats are exact as they stand."""
+
+    X: float
+    gamma: Fraction
+    blocks: tuple[tuple[float, float, float], ...]
+    e: Fraction
+    omega0: float
+    C: float
+    alpha: int
+
+
+@dataclass(frozen=True)
+class Absorption:
+    """W and |D|² as exact real polynomials {(i, j): c} in p and Ω."""
+
+    W: Polynomial
+    D2: Polynomial
+
+    @classmethod
+    def of(cls, guide: Guide) -> Absorption:
+        (dr, di), (nr, ni) = _parts(guide.D_rest), _parts(guide.N_rest)
+        W = add(multiply(nr, di), scaled(multiply(ni, dr), Fraction(-1)))
+        return cls(W, add(multiply(dr, dr), multiply(di, di)))
+
+
+def _parts(polynomial: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """Real and imaginary part at P = ip, s = iΩ; P occurs in even powers."""
+    real: Polynomial = {}
+    imaginary: Polynomial = {}
+    for (i, j), c in polynomial.items():
+        turn = (i + j) % 4
+        (imaginary if j % 2 else real)[i, j] = c if turn in (0, 1) else -c
+    return real, imaginary
+
+
+def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: float = 1e9) -> Tail | None:
+    """A tail theorem with X as small as is found quickly; None where there is none (faster than the track's waves).
+
+    Floats propose X, the block and both bounds; what is returned has been proved.
+    """
+    absorption = Absorption.of(guide)
+    if not absorption.W or not guide.v:
+        return None
+    alpha = _orders(absorption)[2]
+    X, tries = least, 0
+    while X <= most and tries < 4:
+        plan = _plan(guide, gap, X, alpha)
+        if plan is not None:
+            tries += 1
+            tail = _prove(absorption, guide.v, plan)
+            if tail is not None and outweighs(tail, guide.v, gap):
+                return tail
+        X *= 1.3
+    return None
+
+
+def _plan(guide: Guide, gap: Fraction | None, X: float, alpha: int) -> Tail | None:
+    """The best blocks in floats, with bounds that leave room, or None where none outweighs."""
+    C = 1.25 * _sampled_envelope(guide, X, alpha)
+    best: tuple[float, Tail] | None = None
+    for gamma, intervals in _blocks(guide):
+        if max(z2 for _, z2 in intervals) * float(guide.v) * X ** float(gamma - 1) >= 0.99:
+            continue
+        e = _block_exponent(guide, gamma)
+        kappas = [0.8 * _sampled_block(guide, X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals]
+        blocks = tuple((*z, float(np.float32(kappa))) for z, kappa in zip(intervals, kappas, strict=True) if kappa > 0)
+        tail = Tail(X, gamma, blocks, e, _OMEGA, float(np.float32(C)), alpha)
+        if blocks and np.isfinite(C) and outweighs(tail, guide.v, gap):
+            size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(gamma - e)
+            if best is None or size > best[0]:
+                best = (size, tail)
+    return None if best is None else best[1]
+
+
+def _prove(absorption: Absorption, v: Fraction, plan: Tail) -> Tail | None:
+    """The plan, if its κ and C are proved."""
+    kappa = block_holds(absorption, v, plan)
+    return plan if kappa and envelope_holds(absorption, v, plan) else None
+
+
+def _power(absorbing: Any, p: Any, omega: Any) -> Any:
+    """W/|D|² in floats."""
+    D, N = absorbing
+    p, omega = np.broadcast_arrays(p, omega)
+    with np.errstate(all="ignore"):
+        return -(polyval2d(1j * p, 1j * omega, N) / polyval2d(1j * p, 1j * omega, D)).imag
+
+
+def _floats(guide: Guide) -> tuple[Any, Any]:
+    return Table.of(guide.D_rest).d, Table.of(guide.N_rest).d
+
+
+def _sampled_envelope(guide: Guide, X: float, alpha: int) -> float:
+    v = float(guide.v)
+    p = np.geomspace(X / v, 1e4 * X / v, 60)[:, None]
+    omega = -v * p * np.concatenate([[0.0], np.geomspace(1e-7, 1, 120)])[None, :]
+    return float(np.max(np.abs(_power(_floats(guide), p, omega)) * p**alpha))
+
+
+def _sampled_block(guide: Guide, X: float, gamma: float, z1: float, z2: float, e: float) -> float:
+    q = X * np.geomspace(1, 1e6, 25)[None, :]
+    p = np.linspace(z1, z2, 60)[:, None] * q**gamma
+    return float(np.min(_power(_floats(guide), p, q - float(guide.v) * p) * q**e))
+
+
+def _block_exponent(guide: Guide, gamma: Fraction) -> Fraction:
+    absorption = Absorption.of(guide)
+    k, m = gamma.numerator, gamma.denominator
+    return Fraction(in_block(absorption.D2, guide.v, k, m)[1] - in_block(absorption.W, guide.v, k, m)[1], m)
+
+
+def _orders(absorption: Absorption) -> tuple[tuple[int, int], tuple[int, int], int]:
+    """Degrees in p, total degrees of (W, |D|²), and the exponent α of the envelope."""
+    W, D2 = absorption.W, absorption.D2
+    by_p = max(i for i, _ in W), max(i for i, _ in D2)
+    total = max(i + j for i, j in W), max(i + j for i, j in D2)
+    return by_p, total, min(by_p[1] - by_p[0], total[1] - total[0])
+
+
+def outweighs(tail: Tail, v: Fraction, gap: Fraction | None) -> bool:
+    """(c): absorbed > given at X, and so for all q ≥ X."""
+    if not (tail.alpha > 1 and tail.alpha - 1 >= tail.e - tail.gamma):
+        return False
+    with precision(64):
+        X, speed = arb(tail.X), _ball(v)
+        sieve = 2 * arb.pi() / _ball(gap) if gap is not None else arb(0)
+        absorbed = arb(0)
+        for z1, z2, kappa in tail.blocks:
+            length = (arb(z2) - arb(z1)) * X ** _ball(tail.gamma) - sieve
+            if length > 0:  # a shorter block absorbs too, but how much is not known
+                absorbed += length * arb(kappa) * X ** -_ball(tail.e)
+        p = X / speed
+        given = arb(tail.C) * (p ** (1 - tail.alpha) / (tail.alpha - 1) + sieve * p ** (-tail.alpha))
+        return bool(absorbed > given)
+
+
+def _blocks(guide: Guide) -> list[tuple[Fraction, list[tuple[float, float]]]]:
+    """Blocks that may absorb: round 0, beside it, or several side by side, as wide as the p-roots run at infinity."""
+    out: list[tuple[Fraction, list[tuple[float, float]]]] = []
+    for edge in edges(guide.D, guide.N):
+        if not 0 <= edge.slope <= 1:
+            continue
+        roots = np.roots([float(c) for c in reversed(edge.roots)])
+        scale = float(np.abs(roots).max()) if len(roots) else 1.0
+        ends = [(-1.4, 1.4), (-0.9, 0.9), (-0.5, 0.5), (-1.4, -0.6), (-0.8, -0.2), (0.1, 0.4), (-3.0, -2.0)]
+        choices = [[end] for end in ends] + [_side_by_side(-2.0, 1.2, 8), _side_by_side(-2.0, 0.5, 16)]
+        for choice in choices:
+            z = [(float(np.float32(a * scale)), float(np.float32(b * scale))) for a, b in choice]
+            if edge.slope == 1:
+                z = [(a, b) for a, b in z if b * float(guide.v) < 0.95]
+            if z:
+                out.append((edge.slope, z))
+    return out
+
+
+def _side_by_side(low: float, high: float, n: int) -> list[tuple[float, float]]:
+    ends = np.linspace(low, high, n + 1).tolist()
+    return list(zip(ends[:-1], ends[1:], strict=True))
+
+
+def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
+    """(a): W/|D|² ≥ κ q^{−e} for p = z q^γ, z₁ ≤ z ≤ z₂, q ≥ X, where q − vp > 0, on disjoint blocks."""
+    k, m = tail.gamma.numerator, tail.gamma.denominator
+    with precision(64):
+        last = max((z2 for _, z2, _ in tail.blocks), default=0.0)
+        if not (tail.gamma <= 1 and arb(max(last, 0.0)) * _ball(v) * arb(tail.X) ** _ball(tail.gamma - 1) < 1):
+            return False
+        tau = float(((1 / arb(tail.X)) ** (arb(1) / m)).upper()) * UP
+    W, top_W = in_block(absorption.W, v, k, m)
+    D2, top_D = in_block(absorption.D2, v, k, m)
+    if tail.e != Fraction(top_D - top_W, m):
+        return False
+    if any(b > a for (_, b, _), (a, _, _) in pairwise(sorted(tail.blocks))):
+        return False
+    rest = scaled(W, Fraction(-1))
+    return all(
+        _negative(add(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
+    )  # κ |D|² − W < 0 on each box
+
+
+def in_block(polynomial: Polynomial, v: Fraction, k: int, m: int) -> tuple[Polynomial, int]:
+    """The polynomial at p = z τ^{−k}, Ω = τ^{−m} − v p, times τ^top, in z and τ."""
+    terms: Polynomial = {}
+    for (i, j), c in polynomial.items():
+        term: Polynomial = {(i, 0): c}
+        for _ in range(j):
+            term = multiply(term, {(0, 1): Fraction(1), (1, 0): -v})
+        terms = add(terms, term)
+    top = max(k * a + m * b for a, b in terms)
+    return {(a, top - k * a - m * b): c for (a, b), c in terms.items()}, top
+
+
+def envelope_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
+    """(b): |W| p^α ≤ C |D|² for p ≥ X/v, −vp ≤ Ω ≤ 0, on two charts."""
+    (Iw, I), (nw, n), alpha = _orders(absorption)
+    if alpha != tail.alpha:
+        return False
+    speed = float(v) * UP
+    u0 = speed / tail.X * UP
+    near = lambda a, top: {(top - i, j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731 — u = 1/p, −Ω
+    far = lambda a, i0, n0: {(i0 - i, n0 - i - j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731 — r, z
+    C = Fraction(tail.C)
+    for sign in (1, -1):
+        W = scaled(absorption.W, Fraction(sign))
+        first = add(multiply(near(W, Iw), {(I - Iw - alpha, 0): Fraction(1)}), scaled(near(absorption.D2, I), -C))
+        if not _negative(first, ((0.0, u0), (0.0, tail.omega0)), speed):
+            return False
+        weight: Polynomial = {(I - Iw - alpha, n - nw - alpha): Fraction(1)}
+        second = add(multiply(far(W, Iw, nw), weight), scaled(far(absorption.D2, I, n), -C))
+        if not _negative(second, ((0.0, speed), (0.0, 1 / tail.omega0 * UP)), u0):
+            return False
+    return True
+
+
+def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float | None = None) -> bool:
+    """True if the polynomial is proved negative on the box (only where x y ≤ product), by halving boxes."""
+    table = Table.of(polynomial)
+    boxes = _grid(*box, 8, 4)
+    for _ in range(_SPLIT):
+        if product is not None:
+            x, rx, y, ry = boxes
+            inside = (x - rx) * (y - ry) <= product * UP
+            boxes = tuple(part[inside] for part in boxes)
+        _, high = bounds(table, boxes)
+        boxes = tuple(part[~(high < 0)] for part in boxes)
+        if not len(boxes[0]):
+            return True
+        if len(boxes[0]) > 2000:
+            return False
+        boxes = _quartered(boxes)
+    return False
+
+
+def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any]:
+    """Lower and upper bounds of a real polynomial on boxes (x ± rx) × (y ± ry), by its expansion at the middle."""
+    x, rx, y, ry = boxes
+    T, error = table.in_time(y.astype(complex))
+    c, lost = table.at(x[:, None].astype(complex), T, error)
+    c, lost = c[:, 0], lost[:, 0]
+    spread = np.einsum("bij,bi,bj->b", np.abs(c) + lost, rx[:, None] ** np.arange(c.shape[1]), ry[:, None] ** np.arange(c.shape[2]))
+    middle = c[:, 0, 0].real
+    radius = (spread - np.abs(c[:, 0, 0]) + 8 * U * spread) * UP
+    return middle - radius - 8 * U * np.abs(middle), middle + radius + 8 * U * np.abs(middle)
+
+
+def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> tuple[Any, ...]:
+    def cells(ends: tuple[float, float], n: int) -> tuple[Any, Any]:
+        edges_ = np.linspace(*ends, n + 1)
+        middle = (edges_[1:] + edges_[:-1]) / 2
+        return middle, np.maximum(edges_[1:] - middle, middle - edges_[:-1]) * UP
+
+    (a, ra), (b, rb) = cells(x, nx), cells(y, ny)
+    parts = np.meshgrid(a, b, indexing="ij"), np.meshgrid(ra, rb, indexing="ij")
+    return parts[0][0].ravel(), parts[1][0].ravel(), parts[0][1].ravel(), parts[1][1].ravel()
+
+
+def _quartered(boxes: tuple[Any, ...]) -> tuple[Any, ...]:
+    x, rx, y, ry = boxes
+    h, k = rx / 2 * UP, ry / 2 * UP
+    signs = ((-1, -1), (-1, 1), (1, -1), (1, 1))
+    return (
+        np.concatenate([x + s * rx / 2 for s, _ in signs]),
+        np.concatenate([h] * 4),
+        np.concatenate([y + t * ry / 2 for _, t in signs]),
+        np.concatenate([k] * 4),
+    )
+
+
+def _ball(x: Fraction) -> arb:
+    return arb(fmpq(x.numerator, x.denominator))

@@ -1,0 +1,1 @@
+"""Steps of proofs that know no track and no vehicle: covering, counting, enclosing, effort."""

@@ -1,0 +1,118 @@
+"""Pictures of a response, by matplotlib: each function draws on the Axes it is given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.files import write_whole
+from mpsolve.motion.scale import Scale
+from mpsolve.motion.solution import Response
+from mpsolve.report.figures import rendered, require_matplotlib
+
+if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.axes import Axes
+
+MOST_PANELS = 24
+_PARTS = {"w": "complete", "harmonic": "unsteady harmonic", "steady": "steady", "transient": "truly transient"}
+_PALETTE = ("#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7")  # Okabe and Ito's
+_COLOURS = {"w": "#000000", "harmonic": "#0072B2", "steady": "#009E73", "transient": "#D55E00"}
+
+
+def draw_history(
+    found: Response,
+    ax: Axes,
+    index: int = 0,
+    parts: tuple[str, ...] = ("w", "steady", "harmonic", "transient"),
+    scale: Scale | None = None,
+) -> Axes:
+    """The displacement at xi[index] over time, whole and in parts; the axis points down, as displacements do."""
+    scale, order = scale or Scale(), np.argsort(found.tau)
+    for part in parts:
+        curve = getattr(found, part)[index, order] * scale.length
+        ax.plot(found.tau[order] * scale.time, curve, color=_COLOURS[part], linewidth=1.0, label=_PARTS[part])
+    return _over_time(ax, scale, f"at $ξ = {found.xi[index]:g}$")
+
+
+def _over_time(ax: Axes, scale: Scale, where: str) -> Axes:
+    shown = "$w$ [mm]" if scale.physical else "$w/w_{st}$"
+    ax.set(xlabel="$t$ [s]" if scale.physical else "$τ$", ylabel=f"{shown} {where}")
+    ax.invert_yaxis()
+    ax.legend(fontsize=8, frameon=False)
+    return ax
+
+
+def draw_shape(found: Response, ax: Axes, time: int = -1) -> Axes:
+    """The deflection over ξ at tau[time], with the contact points."""
+    order = np.argsort(found.xi)
+    ax.plot(found.xi[order], found.w[order, time], color="black", linewidth=1.0)
+    for place in found.case.positions:
+        ax.axvline(float(place), color="#D55E00", linewidth=0.8, linestyle="--")
+    ax.set(xlabel="$ξ$", ylabel="$\\hat w$", title=f"$τ = {found.tau[time]:g}$")
+    ax.invert_yaxis()
+    return ax
+
+
+def animation(found: Response, milliseconds: int = 40) -> FuncAnimation:
+    """The shape as it moves, one picture for each time; `animation.save(path, writer="pillow")` makes a GIF."""
+    require_matplotlib()
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.2, 3.6), layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = draw_shape(found, figure.add_subplot(), 0)
+    order, line = np.argsort(found.xi), ax.lines[0]
+    low, high = float(found.w.min()), float(found.w.max())
+    margin = 0.05 * (high - low) + 1e-12
+    ax.set_ylim(high + margin, low - margin)
+
+    def show(frame: int) -> list[Any]:
+        line.set_ydata(found.w[order, frame])
+        ax.set_title(f"$τ = {found.tau[frame]:g}$")
+        return [line]
+
+    return FuncAnimation(figure, show, frames=len(found.tau), interval=milliseconds)
+
+
+def draw_curves(curves: Mapping[str, Any], tau: Any, ax: Axes, scale: Scale | None = None) -> Axes:
+    """Displacements of the rear contact point by name over ascending times, the first one in black."""
+    scale = scale or Scale()
+    for k, (name, curve) in enumerate(curves.items()):
+        colour = _PALETTE[k % len(_PALETTE)]
+        ax.plot(tau * scale.time, curve * scale.length, color=colour, linewidth=1.0, label=name)
+    return _over_time(ax, scale, "of the rear contact point")
+
+
+def save_history(found: Response, path: Path, title: str = "", scale: Scale | None = None) -> Path:
+    """One panel a position, as .png, .svg or .pdf, written whole or not at all; InputError for too many panels."""
+    rows = len(found.xi)
+    if not 1 <= rows <= MOST_PANELS:
+        raise InputError(
+            "xi", f"has {rows} positions: a picture takes 1 to {MOST_PANELS}; write .csv or .npz for more"
+        )
+    return _save([partial(draw_history, found, index=k, scale=scale) for k in range(rows)], path, title)
+
+
+def save_curves(curves: Mapping[str, Any], tau: Any, path: Path, title: str = "", scale: Scale | None = None) -> Path:
+    """One panel with all curves, as .png, .svg or .pdf, written whole or not at all."""
+    return _save([partial(draw_curves, curves, tau, scale=scale)], path, title)
+
+
+def _save(panels: Sequence[Callable[..., Any]], path: Path, title: str) -> Path:
+    require_matplotlib()
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, 2.8 * len(panels) + 0.6), layout="constrained")
+    for k, panel in enumerate(panels):
+        panel(ax=figure.add_subplot(len(panels), 1, k + 1))
+    if title:
+        figure.suptitle(title, fontsize=11)
+    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))

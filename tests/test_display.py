@@ -1,0 +1,25 @@
+"""Every result that a notebook can show has a card, and what has none says so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import mpsolve
+from mpsolve import display, notebook
+from mpsolve.motion.solution import Response
+
+
+def test_every_result_that_shows_itself_has_a_card() -> None:
+    public = [getattr(mpsolve, name) for name in mpsolve.__all__]
+    shown = {one for one in public if isinstance(one, type) and hasattr(one, "_repr_html_")}
+    assert Response in shown
+    assert shown <= set(notebook.card.registry)
+
+
+def test_what_has_no_card_says_so(tmp_path: Path) -> None:
+    with pytest.raises(TypeError, match="a list has no card"):
+        display.card([])
+    with pytest.raises(TypeError, match="a list has no picture"):
+        display.save_picture([], tmp_path / "list.svg")
