@@ -22,7 +22,9 @@ DAMPED = {
         **RAIL, k_pad="1.08e8", c_pad="1.25e5", m_sleeper=209, k_ballast="2.3e8", c_ballast="9.8e4",
         m_ballast=886, shear="1e7", k_ground="1.3e8", c_ground="5.2e4",
     ),
-    "slab": tracks.Slab(EI="1.29e7", m=120, k_pad="5e8", c_pad="2.5e5", EI_slab="1.34e8", m_slab=1094, k="1e8", c="1e5"),
+    "slab": tracks.Slab(
+        EI="1.29e7", m=120, k_pad="5e8", c_pad="2.5e5", EI_slab="1.34e8", m_slab=1094, k="1e8", c="1e5"
+    ),
     "floating-ice": tracks.FloatingIce(
         B="5e7", h="0.6", rho_ice=917, rho_water=1025, depth="6.8", g="9.8", c=100, eta="0.1"
     ),

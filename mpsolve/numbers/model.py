@@ -35,13 +35,21 @@ class Quantity:
         """The exact value of `value`; InputError under `key` where it breaks a bound."""
         number = rational(value, key)
         if self.above is not None and not number > self.above:
-            raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self._told}")
+            raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self.told}")
         if self.at_least is not None and not number >= self.at_least:
-            raise InputError(key, f"is {shown(number)}, but must not be below {self.at_least}: give the {self._told}")
+            raise InputError(key, f"is {shown(number)}, but must not be below {self.at_least}: give the {self.told}")
         return number
 
     @property
-    def _told(self) -> str:
+    def bound(self) -> str:
+        """The least value in words, empty for a parameter without any."""
+        if self.above is not None:
+            return f"above {self.above}"
+        return "" if self.at_least is None else f"at least {self.at_least}"
+
+    @property
+    def told(self) -> str:
+        """What the parameter is, and its unit."""
         return f"{self.meaning} in {self.unit}" if self.unit else self.meaning
 
 
@@ -60,7 +68,7 @@ class Entries(Quantity):
             return rational(value, key)
         if isinstance(value, (str, bytes, Mapping, Set)) or not isinstance(value, Iterable):
             wanted = "a list of rows" if depth == 2 else "a list of numbers"
-            raise InputError(key, f"is of type {type(value).__name__}: give {wanted}, the {self._told}")
+            raise InputError(key, f"is of type {type(value).__name__}: give {wanted}, the {self.told}")
         return tuple(self._level(entry, f"{key}[{j}]", depth - 1) for j, entry in enumerate(value, 1))
 
 
@@ -71,7 +79,7 @@ class Texts(Quantity):
     def checked(self, value: object, key: str) -> Any:
         """The texts as a tuple; InputError where one is none."""
         if isinstance(value, str) or not isinstance(value, Iterable):
-            raise InputError(key, f"is of type {type(value).__name__}: give a list of texts, the {self._told}")
+            raise InputError(key, f"is of type {type(value).__name__}: give a list of texts, the {self.told}")
         texts = tuple(value)
         for j, text in enumerate(texts, 1):
             if not isinstance(text, str) or not text:
@@ -88,7 +96,7 @@ class Part(Quantity):
     def checked(self, value: object, key: str) -> Any:
         """The model itself; InputError where it is none of this kind."""
         if not isinstance(value, self.kind):
-            raise InputError(key, f"is of type {type(value).__name__}: give a {self.kind.__name__}, the {self._told}")
+            raise InputError(key, f"is of type {type(value).__name__}: give a {self.kind.__name__}, the {self.told}")
         return value
 
 

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import singledispatch
-from itertools import groupby
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.numbers.exact import Exact
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.vehicles.mass import Mass
-from mpsolve.vehicles.vehicle import Placed
 
 
 @singledispatch
@@ -37,21 +35,14 @@ def _(given: Case) -> Problem:
     track = EulerBernoulli(EI=Fraction(1, 4), m=1, k=1, c=2 * eta_b, kp=eta_s, N=eta_n)
     masses = [_rational(x, f"eta_m[{j}]") for j, x in enumerate(given.eta_m, 1)]
     places = [_rational(x, f"positions[{j}]") for j, x in enumerate(given.positions, 1)]
-    return Problem(track, _merged(places, masses), v=alpha)
+    return Problem(track, [Mass(mass).at(place) for mass, place in zip(masses, places, strict=True)], v=alpha)
 
 
 @as_problem.register
 def _(given: PhysicalCase) -> Problem:
     """The same beam and masses in SI: q is in rad/s."""
     track = EulerBernoulli(given.EI, given.m, given.k, given.c, given.kp, given.N)
-    places = [mass.position.as_fraction() for mass in given.masses]
-    return Problem(track, _merged(places, [mass.M.as_fraction() for mass in given.masses]), v=given.v)
-
-
-def _merged(places: list[Fraction], masses: list[Fraction]) -> tuple[Placed, ...]:
-    """Masses at one place move as one."""
-    groups = groupby(zip(places, masses, strict=True), key=lambda pair: pair[0])
-    return tuple(Mass(sum(mass for _, mass in group)).at(place) for place, group in groups)
+    return Problem(track, [Mass(mass.M).at(mass.position) for mass in given.masses], v=given.v)
 
 
 def _rational(value: Exact, key: str) -> Fraction:

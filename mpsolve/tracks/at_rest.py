@@ -105,6 +105,10 @@ def rows_of(waveguide: Waveguide) -> Row:
     rows = in_squares(waveguide.dispersion, "D")
     if not rows:
         raise InputError("matrix", "has determinant 0 everywhere, so it carries no wave: check its entries")
+    if len(rows) == 1:
+        raise InputError(
+            "matrix", "has no frequency in its determinant, so it carries no wave: give it mass or damping"
+        )
     lead = rows[-1] if rows[-1](1) >= 0 else -rows[-1]
     if not is_positive(lead):
         where = next((sqrt(float(root)) for root, _ in positive_roots(lead)), 0.0)
@@ -170,7 +174,7 @@ def _growing(D: Row) -> Fraction | None:
 
 
 def _float_growth(D: Row) -> Fraction:
-    """Where a determinant is 0 for all y without pairs ±s, all y but isolated ones have a growing root: the largest."""
+    """Where a determinant is 0 for all y without pairs ±s, all y but isolated ones have a growing root: take one."""
     points = [Fraction(2) ** k for k in range(-20, 21)]
     return max(points, key=lambda y: max(np.roots([float(row(as_fmpq(y))) for row in D[::-1]]).real))
 
@@ -204,7 +208,7 @@ def _one(polynomial: fmpq_mpoly) -> Row:
 
 
 def _real_growth(g: Row) -> Fraction | None:
-    """A rational y where g(z) has a root z = s² that is not real and ≤ 0, or None: g counts its roots in cells of y."""
+    """A rational y where g(z) has a root z = s² that is not real and ≤ 0, or None; one y for each cell decides."""
     context = fmpq_mpoly_ctx.get(("z", "y"), "lex")
     _, factors = _two(g, context).factor_squarefree()
     for factor, _ in factors:

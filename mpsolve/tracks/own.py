@@ -6,12 +6,10 @@ from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.tracks import waveguide
-from mpsolve.tracks.at_rest import Status, at_rest
-from mpsolve.tracks.passive import passivity
 
 
 class Waveguide(waveguide.Waveguide):
-    """A track A u = e λ with A a sympy matrix in the symbols p and Omega (∂/∂x → ip, ∂/∂t → iΩ), all numbers rational.
+    """A track A u = e λ, A a sympy matrix in the symbols p and Omega (∂/∂x → ip, ∂/∂t → iΩ), in rational numbers.
 
     loaded: the number of the field that carries the contacts, counted from 0. The track must be the same in both
     directions, passive, and stable at rest: this is decided exactly when it is made. InputError says what is not.
@@ -23,7 +21,9 @@ class Waveguide(waveguide.Waveguide):
     """
 
     def __init__(self, matrix: Any, loaded: int = 0) -> None:
-        from mpsolve.symbolic.convert import exact_matrix
+        from mpsolve.tracks.at_rest import Status, at_rest
+        from mpsolve.tracks.from_sympy import exact_matrix
+        from mpsolve.tracks.passive import passivity
 
         rows = exact_matrix(matrix)
         if isinstance(loaded, bool) or not isinstance(loaded, int) or not 0 <= loaded < len(rows):

@@ -30,7 +30,7 @@ class Track(Model, frozen=True):
     loaded: ClassVar[int] = 0
 
     @staticmethod
-    def equations(x: Any) -> list[list[Any]]:
+    def equations(x: Any) -> list[list[Any]]:  # noqa: ARG004 — each track says them
         """The matrix A(P, s), written over `x.P`, `x.s` and the parameters; any ring will do."""
         raise TypeError("a track defines its equations")
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Model, rational
@@ -88,7 +88,7 @@ def assemble(
 
 
 def joined(parts: list[tuple[Pencil, Fraction, str]]) -> Pencil:
-    """Several vehicles as one: (pencil, place of its middle, what its names end with); contacts from rear to front."""
+    """Several vehicles as one, each with the place of its middle and an ending for its names; contacts sorted."""
     order = sorted(
         (x + place, k, j) for k, (pencil, x, _) in enumerate(parts) for j, place in enumerate(pencil.places)
     )

@@ -45,7 +45,9 @@ class General:
         """Coefficients in p, highest first, at P = ip, σ = iq."""
         i = CTX.mpc(0, 1)
         top = max(k for k, _ in a)
-        rows = [sum(number(c) * (i * self.q) ** j for (m, j), c in a.items() if m == k) * i**k for k in range(top + 1)]
+        rows = [
+            sum(number(c) * (i * self.q) ** j for (m, j), c in a.items() if m == k) * i**k for k in range(top + 1)
+        ]
         return rows[::-1]
 
     def _value(self, a: list[Any], p: Any) -> Any:
@@ -103,11 +105,12 @@ def test_the_physical_case_is_the_dimensionless_one_in_si() -> None:
         assert close(General(as_problem(physical), 100 * q).determinant(), truth)
 
 
-def test_masses_at_one_place_are_one() -> None:
-    case = Case(alpha=0, eta_b="0.1", eta_m=(1, 2, 4), positions=(0, 0, 1))
-    assert [(placed.vehicle.M, placed.position) for placed in as_problem(case).vehicles] == [(3, 0), (4, 1)]
-    physical = PhysicalCase(EI=1, m=1, k=1, v=0, masses=[(1, 2), (5, 2)])
-    assert [placed.vehicle.M for placed in as_problem(physical).vehicles] == [6]
+def test_masses_at_one_place_move_as_one() -> None:
+    """They stay apart in the problem, each with its contact, and Δ is that of their sum."""
+    case = Case(alpha="0.3", eta_b="0.1", eta_m=(1, 2, 4), positions=(0, 0, 1))
+    assert as_problem(case).pencil.places == (0, 0, 1)
+    q = CTX.mpc("0.4", "-0.2")
+    assert close(General(as_problem(case), q).determinant(), General(as_problem(case.merged), q).determinant())
 
 
 def test_a_problem_is_itself() -> None:

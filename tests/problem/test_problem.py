@@ -32,7 +32,7 @@ def test_the_order_of_the_vehicles_does_not_matter(given_: list[Any], random: An
     for key in "MCK":
         rows = getattr(first, key)
         assert getattr(second, key) == tuple(tuple(rows[i][j] for j in moved) for i in moved)
-    assert second.B == tuple(first.B[i] for i in moved)
+    assert tuple(first.B[i] for i in moved) == second.B
 
 
 def test_a_bare_vehicle_stands_at_the_origin() -> None:

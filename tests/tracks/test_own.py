@@ -8,13 +8,13 @@ from typing import Any
 import pytest
 import sympy as sp
 from sympy import I
+from track_models import DAMPED
 
 from mpsolve import tracks
+from mpsolve.derivation.tracks import derived, symbols_of
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
-from mpsolve.symbolic.tracks import derived, symbols_of
 from mpsolve.vehicles import Mass
-from track_models import DAMPED
 
 p, Omega = sp.symbols("p Omega")
 BEAM = sp.Rational(1, 4) * p**4 + 1 + I * Omega / 10 - Omega**2
@@ -66,6 +66,7 @@ def test_symbols_may_carry_assumptions() -> None:
         ([[BEAM + Omega]], 0, "matrix[1][1]", "not real"),
         ([[BEAM + I * p]], 0, "matrix", "odd powers"),
         ([[0]], 0, "matrix", "no wave"),
+        ([[p**4 + 1]], 0, "matrix", "mass or damping"),
         ([[BEAM, BEAM], [1, 1]], 0, "matrix", "no wave"),
         ([[BEAM - 2]], 0, "matrix", "buckles"),
         ([[BEAM - 3 * p**2]], 0, "matrix", "buckles"),

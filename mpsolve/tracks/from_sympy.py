@@ -15,7 +15,7 @@ _MOST = 8
 
 
 def exact_matrix(given: Any) -> Matrix:
-    """The matrix with ∂/∂x → ip and ∂/∂t → iΩ put in, over P and s; InputError where an entry is no such polynomial."""
+    """The matrix over P = ip and s = iΩ; InputError where an entry is no real polynomial in them."""
     try:
         matrix = sp.Matrix(given)
     except (TypeError, ValueError, sp.SympifyError):

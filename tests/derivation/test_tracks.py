@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from mpsolve import tracks
-from mpsolve.symbolic.tracks import Omega, derived, p, symbols_of
+from mpsolve.derivation.tracks import Omega, derived, p, symbols_of
 
 
 @pytest.mark.parametrize("model", tracks.CATALOGUE, ids=lambda model: model.name)

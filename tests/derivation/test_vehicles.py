@@ -10,8 +10,8 @@ import sympy as sp
 from vehicle_models import TYPICAL
 
 from mpsolve import vehicles
-from mpsolve.symbolic.tracks import symbols_of
-from mpsolve.symbolic.vehicles import Energies, energies
+from mpsolve.derivation.tracks import symbols_of
+from mpsolve.derivation.vehicles import Energies, energies
 from mpsolve.vehicles.vehicle import Pencil
 
 

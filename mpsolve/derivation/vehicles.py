@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from mpsolve import vehicles
-from mpsolve.symbolic.tracks import Expr, symbols_of, t
+from mpsolve.derivation.tracks import Expr, symbols_of, t
 from mpsolve.vehicles.vehicle import AnyVehicle
 
 half = sp.Rational(1, 2)

@@ -1,1 +1,0 @@
-"""What needs sympy: derivations from first principles, and the reading of anybody's own track."""
