@@ -68,8 +68,14 @@ def test_the_gap_is_that_of_the_coupling() -> None:
     slope = one.delta([sigma])[1][0]
     S = complex(sum(float(c) * sigma**k for k, c in enumerate(floats.border.S[0][0])))
     (behind, ahead) = (G[x][0] for x in floats.border.distances if x)
-    gap = abs(2 * S * (ahead * behind) ** 0.5 / slope) * float(proved.reduced.frequency_unit)
+    gap = abs(2 * S * (ahead * behind) ** 0.5 / slope / b_of(one)) * float(proved.reduced.frequency_unit)
     assert abs(abs(a - b) / gap - 1) < 1e-3
+
+
+def b_of(one: Floats) -> float:
+    """The determinant of one mass is −(b + S G/b)."""
+    ((_, _, b),) = one.border.direct
+    return float(b)
 
 
 def floats_sigma(sigma: complex) -> object:
