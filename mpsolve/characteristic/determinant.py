@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from mpsolve.characteristic.bordered import direct_contacts
-from mpsolve.characteristic.receptance import at_matrix, companion
+from mpsolve.characteristic.receptance import at_matrix, by_companions, companion
 from mpsolve.characteristic.splitting import Splitting
 from mpsolve.characteristic.symbol import Symbols, product
 from mpsolve.numbers.arithmetic import Arithmetic
@@ -90,6 +90,18 @@ class Bordering:
         for i in self.indirect:
             out.append([*[like] * len(self.kept), *(G_sigma[k] for k in self.which[i])])
         return out
+
+
+def delta(K: Arithmetic, border: Bordering, symbols: Symbols, split: Splitting, sigma: Any) -> tuple[Any, Any]:
+    """Δ̂ and its slope in σ from the factors U and L, in any arithmetic; where Δ̂ is not 0."""
+    G, G_sigma = by_companions(K, symbols, split, sigma, border.distances, True)
+    A = K.matrix(border.rows(K, sigma, G))
+    turn = K.solve(A, K.matrix(border.slopes(K, sigma, G, G_sigma)))
+    value, n = K.det(A), len(border.kept) + len(border.which)
+    trace = K.entry(turn, 0, 0)
+    for i in range(1, n):
+        trace = trace + K.entry(turn, i, i)
+    return value, value * trace
 
 
 def evans(K: Arithmetic, reduced: Reduced, symbols: Symbols, split: Splitting, sigma: Any) -> tuple[Any, Any]:
