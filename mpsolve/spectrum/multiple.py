@@ -8,9 +8,10 @@ from typing import Any
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, precision, square
+from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import Taylor, taylor
 from mpsolve.proof.pellet import pellet
-from mpsolve.spectrum.enclose import RootBall, Symmetry, in_units, isolate, on_grid, radius_of, refine
+from mpsolve.spectrum.enclose import in_units, isolate, refine
 
 MOST = 6
 """Roots in one cluster that are looked for."""

@@ -11,7 +11,7 @@ from oracle import Truth, holds
 
 from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
 from mpsolve.model.edge import edge_value
-from mpsolve.sheet.enclose import Symmetry
+from mpsolve.numbers.rootball import Symmetry
 
 
 def pair(alpha: Any, d: Any, eta_m: Any = 70, eta_b: Any = "0.05", **rest: Any) -> Case:
