@@ -100,9 +100,13 @@ def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
     middle = [row(sigma.mid()) for row in symbols.D.balls()]
     z = float_roots(middle, symbols.degree)
     if apart(z):
-        roots = tuple(root_balls(symbols.D, sigma, z))
-        signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
-        return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
+        try:
+            roots = tuple(root_balls(symbols.D, sigma, z))
+        except PrecisionError:  # over the ball roots of one side may meet
+            roots = ()
+        if roots:
+            signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
+            return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
     factors = factor_balls(symbols.D, sigma, z, upper)
     return ProvedSplitting(symbols, sigma, upper, None, factors, sides(factors, z, upper))
 
