@@ -42,7 +42,7 @@ def separate(proved: Proved, seed: complex, digits: int) -> list[RootBall]:
             return apart
         if bits >= 4 * target:
             with precision(2 * bits + 64):
-                return _as_cluster(proved, series, m, target)
+                return as_cluster(proved, series, m, target)
         bits *= 2
 
 
@@ -102,7 +102,7 @@ def _isolated(proved: Proved, approximations: list[Any], bits: int, digits: int)
     return None
 
 
-def _as_cluster(proved: Proved, series: Taylor, m: int, target: int) -> list[RootBall]:
+def as_cluster(proved: Proved, series: Taylor, m: int, target: int) -> list[RootBall]:
     """A square ball of relative size 2^−target: at least m roots in its disc, at most m around it."""
     unit = proved.reduced.frequency_unit
     centre = in_units(series.centre, unit)

@@ -57,6 +57,15 @@ def test_the_pair_that_is_asked_for() -> None:
         assert sides(factor_balls(symbol, acb(0.5), np.array([-2.0, 2.0]), 1), np.array([-2.0, 2.0]), 1)
 
 
+def test_nodes_do_not_say_where_the_roots_are() -> None:
+    """U = P − 2 has its root on the right, however far left its node is; L = (P − 2)² likewise."""
+    with precision(64):
+        assert not sides(((acb(-2),), ()), np.array([-1.0]), 1)
+        assert sides(((acb(2),), ()), np.array([-1.5]), 1)
+        assert not sides(((), (acb(4), acb(4))), np.array([2.0, 2.0]), 0)
+        assert sides(((), (acb(4), acb(-4))), np.array([2.0, 2.0]), 0)
+
+
 def test_all_roots_on_one_side() -> None:
     symbol = Symbol.of({(2, 0): Fraction(1), (1, 0): Fraction(3), (0, 0): Fraction(2)})
     with precision(64):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from residue import TRACKS, Residues, holds, random_track
 
-from mpsolve.characteristic.roots import Orders, apart, float_roots, leading, root_balls
+from mpsolve.characteristic.roots import Orders, apart, discs, float_roots, leading, root_balls
 from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, exact_ball, precision, square
@@ -64,6 +64,18 @@ def test_the_value_over_a_ball_is_no_wider_than_it_is() -> None:
         assert about[2] == 1
         assert about[1].contains(acb(0.019, 0))
         assert float(about[1].abs_upper()) < 0.03
+
+
+def test_discs_are_as_wide_as_gershgorin_has_them() -> None:
+    """P² − 1/16 about −1 and 1: |W| = 15/32 falls short of the roots, 3/4 away; 2|W| holds them."""
+    symbol = Symbol.of({(2, 0): Fraction(1), (0, 0): Fraction(-1, 16)})
+    with precision(64):
+        local = Orders(symbol, acb(1))
+        _, radii = discs(local, local.wide, [acb(-1), acb(1)])
+    assert all(0.75 < float(r) < 0.95 for r in radii)
+        local = Orders(Symbol.of({(2, 0): Fraction(1), (0, 0): Fraction(1, 16)}), acb(1))
+    with precision(64), pytest.raises(PrecisionError, match="told apart"):
+        discs(local, local.wide, [acb(-1), acb(1)])
 
 
 def test_roots_that_cannot_be_told_apart() -> None:
