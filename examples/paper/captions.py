@@ -131,14 +131,14 @@ def critical_velocities_agree(claim: Claim) -> Finding:
             )
             apart += [] if same else [eta_b]
     if apart:
-        return Finding(Verdict.REFUTED, f"They differ for η_b = {', '.join(apart)}.", tuple(numbers))
+        return Finding(Verdict.REFUTED, f"They differ for η_b = {', '.join(apart)}.", numbers)
     A, beta, z = sp.symbols("A beta z", positive=True)
     double = sp.expand(sp.discriminant(z**2 - 4 * A * z + 4 * beta**2, z) - 16 * (A - beta) * (A + beta)) == 0
     sentence = (
         "q_lm = 0 where p⁴ − 4Ap² + 4β² has a double root, A = N + α² = β [discriminant]: α_C² = β − N, for η_b = 0 "
         "the same as α_cr,ex² = 1 − N."
     )
-    return Finding(Verdict.PROVED if double else Verdict.UNDECIDABLE, sentence, tuple(numbers))
+    return Finding(Verdict.PROVED if double else Verdict.UNDECIDABLE, sentence, numbers)
 
 
 _FIGURE_2 = (

@@ -9,6 +9,7 @@ from typing import Any
 import flint
 
 from mpsolve.certificate.format import Certificate
+from mpsolve.claims import Claim
 from mpsolve.errors import PrecisionError
 from mpsolve.model.parameters import Case
 from mpsolve.spectrum.certify import Spectrum, certify
@@ -44,6 +45,21 @@ def certificate(case: Case) -> Certificate | None:
         return spectrum(case).certificate
     except PrecisionError:
         return None
+
+
+def lowest(case: Case) -> Any:
+    """The least Im q of all roots."""
+    return min((root.q.imag for root in spectrum(case).roots), key=float)
+
+
+def listed(claim: Claim) -> list[tuple[str, str, Case]]:
+    """The `cases` of a claim, η_b α η_M d of two equal masses: in words, the name of a certificate, the case."""
+    found = []
+    for text in claim.values("cases"):
+        eta_b, alpha, eta_m, d = text.split()
+        words = f"η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}"
+        found.append((words, f"{claim.id}_eta_b{eta_b}_alpha{alpha}_eta{eta_m}_d{d}", pair(alpha, eta_b, eta_m, d)))
+    return found
 
 
 def ahead(case: Case) -> list[Any]:

@@ -9,14 +9,14 @@ from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, decimal, first_on_grid, grid, named, places, shown
+from mpsolve.claims.values import below, decimal, first_on_grid, grid, places, shown
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
 from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
-from .cases import certificate, pair, spectrum
+from .cases import certificate, lowest, pair, spectrum
 from .theory import one_damped_mass_is_stable
 
 _DIGITS = 20
@@ -61,14 +61,14 @@ def onsets_on_the_grid(claim: Claim) -> Finding:
         ]
     numbers.append(("α_C", shown(alpha_C, 12)))
     if wrong:
-        return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, "; ".join(wrong), numbers, certificates=certificates)
     sentence = f"The printed α are the first unstable ones of the grid {decimal(step)}; all below are proved stable."
-    return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)
 
 
 def damping_destabilises(claim: Claim) -> Finding:
     """Conclusion (x): an onset below α_C, where without damping nothing is unstable."""
-    eta_b, eta_m, d = (claim.number(name) for name in ("eta_b", "eta_m", "d"))
+    eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     found, case = onset(eta_b, eta_m, d), pair("0", eta_b, eta_m, d)
     sub = below(found.alpha, critical(case)) and below(found.alpha, 1)
     numbers = (
@@ -76,7 +76,7 @@ def damping_destabilises(claim: Claim) -> Finding:
         ("α_C", shown(critical(case), 12)),
         ("q there", shown(found.q, 15)),
     )
-    certificates = named([(f"{claim.id}_onset", found.certificate)])
+    certificates = [(f"{claim.id}_onset", found.certificate)]
     if sub == (claim.number("range") == "subcritical"):
         sentence = (
             "Certified example of Section 4.3; without damping the same masses are stable for every α < 1 (theorem)."
@@ -95,10 +95,10 @@ def one_mass_is_supercritical(claim: Claim) -> Finding:
         if not below(1, found.alpha):
             wrong.append(eta_m)
     if wrong or claim.number("range") != "supercritical":
-        return Finding(Verdict.REFUTED, f"Onset for η_M = {', '.join(wrong)} below 1.", tuple(numbers), proof.steps)
+        return Finding(Verdict.REFUTED, f"Onset for η_M = {', '.join(wrong)} below 1.", numbers, proof.steps)
     sentence = "One damped mass is stable at every α ≤ 1, for every η_M and every η_b > 0 (N = 0): theorem."
     verdict = Verdict.PROVED if proof.holds else Verdict.UNDECIDABLE
-    return Finding(verdict, sentence, tuple(numbers), proof.steps, certificates=named(certificates))
+    return Finding(verdict, sentence, numbers, proof.steps, certificates=certificates)
 
 
 def one_mass_onset_grows(claim: Claim) -> Finding:
@@ -113,11 +113,11 @@ def one_mass_onset_grows(claim: Claim) -> Finding:
         numbers += [(f"η_M = {eta_m}, η_b = {b}: onset α", shown(x, 12)) for b, x in found]
     if wrong:
         sentence = f"The onset does not grow at {'; '.join(wrong)}."
-        return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
     sentence = (
         "The proved onsets grow along this list of damping ratios, for each mass; between them it is not proved."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 def never_real(claim: Claim) -> Finding:
@@ -128,7 +128,7 @@ def never_real(claim: Claim) -> Finding:
         alpha_C = critical_velocity_ratio(case, field)
     numbers = (("α", shown(found.alpha, 18)), ("q (real)", shown(found.q, 18)), ("α_C", shown(alpha_C, 12)))
     sentence = "At the onset itself a pair of induced frequencies is real: that is what an onset is."
-    return Finding(Verdict.REFUTED, sentence, numbers, certificates=named([(claim.id, found.certificate)]))
+    return Finding(Verdict.REFUTED, sentence, numbers, certificates=[(claim.id, found.certificate)])
 
 
 def stable_and_unstable(claim: Claim) -> Finding:
@@ -140,16 +140,13 @@ def stable_and_unstable(claim: Claim) -> Finding:
         for d in grid(claim.number("d")):
             case = pair(alpha, eta_b, eta_m, d)
             unstable = spectrum(case).unstable
-            lowest = min((root.q.imag for root in spectrum(case).roots), key=float)
-            numbers.append((f"α = {alpha}, d = {d}: least Im q", shown(lowest, 10)))
+            numbers.append((f"α = {alpha}, d = {d}: least Im q", shown(lowest(case), 10)))
             certificates.append((f"{claim.id}_alpha{alpha}_d{d}", certificate(case)))
             if unstable:
                 found.append(f"{alpha} {d}")
     good = tuple(found) == claim.values("unstable")
     sentence = f"Unstable (α, d): {'; '.join(found) or 'none'}; the others are stable."
-    return Finding(
-        Verdict.PROVED if good else Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates)
-    )
+    return Finding(Verdict.PROVED if good else Verdict.REFUTED, sentence, numbers, certificates=certificates)
 
 
 def heavier_decays_slower(claim: Claim) -> Finding:
@@ -161,28 +158,23 @@ def heavier_decays_slower(claim: Claim) -> Finding:
     for alpha in claim.values("alpha"):
         for d in claim.values("d"):
             cases = [pair(alpha, eta_b, m, d) for m in (light, heavy)]
-            least = [min((r.q.imag for r in spectrum(case).roots), key=float) for case in cases]
-            if d == claim.values("d")[-1]:
-                certificates += [
-                    (f"{claim.id}_alpha{alpha}_eta{m}_d{d}", certificate(case))
-                    for m, case in zip((light, heavy), cases, strict=True)
-                ]
+            least = [lowest(case) for case in cases]
             numbers.append((f"α = {alpha}, d = {d}: least Im q", f"{shown(least[0], 8)}, {shown(least[1], 8)}"))
-            if not below(least[1], least[0]):
-                wrong.append(f"α = {alpha}, d = {d}")
+            falls = below(least[1], least[0])
+            wrong += [] if falls else [f"α = {alpha}, d = {d}"]
+            if not falls or d == claim.values("d")[-1]:
                 certificates += [
                     (f"{claim.id}_alpha{alpha}_eta{m}_d{d}", certificate(case))
                     for m, case in zip((light, heavy), cases, strict=True)
                 ]
     if wrong:
         sentence = f"Not at {'; '.join(wrong)}."
-        return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
     sentence = (
         "Certified at all of these cases, each with the same α, d and η_b for both masses; "
         "as a general statement it is not proved."
     )
-    certs = named(certificates)
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 def lighter_masses_stay_stable(claim: Claim) -> Finding:
@@ -198,6 +190,6 @@ def lighter_masses_stay_stable(claim: Claim) -> Finding:
         if found:
             wrong.append(f"d = {d}: from α = {shown(found[0].start, 10)}")
     if wrong:
-        return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, "; ".join(wrong), numbers, certificates=certificates)
     sentence = "Proved stable on the whole range, at each of the distances."
-    return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)

@@ -142,7 +142,7 @@ def residues(claim: Claim) -> Finding:
 
 def harmonics(claim: Claim) -> Finding:
     """(36): the steady part and the summand; and whether they alone are ŵ."""
-    from mpsolve.claims.values import named, shown
+    from mpsolve.claims.values import shown
 
     from .cases import certificate, pair
     from .harmonic import harmonic
@@ -170,7 +170,7 @@ def harmonics(claim: Claim) -> Finding:
         f"{claim.number('slip')} As an equation for ŵ it also lacks the branch-cut term of (35): at τ = 0 it is not "
         "0, as homogeneous initial conditions ask (certified). It is the harmonic part of ŵ."
     )
-    certificates = named([(claim.id, certificate(case))])
+    certificates = [(claim.id, certificate(case))]
     return Finding(Verdict.SLIP, sentence, numbers, found.steps, certificates=certificates)
 
 
@@ -222,7 +222,7 @@ def one_place(claim: Claim) -> Finding:
 
 def side_of_singularities(claim: Claim) -> Finding:
     """(31): where the poles of the image lie, seen from the line Re q̄ = a."""
-    from mpsolve.claims.values import named, shown
+    from mpsolve.claims.values import shown
 
     from .cases import certificate, pair, spectrum
 
@@ -230,7 +230,7 @@ def side_of_singularities(claim: Claim) -> Finding:
     places = [-root.q.imag for root in spectrum(case).roots]
     far = max(places, key=float)
     numbers = (("largest Re q̄ = −Im q of the poles (α = 0.67, η_b = 0.05, η_M = 70, d = 1.5)", shown(far, 12)),)
-    certificates = named([(claim.id, certificate(case))])
+    certificates = [(claim.id, certificate(case))]
     if claim.number("side") == "left":
         return Finding(Verdict.PROVED, "All poles have Re q̄ < a.", numbers, certificates=certificates)
     sentence = (
@@ -257,9 +257,9 @@ def limit_with_damping(claim: Claim) -> Finding:
             numbers.append((f"η_b = {eta_b}: α by (33) at this q_lm", shown(back, 8)))
             right.append(bool(back.overlaps(field.number(case.alpha))))
     if all(right):
-        return Finding(Verdict.UNDECIDABLE, "No damping ratio looked at contradicts it.", tuple(numbers))
+        return Finding(Verdict.UNDECIDABLE, "No damping ratio looked at contradicts it.", numbers)
     sentence = (
         "For η_b = 0 only; with damping q_lm is that of the rescaled undamped beam. And (33) is real "
         "for q_lm ≤ 1 only."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers)

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, decimal, first_on_grid, grid, named, shown
+from mpsolve.claims.values import below, decimal, first_on_grid, grid, shown
 from mpsolve.errors import PrecisionError
 from mpsolve.stability.cuts import cut_points
 
-from .cases import ahead, certificate, pair, spectrum
+from .cases import ahead, certificate, lowest, pair, spectrum
 
 Certificates = list[tuple[str, Certificate | None]]
 _STEP = Fraction(1, 100)
@@ -31,15 +30,14 @@ def no_duplication(claim: Claim) -> Finding:
             twice += [where for x in roots for y in roots if x.conjugate().overlaps(y)]
             numbers.append((f"{where}: roots", str(len(roots))))
             certificates.append((f"{claim.id}_eta{eta_m}_d{d}_alpha{alpha}", certificate(case)))
-    certs = named(certificates)
     if twice:
         sentence = f"A root may be the conjugate of another at {'; '.join(dict.fromkeys(twice))}."
-        return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), certificates=certs)
+        return Finding(Verdict.UNDECIDABLE, sentence, numbers, certificates=certificates)
     sentence = (
         f"At {len(numbers)} certified cases of Figure 9 no root is the conjugate of a root, so each stands for the "
         "pair q, −q̄ alone; for other parameters it is not proved."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 def rapidly_damped(claim: Claim) -> Finding:
@@ -51,7 +49,7 @@ def rapidly_damped(claim: Claim) -> Finding:
         for alpha in claim.values("alpha"):
             for d in grid(distances):
                 case = pair(alpha, eta_b, eta_m, d)
-                slowest: Any = min((root.q.imag for root in spectrum(case).roots), key=float)
+                slowest = lowest(case)
                 numbers.append((f"η_M = {eta_m}, α = {alpha}, d = {d}: least Im q", shown(slowest, 8)))
                 certificates.append((f"{claim.id}_eta{eta_m}_alpha{alpha}_d{d}", certificate(case)))
                 times.append(math.log(100) / float(slowest.lower()) if slowest > 0 else math.inf)
@@ -63,7 +61,7 @@ def rapidly_damped(claim: Claim) -> Finding:
         f"{light:.0f} in every case, for η_M = {claim.values('eta_m')[1]}: {against}."
     )
     verdict = Verdict.CONDITIONAL if light < heavy else Verdict.UNDECIDABLE
-    return Finding(verdict, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(verdict, sentence, numbers, certificates=certificates)
 
 
 def usually_cut(claim: Claim) -> Finding:
@@ -96,7 +94,7 @@ def usually_cut(claim: Claim) -> Finding:
         f"others ({'; '.join(not_cut) or 'none'}) the lower line is cut, if any, and the higher goes on. Where a "
         "line is cut, it is at Im q = η_b (conclusion (iv))."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 _LINES = ("70 0.5", "70 1", "70 1.5", "10 1.5", "10 3", "10 4.5")

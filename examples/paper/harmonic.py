@@ -42,11 +42,6 @@ class Harmonic:
         with ball_arithmetic(_BITS):
             return abs((self.steady + sum((A for _, A in self.terms), acb(0))).real)
 
-    @property
-    def start_velocity(self) -> Any:
-        with ball_arithmetic(_BITS):
-            return abs(sum((acb(0, 1) * q * A for q, A in self.terms), acb(0)).real)
-
 
 @lru_cache(maxsize=512)
 def harmonic(case: Case) -> Harmonic:

@@ -28,7 +28,7 @@ def largest_parts(eta_b: str, eta_m: str, alpha: str, d: str) -> tuple[float, fl
 
 
 def _tables(claim: Claim) -> dict[str, tuple[float, float]]:
-    model = (claim.number(name) for name in ("eta_b", "eta_m", "alpha"))
+    model = claim.numbers("eta_b", "eta_m", "alpha")
     eta_b, eta_m, alpha = model
     return {d: largest_parts(eta_b, eta_m, alpha, d) for d in claim.values("d")}
 
@@ -75,7 +75,7 @@ def late_parts(eta_b: str, eta_m: str, alpha: str, d: str, starts: tuple[str, ..
 def temporary(claim: Claim) -> Finding:
     """The truly transient part dies out: it falls from each late window to the next, to a small part of its "
     "largest."""
-    eta_b, eta_m, alpha = (claim.number(name) for name in ("eta_b", "eta_m", "alpha"))
+    eta_b, eta_m, alpha = claim.numbers("eta_b", "eta_m", "alpha")
     starts, limit = claim.values("tau"), float(claim.number("limit"))
     parts = {d: late_parts(eta_b, eta_m, alpha, d, starts) for d in claim.values("d")}
     windows = ", ".join(starts)

@@ -9,7 +9,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, grid, named, shown
+from mpsolve.claims.values import below, grid, shown
 from mpsolve.fields import ball_arithmetic
 
 from .cases import ball, certificate, higher_end, pair
@@ -31,11 +31,11 @@ def start_share(found: Harmonic) -> Any:
 
 def higher_pair_matters(claim: Claim) -> Finding:
     """Conclusion (vii)."""
-    alpha, eta_m, d = (claim.number(name) for name in ("alpha", "eta_m", "d"))
+    alpha, eta_m, d = claim.numbers("alpha", "eta_m", "d")
     case = pair(alpha, "0", eta_m, d)
     low, high = harmonic(case).amplitudes
     numbers = (("amplitude of the lower pair", shown(low, 10)), ("amplitude of the higher pair", shown(high, 10)))
-    certificates = named([(claim.id, certificate(case))])
+    certificates = [(claim.id, certificate(case))]
     if high > low:
         sentence = f"At α = {alpha}, η_M = {eta_m}, d = {d} the higher pair has the larger amplitude."
         return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)
@@ -58,7 +58,7 @@ def influence_grows(claim: Claim) -> Finding:
     ]
     if not wrong:
         return Finding(Verdict.PROVED, "It grows along each row and column of the figure.", numbers)
-    certificates = named((f"{claim.id}_alpha{a}_d{d}", certificate(pair(a, "0", eta_m, d))) for a, d in table)
+    certificates = [(f"{claim.id}_alpha{a}_d{d}", certificate(pair(a, "0", eta_m, d))) for a, d in table]
     sentence = (
         f"It falls {'; '.join(wrong)}: the second pair is not even present there, so the amplitude is constant."
     )
@@ -94,16 +94,15 @@ def minimum_vanishes(claim: Claim) -> Finding:
         )
         signs.append(True if low > high else False if low < high else None)
         certificates.append((f"{claim.id}_alpha{alpha}", certificate(case)))
-    certs = named(certificates)
     both = all(higher_end(eta_m, d) > ball(alpha) for alpha in claim.values("alpha"))
     if both and sorted(signs, key=str) == [False, True]:
         sentence = (
             f"At d = {d} the lower pair's amplitude is the smaller one at one α and the larger at the other; both "
             "are continuous in between, where both pairs exist, so for some α the minimum is exactly 0."
         )
-        return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=certs)
+        return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)
     return Finding(
-        Verdict.UNDECIDABLE, "No change of order is proved between these two.", tuple(numbers), certificates=certs
+        Verdict.UNDECIDABLE, "No change of order is proved between these two.", numbers, certificates=certificates
     )
 
 
@@ -147,7 +146,7 @@ def agreement_is_excellent(claim: Claim) -> Finding:
         f"The harmonic solution starts within {100 * worst:.2g} % of its amplitude from rest; no tolerance is stated."
     )
     verdict = Verdict.AGREES if worst < limit else Verdict.DISAGREES
-    return Finding(verdict, sentence, tuple(numbers))
+    return Finding(verdict, sentence, numbers)
 
 
 def differences_by_mass(claim: Claim) -> Finding:
@@ -168,15 +167,15 @@ def differences_by_mass(claim: Claim) -> Finding:
     where = f"at every d looked at for α = {', '.join(right)} (proved)" if right else "nowhere throughout"
     if not falls:
         sentence = f"{_MEASURE} grows {where}; between them it is open."
-        return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
+        return Finding(Verdict.CONDITIONAL, sentence, numbers)
     wrong = "; ".join(f"from η_M = {heavy} to {light} at α = {alpha}, d = {d}" for alpha, d, light, heavy in falls)
-    certificates = named(
+    certificates = [
         (f"{claim.id}_alpha{alpha}_eta{m}_d{d}", certificate(pair(alpha, "0", m, d)))
         for alpha, d, *masses in falls
         for m in masses
-    )
+    ]
     sentence = f"{_MEASURE} falls {wrong} (proved); it grows {where}."
-    return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=certificates)
+    return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
 
 
 def differences_by_distance(claim: Claim) -> Finding:
@@ -196,7 +195,7 @@ def differences_by_distance(claim: Claim) -> Finding:
             certificates += [(f"{claim.id}_eta{m}_d{x}", certificate(pair(alpha, "0", m, x))) for x in (a, b, c, d)]
     if wrong:
         sentence = f"{_MEASURE} does not: {'; '.join(wrong)} (proved)."
-        return Finding(Verdict.REFUTED, sentence, numbers, certificates=named(certificates))
+        return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
     sentence = (
         f"{_MEASURE} rises up to one of these distances and falls from there on (proved); in general it is open."
     )
@@ -217,10 +216,10 @@ def _starts(claim: Claim, alpha: str) -> tuple[dict[tuple[str, str], Any], tuple
 
 def damping_does_not_matter(claim: Claim) -> Finding:
     """Section 5: the importance of the truly transient part is not affected by damping or other factors."""
-    alpha, eta_m, d = (claim.number(name) for name in ("alpha", "eta_m", "d"))
+    alpha, eta_m, d = claim.numbers("alpha", "eta_m", "d")
     values = [(b, harmonic(pair(alpha, b, eta_m, d)).start) for b in claim.values("eta_b")]
     numbers = tuple((f"η_b = {b}: |ŵ| at τ = 0", shown(x, 8)) for b, x in values)
-    certificates = named((f"{claim.id}_eta_b{b}", certificate(pair(alpha, b, eta_m, d))) for b, _ in values)
+    certificates = [(f"{claim.id}_eta_b{b}", certificate(pair(alpha, b, eta_m, d))) for b, _ in values]
     (_, first), *rest = values
     if any(first > x or first < x for _, x in rest):
         sentence = f"The difference at τ = 0 changes with η_b (α = {alpha}, η_M = {eta_m}, d = {d})."
@@ -263,12 +262,11 @@ def misled_by_one_velocity(claim: Claim) -> Finding:
         near, far = parts[0][1], parts[-1][1]
         right.append(below(near, ball(limit)) and below(near, far))
         certificates += [(f"{claim.id}_alpha{alpha}_d{d}", certificate(pair(alpha, "0", eta_m, d))) for d, _ in parts]
-    certs = named(certificates)
     if not all(right):
-        return Finding(Verdict.REFUTED, "The higher pair is no small part there.", tuple(numbers), certificates=certs)
+        return Finding(Verdict.REFUTED, "The higher pair is no small part there.", numbers, certificates=certificates)
     sentence = (
         f"If a part below {limit} is negligible: at the smallest distance the higher pair is one, at the largest "
         f"it is not, for α = {' and '.join(alphas)} (all proved). No tolerance is stated. The velocity is printed "
         f"as {alphas[0]} here and as {alphas[-1]} in Sections 4.1 and 5."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)

@@ -7,12 +7,12 @@ from itertools import pairwise
 from typing import Any
 
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, grid, named, places, rounded, rounds_to, shown
+from mpsolve.claims.values import below, grid, places, rounded, rounds_to, shown
 from mpsolve.errors import PrecisionError
 from mpsolve.stability.distance import critical_distance
 from mpsolve.stability.limiting import limiting_mass
 
-from .cases import certificate, pair, spectrum
+from .cases import certificate, lowest, pair, spectrum
 from .damped import onset
 from .search import crossings, exchanged, reproductions
 
@@ -39,9 +39,8 @@ def critical_ends(claim: Claim) -> Finding:
         certificates.append((f"{claim.id}_eta_b{eta_b}", found.certificate))
         if not rounds_to(found.d, printed):
             wrong.append((eta_b, printed, rounded(found.d, places(printed))))
-    certs = named(certificates)
     if not wrong:
-        return Finding(Verdict.PROVED, "Both round to the printed decimals.", tuple(numbers), certificates=certs)
+        return Finding(Verdict.PROVED, "Both round to the printed decimals.", numbers, certificates=certificates)
     text = "; ".join(f"η_b = {b}: printed {p}, proved {r}" for b, p, r in wrong)
     found = {step: [_lowest_on_grid(claim, b, step) for b in ends_] for step in claim.values("steps")}
     search = tuple(
@@ -53,8 +52,8 @@ def critical_ends(claim: Claim) -> Finding:
         sentence = (
             f"{text}. They are right if distances are looked at in steps of {' or '.join(fitting)} only (certified)."
         )
-        return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), search=search, certificates=certs)
-    return Finding(Verdict.REFUTED, text, tuple(numbers), search=search, certificates=certs)
+        return Finding(Verdict.CONDITIONAL, sentence, numbers, search=search, certificates=certificates)
+    return Finding(Verdict.REFUTED, text, numbers, search=search, certificates=certificates)
 
 
 def _lowest_on_grid(claim: Claim, eta_b: str, step: str) -> str:
@@ -63,8 +62,8 @@ def _lowest_on_grid(claim: Claim, eta_b: str, step: str) -> str:
     for d in grid(f"{_BOX[0]}:{step}:{_BOX[1]}"):
         parts = [root.q.imag for root in spectrum(pair(alpha, eta_b, eta_m, d)).roots]
         if parts:
-            lowest = min(parts, key=float)
-            best = (lowest, d) if best is None or below(lowest, best[0]) else best
+            least = min(parts, key=float)
+            best = (least, d) if best is None or below(least, best[0]) else best
     return best[1] if best else "none"
 
 
@@ -77,16 +76,16 @@ def critical_falls(claim: Claim) -> Finding:
     numbers = [(f"η_b = {b}: d", shown(f.d, 10)) for b, f in zip(values, found, strict=True)]
     numbers.append(("largest fall from one value to the next (float64)", f"{max(falls):.2g}"))
     kept = (0, len(values) // 2, -1)
-    certificates = named((f"{claim.id}_eta_b{values[k]}", found[k].certificate) for k in kept)
+    certificates = [(f"{claim.id}_eta_b{values[k]}", found[k].certificate) for k in kept]
     if wrong:
         text = f"It does not fall after η_b = {', '.join(wrong)}."
-        return Finding(Verdict.REFUTED, text, tuple(numbers), certificates=certificates)
+        return Finding(Verdict.REFUTED, text, numbers, certificates=certificates)
     sentence = (
         f"At all {len(values)} values the critical distance is the proved global minimum over d = {_NEAR[0]} to "
         f"{_NEAR[1]}, and it falls from each to the next; between them it is not proved. Certificates are kept for "
         "the first, the middle and the last of them."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certificates)
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 def one_window(claim: Claim) -> Finding:
@@ -109,13 +108,13 @@ def one_window(claim: Claim) -> Finding:
             f"unstable distances lies near d = {claim.values('d')[2]}, with stable ones between: one distance does "
             "not tell all."
         )
-        return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
-    return Finding(Verdict.UNDECIDABLE, "No second window at the cases looked at.", tuple(numbers))
+        return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
+    return Finding(Verdict.UNDECIDABLE, "No second window at the cases looked at.", numbers)
 
 
 def limit_at(claim: Claim) -> Finding:
     """Conclusion (xii): the limiting mass at a printed damping ratio and distance; else what would give it."""
-    alpha, eta_b, d, printed = (claim.number(name) for name in ("alpha", "eta_b", "d", "eta_m"))
+    alpha, eta_b, d, printed = claim.numbers("alpha", "eta_b", "d", "eta_m")
     found = crossings(alpha, eta_b, d)
     if found.counts != (0, 2):
         return Finding(Verdict.UNDECIDABLE, f"Unstable roots from mass to mass: {found.counts}, not from one on.")
@@ -126,7 +125,7 @@ def limit_at(claim: Claim) -> Finding:
     ]
     if rounds_to(found[0].eta, printed):
         sentence = "The proved limiting mass rounds to the printed one; all heavier masses are unstable."
-        return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)
     here = pair(alpha, eta_b, printed, d)
     certificates.append((f"{claim.id}_eta{printed}", certificate(here)))
     limit = shown(found[0].eta, 5)
@@ -140,14 +139,12 @@ def limit_at(claim: Claim) -> Finding:
         certificates.append((f"{claim.id}_eta_b{b}_d{x}", crossings(alpha, b, x).certificate))
     lines = [f"η_b = {b}, d = {x}: limiting mass {shown(crossings(alpha, b, x)[0].eta, 10)}" for b, x in search]
     sentence = f"As a limiting mass {printed} is wrong: the proved one is {limit}. {stated}."
-    return Finding(
-        Verdict.REFUTED, sentence, tuple(numbers), search=(*common, *lines), certificates=named(certificates)
-    )
+    return Finding(Verdict.REFUTED, sentence, numbers, search=(*common, *lines), certificates=certificates)
 
 
 def limit_at_critical(claim: Claim) -> Finding:
     """Section 4.3: the limiting mass for masses at the critical distance."""
-    alpha, eta_b, printed = (claim.number(name) for name in ("alpha", "eta_b", "eta_m"))
+    alpha, eta_b, printed = claim.numbers("alpha", "eta_b", "eta_m")
     worst = limiting_mass(alpha, eta_b, d=("0.5", "2"), digits=15)
     if not worst.proved or worst.eta is None:
         return Finding(Verdict.UNDECIDABLE, worst.reason)
@@ -164,7 +161,7 @@ def limit_at_critical(claim: Claim) -> Finding:
         (f"{claim.id}_unstable", certificate(pair(alpha, eta_b, printed, place))),
     ]
     if rounds_to(worst.eta, printed) or rounds_to(there[0].eta, printed):
-        return Finding(Verdict.PROVED, "It is the limiting mass.", numbers, certificates=named(certificates))
+        return Finding(Verdict.PROVED, "It is the limiting mass.", numbers, certificates=certificates)
     hits = reproductions(alpha, printed, claim.values("dampings"))
     certificates += [(f"{claim.id}_eta_b{b}_d{d}", crossings(alpha, b, d).certificate) for b, d in hits]
     search = tuple(f"η_b = {b}, d = {d}: limiting mass {shown(crossings(alpha, b, d)[0].eta, 10)}" for b, d in hits)
@@ -173,9 +170,9 @@ def limit_at_critical(claim: Claim) -> Finding:
             f"Unstable it is there (certified), but as the limiting mass it is not right: that is "
             f"{shown(there[0].eta, 5)} at the critical distance, {shown(worst.eta, 5)} at the worst one."
         )
-        return Finding(Verdict.CONDITIONAL, sentence, numbers, search=search, certificates=named(certificates))
+        return Finding(Verdict.CONDITIONAL, sentence, numbers, search=search, certificates=certificates)
     sentence = f"Stable there: the limiting mass is {shown(there[0].eta, 5)}."
-    return Finding(Verdict.REFUTED, sentence, numbers, search=search, certificates=named(certificates))
+    return Finding(Verdict.REFUTED, sentence, numbers, search=search, certificates=certificates)
 
 
 def curves_cross(claim: Claim) -> Finding:
@@ -197,17 +194,16 @@ def curves_cross(claim: Claim) -> Finding:
             certificates.append((f"{claim.id}_d{d}_alpha{alpha}", crossings(alpha, eta_b, d).certificate))
         if not len(at_one) and not below:
             never.append(d)
-    certs = named(certificates)
     if never:
         text = (
             f"At d = {', '.join(never)} no mass, however heavy, has a real frequency at α = 1 (proved), so that "
             "curve never meets α = 1; nor is any mass unstable at the velocities below that were looked at."
         )
-        return Finding(Verdict.REFUTED, text, tuple(numbers), certificates=certs)
+        return Finding(Verdict.REFUTED, text, numbers, certificates=certificates)
     sentence = (
         "For each distance masses from some value on are unstable below α = 1: the axis of η_M must reach that value."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=certs)
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 def one_mass_first(claim: Claim) -> Finding:
@@ -228,25 +224,23 @@ def one_mass_first(claim: Claim) -> Finding:
         if wrong
         else "At every one of these the pair's proved onset is the lower; for masses between them it is not proved."
     )
-    return Finding(verdict, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(verdict, sentence, numbers, certificates=certificates)
 
 
 def onset_method(claim: Claim) -> Finding:
     """Section 4.4: the root with Im q slightly below and slightly above 0 marks the onset: by certified counts."""
-    eta_b, eta_m, d = (claim.number(name) for name in ("eta_b", "eta_m", "d"))
+    eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     found = onset(eta_b, eta_m, d)
     signs, certificates, numbers = [], [], [("onset α", shown(found.alpha, 18)), ("q", shown(found.q, 15))]
     for side, alpha in zip(("before", "after"), claim.values("alpha"), strict=True):
         case = pair(alpha, eta_b, eta_m, d)
-        lowest = min((root.q.imag for root in spectrum(case).roots), key=float)
-        signs.append(below(lowest, 0))
-        numbers.append((f"{side}, α = {alpha}: least Im q", shown(lowest, 8)))
+        signs.append(below(lowest(case), 0))
+        numbers.append((f"{side}, α = {alpha}: least Im q", shown(lowest(case), 8)))
         certificates.append((f"{claim.id}_{side}", certificate(case)))
     axis = claim.number("axis")
-    certs = named(certificates)
     if signs != [False, True]:
-        return Finding(Verdict.UNDECIDABLE, "The two sides were not confirmed.", tuple(numbers), certificates=certs)
+        return Finding(Verdict.UNDECIDABLE, "The two sides were not confirmed.", numbers, certificates=certificates)
     if axis != "real":
         sentence = "The method is right, but what the root crosses is the real axis (Im q changes its sign)."
-        return Finding(Verdict.SLIP, sentence, tuple(numbers), certificates=certs)
-    return Finding(Verdict.PROVED, "The root crosses the real axis.", tuple(numbers), certificates=certs)
+        return Finding(Verdict.SLIP, sentence, numbers, certificates=certificates)
+    return Finding(Verdict.PROVED, "The root crosses the real axis.", numbers, certificates=certificates)

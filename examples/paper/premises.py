@@ -56,14 +56,14 @@ def beam_frequency(claim: Claim) -> Finding:
         numbers.append((f"η_N − η_S = {axial}: lowest frequency of a free wave over √(k/m)", shown(least, 12)))
         lower += [axial] if least < 1 else []
     if not uniform:
-        return Finding(Verdict.REFUTED, "The beam as a whole has another frequency.", tuple(numbers))
+        return Finding(Verdict.REFUTED, "The beam as a whole has another frequency.", numbers)
     if not lower:
-        return Finding(Verdict.PROVED, "No wave is slower than the beam as a whole here.", tuple(numbers))
+        return Finding(Verdict.PROVED, "No wave is slower than the beam as a whole here.", numbers)
     sentence = (
         "For the beam as a whole (p = 0) it is √(k/m), whatever the axial force (identity). But under compression, "
         f"η_N − η_S = {', '.join(lower)}, waves with p² = 2(η_N − η_S) have the lower frequency √(1 − (η_N − η_S)²)."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers)
 
 
 def axial_force_and_frequency(claim: Claim) -> Finding:

@@ -9,13 +9,13 @@ import sympy as sp
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, decimal, grid, last_on_grid, named, shown
+from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.derivation import dispersion
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.stability.cuts import cut_points
 
-from .cases import DISTANCES, MASSES, ahead, ball, certificate, pair, single, spectrum
+from .cases import DISTANCES, MASSES, ahead, ball, certificate, listed, pair, single, spectrum
 from .damped import critical
 from .theory import symmetries
 
@@ -38,7 +38,7 @@ def cut_at_damping(claim: Claim) -> Finding:
     positive = sp.expand(square - (real[0] ** 4 + 4 * real[4] ** 2 + 4 - 4 * real[2] ** 2))
     gap = sp.expand(sp.re(sp.expand(D)).subs(real[4], 0) - (real[0] ** 4 + 4 - 4 * real[2] ** 2))
     gap = sp.expand(gap + 4 * (real[3] - real[0] * real[1]) ** 2)
-    eta_b, eta_m, d = (claim.number(name) for name in ("eta_b", "eta_m", "d"))
+    eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     numbers = []
     certificates: list[tuple[str, Certificate | None]] = []
     found = cut_points(eta_b, (eta_m, eta_m), (0, d), alpha=("0.9", "1.3"), digits=15)
@@ -61,13 +61,13 @@ def cut_at_damping(claim: Claim) -> Finding:
     )
     holds = sp.simplify(offset) == 0 and positive == 0 and gap == 0 and found.proved and len(found) > 0
     if not holds:
-        return Finding(Verdict.UNDECIDABLE, "Not confirmed.", tuple(numbers), steps)
+        return Finding(Verdict.UNDECIDABLE, "Not confirmed.", numbers, steps)
     sentence = (
         "A line that reaches Im q = η_b is at the cut, |Re q| ≥ q_lm, and it can end nowhere else (theorem, any "
         "masses). The example's cut points are proved; certified are the spectra beside them. For η_b ≥ 1 the cut "
         "leaves that line."
     )
-    return Finding(Verdict.PROVED, sentence, tuple(numbers), steps, certificates=named(certificates))
+    return Finding(Verdict.PROVED, sentence, numbers, steps, certificates=certificates)
 
 
 def order_with_damping(claim: Claim) -> Finding:
@@ -96,7 +96,7 @@ def order_with_damping(claim: Claim) -> Finding:
             sentence = f"With η_b = {eta_b}, α = {alpha} ({here}), η_M = {eta_m}, d = {d} the {what}."
             names = ((claim.id, case), (f"{claim.id}_single", single(alpha, eta_b, eta_m)),
                      (f"{claim.id}_doubled", single(alpha, eta_b, str(2 * int(eta_m)))))  # fmt: skip
-            certificates = named((name, certificate(c)) for name, c in names)
+            certificates = [(name, certificate(c)) for name, c in names]
             return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
     return Finding(Verdict.UNDECIDABLE, "No case of the list breaks the order, and there is no proof.")
 
@@ -109,43 +109,37 @@ def _complex(z: Any) -> str:
 def pairs_with_damping(claim: Claim) -> Finding:
     """Conclusion (v) does not leave damping out: a subcritical case with another number of pairs."""
     numbers, certificates, wrong = [], [], []
-    for text in claim.values("cases"):
-        eta_b, alpha, eta_m, d = text.split()
-        case = pair(alpha, eta_b, eta_m, d)
+    for where, name, case in listed(claim):
         if not case.alpha.ball() < critical(case):
             continue
         pairs = len(ahead(case))
-        numbers.append((f"η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}: pairs", str(pairs)))
+        numbers.append((f"{where}: pairs", str(pairs)))
         if str(pairs) not in (claim.number("low"), claim.number("high")):
-            wrong.append(f"{pairs} pairs at η_b = {eta_b}, α = {alpha} < α_C = {shown(critical(case), 6)}, η_M = "
-            f"{eta_m}, d = {d}")  # fmt: skip
-            certificates.append((f"{claim.id}_eta_b{eta_b}_alpha{alpha}_eta{eta_m}_d{d}", certificate(case)))
+            at = where.replace(", η_M", f" < α_C = {shown(critical(case), 6)}, η_M")
+            wrong.append(f"{pairs} pairs at {at}")
+            certificates.append((name, certificate(case)))
     if wrong:
-        return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers), certificates=named(certificates))
-    return Finding(
-        Verdict.UNDECIDABLE, "No case of the list has another number, and there is no proof.", tuple(numbers)
-    )
+        return Finding(Verdict.REFUTED, "; ".join(wrong), numbers, certificates=certificates)
+    return Finding(Verdict.UNDECIDABLE, "No case of the list has another number, and there is no proof.", numbers)
 
 
 def most_pairs(claim: Claim) -> Finding:
     """Section 3: the largest number of pairs in the box."""
     limit, numbers, certificates, wrong = int(claim.number("pairs")), [], [], []
-    for text in claim.values("cases"):
-        eta_b, alpha, eta_m, d = text.split()
-        case = pair(alpha, eta_b, eta_m, d)
+    for where, name, case in listed(claim):
         pairs = len(ahead(case))
         lone = len(spectrum(case).roots) - 2 * pairs
         above = sum(bool(q.imag > case.eta_b.ball()) for q in ahead(case))
-        numbers.append((f"η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}: pairs (of these above the cut), "
-        "imaginary roots", f"{pairs} ({above}), {lone}"))  # fmt: skip
+        what = f"{where}: pairs (of these above the cut), imaginary roots"
+        numbers.append((what, f"{pairs} ({above}), {lone}"))
         if pairs > limit:
-            wrong.append(f"{pairs} pairs at η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}")
-            certificates.append((f"{claim.id}_eta_b{eta_b}_alpha{alpha}_eta{eta_m}_d{d}", certificate(case)))
+            wrong.append(f"{pairs} pairs at {where}")
+            certificates.append((name, certificate(case)))
     if wrong:
         sentence = f"{'; '.join(wrong)}: counted on the whole sheet, below and above the cut, as without damping."
         search = tuple(_most(claim, eta_b, limit) for eta_b in claim.values("searched"))
-        return Finding(Verdict.REFUTED, sentence, tuple(numbers), search=search, certificates=named(certificates))
-    return Finding(Verdict.UNDECIDABLE, f"No case of the list has more than {limit}.", tuple(numbers))
+        return Finding(Verdict.REFUTED, sentence, numbers, search=search, certificates=certificates)
+    return Finding(Verdict.UNDECIDABLE, f"No case of the list has more than {limit}.", numbers)
 
 
 def _most(claim: Claim, eta_b: str, limit: int) -> str:
@@ -160,7 +154,7 @@ def _most(claim: Claim, eta_b: str, limit: int) -> str:
 
 def always_in_pairs(claim: Claim) -> Finding:
     """Section 3: a root that is its own partner −q̄."""
-    eta_b, alpha, eta_m, d = (claim.number(name) for name in ("eta_b", "alpha", "eta_m", "d"))
+    eta_b, alpha, eta_m, d = claim.numbers("eta_b", "alpha", "eta_m", "d")
     case = pair(alpha, eta_b, eta_m, d)
     lone = [root.q for root in spectrum(case).roots if root.symmetry.value == "imaginary"]
     numbers = tuple((f"q_{k} (real part exactly 0)", f"{shown(q.imag, 12)}i") for k, q in enumerate(lone, 1))
@@ -172,12 +166,12 @@ def always_in_pairs(claim: Claim) -> Finding:
         "With q, −q̄ is a root [D(−p, −q̄) = conj D(p, q), identity]; but the two are one where Re q = 0, as for "
         f"{len(lone)} certified roots of this case: the condition is Re q ≠ 0."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=named([(claim.id, certificate(case))]))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=[(claim.id, certificate(case))])
 
 
 def crosses_the_limit(claim: Claim) -> Finding:
     """Section 4.3: with damping the real part may cross q_lm: a case on either side."""
-    eta_b, eta_m, d = (claim.number(name) for name in ("eta_b", "eta_m", "d"))
+    eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     numbers, sides = [], []
     for alpha in claim.values("alpha"):
         case = pair(alpha, eta_b, eta_m, d)
@@ -186,14 +180,10 @@ def crosses_the_limit(claim: Claim) -> Finding:
         line = ahead(case)[-1]
         numbers += [(f"α = {alpha}: Re q", shown(line.real, 12)), (f"α = {alpha}: q_lm", shown(limit, 12))]
         sides.append(True if line.real > limit else False if line.real < limit else None)
-    certificates = named(
-        (f"{claim.id}_alpha{a}", certificate(pair(a, eta_b, eta_m, d))) for a in claim.values("alpha")
-    )
+    certificates = [(f"{claim.id}_alpha{a}", certificate(pair(a, eta_b, eta_m, d))) for a in claim.values("alpha")]
     good = sides == [False, True]
     sentence = "Re q of the higher line is below q_lm at the first α and above it at the second, both certified."
-    return Finding(
-        Verdict.PROVED if good else Verdict.UNDECIDABLE, sentence, tuple(numbers), certificates=certificates
-    )
+    return Finding(Verdict.PROVED if good else Verdict.UNDECIDABLE, sentence, numbers, certificates=certificates)
 
 
 def subcritical_velocity(claim: Claim) -> Finding:
@@ -221,10 +211,9 @@ def finite_number(claim: Claim) -> Finding:
     """Section 3: the number of roots is finite: beyond an explicit radius there is none."""
     numbers: list[tuple[str, str]] = []
     certificates: list[tuple[str, Certificate | None]] = []
-    for text in claim.values("cases"):
-        eta_b, alpha, eta_m, d = text.split()
-        found = spectrum(pair(alpha, eta_b, eta_m, d))
-        numbers.append((f"η_b = {eta_b}, α = {alpha}, η_M = {eta_m}, d = {d}: roots", str(found.count)))
+    for where, _, case in listed(claim):
+        found = spectrum(case)
+        numbers.append((f"{where}: roots", str(found.count)))
         numbers.append(("  none with |q − iη_b| beyond", str(found.radius)))
         certificates.append((f"{claim.id}_{len(certificates)}", found.certificate))
     sentence = (
@@ -233,4 +222,4 @@ def finite_number(claim: Claim) -> Finding:
         f"finitely many: all are counted at these {len(certificates)} cases. For other parameters the radius is to "
         "be proved anew."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)

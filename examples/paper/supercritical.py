@@ -8,7 +8,7 @@ from itertools import product
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import decimal, ends, named, shown
+from mpsolve.claims.values import decimal, ends, shown
 from mpsolve.errors import PrecisionError
 from mpsolve.model.exact import Exact
 from mpsolve.model.parameters import Case
@@ -58,21 +58,20 @@ def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
         numbers.append((f"{name}: unstable", f"{how}; one root followed over {followed}" if followed else how))
         if eta_m == models[0][0] or d in (None, "1"):
             certificates.append((f"{claim.id}_eta{eta_m}_d{d or 0}_alpha{_CERTIFIED}", _certified(eta_m, d)))
-    certs = named(certificates)
     steps = (*proof.steps, *STEPS)
     if stable:
         sentence = f"Stable above α_C: {'; '.join(stable)}."
-        return Finding(Verdict.REFUTED, sentence, tuple(numbers), steps, certificates=certs)
+        return Finding(Verdict.REFUTED, sentence, numbers, steps, certificates=certificates)
     if undecided or not proof.holds:
         sentence = f"Open above α_C: {'; '.join(undecided)}."
-        return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), steps, certificates=certs)
+        return Finding(Verdict.UNDECIDABLE, sentence, numbers, steps, certificates=certificates)
     sentence = (
         "Below α_C every root is real, for any masses (theorem). Just above it there is exactly one root near the "
         f"branch point, an unstable one (proved for every α of a strip at once), and each of the {len(models)} cases "
         f"that are looked at is proved unstable from there to α = {top}; for other masses and distances the part "
         "above α_C is not proved."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), steps, certificates=certs)
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, steps, certificates=certificates)
 
 
 def _case(alpha: str, eta_m: str, d: str | None) -> Case:
@@ -176,7 +175,7 @@ def four_signs(claim: Claim) -> Finding:
             f"At {'; '.join(wrong)} there are purely imaginary frequencies: with q only −q, two signs, not four. "
             "(Off the axes it holds: D(−p, −q̄) = conj D(p, q), and without damping D(p, q̄) = conj D(p, q).)"
         )
-        return Finding(Verdict.REFUTED, sentence, tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
     if not all(known.values()):
         return Finding(Verdict.UNDECIDABLE, "A symmetry of D was not confirmed.")
     sentence = (
@@ -184,4 +183,4 @@ def four_signs(claim: Claim) -> Finding:
         "roots, four provided that q is not on an axis. Real it cannot be, since the cut covers the real axis; that "
         f"none is imaginary is certified at {count} cases."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers)

@@ -8,7 +8,7 @@ from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, named, shown
+from mpsolve.claims.values import below, shown
 from mpsolve.fields import ball_arithmetic
 
 from .cases import certificate, pair, single
@@ -51,7 +51,7 @@ def _table(claim: Claim, what: str, distances: tuple[str, ...]) -> tuple[dict[tu
                 parts[d, eta_m, alpha], rows = apart(case, d, what)
                 numbers += rows
                 certificates.append((f"{claim.id}_eta{eta_m}_alpha{alpha}_d{d}", certificate(case)))
-    return parts, tuple(numbers), named(certificates)
+    return parts, numbers, certificates
 
 
 def _percent(parts: list[Any]) -> str:
@@ -115,14 +115,14 @@ def in_the_limit(claim: Claim) -> Finding:
         open_ += [alpha for x, y in pairwise(gaps) if not below(y, x)]
     if open_:
         sentence = f"The two lines do not approach each other at α = {', '.join(open_)}."
-        return Finding(Verdict.UNDECIDABLE, sentence, tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.UNDECIDABLE, sentence, numbers, certificates=certificates)
     sentence = (
         "Undamped, for times that are short against the beat: with d the two lines approach that of the single mass "
         f"(proved along this list), but the envelope still rises and falls, once in a time τ of "
         f"{min(beats):.0f} to {max(beats):.1g}, which superposition never does. With damping the vibration may "
         "have ceased before."
     )
-    return Finding(Verdict.CONDITIONAL, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, certificates=certificates)
 
 
 _MODELS = {"alpha": ("0.5", "0.8", "0.9"), "eta_m": ("40", "70")}

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import below, decimal, grid, last_on_grid, named, shown
+from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
 
 from .cases import DISTANCES, MASSES, ahead, certificate, gap_ends, higher_end, pair, single
 from .theory import lines_in_the_gap
@@ -38,12 +38,12 @@ def last_velocities(claim: Claim) -> Finding:
             if len(ahead(case)) != pairs:
                 return Finding(Verdict.UNDECIDABLE, f"{name}: not {pairs} pairs, against the proved end of the line.")
     if wrong:
-        return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, "; ".join(wrong), numbers, certificates=certificates)
     sentence = (
         "Each higher line has exactly one end in 0.01 ≤ α ≤ 0.999, between the printed α and the next 0.01: two "
         "pairs are certified at the one, one pair at the other."
     )
-    return Finding(Verdict.PROVED, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)
 
 
 def cut_at_the_limit(claim: Claim) -> Finding:
@@ -65,7 +65,7 @@ def cut_at_the_limit(claim: Claim) -> Finding:
     return Finding(Verdict.PROVED, sentence, numbers, proof.steps[:2], certificates=_before_and_after(claim.id))
 
 
-def _before_and_after(name: str) -> tuple[tuple[str, Certificate], ...]:
+def _before_and_after(name: str) -> list[tuple[str, Certificate | None]]:
     """Certificates just before and after the end of the higher line, for a few of the cases."""
     found = []
     for eta_m, d in _KEPT:
@@ -74,7 +74,7 @@ def _before_and_after(name: str) -> tuple[tuple[str, Certificate], ...]:
             (f"{name}_eta{eta_m}_d{d}_alpha{decimal(alpha)}", certificate(pair(decimal(alpha), "0", eta_m, d)))
             for alpha in (last, last + _STEP)
         ]
-    return named(found)
+    return found
 
 
 def two_pairs_then_one(claim: Claim) -> Finding:
@@ -89,7 +89,7 @@ def two_pairs_then_one(claim: Claim) -> Finding:
                 wrong.append(f"η_M = {eta_m}, d = {d}: {below} pairs at α = 0.05, {above} at 0.98, {len(ends)} ends")
             numbers.append((f"η_M = {eta_m}, d = {d}: two pairs up to α", shown(ends[0].alpha, 10)))
     if wrong:
-        return Finding(Verdict.REFUTED, "; ".join(wrong), tuple(numbers))
+        return Finding(Verdict.REFUTED, "; ".join(wrong), numbers)
     sentence = (
         "Two equal masses have one or two pairs at every α < α_C (theorem). For the 27 (η_M, d) of the paper and "
         "0.01 ≤ α ≤ 0.999 it is two up to one proved α and one from there on; for other masses and distances, and "
@@ -97,7 +97,7 @@ def two_pairs_then_one(claim: Claim) -> Finding:
     )
     verdict = Verdict.CONDITIONAL if proof.holds else Verdict.UNDECIDABLE
     certificates = _before_and_after(claim.id)
-    return Finding(verdict, sentence, tuple(numbers), proof.steps, certificates=certificates)
+    return Finding(verdict, sentence, numbers, proof.steps, certificates=certificates)
 
 
 def embedded(claim: Claim) -> Finding:
@@ -114,14 +114,12 @@ def embedded(claim: Claim) -> Finding:
         numbers += [(f"α = {alpha}, d = {d}: q {name}", shown(q.real, 12)) for name, q in lines]
     lower, higher = claim.number("lower") == "between", claim.number("higher") == "outside"
     if not (right and lower and higher):
-        return Finding(
-            Verdict.REFUTED, "The order of the lines is doubled < lower < single < higher.", tuple(numbers)
-        )
+        return Finding(Verdict.REFUTED, "The order of the lines is doubled < lower < single < higher.", numbers)
     sentence = (
         "For every α < α_C, η_M and d: q_doubled < q_lower ≤ q_single ≤ q_higher (theorem; equality only where K(d) "
         "vanishes). The two examples confirm it."
     )
-    return Finding(_if(proof.holds), sentence, tuple(numbers), proof.steps, certificates=named(certificates))
+    return Finding(_if(proof.holds), sentence, numbers, proof.steps, certificates=certificates)
 
 
 def closer_with_distance(claim: Claim) -> Finding:
@@ -138,10 +136,10 @@ def closer_with_distance(claim: Claim) -> Finding:
                         (f"q_lower at d = {far}", shown(other, 12)),
                         ("q_single", shown(one.real, 12)),
                     )
-                    certificates = named(
+                    certificates = [
                         (f"{claim.id}_alpha{alpha}_eta{eta_m}_d{d}", certificate(pair(alpha, "0", eta_m, d)))
                         for d in (near, far)
-                    )
+                    ]
                     sentence = (
                         f"At α = {alpha}, η_M = {eta_m} the lower line of d = {far} is farther from that of the "
                         f"single mass than the line of d = {near}: |K(d)|, which separates them, does not fall with "
@@ -196,7 +194,7 @@ def _ordered(rows: list[list[tuple[str, str]]], what: str, name: str) -> Finding
             elif not a < b:
                 return Finding(Verdict.UNDECIDABLE, "Two ends cannot be told apart.")
     if against:
-        return Finding(Verdict.REFUTED, "; ".join(against), tuple(numbers), certificates=named(certificates))
+        return Finding(Verdict.REFUTED, "; ".join(against), numbers, certificates=certificates)
     return Finding(
         Verdict.PROVED, f"In all 27 cases of the paper the end grows with the {what}; all ends are proved."
     )
@@ -216,7 +214,7 @@ def only_one_pair(claim: Claim) -> Finding:
     good = tuple(alone) == claim.values("alone")
     sentence = f"One pair, and so a constant amplitude, at d = {', '.join(alone) or 'none'}; two pairs at the others."
     verdict = Verdict.PROVED if good else Verdict.REFUTED
-    return Finding(verdict, sentence, tuple(numbers), certificates=named(certificates))
+    return Finding(verdict, sentence, numbers, certificates=certificates)
 
 
 def _if(holds: bool) -> Verdict:

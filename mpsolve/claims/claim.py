@@ -40,3 +40,7 @@ class Claim:
         """The same where there is only one."""
         (value,) = self.values(name)
         return value
+
+    def numbers(self, *names: str) -> tuple[str, ...]:
+        """`number` of each."""
+        return tuple(self.number(name) for name in names)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.certificate.format import Certificate
 from mpsolve.errors import PrecisionError
 from mpsolve.report.digits import fixed_digits
 
@@ -99,8 +97,3 @@ def decimal(x: Fraction) -> str:
 def _point(units: int, decimals: int) -> str:
     """units·10^−decimals as a decimal."""
     return f"{Decimal(units).scaleb(-decimals):f}"
-
-
-def named(entries: Iterable[tuple[str, Certificate | None]]) -> tuple[tuple[str, Certificate], ...]:
-    """The entries that have a certificate."""
-    return tuple((name, certificate) for name, certificate in entries if certificate is not None)
