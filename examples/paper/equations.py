@@ -12,10 +12,17 @@ import sympy as sp
 from sympy.parsing.sympy_parser import parse_expr
 
 from mpsolve.claims import Claim, Finding, Verdict
+from mpsolve.claims.values import shown
+from mpsolve.fields import ball_arithmetic
 from mpsolve.model import residues as rs
 from mpsolve.model import steps as st
 from mpsolve.model.derivation import derivation
+from mpsolve.model.limits import limiting_frequency
+from mpsolve.model.parameters import Case
 from mpsolve.model.steps import Step
+
+from .cases import certificate, pair, spectrum
+from .harmonic import harmonic
 
 _SYMBOLS = (
     "x s t tau T a EI m k v chi v_cr w_st P N k_p c_b eta_b eta_N eta_S eta_M eta_C q_lm qbar w what Wtilde W det"
@@ -142,11 +149,6 @@ def residues(claim: Claim) -> Finding:
 
 def harmonics(claim: Claim) -> Finding:
     """(36): the steady part and the summand; and whether they alone are ŵ."""
-    from mpsolve.claims.values import shown
-
-    from .cases import certificate, pair
-    from .harmonic import harmonic
-
     step = derived("(36)")
     right = step.statement.rhs
     sums = right.atoms(sp.Sum)
@@ -222,10 +224,6 @@ def one_place(claim: Claim) -> Finding:
 
 def side_of_singularities(claim: Claim) -> Finding:
     """(31): where the poles of the image lie, seen from the line Re q̄ = a."""
-    from mpsolve.claims.values import shown
-
-    from .cases import certificate, pair, spectrum
-
     case = pair("0.67", "0.05", "70", "1.5")
     places = [-root.q.imag for root in spectrum(case).roots]
     far = max(places, key=float)
@@ -242,11 +240,6 @@ def side_of_singularities(claim: Claim) -> Finding:
 
 def limit_with_damping(claim: Claim) -> Finding:
     """(33), (34): whether they hold for every η_b < 1 when η_N = η_S, as the text says."""
-    from mpsolve.claims.values import shown
-    from mpsolve.fields import ball_arithmetic
-    from mpsolve.model.limits import limiting_frequency
-    from mpsolve.model.parameters import Case
-
     numbers, right = [], []
     for eta_b in claim.values("eta_b"):
         with ball_arithmetic(128) as field:

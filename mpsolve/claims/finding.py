@@ -20,6 +20,12 @@ class Verdict(Enum):
     AGREES = "computed, agrees"
     DISAGREES = "computed, disagrees"
 
+    @property
+    def tone(self) -> str:
+        """One word for how it is shown: good, bad, half, open or slip."""
+        tones = {"REFUTED": "bad", "DISAGREES": "bad", "CONDITIONAL": "half", "UNDECIDABLE": "open", "SLIP": "slip"}
+        return tones.get(self.name, "good")
+
 
 @dataclass(frozen=True)
 class Finding:

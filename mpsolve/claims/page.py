@@ -6,18 +6,9 @@ from collections.abc import Sequence
 from html import escape
 
 from mpsolve.claims.claim import Claim
-from mpsolve.claims.finding import Finding, Verdict
+from mpsolve.claims.finding import Finding
 from mpsolve.claims.report import Report
 
-_CLASS = {
-    Verdict.PROVED: "good",
-    Verdict.REFUTED: "bad",
-    Verdict.CONDITIONAL: "half",
-    Verdict.UNDECIDABLE: "open",
-    Verdict.SLIP: "slip",
-    Verdict.AGREES: "good",
-    Verdict.DISAGREES: "bad",
-}
 _STYLE = """
 :root { color-scheme: light dark; }
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
@@ -62,7 +53,7 @@ def page(report: Report) -> str:
 def _article(report: Report, claim: Claim, finding: Finding) -> str:
     quote, files = report.paper.quote(claim), report.files[claim.id]
     parts = [
-        f'<article id="{escape(claim.id)}" class="{_CLASS[finding.verdict]}">',
+        f'<article id="{escape(claim.id)}" class="{finding.verdict.tone}">',
         f"<h2>{escape(claim.id)} · {escape(claim.place)}</h2>",
         f"<blockquote>{escape(quote)}</blockquote>",
         f"<p>Tried: {escape(claim.text)}</p>" if claim.text != quote else "",

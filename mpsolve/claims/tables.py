@@ -13,15 +13,7 @@ from mpsolve.claims.claim import Claim
 from mpsolve.claims.finding import Finding, Verdict
 from mpsolve.claims.report import Report
 
-_COLOUR = {
-    Verdict.PROVED: "green",
-    Verdict.REFUTED: "bold red",
-    Verdict.CONDITIONAL: "yellow",
-    Verdict.UNDECIDABLE: "magenta",
-    Verdict.SLIP: "cyan",
-    Verdict.AGREES: "green",
-    Verdict.DISAGREES: "bold red",
-}
+_COLOUR = {"good": "green", "bad": "bold red", "half": "yellow", "open": "magenta", "slip": "cyan"}
 _CLAIM_WIDTH = 160  # characters of a claim in the table; all of it stands in the JSON and on the page
 
 
@@ -32,9 +24,8 @@ def document(report: Report) -> Group:
     table.add_column("verdict", max_width=12)
     table.add_column("as printed, and what is found", overflow="fold")
     for claim, finding in report.entries:
-        table.add_row(
-            claim.id, Text(finding.verdict.value, style=_COLOUR[finding.verdict]), _body(report, claim, finding)
-        )
+        verdict = Text(finding.verdict.value, style=_COLOUR[finding.verdict.tone])
+        table.add_row(claim.id, verdict, _body(report, claim, finding))
     return Group(table, Text(report.summary, style="bold"))
 
 

@@ -27,3 +27,10 @@ def test_lists_become_tuples_and_missing_certificates_are_left_out() -> None:
 )
 def test_without_a_certificate(verdict: Verdict, said: str) -> None:
     assert Finding(verdict, "So.", certificates=[("x", None)]).uncertified == said
+
+
+def test_every_verdict_is_shown_as_what_it_is() -> None:
+    tones = {verdict.name: verdict.tone for verdict in Verdict}
+    assert [name for name, tone in tones.items() if tone == "good"] == ["PROVED", "AGREES"]
+    assert [name for name, tone in tones.items() if tone == "bad"] == ["REFUTED", "DISAGREES"]
+    assert {tones["CONDITIONAL"], tones["UNDECIDABLE"], tones["SLIP"]} == {"half", "open", "slip"}
