@@ -1,4 +1,4 @@
-"""What became of a question: a status, and one reason in one place from which every kind of output makes its sentence.
+"""What became of a question: its status, and one reason from which every kind of output makes its own sentence.
 
 A `Reason` is kept as parts, so that the terminal prints a sentence, JSON the parts, and a page may link the remedy.
 """
