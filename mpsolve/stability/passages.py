@@ -21,6 +21,7 @@ from mpsolve.spectrum.certify import Spectrum, certify
 from mpsolve.spectrum.enclose import Symmetry
 from mpsolve.spectrum.far import far_radius
 from mpsolve.stability.family import Family
+from mpsolve.stability.holes import about, outward
 from mpsolve.stability.search import Strip, Tell, all_zeros
 from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import BITS, Zero, sharpen
@@ -194,7 +195,8 @@ def _outside(family: Family, zero: Zero, start: Exact, end: Exact) -> bool:
     with ball_arithmetic(BITS):
         if zero.t < start.ball() or zero.t > end.ball() or zero.x < 0:
             return True
-        about_0 = zero.x.contains(0) and float(zero.x.abs_upper()) < 0.99 * zero.reach[0] - abs(zero.centre[0])
+        low, high, *_ = zero.hole
+        about_0 = all(x > low and x < high for x in (zero.x, -zero.x)) and zero.x.contains(0)
     return family.parameter == "level" and about_0
 
 
@@ -203,8 +205,7 @@ def _bits(digits: int) -> int:
 
 
 def _around(zero: Zero, reason: str) -> Strip:
-    t, width = float(zero.t.mid()), zero.reach[1]
-    return Strip(t - width, t + width, reason)
+    return Strip(*outward(about(zero.centre[1], zero.reach[1])), reason)
 
 
 def _span(event: Zero | Strip) -> tuple[float, float]:

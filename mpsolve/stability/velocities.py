@@ -19,6 +19,7 @@ from mpsolve.model.parameters import Case
 from mpsolve.spectrum.certify import Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
+from mpsolve.stability.holes import exact
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.passages import Passages, counted, passing
 from mpsolve.stability.search import Strip, Tell
@@ -306,7 +307,13 @@ def _undamped(case: Case, low: Exact, high: Exact, digits: int) -> UnstableRange
     found = cut_points(*model, (low, high), digits)
     strips = [strip for strip in found.strips if strip.end > from_here]
     zeros = [
-        Zero(point.q.real, point.alpha, (math.nan, math.nan), (0.0, 0.0), 1 if point.appears else -1)
+        Zero(
+            point.q.real,
+            point.alpha,
+            (exact(point.q.real), exact(point.alpha)),
+            (0.0, 0.0),
+            1 if point.appears else -1,
+        )
         for point in found
         if point.side == "below"
     ]
