@@ -263,5 +263,8 @@ def test_what_is_not_bounded_has_an_infinite_radius(a: Any, b: Any, number: comp
 
 def test_a_product_that_overflows_is_not_bounded() -> None:
     with np.errstate(all="ignore"):
-        for z in (Discs(np.array([1e75 + 0j])) * (-2.9e238 + 0j), Discs(np.array([1e75 + 0j])) * np.array([-2.9e238])):
+        for z in (
+            Discs(np.array([1e75 + 0j])) * (-2.9e238 + 0j),
+            Discs(np.array([1e75 + 0j])) * np.array([-2.9e238]),
+        ):
             assert z.r[0] == np.inf

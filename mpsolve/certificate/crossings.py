@@ -8,7 +8,7 @@ from typing import Any
 
 from mpsolve.certificate import verify
 from mpsolve.certificate.format import FORMAT, VERSION, Certificate, digest, dyadic
-from mpsolve.errors import CertificateError
+from mpsolve.errors import CertificateError, known
 from mpsolve.stability.passages import Passages
 from mpsolve.stability.zero import Zero, mass_level
 
@@ -51,8 +51,8 @@ def make_crossings_certificate(found: Passages) -> Certificate:
     content["crossings"] = [_crossing(content, zero) for zero in zeros]
     if found.bases:
         base = found.bases[0]
-        assert base.spectrum.certificate is not None
-        content["base"] = {"t": str(base.t), "certificate": base.spectrum.certificate.content}
+        certificate = known(base.spectrum.certificate, "the certificate of the base")
+        content["base"] = {"t": str(base.t), "certificate": certificate.content}
     return Certificate(content | {"sha256": digest(content)})
 
 

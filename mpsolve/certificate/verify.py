@@ -12,6 +12,7 @@ import json
 import math
 import re
 import sys
+import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -71,14 +72,19 @@ def require(condition: Any, message: str) -> None:
         raise Refused(message)
 
 
+# flint has one precision for the whole process: whoever changes it keeps other threads waiting, by one lock for all
+LOCK = vars(flint).setdefault("_precision_lock", threading.RLock())
+
+
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    before = flint.ctx.prec
-    flint.ctx.prec = bits
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
+    with LOCK:
+        before = flint.ctx.prec
+        flint.ctx.prec = bits
+        try:
+            yield
+        finally:
+            flint.ctx.prec = before
 
 
 # --- reading ----------------------------------------------------------------------------------------------
@@ -160,8 +166,8 @@ def real(text: Any, name: str) -> Real:
     """Reads "p", "p/q", "root4(p/q)" or "-root4(p/q)"."""
     require(isinstance(text, str), f"{name} is not text")
     match = re.fullmatch(r"(-?)(root4\()?([0-9]{1,4300})(?:/([0-9]{1,4300}))?(\))?", text)
-    require(match is not None and bool(match[2]) == bool(match[5]), f"{name} is not an exact number")
-    assert match is not None
+    if match is None or bool(match[2]) != bool(match[5]):
+        raise Refused(f"{name} is not an exact number")
     value = Fraction(int(match[3]), int(match[4] or 1)) * (-1 if match[1] else 1)
     return Real(value, None) if match[2] else rational_real(value)
 
@@ -1505,8 +1511,8 @@ def one_zero(family: Family, x: Any, t: Any, dx: Any, dt: Any) -> Any:
     box = Box(family, x, t, arb(0, dx), arb(0, dt))
     z = branches(box, seeds_at(box, first_seeds(float(x))))
     found = value_and_slopes(box, z)
-    require(found is not None, "p-roots cannot be told apart")
-    assert found is not None
+    if found is None:
+        raise Refused("p-roots cannot be told apart")
     f, fx, ft = found
     mx, mt = fx.mid(), ft.mid()
     determinant = (mx.conjugate() * mt).imag
@@ -1632,8 +1638,8 @@ class Free:
 
 def rational(text: Any, name: str) -> Fraction:
     value = real(text, name).rational
-    require(value is not None, f"{name} is not rational")
-    assert value is not None
+    if value is None:
+        raise Refused(f"{name} is not rational")
     return value
 
 

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import flint
 
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import ContradictionError, PrecisionError, known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact
 from mpsolve.spectrum.certify import Spectrum, certify
@@ -129,7 +129,11 @@ def counted(
             bases.append(base)
             counts[place] = base.below
         _spread(events, counts, run, place)
-        assert all((counts[k] or 0) >= 0 for k in run), "a passage contradicts the certified count"
+        if any((counts[k] or 0) < 0 for k in run):
+            raise ContradictionError(
+                f"the passages of {family.parameter} contradict the certified count: the numbers of roots are "
+                f"{[counts[k] for k in run]}; please report this as a fault"
+            )
     return Passages(family, start, end, radius, events, tuple(counts), tuple(bases), evaluations)
 
 
@@ -257,18 +261,19 @@ def _base(family: Family, gaps: list[tuple[float, float]], run: range) -> tuple[
 
 def _spread(events: tuple[Zero | Strip, ...], counts: list[int | None], run: range, place: int) -> None:
     """From the count at `place` to the whole run: each passage changes it by two."""
-    below = counts[place] or 0
+    below = known(counts[place], "the certified count")
     for k in range(place + 1, run[-1] + 1):
         below += 2 * _direction(events[k - 1])
         counts[k] = below
-    below = counts[place] or 0
+    below = known(counts[place], "the certified count")
     for k in range(place - 1, run[0] - 1, -1):
         below -= 2 * _direction(events[k])
         counts[k] = below
 
 
 def _direction(event: Zero | Strip) -> int:
-    assert isinstance(event, Zero)
+    if isinstance(event, Strip):
+        raise ContradictionError("an undecided strip stands where only passages were to be")
     return event.direction
 
 

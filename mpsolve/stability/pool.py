@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 
 from flint import arb
 
-from mpsolve.errors import InputError, MpsolveError
+from mpsolve.errors import InputError, MpsolveError, known
 from mpsolve.stability.search import Tell
 
 Job = TypeVar("Job")
@@ -63,8 +63,7 @@ def _end_with_parent() -> None:
     """Each worker holds both ends of the queue of jobs, so that it would wait for ever after a killed parent."""
     if getsignal(SIGINT) is not SIG_IGN:  # where it is ignored, as in a shell's background, this process does so too
         signal(SIGINT, SIG_DFL)
-    parent = parent_process()
-    assert parent is not None
+    parent = known(parent_process(), "the parent of a worker")
 
     def watch() -> None:
         parent.join()

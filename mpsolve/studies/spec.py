@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 from math import prod
 from typing import Any
 
-from mpsolve.errors import InputError
+from mpsolve.errors import ContradictionError, InputError
 from mpsolve.model.exact import Exact
 from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.spectrum.region import Rectangle, Region
@@ -280,7 +280,8 @@ def _total(axes: Mapping[str, Axis], design: str, count: int) -> int:
 
 
 def _counted(axis: Axis) -> Listed | Steps:
-    assert not isinstance(axis, Span)
+    if isinstance(axis, Span):
+        raise ContradictionError("a range between bounds has no values of its own, and was counted")
     return axis
 
 

@@ -6,6 +6,7 @@ import ast
 import json
 import subprocess
 import sys
+import threading
 from functools import cache
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from hypothesis import strategies as st
 from mpsolve import Case, Rectangle, certify, read_case
 from mpsolve.certificate import verify as module
 from mpsolve.certificate.verify import Verdict, verify
+from mpsolve.fields import ball_arithmetic
 from mpsolve.spectrum.certify import Spectrum
 
 ROOT = Path(__file__).parents[2]
@@ -175,6 +177,34 @@ def test_it_imports_the_standard_library_and_flint_only() -> None:
 def test_it_leaves_the_precision_of_flint_as_it_was(tmp_path: Path) -> None:
     before = module.flint.ctx.prec
     assert verify(pair_file(tmp_path)).valid
+    assert module.flint.ctx.prec == before
+
+
+def test_it_waits_for_the_precision_of_other_threads() -> None:
+    """flint has one precision for the process: the verifier and the arithmetic of the proofs take turns."""
+    inside, leave, seen = threading.Event(), threading.Event(), []
+
+    def hold() -> None:
+        with module.precision(777):
+            inside.set()
+            leave.wait(10)
+            seen.append(module.flint.ctx.prec)
+
+    def change() -> None:
+        with ball_arithmetic(99):
+            seen.append(module.flint.ctx.prec)
+
+    before = module.flint.ctx.prec
+    threads = [threading.Thread(target=hold), threading.Thread(target=change)]
+    threads[0].start()
+    assert inside.wait(10)
+    threads[1].start()
+    threads[1].join(0.2)
+    assert not seen
+    leave.set()
+    for thread in threads:
+        thread.join()
+    assert seen == [777, 99]
     assert module.flint.ctx.prec == before
 
 
