@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solve import HarmonicSolution, Response, harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
-    from mpsolve.spectrum.certify import Spectrum, Status, certify
+    from mpsolve.outcome import Status
+    from mpsolve.spectrum.certify import Spectrum, certify
     from mpsolve.spectrum.enclose import RootBall
     from mpsolve.spectrum.region import Rectangle
     from mpsolve.stability.chart import stability_chart
@@ -93,7 +94,7 @@ _HOME = {
     "certify": "spectrum.certify",
     "Rectangle": "spectrum.region",
     "Spectrum": "spectrum.certify",
-    "Status": "spectrum.certify",
+    "Status": "outcome",
     "RootBall": "spectrum.enclose",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from typing import TypeVar
 
+from mpsolve.outcome import Reason
+
 T = TypeVar("T")
 
 
 class MpsolveError(Exception):
-    """Base of every error that mpsolve raises on purpose."""
+    """Base of every error that mpsolve raises on purpose. Its argument is a sentence, or a `Reason`."""
+
+    @property
+    def reason(self) -> Reason:
+        """Why, in parts; a plain sentence has no more than its words."""
+        given = self.args[0] if self.args else ""
+        return given if isinstance(given, Reason) else Reason("unspecified", str(self))
 
 
 class InputError(MpsolveError, ValueError):

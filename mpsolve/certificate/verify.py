@@ -53,12 +53,18 @@ def verify(path: Any) -> Verdict:
     try:
         with open(path, "rb") as file:
             raw = file.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        return Verdict(False, f"the file cannot be read: {getattr(error, 'strerror', None) or error}")
+    return judge(raw)
+
+
+def judge(raw: bytes) -> Verdict:
+    """The verdict on what a file holds. Never raises."""
+    try:
         require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
         return Verdict(True, "", check(read(raw)))
     except Refused as error:
         return Verdict(False, str(error))
-    except OSError as error:
-        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
         return Verdict(
             False, f"no certificate, which is JSON in ASCII, as `mpsolve certify` writes it ({error})"[:200]

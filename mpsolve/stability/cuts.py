@@ -18,7 +18,7 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio, require_cuts_on_line
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.outcome import Status
 from mpsolve.stability.gapend import gap_ends
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.rimsearch import edge_zeros

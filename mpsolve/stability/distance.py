@@ -18,7 +18,7 @@ from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.outcome import Status
 from mpsolve.spectrum.seek import seek
 from mpsolve.stability.curvature import convex_branch, motion_with_distance
 from mpsolve.stability.family import Family

@@ -9,7 +9,7 @@ from typing import Any
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.exact import Number
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.outcome import Status
 from mpsolve.stability.masses import CrossingMasses, below_critical, checked_digits, crossing_masses
 from mpsolve.stability.together import alone
 from mpsolve.stability.velocities import checked_range

@@ -13,7 +13,8 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS, Status
+from mpsolve.outcome import Status
+from mpsolve.spectrum.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.stability.family import Family
 from mpsolve.stability.passages import Passages, passing
 from mpsolve.stability.search import Strip, Tell

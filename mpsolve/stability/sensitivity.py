@@ -23,7 +23,8 @@ from mpsolve.model.branch import ALONG_DAMPING, ALONG_Q, track
 from mpsolve.model.characteristic import characteristic_rates
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status, certify
+from mpsolve.outcome import Status
+from mpsolve.spectrum.certify import certify
 from mpsolve.spectrum.enclose import RootBall, Symmetry, isolate, refine
 from mpsolve.stability.masses import below_critical, checked_digits
 

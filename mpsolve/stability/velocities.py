@@ -16,7 +16,7 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.exact import Exact, Number
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.certify import Status
+from mpsolve.outcome import Status
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
 from mpsolve.stability.holes import exact
