@@ -60,7 +60,7 @@ class CutPoints(Sequence[CutPoint]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.points)
@@ -116,7 +116,7 @@ def cut_points(
     points.sort(key=lambda point: float(point.alpha.mid()))
     strips.sort(key=lambda strip: strip.start)
     reason = strips[0].reason if strips else ""
-    status = Status.UNDECIDED if strips else Status.PROVED
+    status = Status.UNDECIDED if strips else Status.UNVERIFIED
     return CutPoints(low, high, tuple(points), tuple(strips), status, reason, digits, evaluations)
 
 

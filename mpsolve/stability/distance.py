@@ -48,7 +48,7 @@ class CriticalDistance:
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     @property
     def certificate(self) -> Certificate | None:
@@ -160,7 +160,7 @@ def _proved(
         except PrecisionError as error:
             reason = str(error)
             continue
-        return CriticalDistance(ball, q, Status.PROVED, "", digits, ranges)
+        return CriticalDistance(ball, q, Status.UNVERIFIED, "", digits, ranges)
     return CriticalDistance(None, None, Status.UNDECIDED, reason, digits)
 
 

@@ -56,7 +56,7 @@ class CrossingMasses(Sequence[Crossing]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.crossings)
@@ -132,7 +132,7 @@ def below_critical(case: Case) -> bool | None:
 
 def _undamped(case: Case, digits: int) -> CrossingMasses:
     if below_critical(case):
-        return CrossingMasses(case, (), (0,), Status.PROVED, "", digits)
+        return CrossingMasses(case, (), (0,), Status.UNVERIFIED, "", digits)
     reason = (
         "without damping and from alpha_C on, the branch cut covers the real axis, and roots appear on it rather "
         "than cross it: give some damping, or certify single cases"
@@ -159,7 +159,7 @@ def _result(case: Case, found: Passages, digits: int) -> CrossingMasses:
     counts = _running(crossings)
     certificate = crossings_certificate(found)
     return CrossingMasses(
-        case, tuple(crossings), counts, Status.PROVED, "", digits, (), certificate, found.evaluations
+        case, tuple(crossings), counts, Status.UNVERIFIED, "", digits, (), certificate, found.evaluations
     )
 
 

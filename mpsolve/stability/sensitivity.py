@@ -56,7 +56,7 @@ class DampingSensitivity(Sequence[Sensitivity]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.items)
@@ -90,7 +90,7 @@ def damping_sensitivity(case: Case, digits: int = 30) -> DampingSensitivity:
             items.append(_sensitivity(case, root, digits))
     if any(item.destabilised is None for item in items):
         reason = reason or "a rate is 0, or too close to 0 to tell its sign: ask for more digits"
-    status = Status.UNDECIDED if reason else Status.PROVED
+    status = Status.UNDECIDED if reason else Status.UNVERIFIED
     return DampingSensitivity(case, tuple(items), status, reason, digits)
 
 

@@ -67,7 +67,7 @@ class UnstableRanges(Sequence[Interval]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.intervals)
@@ -181,7 +181,7 @@ class Onset:
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     @property
     def certificate(self) -> Certificate | None:
@@ -192,13 +192,13 @@ def _first(scan: UnstableRanges) -> Onset:
     opening = scan.unknown[0][0] if scan.unknown else float(scan.end)
     if len(scan) and scan[0].q_start is not None and float(scan[0].start.mid()) <= opening:
         first = scan[0]
-        return Onset(first.start, first.q_start, Status.PROVED, "", float(first.start.mid()), scan)
+        return Onset(first.start, first.q_start, Status.UNVERIFIED, "", float(first.start.mid()), scan)
     if len(scan) and not scan.unknown:  # unstable from the start of the range on
         first = scan[0]
-        return Onset(first.start, first.q_start, Status.PROVED, "", float(first.start.mid()), scan)
+        return Onset(first.start, first.q_start, Status.UNVERIFIED, "", float(first.start.mid()), scan)
     if scan.unknown:
         return Onset(None, None, Status.UNDECIDED, scan.reason, opening, scan)
-    return Onset(None, None, Status.PROVED, "", opening, scan)
+    return Onset(None, None, Status.UNVERIFIED, "", opening, scan)
 
 
 def _admitted(
@@ -249,7 +249,7 @@ def ranges_search(
     if not found.proved:
         reason = found.strips[0].reason if found.strips else "no certified count could be had in a part of the range"
     certificate = crossings_certificate(found)
-    status = Status.PROVED if found.proved else Status.UNDECIDED
+    status = Status.UNVERIFIED if found.proved else Status.UNDECIDED
     return UnstableRanges(
         family.parameter, low, high, intervals, unknown, found.strips, status, reason, digits, found, certificate
     )
@@ -301,7 +301,7 @@ def _undamped(case: Case, low: Exact, high: Exact, digits: int) -> UnstableRange
     with ball_arithmetic(128) as balls:
         critical = critical_velocity_ratio(case, balls)
         if high.ball() < critical:
-            return UnstableRanges("alpha", low, high, (), (), (), Status.PROVED, "", digits)
+            return UnstableRanges("alpha", low, high, (), (), (), Status.UNVERIFIED, "", digits)
         below, from_here = bool(low.ball() < critical), float(critical.lower())
     model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
     found = cut_points(*model, (low, high), digits)
@@ -321,6 +321,6 @@ def _undamped(case: Case, low: Exact, high: Exact, digits: int) -> UnstableRange
         Family(case, "alpha"), low, high, math.nan, zeros, strips, found.evaluations, 0 if below else None
     )
     intervals, unknown = _intervals(passed)
-    status = Status.PROVED if passed.proved else Status.UNDECIDED
+    status = Status.UNVERIFIED if passed.proved else Status.UNDECIDED
     reason = passed.strips[0].reason if passed.strips else "" if passed.proved else "no certified count could be had"
     return UnstableRanges("alpha", low, high, intervals, unknown, passed.strips, status, reason, digits, passed)
