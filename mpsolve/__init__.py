@@ -4,7 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from mpsolve.certificate.certify import Spectrum, Status, certify
+    from mpsolve.certificate.certify import Spectrum, certify
     from mpsolve.certificate.verify import Verdict, verify
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
+    from mpsolve.outcome import Status
     from mpsolve.sheet.enclose import RootBall
     from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
@@ -94,7 +95,7 @@ _HOME = {
     "certify": "certificate.certify",
     "Rectangle": "sheet.region",
     "Spectrum": "certificate.certify",
-    "Status": "certificate.certify",
+    "Status": "outcome",
     "RootBall": "sheet.enclose",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",

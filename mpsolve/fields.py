@@ -20,7 +20,9 @@ import numpy as np
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.exact import Exact
 
-_precision_lock = threading.RLock()  # flint's precision is one per process: a second thread waits here
+# flint's precision is one per process: a second thread waits here, and so does the verifier, which shares no code but
+# takes the same lock
+_precision_lock = vars(flint).setdefault("_precision_lock", threading.RLock())
 
 Waves = tuple[Any, Any, Any]
 
