@@ -111,6 +111,7 @@ def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float, 
         tail = Tail(X, gamma, blocks, e, _OMEGA, float(np.float32(C)), alpha)
         if blocks and np.isfinite(C) and outweighs(tail, guide.v, gap):
             size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(gamma - e)
+            size = size if len(blocks) == 1 else size * 1e-6  # one block makes the shorter proof
             if best is None or size > best[0]:
                 best = (size, tail)
     return None if best is None else best[1]
