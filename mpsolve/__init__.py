@@ -4,6 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from mpsolve import tracks, vehicles
     from mpsolve.certificate.certify import Spectrum, certify
     from mpsolve.certificate.verify import Verdict, verify
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Status
+    from mpsolve.problem.inputfile import read_problem
+    from mpsolve.problem.problem import Problem
     from mpsolve.sheet.enclose import RootBall
     from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
@@ -36,6 +39,10 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "Problem",
+    "tracks",
+    "vehicles",
+    "read_problem",
     "Case",
     "PhysicalCase",
     "Mass",
@@ -86,6 +93,10 @@ __all__ = [
 ]
 
 _HOME = {
+    "Problem": "problem.problem",
+    "tracks": "tracks",
+    "vehicles": "vehicles",
+    "read_problem": "problem.inputfile",
     "Case": "model.parameters",
     "PhysicalCase": "model.parameters",
     "Mass": "model.parameters",
@@ -140,7 +151,8 @@ def __getattr__(name: str) -> Any:
     """Public names load on first use, so that `import mpsolve` stays quick."""
     if name not in _HOME:
         raise AttributeError(f"module 'mpsolve' has no attribute {name!r}")
-    value = getattr(import_module(f"mpsolve.{_HOME[name]}"), name)
+    home = import_module(f"mpsolve.{_HOME[name]}")
+    value = home if _HOME[name] == name else getattr(home, name)
     globals()[name] = value
     return value
 

@@ -22,7 +22,7 @@ PACKAGE = "mpsolve"
 VERIFIER = "mpsolve.certificate.verify"
 UPWARD = ("mpsolve.display", "mpsolve.notebook")
 FRONT_DOORS = {"mpsolve", "mpsolve.motion"}
-PRECISION = {"mpsolve.fields", VERIFIER}
+PRECISION = {"mpsolve.fields", "mpsolve.numbers.balls", "mpsolve.numbers.multiprecision", VERIFIER}
 
 Graph = Mapping[str, Iterable[str]]
 Import = tuple[str, str | None]
@@ -141,7 +141,10 @@ def test_names_are_imported_from_where_they_are_and_only_public_ones() -> None:
 
 
 def test_one_file_touches_the_precision_that_the_process_shares() -> None:
-    """Threads would change it for each other: fields.py has the lock, the verifier stands alone and has its own."""
+    """Threads would change it for each other: balls.py has the lock, the verifier stands alone and has its own.
+
+    mpmath numbers have contexts of their own, in fields.py and multiprecision.py.
+    """
     assert {name for name, tree in TREES.items() if touches_precision(tree)} == PRECISION
 
 

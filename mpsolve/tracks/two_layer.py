@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Annotated, Any, ClassVar
 
 from mpsolve.numbers.model import Rational, nonnegative, positive, real
+from mpsolve.tracks.rail import layer, rail
 from mpsolve.tracks.waveguide import Track
 
 
@@ -33,6 +34,5 @@ class TwoLayer(Track, frozen=True):
 
     @staticmethod
     def equations(x: Any) -> list[list[Any]]:
-        pad, ballast = x.k_pad + x.c_pad * x.s, x.k_ballast + x.c_ballast * x.s
-        rail = x.EI * (1 + x.eta * x.s) * x.P**4 + (x.N - x.kp) * x.P**2 + x.m * x.s**2
-        return [[rail + pad, -pad], [-pad, x.m_sleeper * x.s**2 + pad + ballast]]
+        pad, ballast = layer(x, x.k_pad, x.c_pad), layer(x, x.k_ballast, x.c_ballast)
+        return [[rail(x) + pad, -pad], [-pad, x.m_sleeper * x.s**2 + pad + ballast]]
