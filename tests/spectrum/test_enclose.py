@@ -20,7 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.spectrum.enclose import Symmetry, enclose, in_units, isolate, refine
 from mpsolve.tracks import EulerBernoulli
-from mpsolve.vehicles import Bogie, Mass, Pencil, Vehicle
+from mpsolve.vehicles import AnyVehicle, Bogie, Mass, Pencil
 from mpsolve.vehicles.vehicle import assemble
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
@@ -137,7 +137,7 @@ def test_the_box_holds_the_ball() -> None:
         assert in_units(acb(1, 2), Fraction(4)) == acb(8, -4)
 
 
-class Joined(Vehicle, frozen=True):
+class Joined(AnyVehicle, frozen=True):
     """Two masses of 10 at a distance of 1.5, joined by a spring of 10."""
 
     @property

@@ -17,13 +17,13 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.enclose import RootBall, enclose
 from mpsolve.spectrum.shape import root_shape
 from mpsolve.tracks import EulerBernoulli
-from mpsolve.vehicles import Bogie, Mass, Pencil, Vehicle
+from mpsolve.vehicles import AnyVehicle, Bogie, Mass, Pencil
 from mpsolve.vehicles.vehicle import assemble
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
 
 
-class Neutral(Vehicle, frozen=True):
+class Neutral(AnyVehicle, frozen=True):
     """A wheel that carries a body by a damper alone, beside a body on a spring of its own: a neutral mode."""
 
     @property
