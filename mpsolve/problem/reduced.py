@@ -117,7 +117,7 @@ def scale_guide(problem: Problem) -> Guide:
     rows = np.array([[1.0, i, j] for i, j in keys])
     logs = np.array([log2(abs(c.numerator)) - log2(c.denominator) for c in D.values()])
     fit = np.linalg.lstsq(rows, logs, rcond=None)[0]
-    length, time = round(float(fit[1])), round(float(fit[2]))
+    length, time = round(float(fit[1])), 4 * round(float(fit[2]) / 4)  # so that q^γ of the tail theorem scales exactly
     unit_P, unit_s = Fraction(2) ** -length, Fraction(2) ** -time
     rescale = lambda i, j, c: c * unit_P**i * unit_s**j  # noqa: E731
     D, N = mapped(D, rescale), mapped(N, rescale)

@@ -1,0 +1,134 @@
+"""Count, find, enclose: every root of a problem in a region, or what is known and why the rest is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.proved import Proved
+from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.outcome import Reason
+from mpsolve.problem.reduced import Reduced
+from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.candidates import Area, find_roots
+from mpsolve.spectrum.count import Count, count_roots, scaled_height
+from mpsolve.spectrum.enclose import RootBall, Symmetry, enclose
+from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.spectrum import disjoint
+
+Tell = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A count (None where it stayed open), the balls that explain it, and the reason where they do not."""
+
+    count: Count | None
+    balls: tuple[RootBall, ...]
+    reason: Reason | None
+
+
+def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
+    """All roots of Δ̂ in the region; never raises for what stays undecided."""
+    try:
+        count = count_roots(reduced, region, effort, tell)
+    except EffortError as error:
+        return Found(None, (), Reason("effort", str(error), {}, "allow more effort"))
+    except PrecisionError as error:
+        return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
+    if not count.total:
+        return Found(count, (), None)
+    tell("roots", 0.5)
+    balls = _enclosed(reduced, count, digits, tell)
+    number = sum(ball.multiplicity for ball in balls)
+    if number != count.total or not disjoint(balls):
+        message = f"{count.total} roots are counted, but {number} could be enclosed"
+        numbers = {"counted": str(count.total), "enclosed": str(number)}
+        return Found(count, balls, Reason("roots", message, numbers, "ask for more digits, so that close roots come apart"))
+    if any(_sign(ball) is None for ball in balls):
+        return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
+    return Found(count, balls, None)
+
+
+_COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
+
+
+def unstable_number(balls: tuple[RootBall, ...]) -> int:
+    """How many roots of balls that do not meet the real axis have Im q < 0."""
+    return sum(ball.multiplicity for ball in balls if _sign(ball))
+
+
+def _sign(ball: RootBall) -> bool | None:
+    """True if Im q < 0, False if Im q ≥ 0, None if the ball does not tell."""
+    if ball.symmetry is Symmetry.REAL or ball.q.imag >= 0:
+        return False
+    return True if ball.q.imag < 0 else None
+
+
+def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
+    """Scaled rectangles that hold the right half of all counted roots."""
+    region, unit = count.region, reduced.frequency_unit
+    if isinstance(region, Box):
+        return (Area(*(float(x / unit) for x in (region.re_min, region.re_max, region.im_min, region.im_max))),)
+    if count.beyond is not None:
+        width, depth = count.beyond.rho, count.beyond.depth
+    else:
+        width = depth = float((region.radius or Fraction(0)) / unit)
+    areas = [Area(0.0, width, -depth, 0.0)]
+    if isinstance(region, Below):
+        areas.insert(0, Area(0.0, width, 0.0, scaled_height(reduced, region.height)))
+    return tuple(areas)
+
+
+def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
+    symmetric = not isinstance(count.region, Box)
+    seeds = find_roots(Arrays(reduced), count.start.up, _areas(reduced, count), count.total, symmetric)
+    proved = Proved(reduced)
+    balls: list[RootBall] = []
+    for k, q in enumerate(seeds.tolist()):
+        for ball in _balls(proved, 1j * q, digits):
+            for each in {False, symmetric and ball.symmetry is not Symmetry.IMAGINARY}:
+                one = ball.mirrored if each else ball
+                if _inside(count.region, one) and not any(one.q.overlaps(other.q) for other in balls):
+                    balls.append(one)
+        tell("roots", 0.5 + 0.5 * (k + 1) / len(seeds))
+    return tuple(balls)
+
+
+def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
+    try:
+        return [enclose(proved, sigma, digits)]
+    except PrecisionError:
+        try:
+            return separate(proved, sigma, digits)
+        except PrecisionError:
+            return []
+
+
+def _inside(region: Region, ball: RootBall) -> bool:
+    """Whether the ball is proved to lie in the region."""
+    re, im = ball.q.real, ball.q.imag
+    if isinstance(region, Box):
+        bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
+        return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
+    below = bool(im < 0) and (region.radius is None or abs(ball.q) < _ball(region.radius))
+    if isinstance(region, HalfPlane):
+        return below
+    reach = region.reach or Fraction(0)
+    return below or bool(im < _ball(region.height) and abs(re) < _ball(reach) and im > -_ball(region.height))
+
+
+def _ball(x: Fraction) -> object:
+    from mpsolve.numbers.balls import rational_ball
+
+    return rational_ball(x)
+
+
+def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
+    """A height below the lowest cut, short in scaled units."""
+    return Fraction(float(np.float32(0.75 * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit

@@ -1,0 +1,130 @@
+"""What is known of the induced frequencies of a problem in a region."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import arb
+
+from mpsolve.numbers.balls import acb, precision
+from mpsolve.outcome import Reason, Status
+from mpsolve.problem.problem import Problem
+from mpsolve.spectrum.enclose import RootBall, Symmetry
+from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.shape import Shape, root_shape
+
+_GUARD = 32
+
+
+@dataclass(frozen=True)
+class Root:
+    """One induced frequency q, or a cluster, in the problem's units: e^{iqt} grows where Im q < 0.
+
+    q: a ball (flint.acb) that holds exactly `multiplicity` roots.
+    """
+
+    q: Any
+    multiplicity: int
+    symmetry: Symmetry
+    problem: Problem = field(repr=False)
+
+    @property
+    def frequency(self) -> Any:
+        """|Re q|/2π, in Hz for a problem in SI; a real ball."""
+        with precision(self._bits):
+            return abs(self.q.real) / (2 * arb.pi())
+
+    @property
+    def growth(self) -> Any:
+        """−Im q, the rate of growth in 1/s for a problem in SI; below 0 where the vibration decays."""
+        return -self.q.imag
+
+    @property
+    def doubling_time(self) -> Any:
+        """ln 2/|Im q|: the time in which the vibration doubles, or halves where it decays."""
+        with precision(self._bits):
+            return arb(2).log() / abs(self.q.imag)
+
+    @property
+    def shape(self) -> Shape:
+        """The motion of the rail under the contacts and of every body in this root."""
+        return root_shape(self.problem, self.q, self.multiplicity)
+
+    @property
+    def _bits(self) -> int:
+        return int(max(self.q.bits(), 53)) + _GUARD
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What an answer took: processor seconds of the proof and of its verification, evaluations of Δ, pieces of paths."""
+
+    seconds: float
+    verification: float = 0.0
+    evaluations: int = 0
+    pieces: int = 0
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The induced frequencies of a problem in `region`; a region may be smaller than the one that was asked for.
+
+    roots: disjoint balls, sorted by (Re q, Im q), whose multiplicities add up to `count` where this is proved.
+    unstable: how many of them have Im q < 0. neutral: how often q = 0 is a root by construction (bodies on dampers
+    alone); unfelt: frequencies of the vehicle that no contact feels. Both are left out of `roots`.
+    When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    """
+
+    problem: Problem
+    region: Region
+    digits: int
+    status: Status
+    reason: Reason | None = None
+    count: int | None = None
+    unstable: int | None = None
+    roots: tuple[Root, ...] = ()
+    neutral: int = 0
+    unfelt: tuple[Any, ...] = ()
+    note: str = ""
+    known: Mapping[str, Any] = field(default_factory=dict)
+    certificate: Any = field(default=None, repr=False)
+    cost: Cost = field(default_factory=lambda: Cost(0.0))
+
+    @property
+    def proved(self) -> bool:
+        """Whether every root of the region is counted and enclosed."""
+        return self.status.holds
+
+    @property
+    def stable(self) -> bool | None:
+        """True if proved that no root has Im q < 0, False if proved that one has, None where that is open.
+
+        True needs the whole half-plane: a region with a radius or a rectangle cannot prove stability.
+        """
+        if self.unstable:
+            return False
+        whole = isinstance(self.region, (HalfPlane, Below)) and self.region.radius is None
+        return True if self.proved and whole and self.unstable == 0 else None
+
+    def __bool__(self) -> bool:
+        raise TypeError("a spectrum has no truth value: ask for .proved or .stable")
+
+
+def sorted_roots(problem: Problem, balls: Sequence[RootBall]) -> tuple[Root, ...]:
+    """The balls as roots, by (Re q, Im q) of their middles."""
+    roots = [Root(ball.q, ball.multiplicity, ball.symmetry, problem) for ball in balls]
+    return tuple(sorted(roots, key=lambda root: (float(root.q.real.mid()), float(root.q.imag.mid()))))
+
+
+def disjoint(balls: Sequence[RootBall]) -> bool:
+    """Whether no two of the balls overlap."""
+    return not any(a.q.overlaps(b.q) for k, a in enumerate(balls) for b in balls[:k])
+
+
+def is_zero(q: Any) -> bool:
+    return bool(acb(q).contains(0))
+
+
+__all__ = ["Below", "Box", "Cost", "HalfPlane", "Root", "Spectrum", "disjoint", "sorted_roots"]
