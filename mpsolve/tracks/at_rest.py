@@ -59,15 +59,14 @@ class AtRest:
 def at_rest(track: Track | Waveguide) -> AtRest:
     """The status of the track, decided exactly; InputError where D is odd in P, 0, or loses its inertia at some p."""
     D = rows_of(track.waveguide)
-    D, neutral = (D[1:], True) if not D[0] else (D, False)
     damped, undamped = _split(D)
     grows = _growing(damped) or (_real_growth(undamped) if len(undamped) > 1 else None)
     if grows is not None:
-        return AtRest(Status.UNSTABLE, (sqrt(grows),), buckles=not neutral and sign_at(D[0], grows) < 0)
-    held = [root for root, _ in positive_roots(D[0])]
-    if held and not neutral:
-        return AtRest(Status.UNSTABLE, (sqrt(float(held[0])),), buckles=True)
-    if neutral or len(undamped) > 1:
+        return AtRest(Status.UNSTABLE, (sqrt(grows),), buckles=sign_at(D[0], grows) < 0)
+    verge = [root for root, _ in positive_roots(D[0])]
+    if verge:
+        return AtRest(Status.UNSTABLE, (sqrt(float(verge[0])),), buckles=True)
+    if len(undamped) > 1:
         return AtRest(Status.UNDAMPED)
     minors = _minors(damped)
     edge = minors[-1] if len(minors) < 2 else minors[-2] * damped[0]
@@ -105,6 +104,9 @@ def rows_of(waveguide: Waveguide) -> Row:
     rows = in_squares(waveguide.dispersion, "D")
     if not rows:
         raise InputError("matrix", "has determinant 0 everywhere, so it carries no wave: check its entries")
+    if not rows[0]:
+        stated = "has determinant 0 without frequency, so a constant force moves the track without end"
+        raise InputError("matrix", f"{stated}: give it a stiffness, or divide a row by Omega")
     if len(rows) == 1:
         raise InputError(
             "matrix", "has no frequency in its determinant, so it carries no wave: give it mass or damping"

@@ -1,8 +1,8 @@
 """Whether a track at rest takes energy from any harmonic force: Ω Im(N/D) ≤ 0 for all real p and Ω, decided exactly.
 
 With y = p², z = Ω², N = Nₑ + iΩ Nₒ and D alike, −Ω Im(N D*) = z (Nₑ Dₒ − Nₒ Dₑ), a polynomial in y and z that must
-not be negative on the quadrant y, z ≥ 0. Between the zeros y of its discriminant and of its first and last coefficients
-the zeros z neither meet nor pass 0, so that one rational y in each interval decides.
+not be negative on the quadrant y, z ≥ 0. Between the zeros y of its discriminant and of its first and last
+coefficients the zeros z neither meet nor pass 0, so that one rational y in each interval decides.
 """
 
 from __future__ import annotations
