@@ -1,7 +1,7 @@
 """An independent second way to what the general engine proves: residue sums and counts in floats, and in mpmath.
 
-Nothing of the package is imported: D and N of each track and M, C, K, B of each vehicle are typed here by hand, so that
-a slip in the package's models is found too. A problem is plain data:
+Nothing of the package is imported: D and N of each track and M, C, K, B of each vehicle are typed here by hand, so
+that a slip in the package's models is found too. A problem is plain data:
 
     {"track": {"model": "string", "T": "27000", "m": "1.07", "k": "500", "c": "2"},
      "vehicles": [{"model": "mass", "M": "8.5", "at": "0"}], "v": "100"}

@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-STEP, SIZE, LIKE = 0.45, 0.8, 3.0
+STEP, SIZE, LIKE, GROWN = 0.45, 0.8, 3.0, 6
 
 
-class Alarm(ArithmeticError):
+class Alarm(ArithmeticError):  # noqa: N818 — it tells, and is not always an error
     """The count is not to be trusted."""
 
 
@@ -38,7 +38,7 @@ class Turning:
 
 
 def turning(log: Callable[[np.ndarray], np.ndarray], path: Callable[[np.ndarray], np.ndarray], start: int = 64,
-            most: int = 400_000, step: float = STEP) -> Turning:  # fmt: skip
+            most: int = 100_000, step: float = STEP) -> Turning:  # fmt: skip
     """The change of log Δ̃ along path(t), 0 ≤ t ≤ 1, refined until every step is small."""
     t = np.linspace(0, 1, start + 1)
     q = path(t)
@@ -102,12 +102,15 @@ def count_below(problem: Any, level: float | None = None, first: float = 0.0, st
                 start: int = 64, step: float = STEP) -> Count:  # fmt: skip
     """Roots with Im q < level: the radius is doubled until the count has stayed `stays` times."""
     radius = first or 8 * problem.scale * vehicle_factor(problem)
-    last, same, points = None, 0, 0
+    last, same, grown, points = 0, 0, 0, 0
     for _ in range(most):
         found = count_inside(problem, radius, level, start, step)
         points += found.points
         same = same + 1 if found.number == last else 0
+        grown = grown + 1 if found.number > last else 0
         last = found.number
+        if grown >= GROWN:
+            break
         if same >= stays:
             return Count(found.number, radius, points)
         radius *= 2

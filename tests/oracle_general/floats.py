@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+
 from oracle_general.tracks import moving, track
 from oracle_general.vehicles import together
 

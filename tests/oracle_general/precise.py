@@ -7,6 +7,7 @@ from typing import Any
 
 import mpmath
 import numpy as np
+
 from oracle_general.floats import Floats
 from oracle_general.tracks import moving, track
 from oracle_general.vehicles import together

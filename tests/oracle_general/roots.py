@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
+
 from oracle_general.count import Alarm, Count, Turning, count_below, count_inside, turning
 from oracle_general.floats import Floats
 from oracle_general.precise import Precise
@@ -13,10 +15,7 @@ from oracle_general.precise import Precise
 def rectangle_contour(problem: Any, a: complex, b: complex, start: int = 16) -> Turning:
     """log Δ̃ once round the rectangle with corners a (lower left) and b (upper right), counterclockwise."""
     corners = [a, complex(b.real, a.imag), b, complex(a.real, b.imag), a]
-    parts = [
-        turning(problem.log_delta, lambda t, z=z, w=w: z + (w - z) * t, start)
-        for z, w in zip(corners, corners[1:], strict=False)
-    ]
+    parts = [turning(problem.log_delta, lambda t, z=z, w=w: z + (w - z) * t, start) for z, w in pairwise(corners)]
     q = np.concatenate([part.q[:-1] for part in parts] + [parts[-1].q[-1:]])
     return Turning(q, np.concatenate([part.increments for part in parts]))
 

@@ -1,4 +1,4 @@
-"""D and N of every track, typed from the table of the literature as polynomials in p² and X = iΩ with real coefficients.
+"""D and N of every track, typed by hand as polynomials in p² and X = iΩ with real coefficients.
 
 −mΩ² is mX², icΩ is cX. A polynomial is {(power of p, power of X): Fraction}.
 """
@@ -31,8 +31,18 @@ def minus(a: Poly) -> Poly:
     return {key: -value for key, value in a.items()}
 
 
-def poly(p4: Fraction = Fraction(0), p2: Fraction = Fraction(0), XX: Fraction = Fraction(0), X: Fraction = Fraction(0),
-         one: Fraction = Fraction(0), p4X: Fraction = Fraction(0), p2XX: Fraction = Fraction(0)) -> Poly:  # fmt: skip
+ZERO = Fraction(0)
+
+
+def poly(
+    p4: Fraction = ZERO,
+    p2: Fraction = ZERO,
+    XX: Fraction = ZERO,
+    X: Fraction = ZERO,
+    one: Fraction = ZERO,
+    p4X: Fraction = ZERO,
+    p2XX: Fraction = ZERO,
+) -> Poly:
     keys = {(4, 0): p4, (2, 0): p2, (0, 2): XX, (0, 1): X, (0, 0): one, (4, 1): p4X, (2, 2): p2XX}
     return {key: value for key, value in keys.items() if value}
 
@@ -114,7 +124,7 @@ def binomial(n: int, k: int) -> int:
 
 
 def moving(a: Poly, v: Fraction) -> dict[tuple[int, int], Fraction]:
-    """Real r with Σ r i^(k+j) p^k q^j the polynomial at Ω = q − vp. Powers of p in `a` are even, so each r is real."""
+    """Real r with Σ r i^(k+j) p^k q^j the polynomial at Ω = q − vp: powers of p in `a` are even."""
     out: Poly = {}
     for (i, b), value in a.items():
         for r in range(b + 1):
