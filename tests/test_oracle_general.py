@@ -63,7 +63,7 @@ def joined(M: str, k: str, d: str) -> dict[str, Any]:
     """Two masses joined by a spring."""
     spring = [[k, "-" + k], ["-" + k, k]]
     zero = [["0", "0"], ["0", "0"]]
-    return {"model": "vehicle", "M": [[M, "0"], ["0", M]], "C": zero, "K": spring, "B": [["1", "0"], ["0", "1"]],
+    return {"model": "matrices", "M": [[M, "0"], ["0", M]], "C": zero, "K": spring, "B": [["1", "0"], ["0", "1"]],
             "places": ["0", d]}  # fmt: skip
 
 

@@ -17,7 +17,7 @@ class Precise:
     """The functions of one problem at `digits` decimal digits."""
 
     def __init__(self, problem: dict[str, Any], digits: int = 40) -> None:
-        self.mp = mpmath.MPContext()
+        self.problem, self.mp = problem, mpmath.MPContext()
         self.mp.dps = digits
         D, N = track(problem["track"])
         v = Fraction(problem["v"])

@@ -272,7 +272,7 @@ class _Units:
         """A wheel with two equal oscillators: their difference is not felt."""
         wheel, body = self.heavy(), self.heavy()
         k, c = self.spring(body), self.damper(body)
-        star = lambda x: [[figures(2 * float(x)), neg(x), neg(x)], [neg(x), x, "0"], [neg(x), "0", x]]  # noqa: E731
+        star = lambda x: [[double(x), neg(x), neg(x)], [neg(x), x, "0"], [neg(x), "0", x]]  # noqa: E731
         M = [[wheel, "0", "0"], ["0", body, "0"], ["0", "0", body]]
         return own(M, star(c), star(k), [["1"], ["0"], ["0"]], ["0"], {}), 0.0
 
@@ -284,6 +284,10 @@ class _Units:
         return own([[wheel, "0"], ["0", body]], twice(c), zero, [["1"], ["0"]], ["0"], self.contact(wheel)), 0.0
 
 
+def double(x: str) -> str:
+    return str(2 * Fraction(x))
+
+
 def neg(x: str) -> str:
     return x if x == "0" else "-" + x
 
@@ -293,7 +297,7 @@ def twice(x: str) -> list[list[str]]:
 
 
 def own(M: Any, C: Any, K: Any, B: Any, places: list[str], contact: dict[str, str]) -> dict[str, Any]:
-    return {"model": "vehicle", "M": M, "C": C, "K": K, "B": B, "places": places, **contact}
+    return {"model": "matrices", "M": M, "C": C, "K": K, "B": B, "places": places, **contact}
 
 
 def stands(problem: dict[str, Any]) -> bool:

@@ -32,7 +32,7 @@ def lowest_cut(problem: dict[str, Any]) -> float:
 
 def with_rectangle(row: dict[str, Any], digits: int = 25) -> dict[str, Any]:
     """The row with a rectangle, its count and its roots with Re q ≥ 0; as it is where none can be had."""
-    hidden = any(v["model"] == "vehicle" and len(v["B"]) > len(v["places"]) for v in row["vehicles"])
+    hidden = any(v["model"] == "matrices" and len(v["B"]) > len(v["places"]) for v in row["vehicles"])
     floats = Floats(row)
     height = 0.6 * lowest_cut(row)
     if hidden or height < 1e-3 * floats.scale:
@@ -52,7 +52,7 @@ def with_rectangle(row: dict[str, Any], digits: int = 25) -> dict[str, Any]:
 
 
 def _twice(floats: Floats, right: float, bottom: float, top: float, digits: int) -> list[Any]:
-    """The roots with Re q ≥ 0; as many, with their mirror images, as the argument counts round the whole rectangle."""
+    """The roots with Re q ≥ 0: as many, with their mirror images, as the argument counts round the rectangle."""
     whole = [
         round(rectangle_contour(floats, complex(-right, bottom), complex(right, top), start).angle / 2 / np.pi)
         for start in (16, 51)

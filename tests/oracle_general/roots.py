@@ -34,7 +34,7 @@ def _search(problem: Floats, precise: Precise, a: complex, b: complex, depth: in
             raise Alarm(f"{number} roots between {a} and {b}")
         return []
     if number == 1:
-        found = _settle(precise, contour.moment(1))
+        found = settled(precise, contour.moment(1))
         if found is not None and a.real <= found.real <= b.real and a.imag <= found.imag <= b.imag:
             return [found]
     if depth == 0:
@@ -49,11 +49,19 @@ def _search(problem: Floats, precise: Precise, a: complex, b: complex, depth: in
     return [root for low, high in halves for root in _search(problem, precise, low, high, depth - 1)]
 
 
-def _settle(precise: Precise, start: complex) -> Any:
+def settled(precise: Precise, start: complex) -> Any:
+    """The root near `start`, at more and more digits until two agree to 14 of them; None where none is found."""
     try:
-        return precise.root(start)
+        last = precise.root(start)
+        for _ in range(4):
+            precise = Precise(precise.problem, 2 * precise.mp.dps)
+            found = precise.root(complex(last))
+            if abs(found - last) < 1e-14 * abs(found):
+                return found
+            last = found
     except (ArithmeticError, precise.mp.NoConvergence):
         return None
+    return None
 
 
 def growing(problem: Floats, digits: int = 25, level: float | None = None, within: float | None = None,

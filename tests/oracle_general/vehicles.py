@@ -95,7 +95,7 @@ def own(a: dict[str, Any]) -> Assembly:
     return Assembly(M, C, K, B, places, [contact(a)] * len(places))
 
 
-VEHICLES = {"mass": mass, "oscillator": oscillator, "bogie": bogie, "coach": coach, "vehicle": own}
+VEHICLES = {"mass": mass, "oscillator": oscillator, "bogie": bogie, "coach": coach, "matrices": own}
 
 
 def number(a: dict[str, Any], key: str) -> Fraction:
