@@ -16,6 +16,7 @@ import numpy as np
 
 from oracle_general.count import Alarm, Count, count_below, count_inside
 from oracle_general.floats import Floats
+from oracle_general.named import NAMED
 from oracle_general.precise import Precise
 from oracle_general.problems import MAKERS, Dice, random_problem, stands
 from oracle_general.rectangles import with_rectangle
@@ -28,9 +29,9 @@ def entry(problem: dict[str, Any], digits: int = 25) -> dict[str, Any]:
     """The problem with its count, or an Alarm. Where the count grows with the radius it is that of one radius."""
     floats = Floats(problem)
     _compare(floats)
-    within = None
+    within = float(problem["within"]) if "within" in problem else None
     try:
-        first = count_below(floats)
+        first = count_below(floats) if within is None else count_inside(floats, within)
     except Alarm as alarm:
         if "grows" not in str(alarm):
             raise
@@ -71,7 +72,8 @@ def _short(q: Any) -> list[str]:
 
 
 def table(number: int) -> list[dict[str, Any]]:
-    rows: list[dict[str, Any]] = []
+    rows = [with_rectangle({"name": name, **entry(problem)}) for name, problem in NAMED.items()]
+    number += len(rows)
     seed, models = 0, list(MAKERS)
     while len(rows) < number:
         problem = random_problem(Dice(seed), models[seed % len(models)])
