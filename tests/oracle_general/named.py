@@ -25,7 +25,8 @@ WIRE = {"model": "string", "T": "27000", "m": "1.07", "k": "500", "c": "2"}
 FAST = {"model": "timoshenko", "EI": "1", "m": "1", "S": "4", "J": "0.05", "k": "1", "c": "0.1"}
 GROUND = {
     "model": "three-layer", "EI": "6380430", "m": "60.2", "k_pad": "300e6", "c_pad": "0", "m_sleeper": "250",
-    "k_ballast": "200e6", "c_ballast": "0", "m_ballast": "1000", "shear": "20e6", "k_ground": "100e6", "c_ground": "8e4",
+    "k_ballast": "200e6", "c_ballast": "0", "m_ballast": "1000", "shear": "20e6",
+    "k_ground": "100e6", "c_ground": "8e4",
 }  # fmt: skip
 ICE = {
     "model": "floating-ice", "B": "6e8", "h": "1", "rho_ice": "917", "rho_water": "1026", "depth": "7", "g": "9.81",
