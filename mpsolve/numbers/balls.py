@@ -1,4 +1,7 @@
-"""Balls at an explicit precision: the one place of the package that sets FLINT's process-wide precision."""
+"""Balls at an explicit precision: the one module of the package that sets FLINT's precision, one per process.
+
+The standalone verifier, which imports nothing of the package, sets it too, under the same lock.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,10 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+import flint
 from flint import ctx
 
-_LOCK = threading.RLock()
+_LOCK: threading.RLock = vars(flint).setdefault("_precision_lock", threading.RLock())
 
 
 @contextmanager
