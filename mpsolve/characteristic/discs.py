@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.symbol import Table
+from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.problem.reduced import Guide
 

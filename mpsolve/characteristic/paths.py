@@ -1,73 +1,139 @@
-"""Tests of pieces of a path in the q-plane: the splitting is carried on, Δ̂ turns, the mobility is passive.
+"""Paths in the q-plane on which something is proved piece by piece: the splitting goes on, Δ̂ turns, V is passive.
 
-Points are complex floats q̂ (scaled); σ̂ = i q̂. Every piece stands for a disc that holds it.
+Points are complex floats q̂ (scaled); σ̂ = i q̂. Every piece stands for a disc of σ̂ that holds it. Pieces are chosen
+by halving; then one pass over all paths proves everything at once: each point has one thin splitting, to which all
+pieces that meet there are linked.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
+from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.proof.turning import pivot_arguments, regular
+from mpsolve.proof.cover import cover
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.turning import Regular, pivot_arguments, regular
+
+Kind = Literal["link", "turn", "passive"]
+_ROUNDS = 8
 
 
 @dataclass(frozen=True)
-class PathTests:
-    """The three tests of a problem with `up` p-roots in U, for `mpsolve.proof.cover`."""
+class Path:
+    """Break points in order, and what is proved between them."""
+
+    kind: Kind
+    points: Any
+
+    @property
+    def pieces(self) -> int:
+        return len(self.points) - 1
+
+
+@dataclass(frozen=True)
+class Proved:
+    """Paths whose pieces all passed; for each the change of arg Δ̂ and a bound of its error (0 unless it turns).
+
+    corners: G between the places (middle, radius) at the last point of each path.
+    """
+
+    paths: tuple[Path, ...]
+    turns: tuple[tuple[float, float], ...]
+    corners: tuple[tuple[Any, Any], ...]
+
+    @property
+    def pieces(self) -> int:
+        return sum(path.pieces for path in self.paths)
+
+
+@dataclass(frozen=True)
+class Paths:
+    """The tests of a problem with `up` p-roots in U."""
 
     arrays: Arrays
     up: int
 
-    def link(self, a: Any, b: Any) -> tuple[Any, Any, Any]:
-        """The splitting exists on each disc and is the same at common points."""
-        m, r = discs(a, b)
-        s = split(self.arrays.D, m, r, self.up)
-        good = s.good & self._joined(s, a, b)
-        return good, np.zeros(len(a)), np.zeros(len(a))
+    def plan(self, kind: Kind, points: Any, effort: Effort) -> Path:
+        """A path through `points` whose pieces pass the test of its kind, links left aside."""
+        points = np.asarray(points, complex)
+        if len(points) < 2:
+            return Path(kind, points)
+        return Path(kind, cover(points, self._test(kind), effort))
 
-    def turn(self, a: Any, b: Any) -> tuple[Any, Any, Any]:
-        """Δ̂ ≠ 0 on each disc; the change of arg Δ̂ from a to b."""
-        m, r = discs(a, b)
-        s, G, good = self.arrays.evaluate(m, r, self.up)
-        piece = regular(self.arrays.matrix(G, m))
-        good = good & piece.good
-        value, error = np.zeros(len(a)), np.zeros(len(a))
-        rows = np.flatnonzero(good)
-        if not len(rows):
-            return good, value, error
-        points, index = np.unique(np.concatenate([a[rows], b[rows]]), return_inverse=True)
-        thin, thin_G, thin_good = self.arrays.evaluate(1j * points, np.zeros(len(points)), self.up)
-        A = self.arrays.matrix(thin_G, 1j * points)
-        own = _take(piece, rows)
-        discs_ = s.take(rows)
-        for end, sign in ((index[: len(rows)], -1.0), (index[len(rows) :], 1.0)):
-            turned, lost, fine = pivot_arguments(own, A.take(end))
-            good[rows] &= fine & thin_good[end] & linked(discs_, thin.take(end))
-            value[rows] += sign * turned
-            error[rows] += lost
-        return good, value, error
+    def _test(self, kind: Kind) -> Any:
+        def passes(a: Any, b: Any) -> Any:
+            return self._evaluate(kind, a, b)[1]
 
-    def passive(self, a: Any, b: Any) -> tuple[Any, Any, Any]:
-        """The Hermitian part of σG between the places is positive definite on each piece."""
+        return passes
+
+    def _evaluate(self, kind: Kind, a: Any, b: Any) -> tuple[Splittings, Any, Regular | None]:
         m, r = discs(a, b)
+        if kind == "link":
+            s = split(self.arrays.D, m, r, self.up)
+            return s, s.good, None
         s, G, good = self.arrays.evaluate(m, r, self.up)
+        if kind == "turn":
+            piece = regular(self.arrays.matrix(G, m))
+            return s, good & piece.good, piece
         sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
-        way = 1j * (b - a) / np.abs(b - a)
-        good = good & positive(sigma * G, way)
-        good[good] &= self._joined(s.take(good), a[good], b[good])
-        return good, np.zeros(len(a)), np.zeros(len(a))
+        drift = 1e-14 * (np.abs(m) + r)  # the piece runs through its rounded middle, along a rounded direction
+        return s, good & positive(sigma * G, 1j * (b - a) / np.abs(b - a), drift), None
 
-    def _joined(self, s: Splittings, a: Any, b: Any) -> Any:
-        if not len(a):
-            return np.zeros(0, bool)
-        points, index = np.unique(np.concatenate([a, b]), return_inverse=True)
-        thin = split(self.arrays.D, 1j * points, np.zeros(len(points)), self.up)
-        return linked(s, thin.take(index[: len(a)])) & linked(s, thin.take(index[len(a) :]))
+    def prove(self, paths: tuple[Path, ...], effort: Effort) -> Proved:
+        """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError."""
+        for _ in range(_ROUNDS):
+            proved = self._pass(paths, effort)
+            if isinstance(proved, Proved):
+                return proved
+            paths = proved
+        raise PrecisionError("pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple")
+
+    def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
+        points, index = np.unique(np.concatenate([path.points for path in paths]), return_inverse=True)
+        effort.spend(len(points) + sum(path.pieces for path in paths))
+        thin, G, good = self.arrays.evaluate(1j * points, np.zeros(len(points)), self.up)
+        A = self.arrays.matrix(G, 1j * points)
+        turns, refined, whole, at = [], [], True, 0
+        for path in paths:
+            here = index[at : at + len(path.points)]
+            at += len(path.points)
+            passed, turn = self._path(path, here, thin, A, good)
+            turns.append(turn)
+            whole = whole and bool(passed.all())
+            refined.append(Path(path.kind, _halved(path.points, passed)))
+        if not whole:
+            return tuple(refined)
+        ends = np.cumsum([len(path.points) for path in paths]) - 1
+        corners = tuple((G.a[index[end]], G.e[index[end]] if good[index[end]] else np.inf * G.e[index[end]]) for end in ends)
+        return Proved(paths, tuple(turns), corners)
+
+    def _path(self, path: Path, here: Any, thin: Splittings, A: Jet, good: Any) -> tuple[Any, tuple[float, float]]:
+        """(which pieces pass, (turn, its error)) of one path; `here` numbers its points among those of `thin`."""
+        first, last = here[:-1], here[1:]
+        if not len(first):
+            return np.ones(0, bool), (0.0, 0.0)
+        s, passed, piece = self._evaluate(path.kind, path.points[:-1], path.points[1:])
+        passed = passed & linked(s, thin.take(first)) & linked(s, thin.take(last))
+        if piece is None:
+            return passed, (0.0, 0.0)
+        start, lost, fine = pivot_arguments(piece, A.take(first))
+        end, lost_too, fine_too = pivot_arguments(piece, A.take(last))
+        passed = passed & fine & fine_too & good[first] & good[last]
+        error = float((lost + lost_too).sum()) * UP + 1e-13 * len(first)
+        return passed, (float((end - start).sum()), error)
+
+
+def _halved(points: Any, passed: Any) -> Any:
+    out = [points[:1]]
+    for a, b, good in zip(points[:-1], points[1:], passed, strict=True):
+        out.append(np.array([b] if good else [(a + b) / 2, b]))
+    return np.concatenate(out)
 
 
 def discs(a: Any, b: Any) -> tuple[Any, Any]:
@@ -77,21 +143,21 @@ def discs(a: Any, b: Any) -> tuple[Any, Any]:
     return 1j * m, r
 
 
-def positive(V: Jet, way: Any) -> Any:
-    """True where V + V* is positive definite for t along `way` (unit vectors), |t| ≤ r."""
+def positive(V: Jet, way: Any, drift: Any) -> Any:
+    """True where V + V* is positive definite for t along `way` (unit vectors), |t| ≤ r, to within `drift` of the line."""
     n = V.a.shape[1]
     with np.errstate(all="ignore"):
         H0, H1 = _hermitian(V.a), _hermitian(way[:, None, None] * V.b)
         finite = np.isfinite(V.a).all((1, 2)) & np.isfinite(V.e).all((1, 2))
         definite = np.linalg.eigvalsh(np.where(finite[:, None, None], H0, -np.eye(n)))[:, 0] > 0
         ok = finite & definite
-        X = np.linalg.inv(np.linalg.cholesky(np.where(ok[:, None, None], H0, np.eye(n))))
+        X, regular_ = _inverse_factor(np.where(ok[:, None, None], H0, np.eye(n)))
+        ok = ok & regular_
         size, lost = np.abs(X), 64 * (n + 4) * U
         Xh, sizeh = np.swapaxes(X.conj(), 1, 2), np.swapaxes(size, 1, 2)
         r = V.r[:, None, None]
-        # the piece runs through the middle to within rounding of the middle
-        rest = (V.e + np.swapaxes(V.e, 1, 2)) / 2 + np.abs(V.b) * 1e-14 * r + np.swapaxes(np.abs(V.b), 1, 2) * 1e-14 * r
-        spread = rest + lost * (np.abs(V.a) + np.swapaxes(np.abs(V.a), 1, 2) + (np.abs(V.b) + np.swapaxes(np.abs(V.b), 1, 2)) * r)
+        rest = V.e + drift[:, None, None] * np.abs(V.b) + lost * (np.abs(V.a) + np.abs(V.b) * r)
+        spread = (rest + np.swapaxes(rest, 1, 2)) / 2
         E = np.abs(X @ H0 @ Xh - np.eye(n)) + np.abs(X @ H1 @ Xh) * r + lost + size @ spread @ sizeh
         E = E * UP
         x = np.ones((len(E), n))
@@ -101,9 +167,19 @@ def positive(V: Jet, way: Any) -> Any:
         return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < 0.95)
 
 
+def _inverse_factor(H: Any) -> tuple[Any, Any]:
+    """X with X H X* ≈ I, and where there is one."""
+    try:
+        return np.linalg.inv(np.linalg.cholesky(H)), np.ones(len(H), bool)
+    except np.linalg.LinAlgError:
+        out, good = np.tile(np.eye(H.shape[1], dtype=complex), (len(H), 1, 1)), np.zeros(len(H), bool)
+        for k, h in enumerate(H):
+            try:
+                out[k], good[k] = np.linalg.inv(np.linalg.cholesky(h)), True
+            except np.linalg.LinAlgError:
+                continue
+        return out, good
+
+
 def _hermitian(a: Any) -> Any:
     return (a + np.swapaxes(a.conj(), 1, 2)) / 2
-
-
-def _take(piece: Any, rows: Any) -> Any:
-    return type(piece)(piece.R[rows], piece.x[rows], piece.theta[rows], piece.good[rows])

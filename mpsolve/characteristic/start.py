@@ -9,7 +9,7 @@ import numpy as np
 from flint import acb, acb_poly, arb, fmpq
 
 from mpsolve.characteristic.discs import split
-from mpsolve.characteristic.symbol import Table
+from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.reduced import Guide

@@ -13,31 +13,27 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import PathTests
+from mpsolve.characteristic.paths import Path, Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import Tail, prove_tail
-from mpsolve.proof.cover import cover
 from mpsolve.proof.effort import Effort
 
 
 @dataclass(frozen=True)
 class Beyond:
-    """The rectangle (ρ, d) in scaled units, the tail theorem, and the break points on walls and axis."""
+    """The rectangle (ρ, d) in scaled units, the tail theorem, and the paths on walls and axis, still to be linked."""
 
     rho: float
     depth: float
     tail: Tail
-    walls: Any
-    axis: Any
-
-    @property
-    def pieces(self) -> int:
-        return len(self.walls) + len(self.axis) - 2
+    walls: Path
+    axis: Path
 
 
-def prove_beyond(arrays: Arrays, tests: PathTests, effort: Effort) -> Beyond | str:
+def plan_beyond(paths: Paths, effort: Effort) -> Beyond | str:
     """The theorem with a small rectangle, or the reason why there is none."""
+    arrays = paths.arrays
     guide = arrays.reduced.guide
     if not vanishes(guide.D, guide.N, guide.v):
         return "the receptance is not proved to vanish at infinity"
@@ -46,22 +42,23 @@ def prove_beyond(arrays: Arrays, tests: PathTests, effort: Effort) -> Beyond | s
         return "no passivity beyond a frequency: the contacts run faster than waves of the track, or it has no damping"
     reason = ""
     for margin in (1.15, 1.6, 3.0):
-        rho = _first_passive(arrays, tests.up, tail.X, margin)
-        depth = _depth(arrays, tests.up, rho)
+        rho = _first_passive(arrays, paths.up, tail.X, margin)
+        depth = _depth(arrays, paths.up, rho)
+        corner = complex(rho, -depth)
+        around = np.concatenate([_line(rho, corner), _line(corner, complex(0, -depth))[1:]])
         try:
-            axis = cover(_axis(rho, tail.X), tests.passive, effort).points
-            corner = complex(rho, -depth)
-            walls = cover(np.concatenate([_line(rho, corner), _line(corner, complex(0, -depth))[1:]]), tests.passive, effort)
+            axis = paths.plan("passive", _axis(rho, tail.X), effort)
+            walls = paths.plan("passive", around, effort)
         except PrecisionError as error:
             reason = str(error)
             continue
-        return Beyond(rho, depth, tail, walls.points, axis)
+        return Beyond(rho, depth, tail, walls, axis)
     return f"passivity is not proved between the counted rectangle and the frequency X: {reason}"
 
 
 def _first_passive(arrays: Arrays, up: int, X: float, margin: float) -> float:
     """In floats: the frequency from which on V is passive up to X, times `margin`, at most X."""
-    q = np.concatenate([np.geomspace(X / 200, X, 160)])
+    q = np.geomspace(X / 200, X, 160)
     passive = _least(arrays, up, q + 0j) > 1e-7
     open_ = np.flatnonzero(~passive)
     first = q[min(open_[-1] + 1, len(q) - 1)] if len(open_) else q[0]
@@ -93,6 +90,8 @@ def _short(x: float) -> float:
 
 
 def _axis(rho: float, X: float) -> Any:
+    if rho == X:
+        return np.array([rho + 0j])
     count = max(2, int(4 * np.log2(X / rho)) + 2)
     return np.unique(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
@@ -16,13 +17,14 @@ import numpy as np
 from flint import arb, fmpq
 from numpy.polynomial.polynomial import polyval2d
 
-from mpsolve.characteristic.symbol import Table
+from mpsolve.characteristic.table import Table
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, U
 from mpsolve.passivity.decay import edges
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial, add, multiply, scaled
+from mpsolve.tracks.waveguide import Polynomial, add, moving, multiply, scaled
 
+_RATIO = 1.3  # of one X to the next that is tried
 _SPLIT = 14  # halvings of a box at most
 _OMEGA = 4.0  # where the two charts of the envelope meet
 
@@ -42,16 +44,26 @@ class Tail:
 
 @dataclass(frozen=True)
 class Absorption:
-    """W and |D|² as exact real polynomials {(i, j): c} in p and Ω."""
+    """W and |D|² as exact real polynomials {(i, j): c} in p and Ω, and with Ω = q − vp in p and q."""
 
     W: Polynomial
     D2: Polynomial
+    v: Fraction
+
+    @cached_property
+    def moving(self) -> tuple[Polynomial, Polynomial]:
+        return moving(self.W, self.v), moving(self.D2, self.v)
+
+    def exponent(self, gamma: Fraction) -> Fraction:
+        """e with W/|D|² of order q^{−e} for p of order q^γ."""
+        tops = [_top(a, gamma.numerator, gamma.denominator) for a in self.moving]
+        return Fraction(tops[1] - tops[0], gamma.denominator)
 
     @classmethod
     def of(cls, guide: Guide) -> Absorption:
         (dr, di), (nr, ni) = _parts(guide.D_rest), _parts(guide.N_rest)
         W = add(multiply(nr, di), scaled(multiply(ni, dr), Fraction(-1)))
-        return cls(W, add(multiply(dr, dr), multiply(di, di)))
+        return cls(W, add(multiply(dr, dr), multiply(di, di)), guide.v)
 
 
 def _parts(polynomial: Polynomial) -> tuple[Polynomial, Polynomial]:
@@ -75,25 +87,26 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
     alpha = _orders(absorption)[2]
     X, tries = least, 0
     while X <= most and tries < 4:
-        plan = _plan(guide, gap, X, alpha)
+        plan = _plan(absorption, guide, gap, X, alpha)
         if plan is not None:
             tries += 1
             tail = _prove(absorption, guide.v, plan)
             if tail is not None and outweighs(tail, guide.v, gap):
                 return tail
-        X *= 1.3
+        X *= _RATIO
     return None
 
 
-def _plan(guide: Guide, gap: Fraction | None, X: float, alpha: int) -> Tail | None:
+def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float, alpha: int) -> Tail | None:
     """The best blocks in floats, with bounds that leave room, or None where none outweighs."""
     C = 1.25 * _sampled_envelope(guide, X, alpha)
     best: tuple[float, Tail] | None = None
+    floats = _floats(guide)
     for gamma, intervals in _blocks(guide):
         if max(z2 for _, z2 in intervals) * float(guide.v) * X ** float(gamma - 1) >= 0.99:
             continue
-        e = _block_exponent(guide, gamma)
-        kappas = [0.8 * _sampled_block(guide, X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals]
+        e = absorption.exponent(gamma)
+        kappas = [0.8 * _sampled_block(floats, float(guide.v), X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals]
         blocks = tuple((*z, float(np.float32(kappa))) for z, kappa in zip(intervals, kappas, strict=True) if kappa > 0)
         tail = Tail(X, gamma, blocks, e, _OMEGA, float(np.float32(C)), alpha)
         if blocks and np.isfinite(C) and outweighs(tail, guide.v, gap):
@@ -128,16 +141,10 @@ def _sampled_envelope(guide: Guide, X: float, alpha: int) -> float:
     return float(np.max(np.abs(_power(_floats(guide), p, omega)) * p**alpha))
 
 
-def _sampled_block(guide: Guide, X: float, gamma: float, z1: float, z2: float, e: float) -> float:
-    q = X * np.geomspace(1, 1e6, 25)[None, :]
-    p = np.linspace(z1, z2, 60)[:, None] * q**gamma
-    return float(np.min(_power(_floats(guide), p, q - float(guide.v) * p) * q**e))
-
-
-def _block_exponent(guide: Guide, gamma: Fraction) -> Fraction:
-    absorption = Absorption.of(guide)
-    k, m = gamma.numerator, gamma.denominator
-    return Fraction(in_block(absorption.D2, guide.v, k, m)[1] - in_block(absorption.W, guide.v, k, m)[1], m)
+def _sampled_block(floats: Any, v: float, X: float, gamma: float, z1: float, z2: float, e: float) -> float:
+    q = X * np.geomspace(1, 1e6, 13)[None, :]
+    p = np.linspace(z1, z2, 31)[:, None] * q**gamma
+    return float(np.min(_power(floats, p, q - v * p) * q**e))
 
 
 def _orders(absorption: Absorption) -> tuple[tuple[int, int], tuple[int, int], int]:
@@ -197,10 +204,9 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
         if not (tail.gamma <= 1 and arb(max(last, 0.0)) * _ball(v) * arb(tail.X) ** _ball(tail.gamma - 1) < 1):
             return False
         tau = float(((1 / arb(tail.X)) ** (arb(1) / m)).upper()) * UP
-    W, top_W = in_block(absorption.W, v, k, m)
-    D2, top_D = in_block(absorption.D2, v, k, m)
-    if tail.e != Fraction(top_D - top_W, m):
+    if tail.e != absorption.exponent(tail.gamma):
         return False
+    W, D2 = (in_block(a, k, m) for a in absorption.moving)
     if any(b > a for (_, b, _), (a, _, _) in pairwise(sorted(tail.blocks))):
         return False
     rest = scaled(W, Fraction(-1))
@@ -209,16 +215,14 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
     )  # κ |D|² − W < 0 on each box
 
 
-def in_block(polynomial: Polynomial, v: Fraction, k: int, m: int) -> tuple[Polynomial, int]:
-    """The polynomial at p = z τ^{−k}, Ω = τ^{−m} − v p, times τ^top, in z and τ."""
-    terms: Polynomial = {}
-    for (i, j), c in polynomial.items():
-        term: Polynomial = {(i, 0): c}
-        for _ in range(j):
-            term = multiply(term, {(0, 1): Fraction(1), (1, 0): -v})
-        terms = add(terms, term)
-    top = max(k * a + m * b for a, b in terms)
-    return {(a, top - k * a - m * b): c for (a, b), c in terms.items()}, top
+def in_block(polynomial: Polynomial, k: int, m: int) -> Polynomial:
+    """A polynomial in p and q at p = z τ^{−k}, q = τ^{−m}, times τ^top, in z and τ."""
+    top = _top(polynomial, k, m)
+    return {(a, top - k * a - m * b): c for (a, b), c in polynomial.items()}
+
+
+def _top(polynomial: Polynomial, k: int, m: int) -> int:
+    return max(k * a + m * b for a, b in polynomial)
 
 
 def envelope_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:

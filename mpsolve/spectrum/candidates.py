@@ -1,0 +1,119 @@
+"""Where the counted roots are, in float64: heuristic, nothing is proved here.
+
+A grid over the counted rectangle is searched for places from which Newton's step is short; Newton's method by the
+trace formula Δ̂′/Δ̂ = tr(A⁻¹A′), with found roots divided out, then runs from them. The grid grows finer until as
+many roots are found as were counted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.bordered import Arrays
+
+_STEPS = 40
+_SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
+
+
+@dataclass(frozen=True)
+class Area:
+    """The right half of a symmetric region in scaled q̂: 0 ≤ Re q ≤ re_max, im_min ≤ Im q ≤ im_max."""
+
+    re_min: float
+    re_max: float
+    im_min: float
+    im_max: float
+
+    def holds(self, q: Any, slack: float) -> Any:
+        return (
+            (q.real > self.re_min - slack)
+            & (q.real < self.re_max + slack)
+            & (q.imag > self.im_min - slack)
+            & (q.imag < self.im_max + slack)
+        )
+
+    @property
+    def size(self) -> float:
+        return max(self.re_max - self.re_min, self.im_max - self.im_min)
+
+
+def find_roots(arrays: Arrays, up: int, areas: tuple[Area, ...], count: int, symmetric: bool = True) -> Any:
+    """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found."""
+    found = np.zeros(0, complex)
+    for level in range(5):
+        if _number(found, symmetric) >= count:
+            break
+        for area in areas:
+            starts = _starts(arrays, up, area, level)
+            found = _newton(arrays, up, area, starts, found)
+    return found
+
+
+def _number(found: Any, symmetric: bool) -> int:
+    if not symmetric:
+        return len(found)
+    return int(sum(1 if abs(q.real) < 1e-9 * abs(q) else 2 for q in found))
+
+
+def _starts(arrays: Arrays, up: int, area: Area, level: int) -> Any:
+    """Grid points whose Newton step is of the size of the grid, shortest first; rows lie denser near Im q = 0."""
+    n, m = 24 * 2**level, 8 * 2**level
+    x = np.linspace(area.re_min, area.re_max, n + 1)
+    depth = max(abs(area.im_min), abs(area.im_max))
+    spread = np.concatenate([-np.geomspace(1e-4, 1, m)[::-1], [0.0], np.geomspace(1e-4, 1, m)]) * depth
+    y = spread[(spread >= area.im_min) & (spread <= area.im_max)]
+    q = (x[:, None] + 1j * y[None, :]).ravel()
+    step = _step(arrays, up, q, np.zeros(0, complex))
+    near = np.abs(step) < 3 * (area.re_max - area.re_min) / n + 0.5 * np.abs(q.imag)
+    order = np.flatnonzero(near & np.isfinite(step))
+    order = order[np.argsort(np.abs(step[order]))]
+    return q[order[: 60 * 2**level]] + step[order[: 60 * 2**level]]
+
+
+def _newton(arrays: Arrays, up: int, area: Area, q: Any, found: Any) -> Any:
+    """Roots in the area, old and new ones."""
+    slack = 1e-9 * area.size
+    for _ in range(_STEPS):
+        if not len(q):
+            return found
+        step = _step(arrays, up, q, found)
+        limit = 0.2 * area.size
+        size = np.abs(step)
+        step = np.where(size > limit, step * (limit / np.where(size > 0, size, 1)), step)
+        q = q + step
+        q = np.where(q.real < 0, -q.conj(), q)
+        alive = np.isfinite(q) & area.holds(q, 0.3 * area.size)
+        arrived = alive & (np.abs(step) < 1e-11 * np.maximum(np.abs(q), 1e-3 * area.size))
+        for root in q[arrived]:
+            if area.holds(root, slack) and not (np.abs(found - root) < _SAME * area.size).any():
+                found = np.append(found, root)
+        q = q[alive & ~arrived]
+    return found
+
+
+def _step(arrays: Arrays, up: int, q: Any, found: Any) -> Any:
+    """Newton's step in q for Δ̂ with the found roots and their mirrors divided out."""
+    with np.errstate(all="ignore"):
+        _, G, good = arrays.evaluate(1j * q, np.zeros(len(q)), up)
+        A = arrays.matrix(G, 1j * q)
+        fine = np.isfinite(A.a).all((1, 2)) & np.isfinite(A.b).all((1, 2))
+        a = np.where(fine[:, None, None], A.a, np.eye(A.a.shape[1]))
+        try:
+            trace = np.trace(np.linalg.solve(a, np.where(fine[:, None, None], A.b, 0)), axis1=1, axis2=2)
+        except np.linalg.LinAlgError:
+            trace = np.array([_trace(x, y) for x, y in zip(a, A.b, strict=True)])
+        slope = 1j * trace
+        for root in found:
+            for mirror in {complex(root), complex(-root.conjugate())}:
+                slope = slope - 1 / (q - mirror)
+        return np.where(fine, -1 / slope, np.nan)
+
+
+def _trace(a: Any, b: Any) -> Any:
+    try:
+        return np.trace(np.linalg.solve(a, b))
+    except np.linalg.LinAlgError:
+        return np.inf

@@ -1,0 +1,164 @@
+"""How many roots a region holds: the turn of Δ̂ along half of a contour, closed by passivity, an arc or a rectangle."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from flint import arb
+
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.paths import Path, Paths, Proved
+from mpsolve.characteristic.start import Start, start
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import precision
+from mpsolve.passivity.beyond import Beyond, plan_beyond
+from mpsolve.problem.reduced import Reduced
+from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.closing import closing_argument
+from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+
+Tell = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Count:
+    """The proved number of roots in `region`, with all that the proof rests on (points are scaled, q̂).
+
+    beyond: the theorem that closes a half-plane; None for a disc or a rectangle, with `why` it is not there.
+    """
+
+    region: Region
+    total: int
+    start: Start
+    paths: tuple[Path, ...]
+    beyond: Beyond | None
+    why: str
+    evaluations: int
+
+    @property
+    def pieces(self) -> int:
+        return sum(path.pieces for path in self.paths)
+
+
+def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) -> Count:
+    """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
+
+    A half-plane whose theorem fails comes back as the half-disc that was counted.
+    """
+    arrays = Arrays(reduced)
+    first = start(reduced.guide)
+    paths = Paths(arrays, first.up)
+    if isinstance(region, Box):
+        return _box(paths, first, region, effort)
+    height = region.height if isinstance(region, Below) else Fraction(0)
+    tell("passivity", 0.0)
+    beyond = plan_beyond(paths, effort)
+    tell("contour", 0.3)
+    if isinstance(beyond, str):
+        return _disc(paths, first, region, height, beyond, effort)
+    return _half_plane(paths, first, region, height, beyond, effort)
+
+
+def _half_plane(
+    paths: Paths, first: Start, region: Region, height: Fraction, beyond: Beyond, effort: Effort
+) -> Count:
+    reduced = paths.arrays.reduced
+    rho, h = beyond.rho, scaled_height(reduced, height)
+    chain = (
+        paths.plan("link", _descent(first, h), effort),
+        paths.plan("turn", _along(rho, h), effort),
+        beyond.walls,
+        beyond.axis,
+    )
+    proved = paths.prove(chain, effort)
+    with precision(64):
+        middle, radius = proved.corners[1]
+        closing = closing_argument(reduced, rho, middle, radius)
+        order = reduced.bodies - reduced.contacts - reduced.neutral
+        total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
+    exact = _unscaled(reduced, rho)
+    held = Below(height, reach=exact) if height else HalfPlane()
+    return Count(held, total, first, proved.paths, beyond, "", effort.spent)
+
+
+def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort) -> Count:
+    reduced = paths.arrays.reduced
+    h = scaled_height(reduced, height)
+    radius = _radius(reduced, region)
+    arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33))
+    arc = np.concatenate([[radius + 0j], arc[1:-1].astype(np.complex64).astype(complex), [complex(0, -radius)]])
+    turn = np.concatenate([_along(radius, h), arc[1:]])
+    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort))
+    proved = paths.prove(chain, effort)
+    with precision(64):
+        total = _integer(-_turn(proved) / arb.pi())
+    exact = _unscaled(reduced, radius)
+    held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
+    return Count(held, total, first, proved.paths, None, why, effort.spent)
+
+
+def _box(paths: Paths, first: Start, box: Box, effort: Effort) -> Count:
+    reduced = paths.arrays.reduced
+    unit = reduced.frequency_unit
+    a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
+    if any(Fraction(x) * unit != y for x, y in ((a, box.re_min), (b, box.re_max), (c, box.im_min), (d, box.im_max))):
+        raise PrecisionError("the sides of the rectangle are no floats in the scaled unit: give sides of at most 15 digits in binary")
+    corners = [complex(a, c), complex(b, c), complex(b, d), complex(a, d), complex(a, c)]
+    around = np.concatenate([_line(x, y, 12)[:-1] for x, y in zip(corners, corners[1:], strict=False)] + [corners[-1:]])
+    below = complex(0, -first.depth)
+    link = _line(below, corners[0], 12)
+    proved = paths.prove((paths.plan("link", link, effort), paths.plan("turn", around, effort)), effort)
+    with precision(64):
+        total = _integer(_turn(proved) / (2 * arb.pi()))
+    return Count(box, total, first, proved.paths, None, "", effort.spent)
+
+
+def _integer(value: arb) -> int:
+    """The only integer in the ball; PrecisionError if there is none or more than one."""
+    number = value.unique_fmpz()
+    if number is None or int(number) < 0:
+        raise PrecisionError(f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots")
+    return int(number)
+
+
+def _turn(proved: Proved) -> arb:
+    return sum((arb(value, error) for value, error in proved.turns), arb(0))
+
+
+def scaled_height(reduced: Reduced, height: Fraction) -> float:
+    """The height in scaled units, exactly: heights are chosen or rounded so that it is a float."""
+    return float(height / reduced.frequency_unit)
+
+
+def _unscaled(reduced: Reduced, x: float) -> Fraction:
+    return Fraction(x) * reduced.frequency_unit
+
+
+def _radius(reduced: Reduced, region: Region) -> float:
+    """The radius of the half-disc: the asked one, or one beyond the vehicle's and the track's own frequencies."""
+    asked = getattr(region, "radius", None)
+    return float(asked / reduced.frequency_unit) if asked is not None else 8.0
+
+
+def _descent(first: Start, h: float) -> Any:
+    """From the start along the imaginary axis to i h."""
+    down = -1j * first.depth * np.array([1, 0.75, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02])
+    up = [0j, complex(0, h)] if h else [0j]
+    return np.concatenate([down.astype(np.complex64).astype(complex), up])
+
+
+def _along(rho: float, h: float) -> Any:
+    """From i h to ρ + i h and down to ρ."""
+    corner = complex(rho, h)
+    line = _line(complex(0, h), corner, 24)
+    return np.concatenate([line, _line(corner, rho + 0j, 4)[1:]]) if h else line
+
+
+def _line(a: complex, b: complex, pieces: int) -> Any:
+    points = a + (b - a) * np.linspace(0, 1, pieces + 1)
+    points[0], points[-1] = a, b
+    return points
