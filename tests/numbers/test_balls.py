@@ -1,4 +1,4 @@
-"""The precision holds in a block and is put back, other threads wait; balls of rationals and polynomials hold them."""
+"""The precision holds in a block and comes back, other threads wait; balls of rationals and polynomials hold them."""
 
 from __future__ import annotations
 
