@@ -20,6 +20,9 @@ from mpsolve.passivity.tail import Tail, prove_tail
 from mpsolve.proof.effort import Effort
 
 
+_SHARE = 4000  # evaluations that one rectangle may take
+
+
 @dataclass(frozen=True)
 class Beyond:
     """The rectangle (ρ, d) in scaled units, the tail theorem, and the paths on walls and axis, still to be linked."""
@@ -31,8 +34,8 @@ class Beyond:
     axis: Path
 
 
-def plan_beyond(paths: Paths, effort: Effort) -> Beyond | str:
-    """The theorem with a small rectangle, or the reason why there is none."""
+def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | str:
+    """The theorem with a small rectangle, of at least the half-width `least`, or the reason why there is none."""
     arrays = paths.arrays
     guide = arrays.reduced.guide
     if not vanishes(guide.D, guide.N, guide.v):
@@ -41,33 +44,36 @@ def plan_beyond(paths: Paths, effort: Effort) -> Beyond | str:
     if tail is None:
         return "no passivity beyond a frequency: the contacts run faster than waves of the track, or it has no damping"
     reason = ""
-    for margin in (1.15, 1.6, 3.0):
-        rho = _first_passive(arrays, paths.up, tail.X, margin)
+    for ratio in (1e-2, 1e-4, 1.0):
+        rho = max(_first_passive(arrays, paths.up, tail.X, ratio), least)
+        rho = _short(min(rho, max(tail.X, least)))
         depth = _depth(arrays, paths.up, rho)
         corner = complex(rho, -depth)
         around = np.concatenate([_line(rho, corner), _line(corner, complex(0, -depth))[1:]])
+        share = Effort(evaluations=_SHARE)
         try:
-            axis = paths.plan("passive", _axis(rho, tail.X), effort)
-            walls = paths.plan("passive", around, effort)
+            axis = paths.plan("passive", _axis(rho, tail.X), share)
+            walls = paths.plan("passive", around, share)
         except PrecisionError as error:
             reason = str(error)
             continue
+        finally:
+            effort.spend(share.spent)
         return Beyond(rho, depth, tail, walls, axis)
     return f"passivity is not proved between the counted rectangle and the frequency X: {reason}"
 
 
-def _first_passive(arrays: Arrays, up: int, X: float, margin: float) -> float:
-    """In floats: the frequency from which on V is passive up to X, times `margin`, at most X."""
+def _first_passive(arrays: Arrays, up: int, X: float, ratio: float) -> float:
+    """In floats: the frequency from which on V is passive up to X, well enough that pieces are not short."""
     q = np.geomspace(X / 200, X, 160)
-    passive = _least(arrays, up, q + 0j) > 1e-7
+    passive = _least(arrays, up, q + 0j) > ratio
     open_ = np.flatnonzero(~passive)
-    first = q[min(open_[-1] + 1, len(q) - 1)] if len(open_) else q[0]
-    return _short(min(float(first) * margin, X))
+    return float(q[min(open_[-1] + 2, len(q) - 1)]) * 1.1 if len(open_) else float(q[0])
 
 
 def _depth(arrays: Arrays, up: int, rho: float) -> float:
     """In floats: how deep the rectangle must be for its walls to be passive."""
-    for factor in (1.0, 0.5, 2.0, 4.0):
+    for factor in (0.5, 1.0, 2.0, 4.0):
         depth = rho * factor
         points = np.concatenate([rho - 1j * np.linspace(0, depth, 24), np.linspace(0, rho, 24) - 1j * depth])
         if (_least(arrays, up, points) > 1e-9).all():
@@ -90,11 +96,13 @@ def _short(x: float) -> float:
 
 
 def _axis(rho: float, X: float) -> Any:
-    if rho == X:
+    if rho >= X:
         return np.array([rho + 0j])
     count = max(2, int(4 * np.log2(X / rho)) + 2)
     return np.unique(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
 
 
 def _line(a: complex, b: complex, pieces: int = 6) -> Any:
-    return a + (b - a) * np.linspace(0, 1, pieces + 1)
+    points = a + (b - a) * np.linspace(0, 1, pieces + 1)
+    points[0], points[-1] = a, b
+    return points

@@ -7,7 +7,7 @@ p = z q^γ, z₁ ≤ z ≤ z₂, at least κ q^{−e} (for each of a few blocks)
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -25,7 +25,9 @@ from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial, add, moving, multiply, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
-_SPLIT = 14  # halvings of a box at most
+_SPLIT = 48  # halvings of a box at most
+_MOST_BOXES = 3000  # at one time
+_ROOM = 1.25  # between what floats sample and what is to be proved
 _OMEGA = 4.0  # where the two charts of the envelope meet
 
 
@@ -79,27 +81,27 @@ def _parts(polynomial: Polynomial) -> tuple[Polynomial, Polynomial]:
 def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: float = 1e9) -> Tail | None:
     """A tail theorem with X as small as is found quickly; None where there is none (faster than the track's waves).
 
-    Floats propose X, the block and both bounds; what is returned has been proved.
+    Floats propose X and the blocks; what is returned has been proved.
     """
     absorption = Absorption.of(guide)
     if not absorption.W or not guide.v:
         return None
-    alpha = _orders(absorption)[2]
     X, tries = least, 0
-    while X <= most and tries < 4:
-        plan = _plan(absorption, guide, gap, X, alpha)
+    while X <= most and tries < 8:
+        plan = _plan(absorption, guide, gap, X)
         if plan is not None:
             tries += 1
-            tail = _prove(absorption, guide.v, plan)
+            tail = _prove(absorption, guide, plan)
             if tail is not None and outweighs(tail, guide.v, gap):
                 return tail
-        X *= _RATIO
+        X *= _RATIO if tries == 0 else _RATIO**2
     return None
 
 
-def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float, alpha: int) -> Tail | None:
+def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float) -> Tail | None:
     """The best blocks in floats, with bounds that leave room, or None where none outweighs."""
-    C = 1.25 * _sampled_envelope(guide, X, alpha)
+    alpha = _orders(absorption)[2]
+    C = _ROOM * _sampled_envelope(guide, X, alpha)
     best: tuple[float, Tail] | None = None
     floats = _floats(guide)
     for gamma, intervals in _blocks(guide):
@@ -117,10 +119,17 @@ def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float, 
     return None if best is None else best[1]
 
 
-def _prove(absorption: Absorption, v: Fraction, plan: Tail) -> Tail | None:
-    """The plan, if its κ and C are proved."""
-    kappa = block_holds(absorption, v, plan)
-    return plan if kappa and envelope_holds(absorption, v, plan) else None
+def _prove(absorption: Absorption, guide: Guide, plan: Tail) -> Tail | None:
+    """The plan with a proved C, and κ as planned or half of it, if they are proved."""
+    C = _envelope(absorption, guide.v, plan)
+    if C is None:
+        return None
+    for factor in (1.0, 0.5, 0.1):
+        blocks = tuple((z1, z2, kappa * factor) for z1, z2, kappa in plan.blocks)
+        tail = replace(plan, C=max(C, plan.C / _ROOM), blocks=blocks)
+        if block_holds(absorption, guide.v, tail):
+            return tail
+    return None
 
 
 def _power(absorbing: Any, p: Any, omega: Any) -> Any:
@@ -226,26 +235,63 @@ def _top(polynomial: Polynomial, k: int, m: int) -> int:
     return max(k * a + m * b for a, b in polynomial)
 
 
-def envelope_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
-    """(b): |W| p^α ≤ C |D|² for p ≥ X/v, −vp ≤ Ω ≤ 0, on two charts."""
+def _envelope(absorption: Absorption, v: Fraction, tail: Tail) -> float | None:
+    """(b): C with |W| p^α ≤ C |D|² for p ≥ X/v, −vp ≤ Ω ≤ 0, on two charts; None where it is not bounded."""
+    parts = [_supremum(*chart) for chart in envelope_charts(absorption, v, tail)]
+    bounds_ = [part for part in parts if part is not None]
+    return max(bounds_) * UP if len(bounds_) == len(parts) else None
+
+
+def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tuple[Any, ...], ...]:
+    """For each chart |W|·weight and |D|² as polynomials, the box, and what bounds the product of its variables.
+
+    Near: u = 1/p ≤ v/X and −Ω ≤ ω₀ with u·(−Ω) ≤ v. Far: r = −Ω/p ≤ v and z = −1/Ω ≤ 1/ω₀ with r z ≤ v/X.
+    """
     (Iw, I), (nw, n), alpha = _orders(absorption)
-    if alpha != tail.alpha:
-        return False
     speed = float(v) * UP
     u0 = speed / tail.X * UP
-    near = lambda a, top: {(top - i, j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731 — u = 1/p, −Ω
-    far = lambda a, i0, n0: {(i0 - i, n0 - i - j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731 — r, z
-    C = Fraction(tail.C)
-    for sign in (1, -1):
-        W = scaled(absorption.W, Fraction(sign))
-        first = add(multiply(near(W, Iw), {(I - Iw - alpha, 0): Fraction(1)}), scaled(near(absorption.D2, I), -C))
-        if not _negative(first, ((0.0, u0), (0.0, tail.omega0)), speed):
-            return False
-        weight: Polynomial = {(I - Iw - alpha, n - nw - alpha): Fraction(1)}
-        second = add(multiply(far(W, Iw, nw), weight), scaled(far(absorption.D2, I, n), -C))
-        if not _negative(second, ((0.0, speed), (0.0, 1 / tail.omega0 * UP)), u0):
-            return False
-    return True
+    near = lambda a, top: {(top - i, j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731
+    far = lambda a, i0, n0: {(i0 - i, n0 - i - j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731
+    lift: Polynomial = {(I - Iw - alpha, 0): Fraction(1)}
+    weight: Polynomial = {(I - Iw - alpha, n - nw - alpha): Fraction(1)}
+    return (
+        (multiply(near(absorption.W, Iw), lift), near(absorption.D2, I), ((0.0, u0), (0.0, tail.omega0)), speed),
+        (
+            multiply(far(absorption.W, Iw, nw), weight),
+            far(absorption.D2, I, n),
+            ((0.0, speed), (0.0, 1 / tail.omega0 * UP)),
+            u0,
+        ),
+    )
+
+
+def _supremum(
+    top: Polynomial, bottom: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float
+) -> float | None:
+    """An upper bound of |top|/bottom on the box where x y ≤ product, by branch and bound; None where bottom may vanish."""
+    above, below = Table.of(top), Table.of(bottom)
+    boxes = _grid(*box, 8, 4)
+    known, proved = 0.0, 0.0
+    for _ in range(_SPLIT):
+        x, rx, y, ry = boxes
+        inside = (x - rx) * (y - ry) <= product * UP
+        boxes = tuple(part[inside] for part in boxes)
+        low, high = bounds(above, boxes)
+        least, most = bounds(below, boxes)
+        with np.errstate(all="ignore"):
+            middle = np.abs(low + high) / np.maximum(least + most, 1e-300)
+            inner = boxes[0] * boxes[2] <= product
+            known = max(known, float(middle[inner & (least + most > 0)].max(initial=0.0)))
+            upper = np.where(least > 0, np.maximum(np.abs(low), np.abs(high)) / least * UP, np.inf)
+        done = upper <= 1.5 * known
+        proved = max(proved, float(upper[done].max(initial=0.0)))
+        boxes = tuple(part[~done] for part in boxes)
+        if not len(boxes[0]):
+            return proved
+        if len(boxes[0]) > _MOST_BOXES:
+            return None
+        boxes = _quartered(boxes)
+    return None
 
 
 def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float | None = None) -> bool:
@@ -261,7 +307,7 @@ def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[floa
         boxes = tuple(part[~(high < 0)] for part in boxes)
         if not len(boxes[0]):
             return True
-        if len(boxes[0]) > 2000:
+        if len(boxes[0]) > _MOST_BOXES:
             return False
         boxes = _quartered(boxes)
     return False

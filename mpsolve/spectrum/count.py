@@ -21,6 +21,8 @@ from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 
+AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
+_LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
 Tell = Callable[[str, float], None]
 
 
@@ -47,7 +49,8 @@ class Count:
 def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
-    A half-plane whose theorem fails comes back as the half-disc that was counted.
+    A half-plane whose theorem fails comes back as the half-disc that was counted. The track is passive at rest: the
+    caller has made sure.
     """
     arrays = Arrays(reduced)
     first = start(reduced.guide)
@@ -55,8 +58,10 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) ->
     if isinstance(region, Box):
         return _box(paths, first, region, effort)
     height = region.height if isinstance(region, Below) else Fraction(0)
+    if not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None:
+        return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
     tell("passivity", 0.0)
-    beyond = plan_beyond(paths, effort)
+    beyond = plan_beyond(paths, effort, _LEAST_REACH if height else 0.0)
     tell("contour", 0.3)
     if isinstance(beyond, str):
         return _disc(paths, first, region, height, beyond, effort)
