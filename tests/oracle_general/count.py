@@ -13,6 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from oracle_general.landmarks import crowded
+
+NONE = np.array([])
 STEP, SIZE, LIKE, GROWN = 0.45, 0.8, 3.0, 6
 
 
@@ -38,9 +41,10 @@ class Turning:
 
 
 def turning(log: Callable[[np.ndarray], np.ndarray], path: Callable[[np.ndarray], np.ndarray], start: int = 64,
-            most: int = 100_000, step: float = STEP) -> Turning:  # fmt: skip
-    """The change of log Δ̃ along path(t), 0 ≤ t ≤ 1, refined until every step is small."""
-    t = np.linspace(0, 1, start + 1)
+            most: int = 100_000, step: float = STEP, marks: np.ndarray = NONE) -> Turning:  # fmt: skip
+    """The change of log Δ̃ along path(t), 0 ≤ t ≤ 1, refined until every step is small; `marks`: t to begin with."""
+    t = np.union1d(np.linspace(0, 1, start + 1), marks[(marks > 0) & (marks < 1)])
+    t = t[np.append(True, np.diff(t) > 1e-12)]
     q = path(t)
     L = log(q)
     while True:
@@ -90,7 +94,12 @@ def count_inside(
     """Roots in the half-disc of this radius below the level (default: a hair below the real axis)."""
     level = -1e-9 * problem.scale if level is None else level
     axis, arc = half_contour(radius, level, 1e-8 * problem.scale)
-    paths = [turning(problem.log_delta, path, start, step=step) for path in (axis, arc)]
+    fine = 1e-8 * problem.scale
+    marks = 1 - np.log1p(crowded(problem.landmarks, level) / fine) / np.log1p(radius / fine)
+    paths = [
+        turning(problem.log_delta, axis, 20 * start, step=step, marks=marks),
+        turning(problem.log_delta, arc, start, step=step),
+    ]
     turns = sum(path.angle for path in paths) / np.pi
     number = round(turns)
     if abs(turns - number) > 1e-3:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from oracle_general.landmarks import branch_points, vehicle_poles
 from oracle_general.tracks import moving, track
 from oracle_general.vehicles import together
 
@@ -36,6 +38,11 @@ class Floats:
         if len(found) != 1:
             raise ArithmeticError(f"the number of upper p-roots is not clear: {found}")
         return int(found[0])
+
+    @cached_property
+    def landmarks(self) -> np.ndarray:
+        """Branch points of G and poles of the vehicle."""
+        return np.concatenate([branch_points(self), vehicle_poles(self)])
 
     def p_roots(self, q: np.ndarray) -> np.ndarray:
         """All p-roots, the largest imaginary part first."""

@@ -9,15 +9,23 @@ import numpy as np
 
 from oracle_general.count import Alarm, Count, Turning, count_below, count_inside, turning
 from oracle_general.floats import Floats
+from oracle_general.landmarks import crowded
 from oracle_general.precise import Precise
 
 
 def rectangle_contour(problem: Any, a: complex, b: complex, start: int = 16) -> Turning:
     """log Δ̃ once round the rectangle with corners a (lower left) and b (upper right), counterclockwise."""
     corners = [a, complex(b.real, a.imag), b, complex(a.real, b.imag), a]
-    parts = [turning(problem.log_delta, lambda t, z=z, w=w: z + (w - z) * t, start) for z, w in pairwise(corners)]
+    parts = [_side(problem, z, w, start) for z, w in pairwise(corners)]
     q = np.concatenate([part.q[:-1] for part in parts] + [parts[-1].q[-1:]])
     return Turning(q, np.concatenate([part.increments for part in parts]))
+
+
+def _side(problem: Any, z: complex, w: complex, start: int) -> Turning:
+    """One side; a horizontal one begins with points at the landmarks."""
+    x = crowded(problem.landmarks, z.imag) if z.imag == w.imag else np.array([])
+    marks = (np.concatenate([x, -x]) - z.real) / (w.real - z.real) if len(x) else x
+    return turning(problem.log_delta, lambda t: z + (w - z) * t, start, marks=marks)
 
 
 def roots_in_rectangle(problem: Floats, a: complex, b: complex, digits: int = 25, depth: int = 60) -> list[Any]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import sys
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -71,21 +72,25 @@ def _short(q: Any) -> list[str]:
     return ["0" if abs(x) < 1e-12 * abs(q) else f"{float(x):.10e}" for x in (q.real, q.imag)]
 
 
+def row(name: str | int) -> dict[str, Any] | None:
+    """The row of a named problem or of a seed; None, told on the screen, where it is not to be trusted."""
+    models = list(MAKERS)
+    problem = NAMED[name] if isinstance(name, str) else random_problem(Dice(name), models[name % len(models)])
+    if not stands(problem):
+        return None
+    try:
+        return with_rectangle({"name" if isinstance(name, str) else "seed": name, **entry(problem)})
+    except (ArithmeticError, np.linalg.LinAlgError) as reason:
+        kinds = [vehicle["model"] for vehicle in problem["vehicles"]]
+        print(name, problem["track"]["model"], problem["v"], kinds, type(reason).__name__, reason, flush=True)
+        return None
+
+
 def table(number: int) -> list[dict[str, Any]]:
-    rows = [with_rectangle({"name": name, **entry(problem)}) for name, problem in NAMED.items()]
-    number += len(rows)
-    seed, models = 0, list(MAKERS)
-    while len(rows) < number:
-        problem = random_problem(Dice(seed), models[seed % len(models)])
-        seed += 1
-        if not stands(problem):
-            continue
-        try:
-            rows.append(with_rectangle({"seed": seed - 1, **entry(problem)}))
-        except (ArithmeticError, np.linalg.LinAlgError) as reason:
-            kinds = [vehicle["model"] for vehicle in problem["vehicles"]]
-            print(seed - 1, problem["track"]["model"], problem["v"], kinds, type(reason).__name__, reason, flush=True)
-    return rows
+    """All named problems, and the first `number` seeds of which the counts can be trusted."""
+    with get_context("spawn").Pool(2) as pool:
+        rows = [found for found in pool.imap(row, [*NAMED, *range(number + 25)]) if found]
+    return rows[: len(NAMED) + number]
 
 
 if __name__ == "__main__":
