@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
     from mpsolve.certificate.certify import Spectrum, certify
     from mpsolve.certificate.verify import Verdict, verify
+    from mpsolve.characteristic.forced import receptance
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
-    from mpsolve.model.receptance import receptance
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
     from mpsolve.motion.solve import harmonic_solution, response
@@ -102,7 +102,7 @@ _HOME = {
     "Mass": "model.parameters",
     "Exact": "numbers.exact",
     "read_case": "model.inputfile",
-    "receptance": "model.receptance",
+    "receptance": "characteristic.forced",
     "certify": "certificate.certify",
     "Rectangle": "sheet.region",
     "Spectrum": "certificate.certify",

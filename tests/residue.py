@@ -7,18 +7,15 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
+from track_models import DAMPED
 
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks import EulerBernoulli, String, TwoLayer
+from mpsolve.tracks import EulerBernoulli
 from mpsolve.tracks.waveguide import Polynomial, Waveguide
 
-TRACKS = {
-    "string": String(T=27000, m="1.07", k=500, c=2),
-    "euler-bernoulli": EulerBernoulli(EI="1/4", m=1, k=1, c="0.1", kp="0.2", N="0.1"),
+TRACKS = DAMPED | {
+    "winkler": EulerBernoulli(EI="1/4", m=1, k=1, c="0.1", kp="0.2", N="0.1"),
     "kelvin-voigt": EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770, eta="1e-4"),
-    "two-layer": TwoLayer(
-        EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
-    ),
 }
 
 

@@ -41,12 +41,13 @@ class Bordering:
         """The matrix A(σ), from the receptances at `distances`."""
         like = sigma * 0
         vehicle = [
-            [K.evaluate(cell, sigma) if any(cell) else like for cell in row] + [like - K.number(x) for x in self.B[i]]
+            [K.evaluate(cell, sigma) if any(cell) else like for cell in row]
+            + [like - K.number(x) if x else like for x in self.B[i]]
             for i, row in enumerate(self.S)
         ]
         rail = [
-            [like + K.number(row[i]) for row in self.B]
-            + [G[k] + K.number(self.h[i]) if i == j else G[k] for j, k in enumerate(which)]
+            [like + K.number(row[i]) if row[i] else like for row in self.B]
+            + [G[k] + K.number(self.h[i]) if i == j and self.h[i] else G[k] for j, k in enumerate(which)]
             for i, which in enumerate(self.which)
         ]
         return [*vehicle, *rail]

@@ -12,6 +12,7 @@ from mpsolve.characteristic.floats import Receptance
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.reduced import track_guide
+from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.tracks.waveguide import Track, Waveguide
 
 
@@ -39,14 +40,14 @@ def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Any:
     places, points = _listed("xi", xi, float), _listed("omega", omega, complex)
     if (points.imag > 0).any():
         raise InputError("omega", "lies above the real axis, where the cuts may be: give Im ω ≤ 0")
-    local = _receptance(track, velocity) if isinstance(track, Track) else Receptance(track_guide(track, velocity))
+    local = _receptance(track, velocity)
     guide = local.guide
     unit = Fraction(2) ** guide.length
     exact = [Fraction(float(x)) / unit for x in places]
     with np.errstate(all="ignore"):
         try:
             rows = local(1j * points * 2.0**guide.time, exact, slope=False)[0]
-        except np.linalg.LinAlgError:
+        except (ArithmeticError, np.linalg.LinAlgError):  # no number of float64, or no roots that are told apart
             raise _out_of_reach() from None
         table = float(guide.g) * np.array(rows).reshape(len(places), len(points))
     if not np.isfinite(table).all():
@@ -55,7 +56,11 @@ def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Any:
 
 
 @lru_cache(maxsize=32)
-def _receptance(track: Track, velocity: Fraction) -> Receptance:
+def _receptance(track: Track | Waveguide, velocity: Fraction) -> Receptance:
+    """Kept for the next call; InputError for a track that grows by itself, where a p-root has no side."""
+    found = at_rest(track)
+    if found.status is Status.UNSTABLE:
+        raise InputError("track", f"is unstable without any force: {found.sentence}; lower the axial force N")
     return Receptance(track_guide(track, velocity))
 
 

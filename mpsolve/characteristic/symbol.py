@@ -9,10 +9,12 @@ from functools import cached_property
 from typing import Any
 
 from mpsolve.numbers.arithmetic import Arithmetic
+from mpsolve.numbers.balls import acb_poly, bits_now, rational_ball
 from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial
 
 Table = tuple[tuple[Fraction, ...], ...]
+_KEPT = 16
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,19 @@ class Symbol:
     def at(self, K: Arithmetic, sigma: Any) -> list[Any]:
         """The coefficients of P^0, P^1, … at σ."""
         return [K.evaluate(row, sigma) for row in self.rows]
+
+    def balls(self) -> list[Any]:
+        """The rows as polynomials in σ with balls at the precision that is set."""
+        bits = bits_now()
+        if bits not in self._kept:
+            if len(self._kept) >= _KEPT:
+                self._kept.clear()
+            self._kept[bits] = [acb_poly([rational_ball(c) for c in row]) for row in self.rows]
+        return self._kept[bits]
+
+    @cached_property
+    def _kept(self) -> dict[int, list[Any]]:
+        return {}
 
 
 @dataclass(frozen=True)

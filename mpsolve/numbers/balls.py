@@ -20,6 +20,7 @@ from mpsolve.errors import PrecisionError
 arb, acb, acb_mat, acb_poly = flint.arb, flint.acb, flint.acb_mat, flint.acb_poly
 
 _lock = vars(flint).setdefault("_precision_lock", threading.RLock())
+_THIN = 30
 
 
 @contextmanager
@@ -55,6 +56,16 @@ def exact_ball(z: complex) -> Any:
     return acb(z.real, z.imag)
 
 
+def is_exact(z: Any) -> bool:
+    """Whether the complex ball is a point."""
+    return bool(z.real.is_exact() and z.imag.is_exact())
+
+
+def is_thin(z: Any) -> bool:
+    """Whether the ball is a point, or so small that it does not matter how often a formula names it."""
+    return is_exact(z) or bool(z.rel_accuracy_bits() > _THIN)
+
+
 class Balls:
     """The arithmetic of complex balls, at the precision that is set; matrices are acb_mat.
 
@@ -68,7 +79,7 @@ class Balls:
         """Σ c_j z^j, about the midpoint of z, so that a wide z costs no more than its width."""
         z = acb(z)
         row = _row(tuple(coefficients), bits_now())
-        if len(coefficients) < 2 or (z.real.is_exact() and z.imag.is_exact()):
+        if len(coefficients) < 2 or is_exact(z):
             return row(z)
         middle = z.mid()
         return row(acb_poly([middle, 1]))(z - middle)

@@ -13,17 +13,22 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, bits_now, precision, square
 
 _GUARD = 24
+_LOSS = 12
+_MOST_GUARD = 2000
 _POLISH = 8
 
 
 class Analytic(Protocol):
-    """A function on balls; both raise `PrecisionError` where a ball cannot be decided."""
+    """A function on balls; all raise `PrecisionError` where a ball cannot be decided."""
 
     def value(self, z: Any) -> Any:
         """A ball that holds f on the ball z."""
 
     def slope(self, z: Any) -> Any:
         """A ball that holds f′ on the ball z."""
+
+    def both(self, z: Any) -> tuple[Any, Any]:
+        """The two at once."""
 
 
 @dataclass(frozen=True)
@@ -38,13 +43,12 @@ def polished(f: Analytic, seed: Any) -> Any:
     """An exact point where Newton's method from `seed` stands still to the precision that is set, or nearly so."""
     z = acb(seed).mid()
     for _ in range(_POLISH):
-        step = f.value(z).mid() / f.slope(z).mid()
+        value, slope = f.both(z)
+        step = value.mid() / slope.mid()
         if not step.is_finite():
-            raise PrecisionError(
-                "Newton's method met a stationary point: the roots may be too close for this precision"
-            )
+            raise PrecisionError("Newton's method met a stationary point: roots may be too close for this precision")
         z = (z - step).mid()
-        if step.abs_upper() <= z.abs_upper() * arb(2) ** (8 - bits_now()):
+        if step.abs_upper() <= z.abs_upper() * arb(2) ** (-bits_now() // 2):  # the next step is its square
             break
     return z
 
@@ -75,28 +79,36 @@ def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
 def sharpened(f: Analytic, image: Any, goal: int, real: bool = False) -> Any:
     """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
 
-    real: the root is known to be real. Precision doubles with what is known of the root: the last step costs one
-    value of f at goal bits and a little more, and one slope at half of them.
+    real: the root is known to be real. Precision doubles with what is known of the root, so as to end at the goal:
+    the last step costs one value of f at goal bits and a little more, and one slope at half of them.
     """
-    guard = _GUARD
+    guard, loss = _GUARD, _LOSS
     image = acb(image.real) if real else image
     known = _accuracy(image)
     while known < goal:
-        with precision(known + _GUARD):
+        target = _next(known, goal, loss)
+        with precision(known + guard):
             slope = f.slope(image)
-        with precision(min(2 * known, goal) + guard):
+        with precision(target + guard):
             middle = image.mid()
             image = middle - f.value(middle) / slope
             image = acb(image.real) if real else image
         reached = _accuracy(image)
-        if reached < goal and reached < known + known // 4:
-            if guard > 8 * _GUARD + known:
-                raise PrecisionError(
-                    f"the root near {image.str(6)} could not be sharpened: it is too badly conditioned"
-                )
-            guard += max(_GUARD, min(2 * known, goal) - reached)
-        known = max(reached, 1)
+        if reached < target:
+            guard, loss = guard + target - reached, loss + target - reached
+            if guard > _MOST_GUARD:
+                near = complex(image)
+                raise PrecisionError(f"the root near {near:.6g} could not be sharpened: it is too badly conditioned")
+        known = max(reached, 2)
     return image
+
+
+def _next(known: int, goal: int, loss: int) -> int:
+    """The lowest precision that one step can reach from `known`, on the way that halves back from the goal."""
+    target = goal
+    while target > max(2 * known - loss, known + 1):
+        target = max(target // 2 + loss, known + 1) if target // 2 + loss < target else known + 1
+    return target
 
 
 def _accuracy(image: Any) -> int:

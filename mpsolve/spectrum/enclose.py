@@ -21,11 +21,12 @@ from mpsolve.numbers.reduction import Reduction
 from mpsolve.proof.ladder import climb
 from mpsolve.proof.newton import Isolated, isolated, polished, sharpened
 
-BASE_BITS = 64
+BASE_BITS = 80
 _GUARD = 24
 _TRIED = 640
 """Bits at which a root that no box isolates is left to the search for clusters."""
 _NEAR_AXIS = 2.0**-30
+_APPROACH, _CLOSE = 3, 2.0**-16
 
 
 class Symmetry(Enum):
@@ -81,7 +82,11 @@ class Scalar:
         return self.reduction.scalar(self.proved.matrices(sigma, slope=False)[0])
 
     def slope(self, sigma: Any) -> Any:
-        return self.reduction.scalar_slope(*self.proved.matrices(sigma))
+        return self.reduction.scalar_slope(*self.proved.matrices(sigma, mean=False))
+
+    def both(self, sigma: Any) -> tuple[Any, Any]:
+        A, A_sigma = self.proved.matrices(sigma, mean=False)
+        return self.reduction.scalar(A), self.reduction.scalar_slope(A, A_sigma)
 
 
 @dataclass(frozen=True)
@@ -104,10 +109,8 @@ def isolate(proved: Proved, seed: complex, bits: int = BASE_BITS) -> Box:
 
 
 def _isolate(proved: Proved, seed: Any) -> Box:
-    start = acb(seed)
-    for _ in range(2):  # the reduction is made anew where Newton's method has led
-        function = Scalar(proved, Reduction.of(proved.matrices(start.mid(), slope=False)[0], near_root=True))
-        start = polished(function, start)
+    function, start = _function(proved, acb(seed))
+    start = polished(function, start)
     size = start.abs_upper()
     if abs(float(start.imag.mid())) < _NEAR_AXIS * float(size):
         try:
@@ -116,6 +119,21 @@ def _isolate(proved: Proved, seed: Any) -> Box:
         except PrecisionError:
             pass
     return Box(function, isolated(function, start, size), Symmetry.NONE)
+
+
+def _function(proved: Proved, start: Any) -> tuple[Scalar, Any]:
+    """The scalar made next to the root, and a point to which Newton's method has led."""
+    for _ in range(_APPROACH):
+        middle = start.mid()
+        A, A_sigma = proved.matrices(middle)
+        reduction = Reduction.of(A, near_root=True)
+        step = reduction.scalar(A).mid() / reduction.scalar_slope(A, A_sigma).mid()
+        if not step.is_finite():
+            raise PrecisionError("Newton's method met a stationary point: roots may be too close for this precision")
+        start = (middle - step).mid()
+        if step.abs_upper() < arb(_CLOSE) * start.abs_upper():
+            break
+    return Scalar(proved, reduction), start
 
 
 def refine(box: Box, digits: int) -> RootBall:

@@ -85,6 +85,8 @@ def test_bare_equations_are_a_track_too() -> None:
         (BEAM, [0], [np.inf], 0, "omega"),
         (BEAM, [0], [0], -1, "v"),
         (String(T=1, m=1), [0], [0], 0, "omega"),
+        (BEAM, [0], [1], "1e300", "omega"),
+        (EulerBernoulli(EI=1, m=1, k=1, c=1, N=3), [0], [1], 0, "track"),
     ],
 )
 def test_bad_input(track: Any, xi: Any, omega: Any, v: Any, key: str) -> None:

@@ -58,13 +58,19 @@ def test_the_tracks_of_the_package(name: str, share: Fraction) -> None:
 
 
 def test_the_table_of_upper_roots() -> None:
-    """1 for a string, none when it is outrun; 2 for the beams and the layers."""
+    """1 for a string, none when it is outrun; and so on for waves of beams and layers that are outrun."""
     fast = Fraction(200)
     count = lambda track, v: upper_count(Symbols.of(track_guide(track, v)).D)  # noqa: E731
     assert count(TRACKS["string"], Fraction(100)) == 1
     assert count(TRACKS["string"], fast) == 0
-    for name in ("euler-bernoulli", "kelvin-voigt", "two-layer"):
+    for name in ("winkler", "euler-bernoulli", "kelvin-voigt", "two-layer", "timoshenko", "rayleigh"):
         assert count(TRACKS[name], Fraction(0)) == count(TRACKS[name], fast) == 2
+    for name, at_rest, moving in (("three-layer", 3, 2), ("slab", 4, 4), ("floating-ice", 3, 3)):
+        assert (count(TRACKS[name], Fraction(1)), count(TRACKS[name], fast)) == (at_rest, moving)
+    shear, bending = (2.4e8 / 60.2) ** 0.5, (6.38e6 / 0.24) ** 0.5
+    speeds = [Fraction(round(x)) for x in (0.9 * shear, 1.1 * shear, 1.1 * bending)]
+    assert [count(TRACKS["timoshenko"], v) for v in speeds] == [2, 1, 0]
+    assert [count(TRACKS["rayleigh"], v) for v in speeds] == [2, 2, 1]
 
 
 def test_nothing_runs_ahead_of_a_string_that_is_outrun() -> None:
@@ -110,7 +116,7 @@ def test_nearly_double_roots(power: int) -> None:
 
 
 @pytest.mark.parametrize("half", [1e-9, 1e-4, 1e-3])
-@pytest.mark.parametrize("name", ["euler-bernoulli", "two-layer"])
+@pytest.mark.parametrize("name", ["winkler", "two-layer", "slab"])
 def test_a_wide_ball_holds_every_point(name: str, half: float) -> None:
     guide = track_guide(TRACKS[name], Fraction(0))
     truth = Residues(guide, 40)

@@ -25,6 +25,9 @@ class Sine:
     def slope(self, z: Any) -> Any:
         return acb(z).cos()
 
+    def both(self, z: Any) -> tuple[Any, Any]:
+        return self.value(z), self.slope(z)
+
 
 @dataclass
 class Polynomial:
@@ -35,6 +38,9 @@ class Polynomial:
 
     def slope(self, z: Any) -> Any:
         return acb_poly(list(self.coefficients)).derivative()(z)
+
+    def both(self, z: Any) -> tuple[Any, Any]:
+        return self.value(z), self.slope(z)
 
 
 @pytest.mark.parametrize("goal", [60, 100, 333, 1000, 33220])
@@ -95,6 +101,9 @@ def test_no_root_no_box() -> None:
             return acb(z).exp()
 
         slope = value
+
+        def both(self, z: Any) -> tuple[Any, Any]:
+            return self.value(z), self.slope(z)
 
     with precision(64), pytest.raises(PrecisionError):
         isolated(Exponential(), polished(Exponential(), acb(1)), arb(1))

@@ -20,8 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.spectrum.enclose import Symmetry, enclose, in_units, isolate, refine
 from mpsolve.tracks import EulerBernoulli
-from mpsolve.vehicles import AnyVehicle, Bogie, Mass, Pencil
-from mpsolve.vehicles.vehicle import assemble
+from mpsolve.vehicles import Bogie, Mass, Vehicle
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
 BOGIE = Bogie(wheel=1813, frame=2615, inertia=1476, wheelbase="2.5", k="2.4e6", c="3e4", k_contact="1.5e9")
@@ -137,20 +136,16 @@ def test_the_box_holds_the_ball() -> None:
         assert in_units(acb(1, 2), Fraction(4)) == acb(8, -4)
 
 
-class Joined(AnyVehicle, frozen=True):
-    """Two masses of 10 at a distance of 1.5, joined by a spring of 10."""
-
-    @property
-    def pencil(self) -> Pencil:
-        one, arm, mass = Fraction(1), Fraction(3, 4), Fraction(10)
-        links = [({0: one, 1: -one}, Fraction(10), Fraction(0))]
-        return assemble(("rear", "front"), (mass, mass), links, [(-arm, {0: one}), (arm, {1: one})], None)
+JOINED = Vehicle(
+    M=[[10, 0], [0, 10]], C=[[0, 0], [0, 0]], K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=["-0.75", "0.75"]
+)
+"""Two masses of 10 at a distance of 1.5, joined by a spring of 10."""
 
 
 def test_divergence_is_on_the_imaginary_axis_exactly() -> None:
     """At α = 1.3, η_b = 0.5 one root has passed q = 0 alone: q = −0.0852i."""
     beam = EulerBernoulli(EI="1/4", m=1, k=1, c=1)
-    reduced = reduce_problem(Problem(beam, [Joined().at(0)], "1.3"))
+    reduced = reduce_problem(Problem(beam, [JOINED], "1.3"))
     proved = Proved(reduced)
     for digits in (15, 200):
         ball = enclose(proved, floats_root(reduced, -0.085j), digits)

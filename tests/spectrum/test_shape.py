@@ -17,28 +17,25 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.enclose import RootBall, enclose
 from mpsolve.spectrum.shape import root_shape
 from mpsolve.tracks import EulerBernoulli
-from mpsolve.vehicles import AnyVehicle, Bogie, Mass, Pencil
-from mpsolve.vehicles.vehicle import assemble
+from mpsolve.vehicles import Bogie, Mass, Vehicle
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
 
 
-class Neutral(AnyVehicle, frozen=True):
-    """A wheel that carries a body by a damper alone, beside a body on a spring of its own: a neutral mode."""
-
-    @property
-    def pencil(self) -> Pencil:
-        one = Fraction(1)
-        links = [({1: one, 0: -one}, Fraction(0), Fraction(1, 2)), ({2: one, 0: -one}, Fraction(3), Fraction(1, 5))]
-        names = ("wheel", "damped body", "sprung body")
-        return assemble(names, (Fraction(9), Fraction(4), Fraction(6)), links, [(Fraction(0), {0: one})], None)
-
-
+NEUTRAL = Vehicle(
+    M=[[9, 0, 0], [0, 4, 0], [0, 0, 6]],
+    C=[["0.7", "-0.5", "-0.2"], ["-0.5", "0.5", 0], ["-0.2", 0, "0.2"]],
+    K=[[3, 0, -3], [0, 0, 0], [-3, 0, 3]],
+    B=[[1], [0], [0]],
+    places=[0],
+    names=["wheel", "damped body", "sprung body"],
+)
+"""A wheel that carries a body by a damper alone, a neutral mode, and a body on a spring."""
 BOGIE = Bogie(wheel=1813, frame=2615, inertia=1476, wheelbase="2.5", k="2.4e6", c="3e4", k_contact="1.5e9")
 PROBLEMS = {
     "pair": (Problem(BEAM, [Mass(70).at(0), Mass(70).at("1.5")], "0.8"), 0.15 - 0.001j),
     "bogie": (Problem(TRACKS["two-layer"], [BOGIE.at(3)], 1500), 50 - 5j),
-    "neutral": (Problem(BEAM, [Neutral().at(0), Mass(30).at(2)], "1.1"), 0.15 - 0.05j),
+    "neutral": (Problem(BEAM, [NEUTRAL, Mass(30).at(2)], "1.1"), 0.15 - 0.05j),
 }
 
 
