@@ -4,8 +4,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from mpsolve.certificate.certify import Spectrum, Status, certify
+    from mpsolve import tracks, vehicles
+    from mpsolve.certificate.certify import Spectrum, certify
     from mpsolve.certificate.verify import Verdict, verify
+    from mpsolve.characteristic.forced import receptance
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
@@ -13,12 +15,14 @@ if TYPE_CHECKING:
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
-    from mpsolve.model.receptance import receptance
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
     from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
+    from mpsolve.outcome import Status
+    from mpsolve.problem.inputfile import read_problem
+    from mpsolve.problem.problem import Problem
     from mpsolve.sheet.enclose import RootBall
     from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
@@ -35,6 +39,10 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "Problem",
+    "tracks",
+    "vehicles",
+    "read_problem",
     "Case",
     "PhysicalCase",
     "Mass",
@@ -85,16 +93,20 @@ __all__ = [
 ]
 
 _HOME = {
+    "Problem": "problem.problem",
+    "tracks": "tracks",
+    "vehicles": "vehicles",
+    "read_problem": "problem.inputfile",
     "Case": "model.parameters",
     "PhysicalCase": "model.parameters",
     "Mass": "model.parameters",
     "Exact": "numbers.exact",
     "read_case": "model.inputfile",
-    "receptance": "model.receptance",
+    "receptance": "characteristic.forced",
     "certify": "certificate.certify",
     "Rectangle": "sheet.region",
     "Spectrum": "certificate.certify",
-    "Status": "certificate.certify",
+    "Status": "outcome",
     "RootBall": "sheet.enclose",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",
@@ -139,7 +151,8 @@ def __getattr__(name: str) -> Any:
     """Public names load on first use, so that `import mpsolve` stays quick."""
     if name not in _HOME:
         raise AttributeError(f"module 'mpsolve' has no attribute {name!r}")
-    value = getattr(import_module(f"mpsolve.{_HOME[name]}"), name)
+    home = import_module(f"mpsolve.{_HOME[name]}")
+    value = home if _HOME[name] == name else getattr(home, name)
     globals()[name] = value
     return value
 

@@ -138,14 +138,39 @@ def verify(files: tuple[Path, ...]) -> None:
 
 
 @cli.command()
+@click.argument("file", required=False, type=click.Path(path_type=Path))
 @click.option("--latex", is_flag=True, help="A LaTeX document instead of text.")
-@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses.")
-def derive(latex: bool, masses: int) -> None:
-    """Derive the model symbolically, from the equation of motion to the kernel, and print every step."""
+@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses, without FILE.")
+def derive(file: Path | None, latex: bool, masses: int) -> None:
+    """Derive the model symbolically, from the equations of motion on, and print every step.
+
+    With FILE (TOML): the track and the vehicles in it, from their mechanics to the matrices that are computed with.
+    Without: the paper's beam, to the kernel. Exit status 0: printed. 2: the input cannot be used.
+    """
     with one_sentence():
         from mpsolve.model.derivation import derivation, render
 
-        click.echo(render(derivation(masses), "latex" if latex else "text"), nl=False)
+        if file is None:
+            steps = derivation(masses)
+        else:
+            from mpsolve.derivation.problem import derivation_of
+            from mpsolve.problem.inputfile import read_problem
+
+            steps = derivation_of(read_problem(file).problem)
+        click.echo(render(steps, "latex" if latex else "text"), nl=False)
+
+
+@cli.command()
+@click.argument("name", required=False)
+def models(name: str | None) -> None:
+    """Show every track and vehicle, or the one with NAME: drawing, parameters, units, meaning.
+
+    Exit status 0: shown. 2: there is no such model.
+    """
+    with one_sentence():
+        from mpsolve.report.models import listing
+
+        click.echo(listing(name), nl=False)
 
 
 for module in (cli_stability, cli_response, cli_receptance, cli_study, cli_report, cli_audit):

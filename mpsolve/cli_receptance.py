@@ -15,28 +15,27 @@ from mpsolve.cli_tools import checked_output, one_sentence
     "--omega",
     required=True,
     metavar="FIRST,LAST,COUNT",
-    help="Frequencies in units of √(k/m): COUNT of them, evenly from FIRST to LAST.",
+    help="Frequencies of the force, in rad/s for a file in SI: COUNT of them, evenly from FIRST to LAST.",
 )
-@click.option("--xi", default="0", show_default=True, help="Positions from the force in units of 1/χ, as -1.5,0,1.5.")
+@click.option("--xi", default="0", show_default=True, help="Distances ahead of the force, in m in SI: -1.5,0,1.5.")
 @click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write this file, not the terminal.")
 def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | None) -> None:
-    """Tabulate the receptance K(ξ, ω) of the beam in FILE (TOML) under a moving harmonic force, in float64.
+    """Tabulate the receptance G(ξ, ω) of the track in FILE (TOML) under a moving harmonic force, in float64.
 
-    The masses of FILE play no part. Exit status 0: written. 1: it could not be written. 2: the input cannot be used.
+    G is the displacement of the rail per unit force, at the velocity of FILE and in its units: m/N for a file in SI;
+    EI = 1/4, m = k = 1 for a dimensionless one. The vehicles of FILE play no part. Exit status 0: written. 1: it
+    could not be written. 2: the input cannot be used.
     """
     with one_sentence():
         from mpsolve.files import write_whole
-        from mpsolve.model.inputfile import read_input
-        from mpsolve.model.parameters import PhysicalCase
+        from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.receptances import receptances
 
-        given = read_input(file)
+        given = read_problem(file)
         if output is not None:
             checked_output(output, given.path, "the table")
-        physical = given.case if isinstance(given.case, PhysicalCase) else None
-        case = given.case.dimensionless if isinstance(given.case, PhysicalCase) else given.case
-        table = receptances(case, physical, given.title, _places(xi), _frequencies(omega))
+        table = receptances(given.problem, given.title, _places(xi), _frequencies(omega))
         text = table.to_json() if as_json else table.to_csv()
         if output is None:
             click.echo(text, nl=False)

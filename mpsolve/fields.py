@@ -1,14 +1,13 @@
 """Three arithmetics with the same operations: float64 arrays, mpmath numbers, and balls (flint.acb).
 
 A formula is written once, over a `Field`; which of the three it runs in is an explicit argument.
-This is the only file that touches the precision of flint. mpmath's global context is never used.
+The precision of flint is set by `mpsolve.numbers.balls` only. mpmath's global context is never used.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, Protocol
@@ -18,9 +17,8 @@ import mpmath
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.exact import Exact
-
-_precision_lock = threading.RLock()  # flint's precision is one per process: a second thread waits here
 
 Waves = tuple[Any, Any, Any]
 
@@ -359,13 +357,8 @@ class Ball:
 @contextmanager
 def ball_arithmetic(bits: int) -> Iterator[Ball]:
     """A `Ball` field whose precision holds inside the block, and is put back after it."""
-    with _precision_lock:
-        before = flint.ctx.prec
-        flint.ctx.prec = bits
-        try:
-            yield Ball(bits)
-        finally:
-            flint.ctx.prec = before
+    with precision(bits):
+        yield Ball(bits)
 
 
 def _seed_root(coefficients: Sequence[complex]) -> complex | None:
@@ -460,12 +453,9 @@ def simple_root(coefficients: Sequence[Any], seed: Any, bits: int) -> Any:
     y, reached = number(seed), 40
     while reached < bits:
         reached = min(2 * reached, bits)
-        flint.ctx.prec = max(reached, 64) if reached < bits else bits
-        try:
+        with precision(max(reached, 64) if reached < bits else bits):
             value, slope = _horner(mids, y)
             y = (y - value / slope).mid()
-        finally:
-            flint.ctx.prec = bits
         if not y.is_finite():
             raise PrecisionError("Newton's method for a p-root sum left the finite plane: split the piece")
     value, slope = _horner(coefficients, y)

@@ -125,7 +125,10 @@ def test_verify_says_a_line_for_each_file(run: Run) -> None:
     run("certify", PLAIN, "-o", "good.json")
     Path("broken.json").write_text('{"format": "mpsolve certificate"', encoding="utf-8")
     result = run("verify", "good.json")
-    claim = "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0"
+    claim = (
+        "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0; "
+        "case alpha = 67/100, eta_b = 1/20, eta_n = 0, eta_s = 0, eta_m = 70, 70 at 0, 3/2"
+    )
     assert (result.exit_code, result.stdout) == (0, f"valid: good.json: {claim}\n")
     result = run("verify", "broken.json", "good.json", "missing.json")
     assert result.exit_code == 1

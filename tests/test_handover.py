@@ -9,6 +9,7 @@ import re
 import shlex
 import shutil
 import subprocess
+from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
@@ -16,8 +17,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from mpsolve import Case, PhysicalCase, certify, receptance
+from mpsolve import Case, PhysicalCase, certify, read_problem, receptance
 from mpsolve.cli import cli
+from mpsolve.problem.cases import as_problem
 from mpsolve.report.receptances import receptances
 
 FOLDER = Path(__file__).parents[1] / "examples" / "handover"
@@ -88,20 +90,31 @@ def test_the_shell_hands_over_the_same_in_json(solver: ModuleType, folder: Path,
     onset = json.loads((shell / "onset.json").read_text("utf-8"))["onset"]["alpha"]
     assert abs(float(onset["value"]) - float(solver.onset())) < 1e-12
     table = json.loads((shell / "receptance.json").read_text("utf-8"))
-    K = receptance(solver.CASE, solver.XI, solver.OMEGA)
-    assert np.array_equal(np.array(table["K_re"]) + 1j * np.array(table["K_im"]), K)
+    G = receptance(solver.TRACK, solver.XI, solver.OMEGA, v=solver.CASE.alpha)
+    assert np.array_equal(np.array(table["G_re"]) + 1j * np.array(table["G_im"]), G)
+    assert table["track"]["model"] == "euler-bernoulli"
+    assert Fraction(table["track"]["EI"]) == solver.TRACK.EI
     assert (tuple(table["xi"]), table["omega"]) == (solver.XI, solver.OMEGA.tolist())
     assert (shell / "receptance.csv").read_text() == (folder / "receptance.csv").read_text()
 
 
 def test_the_receptance_in_si_units() -> None:
-    """At rest, under a static force, Winkler's deflection F χ/(2k); ω and ξ by (10)."""
-    track = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, masses=[(1, 0)])
-    content = json.loads(receptances(track.dimensionless, track, "", (0.0,), (0.0,)).to_json())
+    """At rest, under a static force, Winkler's deflection F χ/(2k)."""
+    case = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, masses=[(1, 0)])
+    content = json.loads(receptances(as_problem(case), "", (0.0,), (0.0,)).to_json())
     chi = (1e6 / (4 * 6.4e6)) ** 0.25
-    assert content["K_re"][0][0] * content["units"]["K_m_per_N"] == pytest.approx(chi / 2e6, rel=1e-12)
-    assert content["units"]["xi_m"] == pytest.approx(1 / chi, rel=1e-12)
-    assert content["units"]["omega_rad_per_s"] == pytest.approx((1e6 / 60) ** 0.5, rel=1e-12)
+    assert content["G_re"][0][0] == pytest.approx(chi / 2e6, rel=1e-12)
+    assert (Fraction(content["track"]["EI"]), Fraction(content["v"])) == (6400000, 0)
+
+
+def test_the_command_takes_any_track() -> None:
+    done = CliRunner().invoke(cli, ["receptance", str(FOLDER.parent / "two_layer_bogie.toml"), "--omega", "10,900,3"])
+    assert done.exit_code == 0, done.output
+    rows = list(csv.reader(done.stdout.splitlines()))
+    track = read_problem(FOLDER.parent / "two_layer_bogie.toml").problem
+    G = receptance(track.track, 0, [10, 455, 900], v=track.v)[0]
+    assert rows[0] == ["omega", "re_G(0)", "im_G(0)"]
+    assert [complex(float(a), float(b)) for _, a, b in rows[1:]] == G.tolist()
 
 
 @pytest.mark.parametrize(
@@ -131,8 +144,8 @@ end
 SCRIPT = """
 roots_found = read_seeds('seeds.csv', @delta);
 printf('%.17g %.17g\\n', [real(roots_found), imag(roots_found)].');
-[omega, xi, K] = read_receptance('receptance.csv');
-printf('%.17g %.17g %.17g %.17g\\n', omega(3), xi(1), real(K(3, 1)), imag(K(3, 1)));
+[omega, xi, G] = read_receptance('receptance.csv');
+printf('%.17g %.17g %.17g %.17g\\n', omega(3), xi(1), real(G(3, 1)), imag(G(3, 1)));
 [alpha, q] = read_onset('onset.json');
 printf('%.17g %.17g\\n', alpha, q);
 """
@@ -151,8 +164,8 @@ def test_octave_reads_seeds_receptance_and_onset(
     *roots, table, onset = ([float(word) for word in line.split()] for line in done.stdout.splitlines())
     truth = [root for _, root, _ in solver.newton(folder / "seeds.csv")]
     assert np.allclose([complex(*root) for root in roots], truth, rtol=0, atol=1e-12)
-    K = receptance(solver.CASE, solver.XI, solver.OMEGA)[0, 2]
-    assert table == [solver.OMEGA[2], solver.XI[0], K.real, K.imag]
+    G = receptance(solver.TRACK, solver.XI, solver.OMEGA, v=solver.CASE.alpha)[0, 2]
+    assert table == [solver.OMEGA[2], solver.XI[0], G.real, G.imag]
     assert onset == pytest.approx([0.66691895728454957, 0.15620777798805937], rel=1e-15)
 
 
@@ -162,8 +175,8 @@ def test_the_maple_readers_name_what_is_there(folder: Path, shell: Path) -> None
     used = re.findall(r'column\("(\w+)"\)', (FOLDER / "read_seeds.mpl").read_text())
     assert {"alpha", "eta_b", "eta_m", "d", "q_re", "q_im", "radius"} == set(used) <= set(header)
     names = (shell / "receptance.csv").read_text().splitlines()[0].split(",")
-    assert '"re_K("' in (FOLDER / "read_receptance.mpl").read_text()
-    assert all(re.fullmatch(r"(re|im)_K\([-\d.]+\)", name) for name in names[1:])
+    assert '"re_G("' in (FOLDER / "read_receptance.mpl").read_text()
+    assert all(re.fullmatch(r"(re|im)_G\([-\d.]+\)", name) for name in names[1:])
     onset = json.loads((shell / "onset.json").read_text("utf-8"))["onset"]
     paths = re.findall(r'answer\["onset"\]\["(\w+)"\]\["(\w+)"\]', (FOLDER / "read_onset.mpl").read_text())
     assert [float(onset[key][part]) > 0 for key, part in paths] == [True, True]
@@ -172,6 +185,6 @@ def test_the_maple_readers_name_what_is_there(folder: Path, shell: Path) -> None
 def test_the_receptance_table_and_the_onset(solver: ModuleType, folder: Path) -> None:
     with (folder / "receptance.csv").open() as stream:
         rows = list(csv.reader(stream))
-    assert rows[0][:3] == ["omega", "re_K(-1.5)", "im_K(-1.5)"]
+    assert rows[0][:3] == ["omega", "re_G(-1.5)", "im_G(-1.5)"]
     assert len(rows) == 1 + len(solver.OMEGA)
     assert solver.onset() == "0.666918957285"

@@ -15,10 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
-from mpsolve import Case, onset_velocity, receptance, seeds
+from mpsolve import Case, onset_velocity, receptance, seeds, tracks
 
 GRID = {"alpha": ("0.5", "0.67"), "eta_b": ("0.05",), "eta_m": (70,), "d": ("1.5",)}
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+TRACK = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")  # the beam of CASE in the paper's units: c = 2 eta_b
 XI = (-1.5, 0.0, 1.5)
 OMEGA = np.linspace(0.02, 0.3, 15)
 
@@ -27,13 +28,13 @@ def write(folder: Path) -> list[Path]:
     """The tables, each in the forms that others read."""
     table = seeds(**GRID)
     files = [table.save(folder / f"seeds.{kind}") for kind in ("csv", "json", "npz")]
-    K = receptance(CASE, XI, OMEGA)
+    G = receptance(TRACK, XI, OMEGA, v="0.67")
     path = folder / "receptance.csv"
     with path.open("w", newline="", encoding="utf-8") as stream:
         rows = csv.writer(stream)
-        rows.writerow(["omega", *(f"{part}_K({xi:g})" for xi in XI for part in ("re", "im"))])
+        rows.writerow(["omega", *(f"{part}_G({xi:g})" for xi in XI for part in ("re", "im"))])
         for k, omega in enumerate(OMEGA.tolist()):
-            rows.writerow([repr(omega), *(repr(float(x)) for z in K[:, k] for x in (z.real, z.imag))])
+            rows.writerow([repr(omega), *(repr(float(x)) for z in G[:, k] for x in (z.real, z.imag))])
     return [*files, path]
 
 

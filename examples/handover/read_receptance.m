@@ -1,15 +1,15 @@
-% Reads receptance.csv of mpsolve into MATLAB or Octave: K(j, i) is the receptance at omega(j) and xi(i).
+% Reads receptance.csv of mpsolve into MATLAB or Octave: G(j, i) is the receptance at omega(j) and xi(i).
 %
-%   [omega, xi, K] = read_receptance('receptance.csv')
+%   [omega, xi, G] = read_receptance('receptance.csv')
 %
-% A force of 1 that moves along at xi = 0 as exp(1i*omega*tau) deflects the beam by 4/pi*K*exp(1i*omega*tau), in units of
-% the static deflection w_st. Between the frequencies, use interp1(omega, K, ...).
-function [omega, xi, K] = read_receptance(file)
+% A force exp(1i*omega*t) that moves along deflects the rail at the distance xi ahead of it by G*exp(1i*omega*t), in the
+% units of the track. Between the frequencies, use interp1(omega, G, ...).
+function [omega, xi, G] = read_receptance(file)
   stream = fopen(file);
   names = strsplit(strtrim(fgetl(stream)), ',');
   fclose(stream);
-  xi = cellfun(@(name) sscanf(name, 're_K(%f)'), names(2:2:end));
+  xi = cellfun(@(name) sscanf(name, 're_G(%f)'), names(2:2:end));
   table = dlmread(file, ',', 1, 0);
   omega = table(:, 1);
-  K = complex(table(:, 2:2:end), table(:, 3:2:end));
+  G = complex(table(:, 2:2:end), table(:, 3:2:end));
 end

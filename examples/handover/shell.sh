@@ -8,7 +8,7 @@ case=examples/dimensionless.toml
 
 # the induced frequencies, proved: roots[].re.value and roots[].im.value, as many digits as you ask for
 mpsolve certify $case --digits 20 --json -o induced.certificate.json > induced.json
-# the receptance K(xi, omega) of the beam, as JSON and for text import: xi ahead of the force is positive
+# the receptance G(xi, omega) of the track, as JSON and for text import: xi ahead of the force is positive
 mpsolve receptance $case --xi=-1.5,0,1.5 --omega 0.02,0.3,15 --json -o receptance.json
 mpsolve receptance $case --xi=-1.5,0,1.5 --omega 0.02,0.3,15 -o receptance.csv
 # the first unstable velocity, proved: onset.alpha.value

@@ -77,7 +77,11 @@ def read_input(path: str | Path) -> InputFile:
     be read.
     """
     file = Path(path)
-    content = parsed(text_of(file), str(file))
+    return input_of(parsed(text_of(file), str(file)), file)
+
+
+def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
+    """The case in the tables of a file, as `read_input` reads it."""
     check_keys(content, _TOP, "")
     title = content.get("title", "")
     if type(title) is not str:

@@ -6,6 +6,7 @@ messages, the reader of input files, `mpsolve models` and the documentation all 
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -34,14 +35,69 @@ class Quantity:
         """The exact value of `value`; InputError under `key` where it breaks a bound."""
         number = rational(value, key)
         if self.above is not None and not number > self.above:
-            raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self._told}")
+            raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self.told}")
         if self.at_least is not None and not number >= self.at_least:
-            raise InputError(key, f"is {shown(number)}, but must not be below {self.at_least}: give the {self._told}")
+            raise InputError(key, f"is {shown(number)}, but must not be below {self.at_least}: give the {self.told}")
         return number
 
     @property
-    def _told(self) -> str:
+    def bound(self) -> str:
+        """The least value in words, empty for a parameter without any."""
+        if self.above is not None:
+            return f"above {self.above}"
+        return "" if self.at_least is None else f"at least {self.at_least}"
+
+    @property
+    def told(self) -> str:
+        """What the parameter is, and its unit."""
         return f"{self.meaning} in {self.unit}" if self.unit else self.meaning
+
+
+@dataclass(frozen=True)
+class Entries(Quantity):
+    """A list of numbers, or a matrix as a list of rows (depth 2)."""
+
+    depth: int = 1
+
+    def checked(self, value: object, key: str) -> Any:
+        """The exact entries as nested tuples; InputError names the entry that is none."""
+        return self._level(value, key, self.depth)
+
+    def _level(self, value: object, key: str, depth: int) -> Any:
+        if not depth:
+            return rational(value, key)
+        if isinstance(value, (str, bytes, Mapping, Set)) or not isinstance(value, Iterable):
+            wanted = "a list of rows" if depth == 2 else "a list of numbers"
+            raise InputError(key, f"is of type {type(value).__name__}: give {wanted}, the {self.told}")
+        return tuple(self._level(entry, f"{key}[{j}]", depth - 1) for j, entry in enumerate(value, 1))
+
+
+@dataclass(frozen=True)
+class Texts(Quantity):
+    """A list of texts."""
+
+    def checked(self, value: object, key: str) -> Any:
+        """The texts as a tuple; InputError where one is none."""
+        if isinstance(value, str) or not isinstance(value, Iterable):
+            raise InputError(key, f"is of type {type(value).__name__}: give a list of texts, the {self.told}")
+        texts = tuple(value)
+        for j, text in enumerate(texts, 1):
+            if not isinstance(text, str) or not text:
+                raise InputError(f"{key}[{j}]", "is no text: give a name in quotes")
+        return texts
+
+
+@dataclass(frozen=True)
+class Part(Quantity):
+    """Another model of the kind that the parameter is declared as."""
+
+    kind: type[Any] = object
+
+    def checked(self, value: object, key: str) -> Any:
+        """The model itself; InputError where it is none of this kind."""
+        if not isinstance(value, self.kind):
+            raise InputError(key, f"is of type {type(value).__name__}: give a {self.kind.__name__}, the {self.told}")
+        return value
 
 
 def positive(unit: str, meaning: str) -> Quantity:
@@ -76,20 +132,26 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Raise InputError where the parameters exclude each other; the base accepts them."""
 
     @property
-    def parameters(self) -> dict[str, Fraction]:
-        """The numeric parameters by name, in the order of the class; what is absent is left out."""
+    def parameters(self) -> dict[str, Any]:
+        """The parameters by name, in the order of the class; what is absent is left out."""
         values = {name: getattr(self, name) for name in quantities(type(self))}
         return {name: value for name, value in values.items() if value is not None}
 
 
 @cache
-def quantities(model: type[Any]) -> dict[str, Quantity]:
-    """The described parameters of a model by name."""
+def quantities(model: type[Model]) -> dict[str, Quantity]:
+    """The described parameters of a model by name, in the order of its arguments."""
     out: dict[str, Quantity] = {}
     for name, hint in get_type_hints(model, include_extras=True).items():
         if get_origin(hint) is Annotated:
-            out.update({name: note for note in get_args(hint)[1:] if isinstance(note, Quantity)})
+            out[name] = next(note for note in get_args(hint)[1:] if isinstance(note, Quantity))
     return out
+
+
+def defaults(model: type[Any]) -> dict[str, Any]:
+    """The values of the parameters that may be left out."""
+    fields = msgspec.structs.fields(model)
+    return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}
 
 
 def rational(value: Number | object, key: str) -> Fraction:

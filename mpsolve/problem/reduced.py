@@ -15,7 +15,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
-from mpsolve.tracks.waveguide import Polynomial, mapped, moving, scaled
+from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped, moving, scaled
 from mpsolve.vehicles.felt import Parts, split_felt
 from mpsolve.vehicles.vehicle import Rows
 
@@ -107,12 +107,19 @@ def reduce_problem(problem: Problem) -> Reduced:
 
 
 def scale_guide(problem: Problem) -> Guide:
+    """The problem's track at its velocity, scaled."""
+    return track_guide(problem.track, problem.v)
+
+
+def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     """Powers of two for length and time that bring the coefficients of D nearest to one size."""
-    waveguide = problem.track.waveguide
+    waveguide = track.waveguide
     D, N = waveguide.dispersion, waveguide.numerator
     for name, polynomial in (("D", D), ("N", N)):
         if any(i % 2 for i, _ in polynomial):
-            raise InputError("track", f"has odd powers of p in {name}, so it is not reciprocal: only such tracks are known here")
+            raise InputError(
+                "track", f"has odd powers of p in {name}, so it is not reciprocal: only such tracks are known here"
+            )
     keys = list(D)
     rows = np.array([[1.0, i, j] for i, j in keys])
     logs = np.array([log2(abs(c.numerator)) - log2(c.denominator) for c in D.values()])
@@ -123,7 +130,7 @@ def scale_guide(problem: Problem) -> Guide:
     D, N = mapped(D, rescale), mapped(N, rescale)
     e, f = (round(log2(float(max(map(abs, a.values()))))) for a in (D, N))
     D, N = scaled(D, Fraction(2) ** -e), scaled(N, Fraction(2) ** -f)
-    v = problem.v * unit_P / unit_s
+    v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
     moved = moving(D, v)
     top = max(i for i, _ in moved)

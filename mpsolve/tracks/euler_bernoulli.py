@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Annotated, Any, ClassVar
 
 from mpsolve.numbers.model import Rational, nonnegative, positive, real
+from mpsolve.tracks.rail import layer, rail
 from mpsolve.tracks.waveguide import Track
 
 
@@ -13,7 +14,9 @@ class EulerBernoulli(Track, frozen=True):
     """EI (1 + η ∂t) w⁗ + (N − kp) w″ + m ẅ + c ẇ + k w = load, eq. (1) with a Kelvin–Voigt rail."""
 
     name: ClassVar[str] = "euler-bernoulli"
-    drawing: ClassVar[str] = "   ══════●════════════   rail EI, m, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    drawing: ClassVar[str] = (
+        "   ══════●════════════   rail EI, m, N, eta\n    ╪  ╪  ╪  ╪  ╪  ╪     foundation k, c, kp\n"
+    )
 
     EI: Annotated[Rational, positive("N m²", "bending stiffness of the rail")]
     m: Annotated[Rational, positive("kg/m", "mass of the rail")]
@@ -25,5 +28,4 @@ class EulerBernoulli(Track, frozen=True):
 
     @staticmethod
     def equations(x: Any) -> list[list[Any]]:
-        rail = x.EI * (1 + x.eta * x.s) * x.P**4 + (x.N - x.kp) * x.P**2 + x.m * x.s**2
-        return [[rail + x.c * x.s + x.k]]
+        return [[rail(x) + layer(x, x.k, x.c)]]

@@ -30,7 +30,7 @@ class Track(Model, frozen=True):
     loaded: ClassVar[int] = 0
 
     @staticmethod
-    def equations(x: Any) -> list[list[Any]]:
+    def equations(x: Any) -> list[list[Any]]:  # noqa: ARG004 — each track says them
         """The matrix A(P, s), written over `x.P`, `x.s` and the parameters; any ring will do."""
         raise TypeError("a track defines its equations")
 
@@ -72,6 +72,9 @@ class Waveguide:
 
     matrix: Matrix
     loaded: int = 0
+
+    def __hash__(self) -> int:
+        return hash((self.loaded, tuple(tuple(frozenset(entry.items()) for entry in row) for row in self.matrix)))
 
     @property
     def dispersion(self) -> Polynomial:

@@ -1,7 +1,14 @@
-"""The vehicles: each file holds one, as exact equations of motion."""
+"""The vehicles: each file holds one, as exact equations of motion; Vehicle is for anybody's own."""
 
 from mpsolve.vehicles.bogie import Bogie
+from mpsolve.vehicles.coach import Coach
 from mpsolve.vehicles.mass import Mass
-from mpsolve.vehicles.vehicle import Pencil, Placed, Vehicle
+from mpsolve.vehicles.oscillator import Oscillator
+from mpsolve.vehicles.own import Vehicle
+from mpsolve.vehicles.train import train
+from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed
 
-__all__ = ["Bogie", "Mass", "Pencil", "Placed", "Vehicle"]
+CATALOGUE: tuple[type[AnyVehicle], ...] = (Mass, Oscillator, Bogie, Coach, Vehicle)
+"""Every vehicle, from the plainest to the richest."""
+
+__all__ = ["Mass", "Oscillator", "Bogie", "Coach", "Vehicle", "train", "AnyVehicle", "Pencil", "Placed", "CATALOGUE"]

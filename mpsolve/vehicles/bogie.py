@@ -7,10 +7,10 @@ from typing import Annotated, ClassVar
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Quantity, Rational, contact_spring, nonnegative, positive
-from mpsolve.vehicles.vehicle import Pencil, Vehicle, assemble
+from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, assemble, linked
 
 
-class Bogie(Vehicle, frozen=True):
+class Bogie(AnyVehicle, frozen=True):
     """Two wheelsets, each on its suspension k, c under a rigid frame; a body on k2, c2 over the frame's middle."""
 
     name: ClassVar[str] = "bogie"
@@ -44,7 +44,7 @@ class Bogie(Vehicle, frozen=True):
         names = ("rear wheel", "front wheel", "frame bounce", "frame pitch")
         masses = (self.wheel, self.wheel, self.frame, self.inertia)
         links = [({2: one, 3: -arm, 0: -one}, self.k, self.c), ({2: one, 3: arm, 1: -one}, self.k, self.c)]
-        if self.body is not None:
-            names, masses = (*names, "body"), (*masses, self.body)
-            links.append(({4: one, 2: -one}, self.k2, self.c2))
-        return assemble(names, masses, links, [(-arm, {0: one}), (arm, {1: one})], self.k_contact)
+        bogie = assemble(names, masses, links, [(-arm, {0: one}), (arm, {1: one})], self.k_contact)
+        if self.body is None:
+            return bogie
+        return linked(bogie, {"body": self.body}, [({4: one, 2: -one}, self.k2, self.c2)])

@@ -51,7 +51,9 @@ def split_felt(pencil: Pencil) -> Parts:
     parts = [_congruent(rows, columns) for rows in (M, C, K)]
     head = [tuple(tuple(row[:size]) for row in rows[:size]) for rows in parts]
     tail = [tuple(tuple(row[size:]) for row in rows[size:]) for rows in parts]
-    new_B = tuple(tuple(_dot(column, [row[j] for row in B]) for j in range(len(pencil.places))) for column in columns[:size])
+    new_B = tuple(
+        tuple(_dot(column, [row[j] for row in B]) for j in range(len(pencil.places))) for column in columns[:size]
+    )
     rest = (tail[0], tail[1], tail[2]) if unfelt else None
     return Parts(head[0], head[1], head[2], new_B, len(neutral), basis, rest)
 

@@ -6,10 +6,10 @@ from fractions import Fraction
 from typing import Annotated, ClassVar
 
 from mpsolve.numbers.model import Rational, positive
-from mpsolve.vehicles.vehicle import Pencil, Vehicle, assemble
+from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, assemble
 
 
-class Mass(Vehicle, frozen=True):
+class Mass(AnyVehicle, frozen=True):
     """A mass M in tight contact with the rail: an unsprung wheelset."""
 
     name: ClassVar[str] = "mass"

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Model, rational
 
 Rows = tuple[tuple[Fraction, ...], ...]
+Link = tuple[dict[int, Fraction], Fraction, Fraction]
+"""A spring and damper side by side: how its lengthening depends on the coordinates, k, c."""
 
 
 @dataclass(frozen=True)
@@ -42,11 +44,11 @@ class Pencil:
 class Placed:
     """A vehicle whose middle is at `position`, in metres ahead of the origin of the moving frame."""
 
-    vehicle: Any
+    vehicle: AnyVehicle
     position: Fraction
 
 
-class Vehicle(Model, frozen=True):
+class AnyVehicle(Model, frozen=True):
     """Base of the vehicles: what a new vehicle must say is its parameters and `pencil`."""
 
     name: ClassVar[str] = ""
@@ -65,11 +67,11 @@ class Vehicle(Model, frozen=True):
 def assemble(
     names: tuple[str, ...],
     masses: tuple[Fraction, ...],
-    links: list[tuple[dict[int, Fraction], Fraction, Fraction]],
+    links: list[Link],
     contacts: list[tuple[Fraction, dict[int, Fraction]]],
     k_contact: Fraction | None,
 ) -> Pencil:
-    """A vehicle from its masses, its links (lengthening in the coordinates, k, c) and its contacts (place, motion)."""
+    """A vehicle from its masses, its links (lengthening in the coordinates, k, c), its contacts (place, motion)."""
     n = len(names)
     M, C, K = (_square(n) for _ in range(3))
     for i, mass in enumerate(masses):
@@ -85,24 +87,71 @@ def assemble(
     return Pencil(_rows(M), _rows(C), _rows(K), B, places, (h,) * len(places), names)
 
 
+def joined(parts: list[tuple[Pencil, Fraction, str]]) -> Pencil:
+    """Several vehicles as one, each with the place of its middle and an ending for its names; contacts sorted."""
+    order = sorted(
+        (x + place, k, j) for k, (pencil, x, _) in enumerate(parts) for j, place in enumerate(pencil.places)
+    )
+    size = sum(pencil.size for pencil, _, _ in parts)
+    blocks = {key: _square(size) for key in "MCK"}
+    B = [[Fraction(0)] * len(order) for _ in range(size)]
+    column = {(k, j): i for i, (_, k, j) in enumerate(order)}
+    names: list[str] = []
+    for k, (pencil, _, ending) in enumerate(parts):
+        first = len(names)
+        for key, matrix in blocks.items():
+            for i, row in enumerate(getattr(pencil, key)):
+                matrix[first + i][first : first + pencil.size] = row
+        for i, row in enumerate(pencil.B):
+            for j, value in enumerate(row):
+                B[first + i][column[k, j]] = value
+        names += [name + ending for name in pencil.names]
+    h = tuple(parts[k][0].h[j] for _, k, j in order)
+    M, C, K = (_rows(blocks[key]) for key in "MCK")
+    return Pencil(M, C, K, _rows(B), tuple(place for place, _, _ in order), h, tuple(names))
+
+
+def linked(pencil: Pencil, masses: dict[str, Fraction], links: list[Link]) -> Pencil:
+    """`pencil` with further bodies behind its own, and links among all of them."""
+    more = assemble((*pencil.names, *masses), (Fraction(0),) * pencil.size + tuple(masses.values()), links, [], None)
+    wide = joined([(pencil, Fraction(0), ""), (_bodies(tuple(masses)), Fraction(0), "")])
+    M, C, K = (_sum(getattr(wide, key), getattr(more, key)) for key in "MCK")
+    return Pencil(M, C, K, wide.B, wide.places, wide.h, wide.names)
+
+
 def checked_pencil(pencil: Pencil) -> Pencil:
-    """`pencil`, or InputError where it is not a passive vehicle whose bodies are all held or have a mass."""
+    """`pencil`, or InputError where it is not a passive vehicle whose bodies are all held and move by forces."""
     for key in ("M", "C", "K"):
         rows = getattr(pencil, key)
         if any(rows[i][j] != rows[j][i] for i in range(len(rows)) for j in range(i)):
             raise InputError(key, "is not symmetric: give a symmetric matrix")
         if not _semidefinite(rows):
             raise InputError(key, "is not positive semidefinite, so the vehicle could give energy: check its entries")
-    total = tuple(
-        tuple(m + c + k for m, c, k in zip(*rows, strict=True))
-        for rows in zip(pencil.M, pencil.C, pencil.K, strict=True)
-    )
-    loose = _loose(total)
+    loose = _loose(_sum(_sum(pencil.M, pencil.C), pencil.K))
     if loose is not None:
         raise InputError("M", f"leaves {pencil.names[loose]} without mass, spring and damper: leave the body out")
+    touch = tuple(
+        tuple(sum((a * b for a, b in zip(x, y, strict=True)), Fraction(0)) for y in pencil.B) for x in pencil.B
+    )
+    loose = _loose(_sum(_sum(pencil.C, pencil.K), touch))
+    if loose is not None:
+        stated = f"and C leave {pencil.names[loose]} free to move without any spring, damper or contact"
+        raise InputError("K", f"{stated}: hold the body, or leave it out")
+    for j in range(pencil.contacts):
+        if not any(row[j] for row in pencil.B):
+            raise InputError("B", f"has only zeros for contact {j + 1}: let every contact touch a body")
     if any(h < 0 for h in pencil.h):
         raise InputError("k_contact", "is negative: give a stiffness above 0, or none for a tight contact")
     return pencil
+
+
+def _bodies(names: tuple[str, ...]) -> Pencil:
+    zero = _rows(_square(len(names)))
+    return Pencil(zero, zero, zero, ((),) * len(names), (), (), names)
+
+
+def _sum(a: Rows, b: Rows) -> Rows:
+    return tuple(tuple(x + y for x, y in zip(*rows, strict=True)) for rows in zip(a, b, strict=True))
 
 
 def _square(n: int) -> list[list[Fraction]]:

@@ -1,0 +1,161 @@
+"""Δ̂ and the receptances in float64 for arrays of σ: quick, without proof.
+
+Sums of residues at the p-roots; companion matrices for those σ at which two roots of one side nearly meet, where
+residues cancel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.receptance import Coefficients, by_companions
+from mpsolve.characteristic.splitting import Splitting, monic, sharpened, upper_count
+from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
+from mpsolve.numbers.float64 import Float64
+from mpsolve.problem.reduced import Guide, Reduced
+
+_K = Float64()
+_NEAR = 0.15
+"""Roots of one side that are nearer than this, relative to the larger, are taken together."""
+_TIE = 1e-9
+_AHEAD = 1e-7
+
+
+@dataclass(frozen=True)
+class Receptance:
+    """Ĝ of a moving track (scaled units) on arrays of σ with Re σ ≥ 0, and as far below as no cut lies between."""
+
+    guide: Guide
+
+    @cached_property
+    def symbols(self) -> Symbols:
+        return Symbols.of(self.guide)
+
+    @cached_property
+    def upper(self) -> int:
+        """n₊, proved."""
+        return upper_count(self.symbols.D)
+
+    def roots(self, sigma: Any) -> Any:
+        """The p-roots, shape (len(σ), degree), upper ones first."""
+        D = np.stack([np.broadcast_to(c, sigma.shape) for c in self.symbols.D.at(_K, sigma)], -1)
+        n = D.shape[1] - 1
+        C = np.zeros((len(sigma), n, n), complex)
+        C[:, range(n - 1), range(1, n)] = 1
+        C[:, -1] = -D[:, :-1] / D[:, -1:]
+        z = np.linalg.eigvals(C)
+        key = z.real.copy()
+        ranks = np.sort(key, -1)
+        if 0 < self.upper < n:  # on the real axis, waves: those count that decay for Re σ > 0
+            tie = ranks[:, self.upper] - ranks[:, self.upper - 1] < _TIE * np.abs(z).max(-1)
+            if tie.any():
+                key[tie] += _AHEAD * self._drift(sigma[tie], z[tie]).real
+        elif n:
+            return z
+        return np.take_along_axis(z, np.argsort(key, -1), -1)
+
+    def _drift(self, sigma: Any, z: Any) -> Any:
+        """dP/dσ at the roots."""
+        local = self._local(sigma)
+        with np.errstate(all="ignore"):
+            return np.nan_to_num(-horner(local.D_sigma, z) / horner(slope_in_P(local.D), z))
+
+    def _local(self, sigma: Any) -> Coefficients:
+        s = self.symbols
+        return Coefficients(
+            *([np.asarray(c)[..., None] for c in x.at(_K, sigma)] for x in (s.D, s.N, s.D_sigma, s.N_sigma))
+        )
+
+    def __call__(self, sigma: Any, xi: Sequence[Fraction], slope: bool = True) -> tuple[list[Any], list[Any]]:
+        """G(ξ, σ) for each exact ξ as arrays over σ, and where asked its slope in σ."""
+        z = self.roots(sigma)
+        near = self._meet(z)
+        with np.errstate(all="ignore"):
+            G, G_sigma = self._residues(sigma, z, xi, slope)
+        if near.any():
+            z, some = z[near], sigma[near]
+            D = [np.broadcast_to(c, some.shape) for c in self.symbols.D.at(_K, some)]
+            U, L = (list(monic([side[:, k] for k in range(side.shape[1])])) for side in self._sides(z))
+            for _ in range(2):
+                U, L = sharpened(_K, D, U, L)
+            exact = by_companions(_K, self.symbols, Splitting(D[-1], tuple(U), tuple(L)), some, xi, slope)
+            for rows, better in zip((G, G_sigma), exact, strict=True):
+                for row, values in zip(rows, better, strict=True):
+                    row[near] = values
+        return G, G_sigma
+
+    def _sides(self, z: Any) -> tuple[Any, Any]:
+        return z[:, : self.upper], z[:, self.upper :]
+
+    def _meet(self, z: Any) -> Any:
+        """Where two roots of one side are near."""
+        near = np.zeros(len(z), bool)
+        for side in self._sides(z):
+            one, other = side[:, :, None], side[:, None, :]
+            reach = _NEAR * np.maximum(np.abs(one), np.abs(other))
+            near |= (np.abs(one - other) < reach * (1 - np.eye(side.shape[1]))).any((1, 2))
+        return near
+
+    def _residues(self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool) -> tuple[list[Any], list[Any]]:
+        local = self._local(sigma)
+        z = z - horner(local.D, z) / horner(slope_in_P(local.D), z)
+        terms = local.terms(z)
+        ahead, behind = (
+            replace(terms, z=z[:, part], w=terms.w[:, part], a=terms.a[:, part], b=terms.b[:, part])
+            for part in (slice(0, self.upper), slice(self.upper, None))
+        )
+        G, G_sigma = [], []
+        for x in map(float, xi):
+            side, sign = (ahead, 1) if x >= 0 else (behind, -1)
+            wave = sign * np.exp(side.z * x)
+            G.append((side.w * wave).sum(-1))
+            if slope:
+                G_sigma.append(((side.a + side.b * x) * wave).sum(-1))
+        return G, G_sigma
+
+
+@dataclass(frozen=True)
+class Floats:
+    """Δ̂ of a problem on arrays of σ."""
+
+    reduced: Reduced
+
+    @cached_property
+    def receptance(self) -> Receptance:
+        return Receptance(self.reduced.guide)
+
+    @cached_property
+    def border(self) -> Bordering:
+        return Bordering.of(self.reduced)
+
+    def matrices(self, sigma: Any) -> tuple[Any, Any]:
+        """A(σ) and A'(σ), shape (len(σ), n, n)."""
+        sigma = np.atleast_1d(np.asarray(sigma, complex))
+        G, G_sigma = self.receptance(sigma, self.border.distances)
+        return _K.matrix(self.border.rows(_K, sigma, G)), _K.matrix(self.border.slopes(_K, sigma, G_sigma))
+
+    def delta(self, sigma: Any) -> tuple[Any, Any]:
+        """Δ̂ and dΔ̂/dσ on an array of σ."""
+        A, A_sigma = self.matrices(sigma)
+        value, slope = np.linalg.det(A), np.empty(len(A), complex)
+        regular = value != 0
+        turned = np.linalg.solve(A[regular], A_sigma[regular]).trace(axis1=-2, axis2=-1)
+        slope[regular] = value[regular] * turned
+        slope[~regular] = (_adjugate(A[~regular]) @ A_sigma[~regular]).trace(axis1=-2, axis2=-1)
+        return value, slope
+
+
+def _adjugate(A: Any) -> Any:
+    """For singular matrices too, from singular values."""
+    left, sizes, right = np.linalg.svd(A)
+    n = A.shape[-1]
+    others = np.stack([np.delete(sizes, k, -1).prod(-1) for k in range(n)], -1)
+    turn = np.linalg.det(left) * np.linalg.det(right)
+    return turn[:, None, None] * (right.conj().swapaxes(-1, -2) * others[:, None, :]) @ left.conj().swapaxes(-1, -2)

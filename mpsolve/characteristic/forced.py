@@ -1,0 +1,79 @@
+"""The rail under a harmonic force that moves along: tables for solvers that have their own vehicle and time steps."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.floats import Receptance
+from mpsolve.errors import InputError
+from mpsolve.numbers.model import rational, shown
+from mpsolve.problem.reduced import track_guide
+from mpsolve.tracks.at_rest import Status, at_rest
+from mpsolve.tracks.waveguide import Track, Waveguide
+
+
+def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Any:
+    """Displacement of the rail per unit force, float64, complex, shape (len(xi), len(omega)).
+
+    A force e^{iωt} that moves along the track at the velocity v deflects the rail at the distance ξ ahead of it
+    by receptance · e^{iωt}. Units are those of the track, m/N, m and rad/s for SI. omega: real, or complex with
+    Im ω ≤ 0 (a growing force); at a real ω it is the limit from Im ω < 0, so that undamped waves run away from the
+    force. An obstacle Z_j(ω) at x_j that presses with Z_j w gives the system det[I − G(x_i − x_j, ω) Z_j(ω)] = 0,
+    Z = M ω² for a mass. InputError for what is not finite, and where float64 does not reach.
+
+    The deflection under a static unit force on a beam on springs is χ/(2k), χ = (k/4EI)^¼:
+
+    >>> from mpsolve import tracks
+    >>> beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1)
+    >>> round(float(receptance(beam, 0, 0)[0, 0].real), 12)
+    0.5
+    """
+    if not isinstance(track, (Track, Waveguide)):
+        raise InputError("track", f"is of type {type(track).__name__}: give one of mpsolve.tracks")
+    velocity = rational(v, "v")
+    if velocity < 0:
+        raise InputError("v", f"is {shown(velocity)}, but must not be below 0: x runs ahead of the force")
+    places, points = _listed("xi", xi, float), _listed("omega", omega, complex)
+    if (points.imag > 0).any():
+        raise InputError("omega", "lies above the real axis, where the cuts may be: give Im ω ≤ 0")
+    local = _receptance(track, velocity)
+    guide = local.guide
+    unit = Fraction(2) ** guide.length
+    exact = [Fraction(float(x)) / unit for x in places]
+    with np.errstate(all="ignore"):
+        try:
+            rows = local(1j * points * 2.0**guide.time, exact, slope=False)[0]
+        except (ArithmeticError, np.linalg.LinAlgError):  # no number of float64, or no roots that are told apart
+            raise _out_of_reach() from None
+        table = float(guide.g) * np.array(rows).reshape(len(places), len(points))
+    if not np.isfinite(table).all():
+        raise _out_of_reach()
+    return table
+
+
+@lru_cache(maxsize=32)
+def _receptance(track: Track | Waveguide, velocity: Fraction) -> Receptance:
+    """Kept for the next call; InputError for a track that grows by itself, where a p-root has no side."""
+    found = at_rest(track)
+    if found.status is Status.UNSTABLE:
+        raise InputError("track", f"is unstable without any force: {found.sentence}; lower the axial force N")
+    return Receptance(track_guide(track, velocity))
+
+
+def _listed(name: str, values: Any, kind: type) -> Any:
+    out: Any
+    try:
+        out = np.atleast_1d(np.asarray(values, kind))
+    except (TypeError, ValueError):
+        raise InputError(name, "is no list of numbers: give a number, or a list of numbers") from None
+    if out.ndim != 1 or not np.isfinite(out).all():
+        raise InputError(name, "is no list of finite numbers: give a number, or a list of numbers")
+    return out
+
+
+def _out_of_reach() -> InputError:
+    return InputError("omega", "has points where the receptance is infinite, or out of float64's reach: give others")

@@ -1,0 +1,157 @@
+"""The splitting, the receptances and Δ̂ at a ball of σ, proved: what is returned holds for every σ of the ball."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.factors import Factors, factor_balls, sides
+from mpsolve.characteristic.receptance import Coefficients, Terms, by_companions
+from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls
+from mpsolve.characteristic.splitting import Splitting, monic, upper_count
+from mpsolve.characteristic.symbol import Symbols
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
+from mpsolve.numbers.reduction import Reduction
+from mpsolve.problem.reduced import Reduced
+
+_K = Balls()
+
+
+@dataclass(frozen=True)
+class ProvedSplitting:
+    """U and L in balls, or their roots in balls of their own, upper ones first; `signed`: Re P < 0 and > 0 is proved.
+
+    Where it is not, the roots are those of the n₊ smallest real parts at the midpoint, apart from the others: the
+    caller must know why they are the upper ones.
+    """
+
+    symbols: Symbols
+    sigma: Any
+    upper: int
+    roots: tuple[Any, ...] | None
+    factors: Factors | None
+    signed: bool
+
+    @cached_property
+    def splitting(self) -> Splitting:
+        """As coefficients."""
+        lead = _K.evaluate(self.symbols.D.rows[-1], self.sigma)
+        if self.factors is not None:
+            return Splitting(lead, *self.factors)
+        roots = self.roots or ()
+        return Splitting(lead, monic(roots[: self.upper]), monic(roots[self.upper :]))
+
+    @cached_property
+    def weights(self) -> tuple[Any, ...]:
+        """N/D_P at each root: the least that a value of G takes."""
+        if not is_thin(self.sigma):
+            return tuple(term.w for term in self.terms)
+        D, N = (Orders(x, self.sigma).wide for x in (self.symbols.D, self.symbols.N))
+        slope = D.derivative()
+        return tuple(N(z) / slope(z) for z in self.roots or ())
+
+    @cached_property
+    def terms(self) -> tuple[Terms, ...]:
+        """The terms of G and of its slope, where the roots are simple."""
+        s = self.symbols
+        orders = [Orders(x, self.sigma) for x in (s.D, s.N, s.D_sigma, s.N_sigma)]
+        if is_thin(self.sigma):
+            local = Coefficients(*(x.orders[0].coeffs() for x in orders))
+            return tuple(local.terms(root) for root in self.roots or ())
+        out = []
+        for root in self.roots or ():
+            middle = root.mid()
+            local = Coefficients(*(x.about(middle) for x in orders))
+            out.append(replace(local.terms(root - middle), z=root))
+        return tuple(out)
+
+    def receptances(self, xi: Sequence[Any], slope: bool = True) -> tuple[list[Any], list[Any]]:
+        """G(ξ, σ) for each exact ξ, and where asked its slope in σ; `PrecisionError` where balls are too wide."""
+        if self.roots is None:
+            G, G_sigma = by_companions(_K, self.symbols, self.splitting, self.sigma, xi, slope)
+        else:
+            G, G_sigma = self._by_residues(xi, slope)
+        if not all(g.is_finite() for g in (*G, *G_sigma)):
+            raise PrecisionError("the receptance may be infinite over the ball: split the piece")
+        return G, G_sigma
+
+    def _by_residues(self, xi: Sequence[Any], slope: bool) -> tuple[list[Any], list[Any]]:
+        G, G_sigma = [], []
+        roots = self.roots or ()
+        weights = [term.w for term in self.terms] if slope else self.weights
+        for x in xi:
+            side, sign = (slice(0, self.upper), 1) if x >= 0 else (slice(self.upper, None), -1)
+            ball = _K.number(x)
+            waves = [(ball * z).exp() if x else acb(1) for z in roots[side]]
+            G.append(sign * sum((w * e for w, e in zip(weights[side], waves, strict=True)), acb(0)))
+            if slope:
+                each = zip(self.terms[side], waves, strict=True)
+                G_sigma.append(sign * sum(((term.a + ball * term.b) * e for term, e in each), acb(0)))
+        return G, G_sigma
+
+
+def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
+    """The splitting over a ball of σ at the precision that is set; `PrecisionError` where it cannot be proved."""
+    sigma = acb(sigma)
+    middle = [row(sigma.mid()) for row in symbols.D.balls()]
+    z = float_roots(middle, symbols.degree)
+    if apart(z):
+        roots = tuple(root_balls(symbols.D, sigma, z))
+        signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
+        return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
+    factors = factor_balls(symbols.D, sigma, z, upper)
+    return ProvedSplitting(symbols, sigma, upper, None, factors, sides(factors, z, upper))
+
+
+class Proved:
+    """Δ̂ of a problem in balls, at the precision that is set.
+
+    Its premise: σ is in the part of the plane that reaches to Re σ → ∞ without crossing a cut (Re σ > 0, or above
+    −h for h below the lowest cut), where the upper p-roots are the n₊ with Re P < 0. signed: refuse a ball of σ at
+    which these signs are not proved; with signed=False the caller must know which roots are upper.
+    """
+
+    def __init__(self, reduced: Reduced, signed: bool = True) -> None:
+        self.reduced = reduced
+        self.symbols = Symbols.of(reduced.guide)
+        self.border = Bordering.of(reduced)
+        self.signed = signed
+
+    @cached_property
+    def upper(self) -> int:
+        """n₊, proved."""
+        return upper_count(self.symbols.D)
+
+    def splitting(self, sigma: Any) -> ProvedSplitting:
+        """The splitting over the ball σ."""
+        split = split_ball(self.symbols, sigma, self.upper)
+        if self.signed and not split.signed:
+            raise PrecisionError("a p-root may be real, so which side it belongs to is open: split the piece")
+        return split
+
+    def matrices(self, sigma: Any, slope: bool = True, mean: bool = True) -> tuple[Any, Any]:
+        """A(σ) and A'(σ) as acb_mat.
+
+        mean: over a wide ball A by the mean value, from its middle and its slope, which is narrower and costs more.
+        """
+        sigma = acb(sigma)
+        mean = mean and not is_thin(sigma)
+        G, G_sigma = self.splitting(sigma).receptances(self.border.distances, slope or mean)
+        if mean:
+            middle = sigma.mid()
+            inner = self.splitting(middle).receptances(self.border.distances, False)[0]
+            G = [g + g_s * (sigma - middle) for g, g_s in zip(inner, G_sigma, strict=True)]
+        A = acb_mat(self.border.rows(_K, sigma, G))
+        return A, (acb_mat(self.border.slopes(_K, sigma, G_sigma)) if slope else None)
+
+    def delta(self, sigma: Any) -> tuple[Any, Any]:
+        """Δ̂ and dΔ̂/dσ over the ball σ."""
+        A, A_sigma = self.matrices(sigma)
+        return Reduction.of(A).determinant(A, A_sigma)
+
+
+__all__ = ["Proved", "ProvedSplitting", "split_ball", "upper_count"]

@@ -1,0 +1,95 @@
+"""D and N of a moving track as polynomials in P whose coefficients are polynomials in σ, over any arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from mpsolve.numbers.arithmetic import Arithmetic
+from mpsolve.numbers.balls import acb_poly, bits_now, rational_ball
+from mpsolve.problem.reduced import Guide
+from mpsolve.tracks.waveguide import Polynomial
+
+Table = tuple[tuple[Fraction, ...], ...]
+_KEPT = 16
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A polynomial in P and σ: rows[i][j] is the exact coefficient of P^i σ^j."""
+
+    rows: Table
+
+    @staticmethod
+    def of(polynomial: Polynomial) -> Symbol:
+        top = max((i for i, _ in polynomial), default=0)
+        rows = []
+        for i in range(top + 1):
+            width = max((j for k, j in polynomial if k == i), default=0)
+            rows.append(tuple(polynomial.get((i, j), Fraction(0)) for j in range(width + 1)))
+        return Symbol(tuple(rows))
+
+    def at(self, K: Arithmetic, sigma: Any) -> list[Any]:
+        """The coefficients of P^0, P^1, … at σ."""
+        return [K.evaluate(row, sigma) for row in self.rows]
+
+    def balls(self) -> list[Any]:
+        """The rows as polynomials in σ with balls at the precision that is set."""
+        bits = bits_now()
+        if bits not in self._kept:
+            if len(self._kept) >= _KEPT:
+                self._kept.clear()
+            self._kept[bits] = [acb_poly([rational_ball(c) for c in row]) for row in self.rows]
+        return self._kept[bits]
+
+    @cached_property
+    def _kept(self) -> dict[int, list[Any]]:
+        return {}
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """What the receptance of a moving track is made of: D, N and their slopes in σ."""
+
+    D: Symbol
+    N: Symbol
+    D_sigma: Symbol
+    N_sigma: Symbol
+
+    @staticmethod
+    def of(guide: Guide) -> Symbols:
+        return Symbols(*map(Symbol.of, (guide.D, guide.N, _slope(guide.D), _slope(guide.N))))
+
+    @cached_property
+    def degree(self) -> int:
+        """The number of p-roots."""
+        return len(self.D.rows) - 1
+
+
+def _slope(a: Polynomial) -> Polynomial:
+    return {(i, j - 1): j * c for (i, j), c in a.items() if j}
+
+
+def slope_in_P(coefficients: Sequence[Any]) -> list[Any]:
+    """Coefficients of the derivative in P."""
+    return [i * c for i, c in enumerate(coefficients)][1:]
+
+
+def horner(coefficients: Sequence[Any], z: Any) -> Any:
+    """Σ c_i z^i; 0 for an empty list."""
+    total = z * 0
+    for c in reversed(coefficients):
+        total = total * z + c
+    return total
+
+
+def product(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    """Coefficients of the product of two polynomials."""
+    out: list[Any] = [0] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            out[i + j] = out[i + j] + x * y
+    return out

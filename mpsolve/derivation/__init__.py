@@ -1,0 +1,1 @@
+"""Equations of motion from first principles, in sympy."""

@@ -1,0 +1,61 @@
+"""Arrays of complex float64 as scalars, stacks of matrices as matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+_TERMS = 18
+_NORM = 0.5
+
+
+class Float64:
+    """Scalars are numpy arrays of one shape (or numbers); matrices have that shape and two more axes."""
+
+    def number(self, x: Fraction) -> float:
+        return float(x)
+
+    def evaluate(self, coefficients: Sequence[Fraction], z: Any) -> Any:
+        total = np.zeros_like(np.asarray(z, complex))
+        for c in reversed(coefficients):
+            total = total * z + float(c)
+        return total
+
+    def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
+        shape = np.broadcast_shapes(*(np.shape(x) for row in rows for x in row))
+        columns = len(rows[0]) if rows else 0
+        out = np.empty((*shape, len(rows), columns), complex)
+        for i, row in enumerate(rows):
+            for j, x in enumerate(row):
+                out[..., i, j] = x
+        return out
+
+    def times(self, a: Any, factor: Any) -> Any:
+        return a * np.asarray(factor)[..., None, None]
+
+    def product(self, a: Any, b: Any) -> Any:
+        return a @ b
+
+    def exp(self, a: Any) -> Any:
+        """By scaling and squaring of the Taylor series, one scale for the whole stack."""
+        size = float(np.abs(a).sum(-2).max()) if a.size else 0.0
+        halvings = max(0, int(np.ceil(np.log2(size / _NORM)))) if size > _NORM else 0
+        a = a / 2.0**halvings
+        total = np.broadcast_to(np.eye(a.shape[-1], dtype=complex), a.shape)
+        for k in range(_TERMS, 0, -1):
+            total = np.eye(a.shape[-1]) + a @ total / k
+        for _ in range(halvings):
+            total = total @ total
+        return total
+
+    def solve(self, a: Any, b: Any) -> Any:
+        return np.linalg.solve(a, b)
+
+    def entry(self, a: Any, i: int, j: int) -> Any:
+        return a[..., i, j]
+
+    def det(self, a: Any) -> Any:
+        return np.linalg.det(a)

@@ -1,0 +1,147 @@
+"""Tight determinants of matrices of balls, also where they are singular: everything is reduced to one scalar.
+
+Exact matrices, chosen in float64, make left · A · right ≈ diag(1, …, 1, s). Where the middle of A is regular, left is
+its inverse, right the identity and s ≈ 1: the first-order width is then the least possible. Where it is nearly
+singular, with a null vector v and a left null vector u, the last column of right is v, and left is the inverse of A
+with one column replaced by u: the first block is regular, so det A = 0 exactly where s = b_nn − b_n B⁻¹ b^n is 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, acb_mat, exact_ball
+
+_SINGULAR = 2.0**-20
+"""Of the largest singular value of an equilibrated matrix: below it a matrix is nearly singular."""
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """left · A · right ≈ diag(1, …, 1, s), both exact and regular."""
+
+    left: Any
+    right: Any
+
+    @staticmethod
+    def of(A: Any, near_root: bool = False) -> Reduction:
+        """The reduction for matrices near the midpoint of A; `PrecisionError` where float64 does not reach.
+
+        near_root: treat A as nearly singular at any rate, so that s is a smooth function next to a root.
+        """
+        n = A.nrows()
+        middle = np.array([[complex(A[i, j]) for j in range(n)] for i in range(n)])
+        if not np.isfinite(middle).all():
+            raise PrecisionError("the characteristic matrix is out of float64's range here")
+        try:
+            left, right = _regular(middle) if not near_root and _is_regular(middle) else _bordered(middle)
+        except np.linalg.LinAlgError:
+            raise PrecisionError("the characteristic matrix has a kernel of more than one dimension here") from None
+        if not np.isfinite(left).all():
+            raise PrecisionError("the characteristic matrix is out of float64's range here")
+        return Reduction(_exact(left), _exact(right))
+
+    @cached_property
+    def factor(self) -> Any:
+        """1/det(left · right), at the precision at which it is first asked for."""
+        return 1 / (self.left.det() * self.right.det())
+
+    def _blocks(self, A: Any) -> tuple[Any, Any, Any, Any]:
+        B = self.left * A * self.right
+        n = B.nrows() - 1
+        first = acb_mat(n, n, [B[i, j] for i in range(n) for j in range(n)])
+        return first, acb_mat(n, 1, [B[i, n] for i in range(n)]), acb_mat(1, n, [B[n, j] for j in range(n)]), B[n, n]
+
+    def scalar(self, A: Any) -> Any:
+        """s(A): 0 exactly where A is singular."""
+        first, column, row, corner = self._blocks(A)
+        return corner - _entry(row * _solved(first, column)) if first.nrows() else corner
+
+    def scalar_slope(self, A: Any, A_slope: Any) -> Any:
+        """The derivative of s along A_slope."""
+        first, column, row, _ = self._blocks(A)
+        d_first, d_column, d_row, d_corner = self._blocks(A_slope)
+        if not first.nrows():
+            return d_corner
+        x, y = _solved(first, column), _solved(first.transpose(), row.transpose()).transpose()
+        return d_corner - _entry(d_row * x) - _entry(y * d_column) + _entry(y * d_first * x)
+
+    def determinant(self, A: Any, A_slope: Any) -> tuple[Any, Any]:
+        """det A and its derivative along A_slope."""
+        first = self._blocks(A)[0]
+        s, d_s = self.scalar(A), self.scalar_slope(A, A_slope)
+        if not first.nrows():
+            return self.factor * s, self.factor * d_s
+        size = self.factor * _near_one(first)
+        turn = _solved(first, self._blocks(A_slope)[0]).trace()
+        return size * s, size * (d_s + s * turn)
+
+    def kernel(self, A: Any) -> list[Any]:
+        """A vector x ≠ 0 with A x = 0 for each singular matrix of the balls A."""
+        first, column, _, _ = self._blocks(A)
+        n = first.nrows()
+        head = [-x for x in _solved(first, column).entries()] if n else []
+        return list((self.right * acb_mat(n + 1, 1, [*head, acb(1)])).entries())
+
+
+def _solved(a: Any, b: Any) -> Any:
+    try:
+        return a.solve(b)
+    except ZeroDivisionError:
+        raise PrecisionError("the characteristic matrix is too wide here: split the piece") from None
+
+
+def _near_one(a: Any) -> Any:
+    """The determinant of a matrix near the identity, by elimination without exchange: no width beyond first order."""
+    rows, value = a.tolist(), acb(1)
+    for k, pivots in enumerate(rows):
+        value *= pivots[k]
+        if pivots[k].contains(0):
+            raise PrecisionError("the characteristic matrix is too wide here: split the piece")
+        for row in rows[k + 1 :]:
+            factor = row[k] / pivots[k]
+            for j in range(k + 1, len(rows)):
+                row[j] -= factor * pivots[j]
+    return value
+
+
+def _entry(a: Any) -> Any:
+    return a[0, 0]
+
+
+def _exact(a: Any) -> Any:
+    n = len(a)
+    return acb_mat(n, n, [exact_ball(complex(x)) for x in a.ravel()])
+
+
+def _equilibrated(a: Any) -> tuple[Any, Any, Any]:
+    """Powers of two r, c that bring the rows and columns of r a c near 1, and r a c."""
+    r = np.exp2(-np.round(np.log2(np.maximum(np.abs(a).max(1), 1e-300))))
+    c = np.exp2(-np.round(np.log2(np.maximum(np.abs(r[:, None] * a).max(0), 1e-300))))
+    return r, c, r[:, None] * a * c
+
+
+def _is_regular(a: Any) -> bool:
+    sizes = np.linalg.svd(_equilibrated(a)[2], compute_uv=False)
+    return bool(sizes[-1] > _SINGULAR * sizes[0])
+
+
+def _regular(a: Any) -> tuple[Any, Any]:
+    return np.linalg.inv(a), np.eye(len(a), dtype=complex)
+
+
+def _bordered(a: Any) -> tuple[Any, Any]:
+    """By the singular vectors of the least singular value."""
+    r, c, even = _equilibrated(a)
+    U, _, V = np.linalg.svd(even)
+    v, u = V[-1].conj() * c, U[:, -1] / r
+    j = int(np.argmax(np.abs(V[-1])))
+    v, others = v / v[j], [k for k in range(len(a)) if k != j]
+    right = np.eye(len(a), dtype=complex)[:, [*others, j]]
+    right[:, -1] = v
+    return np.linalg.inv(np.column_stack([a[:, others], u])), right

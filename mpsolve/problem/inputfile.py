@@ -1,0 +1,174 @@
+"""Read a problem from a TOML file: any track, any vehicles, or one of the paper's cases.
+
+What a model takes stands in its own class; keys, bounds and messages come from there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any, TypeVar
+
+from mpsolve import tracks, vehicles
+from mpsolve.errors import InputError
+from mpsolve.model.inputfile import InputFile, input_of
+from mpsolve.model.load import Load, gives_forces
+from mpsolve.model.parameters import Case, PhysicalCase, errors_under
+from mpsolve.model.toml import check_keys, kind, parsed, text_of
+from mpsolve.numbers.model import Model, Part, defaults, quantities
+from mpsolve.problem.cases import as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.vehicles.vehicle import Placed
+
+_M = TypeVar("_M", bound=Model)
+_TOP = {
+    "title": "a text",
+    "v": "the velocity in m/s",
+    "track": "a section",
+    "vehicle": "sections",
+    "load": "sections",
+}
+_PLACE = {
+    "position": "where its middle is, in m",
+    "count": "how many of it run in a row",
+    "spacing": "the distance from one to the next, in m",
+}
+_LOAD = {
+    "constant": "the constant force in N",
+    "amplitude": "the amplitude of the harmonic force in N",
+    "frequency": "its frequency in rad/s",
+    "phase": "its phase in rad",
+}
+
+
+@dataclass(frozen=True)
+class ProblemFile:
+    """A problem that has passed every check, with the title ("" if none) and the path of its file.
+
+    loads: the forces at the contacts from rear to front, or None where the file gives none.
+    case: the paper's case that the file holds, or None.
+    """
+
+    problem: Problem
+    title: str
+    path: Path
+    loads: tuple[Load, ...] | None = None
+    case: Case | PhysicalCase | None = None
+
+
+def read_problem(path: str | Path) -> ProblemFile:
+    """The problem in the TOML file at `path`, each number exactly as written (0.1 is 1/10).
+
+    The file holds v, [track] with `model` and its parameters, and [[vehicle]] with `model`, its parameters and its
+    `position` (0 if left out), or `count` and `spacing` of a train whose rearmost one stands there. [[load]] gives
+    the force at each contact from rear to front, or at none. Or it is a file as for `read_case`.
+    InputError names the key at fault, such as track.k_pad or vehicle[2].wheel (counted from 1).
+    """
+    file = Path(path)
+    content = parsed(text_of(file), str(file))
+    if not {"track", "vehicle", "v"} & content.keys():
+        return _of_case(_known_case(content, file))
+    for other in ("physical", "dimensionless", "mass"):
+        if other in content:
+            raise InputError(other, "stands beside [track] and [[vehicle]]: keep only one of the two descriptions")
+    check_keys(content, _TOP, "")
+    title = content.get("title", "")
+    if type(title) is not str:
+        raise InputError("title", f'is {kind(title)}, not a text: write title = "…"')
+    track = _model(_present(content, "track", "add [track] with its model"), "track", tracks.CATALOGUE)
+    placed = [one for j, entry in enumerate(_sections(content, "vehicle"), 1) for one in _vehicle(entry, j)]
+    problem = Problem(track, placed, v=_present(content, "v", "give the velocity in m/s, 0 for vehicles at rest"))
+    return ProblemFile(problem, title, file, _loads(content, problem.pencil.contacts))
+
+
+def _known_case(content: Mapping[str, Any], file: Path) -> InputFile:
+    if not {"physical", "dimensionless", "mass"} & content.keys():
+        check_keys(content, _TOP | {"physical": "a section", "dimensionless": "a section", "mass": "sections"}, "")
+        raise InputError(str(file), "holds no problem: add v, [track] and [[vehicle]], or [physical] with [[mass]]")
+    return input_of(content, file)
+
+
+def _of_case(source: InputFile) -> ProblemFile:
+    loads, case = source.loads, source.case
+    if isinstance(case, PhysicalCase) and gives_forces(case):
+        loads = tuple(Load(mass.P, mass.P_A, mass.omega_f, mass.phi_f) for mass in case.masses)
+    with errors_under("" if isinstance(case, PhysicalCase) else "dimensionless."):
+        return ProblemFile(as_problem(case), source.title, source.path, loads, case)
+
+
+def _present(content: Mapping[str, Any], key: str, advice: str) -> Any:
+    if key not in content:
+        raise InputError(key, f"is missing: {advice}")
+    return content[key]
+
+
+def _sections(content: Mapping[str, Any], key: str) -> list[Any]:
+    entries = _present(content, key, f"add [[{key}]] with its model")
+    if not isinstance(entries, list):
+        raise InputError(key, f"is {kind(entries)}: write [[{key}]] in double brackets for each")
+    return entries
+
+
+def _vehicle(entry: object, j: int) -> tuple[Placed, ...]:
+    key = f"vehicle[{j}]"
+    model = _model(entry, key, vehicles.CATALOGUE, _PLACE)
+    given = dict(entry) if isinstance(entry, dict) else {}
+    with errors_under(f"{key}."):
+        at = model.at(given.get("position", 0)).position
+        if ("count" in given) != ("spacing" in given):
+            missing = "spacing" if "count" in given else "count"
+            raise InputError(missing, f"is missing: give {_PLACE[missing]}, or leave count and spacing out")
+        row = vehicles.train(model, given["count"], given["spacing"]) if "count" in given else (model.at(0),)
+    return tuple(Placed(model, at + one.position) for one in row)
+
+
+def _model(entry: object, key: str, catalogue: Sequence[type[_M]], more: Mapping[str, str] | None = None) -> _M:
+    """The model that a section describes; `more` names the keys that are not the model's own."""
+    names = {model.name: model for model in catalogue}  # type: ignore[attr-defined]
+    if not isinstance(entry, dict):
+        raise InputError(key, f"is {kind(entry)}, not a section: give its model, one of {', '.join(names)}")
+    name = entry.get("model")
+    if name is None:
+        raise InputError(f"{key}.model", f"is missing: give one of {', '.join(names)}")
+    if not isinstance(name, str) or name not in names:
+        near = get_close_matches(str(name).lower(), names, n=1, cutoff=0.5)
+        advice = f"did you mean {near[0]}?" if near else f"the models are {', '.join(names)}"
+        raise InputError(f"{key}.model", f"is {str(name)[:40]!r}, which is unknown: {advice}")
+    own = {given: value for given, value in entry.items() if given not in ("model", *(more or {}))}
+    return _made(names[name], own, key, {"model": "the name of the model"} | dict(more or {}))
+
+
+def _made(model: type[_M], own: dict[str, Any], key: str, more: Mapping[str, str]) -> _M:
+    """The model from its own keys, every one of which is described by its class."""
+    described, optional = quantities(model), defaults(model)
+    check_keys(own, {name: quantity.meaning for name, quantity in described.items()} | dict(more), f"{key}.")
+    for name, quantity in described.items():
+        if name not in own and name not in optional:
+            raise InputError(f"{key}.{name}", f"is missing: give the {quantity.told}")
+        if isinstance(quantity, Part):
+            part = own[name]
+            if not isinstance(part, dict):
+                raise InputError(f"{key}.{name}", f"is {kind(part)}, not a section: give its parameters in it")
+            inner = {inner: value for inner, value in part.items() if (inner, value) != ("model", quantity.kind.name)}
+            own = own | {name: _made(quantity.kind, inner, f"{key}.{name}", {})}
+    with errors_under(f"{key}."):
+        return model(**own)
+
+
+def _loads(content: Mapping[str, Any], contacts: int) -> tuple[Load, ...] | None:
+    if "load" not in content:
+        return None
+    loads = []
+    for j, entry in enumerate(_sections(content, "load"), 1):
+        key = f"load[{j}]"
+        if not isinstance(entry, dict):
+            raise InputError(key, f"is {kind(entry)}, not a section: give {', '.join(_LOAD)} in it")
+        check_keys(entry, _LOAD, f"{key}.")
+        with errors_under(f"{key}."):
+            loads.append(Load(**entry))
+    if len(loads) != contacts:
+        stated = f"has {len(loads)} entries for {contacts} contacts"
+        raise InputError("load", f"{stated}: give one [[load]] for each contact from rear to front, or none")
+    return tuple(loads)

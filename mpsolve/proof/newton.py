@@ -1,0 +1,128 @@
+"""Interval Newton for one analytic equation f(z) = 0, at the precision that is set and at rising ones.
+
+If the image m − f(m)/f′(X) of a box X round m lies in the interior of X, then X holds exactly one root of f, a
+simple one, and it lies in the image. Nothing here knows what f is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb, bits_now, precision, square
+
+_GUARD = 24
+_LOSS = 12
+_MOST_GUARD = 2000
+_POLISH = 8
+
+
+class Analytic(Protocol):
+    """A function on balls; all raise `PrecisionError` where a ball cannot be decided."""
+
+    def value(self, z: Any) -> Any:
+        """A ball that holds f on the ball z."""
+
+    def slope(self, z: Any) -> Any:
+        """A ball that holds f′ on the ball z."""
+
+    def both(self, z: Any) -> tuple[Any, Any]:
+        """The two at once."""
+
+
+@dataclass(frozen=True)
+class Isolated:
+    """A box that holds exactly one root of f, and its sharper image, which holds that root too."""
+
+    box: Any
+    image: Any
+
+
+def polished(f: Analytic, seed: Any) -> Any:
+    """An exact point where Newton's method from `seed` stands still to the precision that is set, or nearly so."""
+    z = acb(seed).mid()
+    for _ in range(_POLISH):
+        value, slope = f.both(z)
+        step = value.mid() / slope.mid()
+        if not step.is_finite():
+            raise PrecisionError("Newton's method met a stationary point: roots may be too close for this precision")
+        z = (z - step).mid()
+        if step.abs_upper() <= z.abs_upper() * arb(2) ** (-bits_now() // 2):  # the next step is its square
+            break
+    return z
+
+
+def isolated(f: Analytic, middle: Any, size: Any) -> Isolated:
+    """The largest of the boxes of half-width size·2⁻¹⁶, size·2⁻²⁴, … round the exact `middle` that is proved.
+
+    `PrecisionError` where none is proved at the precision that is set.
+    """
+    value = f.value(middle)
+    for shrink in range(16, bits_now() - 12, 8):
+        box = middle + square(arb(size) * arb(2) ** -shrink)
+        image = _image(f, middle, value, box)
+        if image is not None:
+            return Isolated(box, image)
+    near = complex(middle)
+    raise PrecisionError(f"no box around {near:.6g} is proved to hold exactly one root: raise the precision")
+
+
+def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
+    try:
+        image = middle - value / f.slope(box)
+    except PrecisionError:
+        return None
+    return image if image.is_finite() and box.contains_interior(image) else None
+
+
+def sharpened(f: Analytic, image: Any, goal: int, real: bool = False) -> Any:
+    """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
+
+    real: the root is known to be real. Precision doubles with what is known of the root, so as to end at the goal:
+    the last step costs one value of f at goal bits and a little more, and one slope at half of them.
+    """
+    guard, loss = _GUARD, _LOSS
+    image = acb(image.real) if real else image
+    known = _accuracy(image)
+    while known < goal:
+        target = _next(known, goal, loss)
+        with precision(known + guard):
+            slope = f.slope(image)
+        with precision(target + guard):
+            middle = image.mid()
+            image = middle - f.value(middle) / slope
+            image = acb(image.real) if real else image
+        reached = _accuracy(image)
+        if reached < target:
+            guard, loss = guard + target - reached, loss + target - reached
+            if guard > _MOST_GUARD:
+                near = complex(image)
+                raise PrecisionError(f"the root near {near:.6g} could not be sharpened: it is too badly conditioned")
+        known = max(reached, 2)
+    return image
+
+
+def _next(known: int, goal: int, loss: int) -> int:
+    """The lowest precision that one step can reach from `known`, on the way that halves back from the goal."""
+    target = goal
+    while target > max(2 * known - loss, known + 1):
+        target = max(target // 2 + loss, known + 1) if target // 2 + loss < target else known + 1
+    return target
+
+
+def _accuracy(image: Any) -> int:
+    """Bits of the modulus that the ball fixes."""
+    if not image.is_finite():
+        raise PrecisionError("interval Newton lost the root: raise the precision")
+    radius = image.rad()
+    if radius == 0:
+        return 1 << 40
+    size = image.abs_upper()
+    return int(_exponent(size)) - int(_exponent(arb(radius)))
+
+
+def _exponent(x: Any) -> int:
+    """e with 2^(e−1) ≤ |x| < 2^e about, for an exact x ≠ 0."""
+    mantissa, exponent = arb(x).mid().man_exp()
+    return int(exponent) + int(abs(mantissa)).bit_length()

@@ -1,0 +1,89 @@
+"""Whether a track at rest takes energy from any harmonic force: Ω Im(N/D) ≤ 0 for all real p and Ω, decided exactly.
+
+With y = p², z = Ω², N = Nₑ + iΩ Nₒ and D alike, −Ω Im(N D*) = z (Nₑ Dₒ − Nₒ Dₑ), a polynomial in y and z that must
+not be negative on the quadrant y, z ≥ 0. Between the zeros y of its discriminant and of its first and last
+coefficients the zeros z neither meet nor pass 0, so that one rational y in each interval decides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+
+from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+
+from mpsolve.numbers.realroots import as_fmpq, negative_point, samples
+from mpsolve.tracks.at_rest import Row, in_squares, rows_of, wavenumber
+from mpsolve.tracks.waveguide import Track, Waveguide
+
+_CONTEXT = fmpq_mpoly_ctx.get(("z", "y"), "lex")
+
+
+@dataclass(frozen=True)
+class Passivity:
+    """passive: the track gives no energy. lossless: it takes none either. witness: (p, Ω) where it gives some."""
+
+    passive: bool
+    lossless: bool
+    witness: tuple[float, float] | None = None
+
+
+@lru_cache(maxsize=256)
+def passivity(track: Track | Waveguide) -> Passivity:
+    """The decision about the track at rest; InputError as for `at_rest`."""
+    guide = track.waveguide
+    D, N = in_squares(guide.dispersion, "D"), in_squares(guide.numerator, "N")
+    rows_of(guide)
+    (De, Do), (Ne, No) = _halves(D), _halves(N)
+    power = Ne * Do - No * De
+    if power.is_zero():
+        return Passivity(passive=True, lossless=True)
+    found = _negative(power)
+    witness = None if found is None else (wavenumber(found[0]), wavenumber(found[1]))
+    return Passivity(passive=found is None, lossless=False, witness=witness)
+
+
+def _halves(rows: Row) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """The even and the odd part of Σ row_j s^j at s = iΩ, the latter over iΩ, as polynomials in z = Ω² and y."""
+    parts: tuple[dict[tuple[int, int], object], dict[tuple[int, int], object]] = ({}, {})
+    for j, row in enumerate(rows):
+        for k, c in enumerate(row.coeffs()):
+            if c:
+                parts[j % 2][j // 2, k] = c * (-1) ** (j // 2)
+    return _CONTEXT.from_dict(parts[0]), _CONTEXT.from_dict(parts[1])
+
+
+def _negative(F: fmpq_mpoly) -> tuple[Fraction, Fraction] | None:
+    """Rational y, z > 0 where F changes to values below 0, or None where F ≥ 0 on the quadrant."""
+    if all(c > 0 for c in F.coeffs()):
+        return None
+    content, factors = F.factor_squarefree()
+    odd = _CONTEXT.constant(content)
+    for factor, power in factors:
+        odd *= factor if power % 2 else 1
+    for y in _cells(odd):
+        z = negative_point(_at(odd, y))
+        if z is not None:
+            return y, z
+    return None
+
+
+def _cells(F: fmpq_mpoly) -> list[Fraction]:
+    """A rational y > 0 in each interval over which the zeros z of the squarefree F do not meet, vanish or pass 0."""
+    table: dict[int, dict[int, object]] = {}
+    for (j, k), c in F.to_dict().items():
+        table.setdefault(int(j), {})[int(k)] = c
+    edges = _univariate(table[min(table)]) * _univariate(table[max(table)])
+    if max(table) > 1:
+        edges *= _univariate({int(k): c for (_, k), c in F.discriminant("z").to_dict().items()})
+    return samples(edges)
+
+
+def _at(F: fmpq_mpoly, y: Fraction) -> fmpq_poly:
+    """F(y, ·) as a polynomial in z."""
+    return _univariate({int(j): c for (j, _), c in F.subs({"y": as_fmpq(y)}).to_dict().items()})
+
+
+def _univariate(terms: dict[int, object]) -> fmpq_poly:
+    return fmpq_poly([terms.get(k, 0) for k in range(max(terms) + 1)])

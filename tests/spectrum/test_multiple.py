@@ -1,0 +1,90 @@
+"""Roots that nearly meet: apart where the digits tell them apart, else one ball with their number."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from mpsolve.characteristic.floats import Floats
+from mpsolve.characteristic.proved import Proved
+from mpsolve.errors import PrecisionError
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import reduce_problem
+from mpsolve.spectrum.enclose import RootBall, enclose
+from mpsolve.spectrum.multiple import separate
+from mpsolve.tracks import EulerBernoulli
+from mpsolve.vehicles import Mass
+
+BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
+
+
+@cache
+def far_apart() -> tuple[Proved, complex]:
+    """Two masses that hardly feel each other: each root of one mass is two, some 1e-15 apart."""
+    reduced = reduce_problem(Problem(BEAM, [Mass(10).at(0), Mass(10).at(100)], "0.67"))
+    one = Floats(reduce_problem(Problem(BEAM, [Mass(10).at(0)], "0.67")))
+    sigma = -0.018 + 0.3216j
+    for _ in range(20):
+        value, slope = one.delta([sigma])
+        sigma -= (value / slope)[0]
+    assert reduced.guide == one.reduced.guide
+    return Proved(reduced), complex(sigma)
+
+
+def overlap(a: RootBall, b: RootBall) -> bool:
+    return bool(a.q.overlaps(b.q))
+
+
+def test_a_cluster_has_its_number() -> None:
+    proved, sigma = far_apart()
+    with pytest.raises(PrecisionError):
+        enclose(proved, sigma, 5)
+    (ball,) = separate(proved, sigma, 5)
+    assert ball.multiplicity == 2
+    assert ball.q.rel_accuracy_bits() > 15
+
+
+def test_more_digits_tell_them_apart() -> None:
+    proved, sigma = far_apart()
+    (cluster,) = separate(proved, sigma, 5)
+    for digits in (15, 40):
+        balls = separate(proved, sigma, digits)
+        assert [ball.multiplicity for ball in balls] == [1, 1]
+        assert not overlap(*balls)
+        assert all(cluster.q.contains(ball.q) for ball in balls)
+        assert all(ball.q.rel_accuracy_bits() > 3.3 * digits for ball in balls)
+
+
+def test_the_gap_is_that_of_the_coupling() -> None:
+    """Half the difference of the two roots is ε = √(G(d) G(−d)) over the slope of 1 + G(0) m s², to first order."""
+    proved, sigma = far_apart()
+    a, b = (complex(ball.q.mid() - separate(proved, sigma, 40)[0].q.mid()) for ball in separate(proved, sigma, 40))
+    floats = Floats(proved.reduced)
+    one = Floats(reduce_problem(Problem(BEAM, [Mass(10).at(0)], "0.67")))
+    G = dict(
+        zip(floats.border.distances, floats.receptance(floats_sigma(sigma), floats.border.distances)[0], strict=True)
+    )
+    slope = one.delta([sigma])[1][0]
+    S = complex(sum(float(c) * sigma**k for k, c in enumerate(floats.border.S[0][0])))
+    (behind, ahead) = (G[x][0] for x in floats.border.distances if x)
+    gap = abs(2 * S * (ahead * behind) ** 0.5 / slope) * float(proved.reduced.frequency_unit)
+    assert abs(abs(a - b) / gap - 1) < 1e-3
+
+
+def floats_sigma(sigma: complex) -> object:
+    import numpy as np
+
+    return np.array([sigma])
+
+
+def test_a_simple_root_comes_back_simple() -> None:
+    reduced = reduce_problem(Problem(BEAM, [Mass(10).at(0)], "0.67"))
+    _, sigma = far_apart()
+    (ball,) = separate(Proved(reduced), sigma, 15)
+    assert ball.multiplicity == 1
+
+
+def test_nothing_where_there_is_no_root() -> None:
+    proved, sigma = far_apart()
+    assert separate(proved, 2 * sigma + 0.3, 15) == []
