@@ -840,10 +840,7 @@ def contracting(E: Any) -> bool:
         pairs = list(zip(y.entries(), x.entries(), strict=True))
         if all(a < b for a, b in pairs):
             return True
-        top = max(float(a) for a, _ in pairs)
-        if not 0 < top < 1e300:
-            return False
-        x = arb_mat(n, 1, [float(a) / top + 1e-3 for a, _ in pairs])
+        x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in pairs])  # each in its own unit
     return False
 
 
@@ -1103,19 +1100,34 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
 
 
 def check_decay(track: Track) -> None:
-    """G(ξ, σ) → 0 as σ → +∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple and weights N/D_P fall."""
+    """G(ξ, σ) → 0 as σ → +∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple, and weights N/D_P fall.
+
+    Roots with s = σ − vP = o(σ) (several have c = 1/v) are taken in s and σ, P = (σ − s)/v.
+    """
+    check_edges(track.d, track.n, track.v, False)
+    moved = [terms(p.compose((S_ - P_) / track.v, P_, ctx=RING)) for p in (track.D, track.N)]
+    check_edges(moved[0], moved[1], track.v, True)
+
+
+def check_edges(d: Terms, n: Terms, v: Any, slow: bool) -> None:
+    """The edges of d (of exponent θ < 1 only, if slow; else without the roots c = 1/v where θ = 1)."""
     top: dict[int, int] = {}
-    for i, j in track.d:
+    for i, j in d:
         top[i] = max(top.get(i, j), j)
-    require(0 in top, "P = 0 is a root for every frequency")
+    require(0 in top, "0 is a root for every frequency")
     i = 0
-    while i < track.degree:
-        slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)
-        on = {a: track.d[a, b] for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
-        edge = fmpq_poly([on.get(a, fmpq(0)) for a in range(i, max(on) + 1)])
-        require(edge.gcd(edge.derivative()).degree() == 0, "waves of one speed at high frequency: decay is not proved")
-        weight = max(b - slope * a for a, b in track.n) - (top[i] - slope * i - (-slope))
-        require(weight < 0, "the receptance does not decay at high frequency")
+    while i < max(top):
+        slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)  # −θ
+        on = {a: d[a, b] for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
+        edge, resting = fmpq_poly([on.get(a, fmpq(0)) for a in range(i, max(on) + 1)]), fmpq_poly([1, -v])
+        if slope == -1:
+            while (edge % resting).degree() < 0:
+                edge = edge // resting
+        if slope > -1 or not slow:
+            simple = edge.degree() == 0 or edge.gcd(edge.derivative()).degree() == 0
+            require(simple, "waves of one speed at high frequency: decay is not proved")
+            weight = max(b - slope * a for a, b in n) - (top[i] - slope * i + slope)
+            require(weight < 0, "the receptance does not decay at high frequency")
         i = max(on)
 
 
@@ -1252,6 +1264,9 @@ def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
     if "disc" in region.kind:
         check_arc(turn[where:], rho)
         return
+    if len(paths) == 2:
+        require(where == len(turn) - 1, "the path goes on beyond its corner")
+        return
     require(where == len(turn) - 1, "the path goes on beyond its corner")
     walls, axis = paths[2].points, paths[3].points
     d = walls[-1][1]
@@ -1286,7 +1301,7 @@ def closing(walker: Walker, rho: Any) -> Any:
 def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:
     """The number of roots in the region, proved."""
     passive = region.kind in ("unstable", "below")
-    require(passive or theorem is None, "this region needs no theorem")
+    require((passive and track.v != 0) or theorem is None, "this region needs no theorem")
     turned = arb(0)
     for path in paths:
         turned += walker.path(path.kind, path.points, path.special)
@@ -1294,8 +1309,9 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     if passive:
         with precision(128):
             check_passive_track(track)
-            check_decay(track)
-            check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
+            if track.v != 0:
+                check_decay(track)
+                check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
         rho = paths[1].points[-1][0]
         number = (closing(walker, rho) + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
     else:
@@ -1420,7 +1436,8 @@ def spectrum(content: dict[str, Any]) -> str:
     require(start > 0, "the start is not below the real axis")
     at_rest = region.kind == "unstable" and track.v == 0
     with precision(bits):
-        paths = read_paths(content["paths"], "" if at_rest else KINDS[region.kind])
+        kinds = "" if at_rest else "link turn" if track.v == 0 else KINDS[region.kind]
+        paths = read_paths(content["paths"], kinds)
         check_no_cut(track, region.height)
         walker = Walker(waves := Waves(track, vehicle.sites), Bordered(vehicle, waves))
         if at_rest:
