@@ -19,6 +19,7 @@ import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import combinations, combinations_with_replacement, pairwise, product
 from math import comb
 from typing import Any
@@ -542,17 +543,25 @@ class Split:
     box: list[Any]
     tight: list[Any]
 
-    def links(self, roots: Sequence[Any], slack: Sequence[Any]) -> bool:
-        """Whether the pair of another splitting (nodes `roots`, |a| ≤ slack, same σ) is the one here: |a_k| < box_k."""
-        z = self.nodes.z
+    def links(self, other: Split) -> bool:
+        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |a_k| = |U(z_k)/U₀'(z_k)| < box_k."""
+        z, w, a = self.nodes.z, other.nodes.z, other.values
         for side in self.nodes.side:
             for k in side:
-                size = arb(1)
+                full, rest = acb(1), acb(0)  # Π(z_k − w) and Σ a Π'(z_k − w)
                 for i in side:
-                    size *= abs(z[k] - roots[i]) + slack[i]
-                if not size < self.box[k] * self.nodes.own[k]:
+                    gap = z[k] - w[i]
+                    full, rest = full * gap, rest * gap + a[i] * full
+                if not abs(full + rest) < self.box[k] * self.nodes.own[k]:
                     return False
         return True
+
+    @cached_property
+    def values(self) -> list[Any]:
+        """Balls of the a_k of a thin splitting, sharpened where nodes are far from the roots."""
+        at = self.nodes
+        sharp = all(self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k)
+        return [box(t) for t in self.tight] if sharp else [x[0] for x in factor_series(self, arb(0), 1)]
 
     def isolated(self, side: range) -> list[Any] | None:
         """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor; or None."""
@@ -946,7 +955,7 @@ class Walker:
         disc = chosen.split(r)
         end = self.mark(b, z)
         for side in (mark, end):
-            require(disc.links(side.split.nodes.z, side.split.tight), "the splitting does not join on to its neighbour's")
+            require(disc.links(side.split), "the splitting does not join on to its neighbour's")
         if kind == "link":
             return end, arb(0)
         thin = chosen.split(arb(0))
@@ -1052,7 +1061,8 @@ def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], pro
 
 def above(x: Any) -> float:
     """A float that is no less."""
-    return float(x.upper()) * (1 + 2.0**-50)
+    near = float(x.upper())
+    return near + abs(near) * 2.0**-50 + 1e-300
 
 
 def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
@@ -1067,20 +1077,25 @@ def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
 
 def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None:
     """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
-    keys(theorem, "gamma block kappa alpha omega envelope")
+    keys(theorem, "gamma blocks alpha omega envelope")
     k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
-    z1, z2 = (dyadic(x, "the block") for x in items(theorem["block"], 2, "the block", 2))
-    kappa, omega, C = (dyadic(theorem[name], name) for name in ("kappa", "omega", "envelope"))
+    blocks = [[dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")]
+    omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
     alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
-    require(0 <= k <= m and m > 0 and z1 < z2 and min(kappa, omega, C, X) > 0, "the theorem's numbers are out of range")
+    require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
+    require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
+    require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
     w, d = (terms(x) for x in absorption(track))
     (block_w, top_w), (block_d, top_d) = in_block(w, v, k, m), in_block(d, v, k, m)
     x = arb(X)
     growth = x ** arb(fmpq(k, m))
-    require(arb(v * z2) * growth < x, "the block reaches to where the track gives")
-    difference = {at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}}
-    ends = (-above(-arb(z1)) if z1 < 0 else -above(-arb(z1)), above(arb(z2)))
-    check_positive(difference, ends, (0.0, above(x ** arb(fmpq(-1, m)))), None, "the block absorbs less than kappa")
+    between = 2 * arb.pi() / arb(min(b - a for a, b in pairwise(sites))) if len(sites) > 1 else arb(0)
+    require(arb(v * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
+    require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
+    tau = above(x ** arb(fmpq(-1, m)))
+    for z1, z2, kappa in blocks:
+        difference = {at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}}
+        check_positive(difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa")
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
     near, far = {}, {}
@@ -1092,10 +1107,10 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     give = "the giving part may exceed the envelope"
     check_positive({at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), None, give)
     check_positive({at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give)
-    between = 2 * arb.pi() / arb(min(b - a for a, b in pairwise(sites))) if len(sites) > 1 else arb(0)
-    takes = (arb(z2 - z1) * growth - between) * arb(kappa) * x ** arb(fmpq(top_w - top_d, m))
+    absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
+    takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
     gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
-    require(takes > gives, "the theorem at large q: the block does not absorb what the rest may give")
+    require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
     require((alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given")
 
 

@@ -253,24 +253,34 @@ def plan_tail(track, sites, X):
         bd, td = v2.in_block(d, track.v, k, m)
         if (alpha - 1) * m < td - tw - k:
             continue
-        growth = X ** (k / m)
-        for width in np.geomspace(0.05, 0.95, 12) * X / v / growth:
-            for share in (-1.0, -0.3, 0.0, 0.2, 0.5):
-                z1, z2 = share * width, width
-                zz, tau = np.linspace(z1, z2, 150), np.linspace(0, X ** (-1 / m), 20)
+        growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
+        tau = np.linspace(0, X ** (-1 / m), 12)
+        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bw, bd, most)):
+            edges = np.array(sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)}))
+            kept = []
+            for z1, z2 in zip(edges, edges[1:]):
                 with np.errstate(all="ignore"):
-                    kappa = 0.85 * np.min(value(bw, zz, tau) / value(bd, zz, tau))
-                if not kappa > 0:
-                    continue
-                takes = ((z2 - z1) * growth - between) * kappa * X ** ((tw - td) / m)
-                Cf = float(arb(C))
-                gives = Cf * ((v / X) ** (alpha - 1) / (alpha - 1) + between * (v / X) ** alpha)
-                if takes > 1.02 * gives:
-                    return {
-                        "gamma": [k, m], "block": [as_dyadic(q_(z1)), as_dyadic(q_(z2 * (1 - 1e-6)))], "kappa": as_dyadic(q_(kappa)),
-                        "alpha": int(alpha), "omega": as_dyadic(q_(omega)), "envelope": as_dyadic(C),
-                    }
+                    z = np.linspace(z1, z2, 60)
+                    kappa = 0.8 * np.min(value(bw, z, tau) / value(bd, z, tau))
+                if kappa > 0 and np.isfinite(kappa) and (z2 - z1) * growth > 1.01 * between:
+                    kept.append((z1, z2, kappa))
+            takes = sum(((b - a) * growth - between) * kappa for a, b, kappa in kept) * X ** ((tw - td) / m)
+            Cf = float(arb(C))
+            gives = Cf * ((v / X) ** (alpha - 1) / (alpha - 1) + between * (v / X) ** alpha)
+            if takes > 1.02 * gives:
+                return {
+                    "gamma": [k, m], "blocks": [[as_dyadic(q_(x)) for x in one] for one in kept],
+                    "alpha": int(alpha), "omega": as_dyadic(q_(omega)), "envelope": as_dyadic(C),
+                }
     return None
+
+
+def resonances(bw, bd, most):
+    """Edges of cells, geometrically spaced round the least values of |D|² at infinite q."""
+    z = np.concatenate([-np.geomspace(1e-3, 20, 3000)[::-1], np.geomspace(1e-3, 1, 3000)]) * most
+    d = value(bd, z, np.zeros(1))[:, 0]
+    least = [z[i] for i in range(1, len(z) - 1) if d[i] < d[i - 1] and d[i] < d[i + 1]]
+    return [x for x in [r + s * abs(r) * g for r in least for s in (-1, 1) for g in np.geomspace(2e-3, 0.5, 12)] if x < most]
 
 
 # --- paths -----------------------------------------------------------------------------------------------------------
@@ -357,8 +367,10 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
         elif reg.reach is not None:
             rho_ = reg.reach
         else:
-            rho_ = q_(rho or plan_rho(floats, X))
+            rho_ = q_(rho or (plan_rho(floats, X) if X else 1))
         y0 = q_(start or float(arb(rho_)))
+        if reg.kind == "unstable" and track.v == 0:
+            return seal(content | {"start": [1, 0], "paths": [], "theorem": None, "claim": {"region": region, "count": 0, "unstable": 0}, "roots": []})
         walker.begin(y0)
         zero = fmpq(0)
         X = max(q_(X), rho_) if X else None
@@ -375,7 +387,9 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             up = [via[-1]] + ([(rho_, reg.height)] if reg.height > 0 else []) + [(rho_, zero)]
             turn, T = walk(walker, "turn", up)
             paths = [("link", link), ("turn", turn)]
-            if passive:
+            if passive and track.v == 0:
+                number = (v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T) / arb.pi()
+            elif passive:
                 d = q_(depth or float(arb(rho_)))
                 walls = walk(walker, "passive", [(rho_, zero), (rho_, -d), (zero, -d)])[0]
                 axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if X > rho_ else [(rho_, zero)]
