@@ -585,7 +585,7 @@ class Split:
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
     """Approximate roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
     c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
-    z = list(start)
+    z = [p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)]  # off the real axis, where roots may meet
     for _ in range(40):
         change = 0.0
         for k, p in enumerate(z):

@@ -197,7 +197,7 @@ class Floats:
     def full_count(self, radius, height=0.0):
         """Roots in the lower half disc by the argument principle: nothing but Δ along its boundary."""
         arc = [radius * np.exp(-1j * t) for t in np.linspace(0, pi / 2, 40)]
-        return -self.turn([0j + 1e-9 * radius, radius + 0j, *arc[1:]]) / pi
+        return -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 0j), *arc[1:]]) / pi
 
 
 def newton(f, q, steps=40):
@@ -262,7 +262,7 @@ def plan_tail(track, sites, X):
                 with np.errstate(all="ignore"):
                     z = np.linspace(z1, z2, 60)
                     kappa = 0.8 * np.min(value(bw, z, tau) / value(bd, z, tau))
-                if kappa > 0 and np.isfinite(kappa) and (z2 - z1) * growth > 1.01 * between:
+                if kappa > 0 and np.isfinite(kappa) and (z2 - z1) * growth > 1.01 * between and absorbs(bw, bd, z1, z2, kappa, tau[-1]):
                     kept.append((z1, z2, kappa))
             takes = sum(((b - a) * growth - between) * kappa for a, b, kappa in kept) * X ** ((tw - td) / m)
             Cf = float(arb(C))
@@ -273,6 +273,17 @@ def plan_tail(track, sites, X):
                     "alpha": int(alpha), "omega": as_dyadic(q_(omega)), "envelope": as_dyadic(C),
                 }
     return None
+
+
+def absorbs(bw, bd, z1, z2, kappa, tau):
+    """Whether the verifier's test of the block holds."""
+    f = {at: arb(bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0))) for at in {*bw, *bd}}
+    try:
+        with v2.precision(128):
+            v2.check_positive(f, (float(z1), float(z2)), (0.0, float(tau)), None, "")
+    except v2.Refused:
+        return False
+    return True
 
 
 def resonances(bw, bd, most):
