@@ -28,7 +28,7 @@ import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 3e8, 2_000, 20_000
-MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 64, 32, 24, 70_000, 8
+MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 96, 32, 24, 70_000, 8
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
 
@@ -172,8 +172,11 @@ def point(value: Any) -> Point:
 
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
     rows = items(rows, height, name, height)
-    entries = [rational(x, name) for row in rows for x in items(row, width, name, width)]
-    return fmpq_mat(height, width, entries)
+    entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
+    numerators, denominator = entries.numer_denom()
+    bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
+    require(bits * max(height, width) <= 12_000, f"{name} has too many digits")
+    return entries
 
 
 def at_q(z: Point) -> Any:
@@ -230,16 +233,10 @@ def hurwitz(a: Sequence[Any], strictly: bool) -> bool:
     return True
 
 
-def semidefinite(a: Any) -> tuple[bool, bool]:
-    """(positive semidefinite, positive definite) of a symmetric rational matrix, by exact elimination."""
-    rows, definite = a.tolist(), True
-    while rows:
-        pivot, row = rows[0][0], rows[0]
-        if pivot < 0 or (pivot == 0 and any(x != 0 for x in row)):
-            return False, False
-        definite = definite and pivot > 0
-        rows = [[x - r[0] * y / pivot if pivot != 0 else x for x, y in zip(r[1:], row[1:], strict=True)] for r in rows[1:]]
-    return True, definite
+def semidefinite(a: Any) -> bool:
+    """All eigenvalues of a symmetric rational matrix are ≥ 0: the signs of its characteristic polynomial alternate."""
+    n = a.nrows()
+    return a == a.transpose() and all(c * (-1) ** (n - k) >= 0 for k, c in enumerate(a.charpoly().coeffs()))
 
 
 def determinant(rows: Sequence[Sequence[Any]]) -> Any:
@@ -396,8 +393,8 @@ def read_vehicle(value: Any, basis: Any) -> Vehicle:
     h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
     require(all(x >= 0 for x in h), "a compliance is negative")
     for a in (M, C, K):
-        require(a == a.transpose() and semidefinite(a)[0], "M, C or K is not symmetric and positive semidefinite")
-    require(semidefinite(M + C + K)[1], "a body has no mass, spring or damper")
+        require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
+    require((M + C + K).det() != 0, "a body has no mass, spring or damper")
     neutral = unfelt = 0
     if basis is not None:
         keys(basis, "matrix neutral unfelt")
@@ -862,15 +859,19 @@ def moduli(parts: Sequence[tuple[Any, Any]]) -> Any:
     return arb_mat(n, n, total)
 
 
-def pivots(a: list[list[Any]], order: Sequence[int]) -> Any:
-    """Σ Arg of the pivots of an elimination with the diagonal entries in this order."""
-    a = [list(row) for row in a]
-    total = arb(0)
-    for step, k in enumerate(order):
+def pivots(a: list[list[Any]], in_order: bool = True) -> Any:
+    """Σ Arg of the pivots of an elimination on the diagonal: in order, or the relatively greatest one first."""
+    a, left, total = [list(row) for row in a], list(range(len(a))), arb(0)
+    while left:
+        if in_order:
+            k = left.pop(0)
+        else:
+            k = max(left, key=lambda i: float(abs(a[i][i].mid()) / (1e-300 + sum(abs(a[i][j].mid()) for j in left))))
+            left.remove(k)
         total += a[k][k].arg()
-        for i in order[step + 1 :]:
+        for i in left:
             factor = a[i][k] / a[k][k]
-            for j in order[step + 1 :]:
+            for j in left:
                 a[i][j] = a[i][j] - factor * a[k][j]
     return total
 
@@ -951,6 +952,7 @@ class Walker:
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(m)
         z = float_roots(local, mark.z)
+        require(nodes is None or len(nodes) == n, "a special piece has not as many nodes as p-roots")
         chosen = Nodes([acb(x) for x in z] if nodes is None else nodes, self.up, local)
         disc = chosen.split(r)
         end = self.mark(b, z)
@@ -981,7 +983,7 @@ class Walker:
         E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r), (R * rest, r * r)])
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
         start, stop = ((R * self.matrix(x)).tolist() for x in (mark, end))
-        return pivots(stop, range(size)) - pivots(start, range(size))
+        return pivots(stop) - pivots(start)
 
     def passive(self, m: Any, half: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> None:
         """The Hermitian part of σ(G_ij), over the places, is positive definite on the whole segment."""
@@ -1309,8 +1311,7 @@ def closing(walker: Walker, rho: Any) -> Any:
     for i, row in enumerate(b.index):
         for j, g in enumerate(row):
             a[nb + i][nb + j] = sigma * (G[g][0] + (arb(v.h[i]) if i == j else 0))
-    contacts, bodies = range(nb, size), range(nb)
-    return pivots(a, [*contacts, *bodies])
+    return pivots(a, in_order=False)
 
 
 def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:

@@ -441,7 +441,7 @@ def find_roots(content, floats, reg, rho):
     low = float(arb(reg.im[0])) if reg.im else -rho / 2
     high = float(arb(reg.height))
     tries = 0
-    while total(found) < n and tries < 4000:
+    while total(found, reg) < n and tries < 4000:
         tries += 1
         if tries % 3 == 0 and not reg.re:
             guess = 1j * rng.uniform(low, high)
@@ -466,7 +466,7 @@ def find_roots(content, floats, reg, rho):
         if np.linalg.svd(A / np.abs(A).max(1)[:, None], compute_uv=False)[-1] > 1e-6:
             continue
         found.append(q)
-    if total(found) != n:
+    if total(found, reg) != n:
         raise NotPlanned(f"{found} found, {n} counted")
     content["roots"] = [as_root(q, bool(q.real), 2.0**-30) for q in sorted(found, key=lambda z: (z.real, z.imag))]
     content["claim"]["unstable"] = sum((2 if q.real and not reg.re else 1) for q in found if q.imag < 0)
@@ -475,8 +475,8 @@ def find_roots(content, floats, reg, rho):
             root["pair"] = False
 
 
-def total(found):
-    return sum(2 if q.real else 1 for q in found)
+def total(found, reg):
+    return sum(2 if q.real and not reg.re else 1 for q in found)
 
 
 def as_root(q, pair, relative):
