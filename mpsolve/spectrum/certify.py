@@ -128,7 +128,7 @@ def _checked(found: Spectrum, tell: Progress) -> Spectrum:
 def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progress) -> Spectrum:
     """Looks for the counted roots, with more effort each round, and encloses them."""
     if count.total > verify.MAX_ROOTS:
-        why = reasons.too_many(count.total, verify.MAX_ROOTS)
+        why = reasons.too_many(case, region, count.total, verify.MAX_ROOTS)
         total = count.total if _counts_region(region, count) else None
         return _undecided(case, region, digits, why, total)
     roots: tuple[RootBall, ...] = ()

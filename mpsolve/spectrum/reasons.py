@@ -11,6 +11,7 @@ from mpsolve.model.parameters import Case
 from mpsolve.outcome import Reason
 from mpsolve.spectrum.region import Rectangle, Region
 
+_UNSTABLE = 'ask for the region "unstable"'
 _BESIDE = 0.02  # of its distance from 0: so near to a branch point it is the branch point that stops a contour
 _CRITICAL = 0.01  # so near to α_C the whole neighbourhood of q = 0 is a branch point
 
@@ -18,10 +19,7 @@ _CRITICAL = 0.01  # so near to α_C the whole neighbourhood of q = 0 is a branch
 def pieces(limit: int) -> Reason:
     """The effort is spent."""
     return Reason(
-        "pieces",
-        f"the contour needs more than {limit} pieces",
-        {"max_pieces": str(limit)},
-        "raise max_pieces",
+        "pieces", f"the contour needs more than {limit} pieces", {"max_pieces": str(limit)}, "raise max_pieces"
     )
 
 
@@ -38,7 +36,7 @@ def root_on_contour(here: float) -> Reason:
 def on_sheet(case: Case, found: Reason) -> Reason:
     """The reason why the whole sheet could not be counted, told from what lies where the contour stopped."""
     if found.code == "pieces" and case.eta_b > 0:
-        return Reason(found.code, found.message, found.numbers, f'ask for the region "unstable", or {found.remedy}')
+        return Reason(found.code, found.message, found.numbers, f"{_UNSTABLE}, or {found.remedy}")
     if found.code != "contour-root":
         return found
     here = float(found.numbers["near"])
@@ -55,7 +53,7 @@ def on_sheet(case: Case, found: Reason) -> Reason:
     if not beside:
         return found
     point = min(beside, key=lambda p: abs(here - p))
-    helps = 'ask for the region "unstable"' if case.eta_b else "change alpha a little, or give some damping"
+    helps = _UNSTABLE if case.eta_b else "change alpha a little, or give some damping"
     return Reason(
         "branch-point",
         f"the contour cannot pass the branch point of the cuts at Re q = {point:.8g}, where p-roots meet",
@@ -87,18 +85,20 @@ def rectangle_too_large(reach: float, radius: float) -> Reason:
     )
 
 
-def too_many(counted: int, most: int) -> Reason:
+def too_many(case: Case, region: Region, counted: int, most: int) -> Reason:
     """More roots than a certificate may list."""
     return Reason(
         "too-many-roots",
         f"{counted} roots were counted, more than the {most} that a certificate lists",
         {"counted": str(counted), "most": str(most)},
-        "ask for a rectangle about the roots that matter",
+        _UNSTABLE + ", or for a rectangle about the roots that matter"
+        if region == "sheet" and case.eta_b > 0
+        else "ask for a rectangle about the roots that matter",
     )
 
 
 def missing_helps(case: Case, region: Region) -> str:
     """What helps where fewer roots were enclosed than counted."""
     if region == "sheet" and case.eta_b > 0:
-        return 'ask for the region "unstable", or for more digits, so that clusters come apart'
+        return f"{_UNSTABLE}, or for more digits, so that clusters come apart"
     return "ask for more digits, so that clusters come apart, or for a rectangle"
