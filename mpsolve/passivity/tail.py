@@ -25,8 +25,8 @@ from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial, add, moving, multiply, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
-_SPLIT = 48  # halvings of a box at most
-_MOST_BOXES = 3000  # at one time
+_SPLIT = 80  # halvings of a box at most
+_MOST_BOXES = 6000  # in one search
 _ROOM = 1.25  # between what floats sample and what is to be proved
 _OMEGA = 4.0  # where the two charts of the envelope meet
 
@@ -270,14 +270,14 @@ def _supremum(
 ) -> float | None:
     """An upper bound of |top|/bottom on the box where x y ≤ product, by branch and bound; None where bottom may vanish."""
     above, below = Table.of(top), Table.of(bottom)
-    boxes = _grid(*box, 8, 4)
+    boxes, tried = _grid(*box, 8, 4), 0
     known, proved = 0.0, 0.0
     for _ in range(_SPLIT):
         x, rx, y, ry = boxes
         inside = (x - rx) * (y - ry) <= product * UP
         boxes = tuple(part[inside] for part in boxes)
-        low, high = bounds(above, boxes)
-        least, most = bounds(below, boxes)
+        low, high, _ = bounds(above, boxes)
+        least, most, by_x = bounds(below, boxes)
         with np.errstate(all="ignore"):
             middle = np.abs(low + high) / np.maximum(least + most, 1e-300)
             inner = boxes[0] * boxes[2] <= product
@@ -285,44 +285,52 @@ def _supremum(
             upper = np.where(least > 0, np.maximum(np.abs(low), np.abs(high)) / least * UP, np.inf)
         done = upper <= 1.5 * known
         proved = max(proved, float(upper[done].max(initial=0.0)))
-        boxes = tuple(part[~done] for part in boxes)
-        if not len(boxes[0]):
+        boxes, by_x = tuple(part[~done] for part in boxes), by_x[~done]
+        tried += len(done)
+        if not len(by_x):
             return proved
-        if len(boxes[0]) > _MOST_BOXES:
+        if tried > _MOST_BOXES:
             return None
-        boxes = _quartered(boxes)
+        boxes = _halved(boxes, by_x)
     return None
 
 
 def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float | None = None) -> bool:
     """True if the polynomial is proved negative on the box (only where x y ≤ product), by halving boxes."""
     table = Table.of(polynomial)
-    boxes = _grid(*box, 8, 4)
+    boxes, tried = _grid(*box, 8, 4), 0
     for _ in range(_SPLIT):
         if product is not None:
             x, rx, y, ry = boxes
             inside = (x - rx) * (y - ry) <= product * UP
             boxes = tuple(part[inside] for part in boxes)
-        _, high = bounds(table, boxes)
-        boxes = tuple(part[~(high < 0)] for part in boxes)
-        if not len(boxes[0]):
+        _, high, by_x = bounds(table, boxes)
+        open_ = ~(high < 0)
+        boxes, by_x = tuple(part[open_] for part in boxes), by_x[open_]
+        tried += len(open_)
+        if not len(by_x):
             return True
-        if len(boxes[0]) > _MOST_BOXES:
+        if tried > _MOST_BOXES:
             return False
-        boxes = _quartered(boxes)
+        boxes = _halved(boxes, by_x)
     return False
 
 
-def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any]:
-    """Lower and upper bounds of a real polynomial on boxes (x ± rx) × (y ± ry), by its expansion at the middle."""
+def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any, Any]:
+    """Lower and upper bounds of a real polynomial on boxes (x ± rx) × (y ± ry), by its expansion at the middle.
+
+    Third: whether it varies more along x than along y, which is a hint only.
+    """
     x, rx, y, ry = boxes
     T, error = table.in_time(y.astype(complex))
     c, lost = table.at(x[:, None].astype(complex), T, error)
-    c, lost = c[:, 0], lost[:, 0]
-    spread = np.einsum("bij,bi,bj->b", np.abs(c) + lost, rx[:, None] ** np.arange(c.shape[1]), ry[:, None] ** np.arange(c.shape[2]))
-    middle = c[:, 0, 0].real
-    radius = (spread - np.abs(c[:, 0, 0]) + 8 * U * spread) * UP
-    return middle - radius - 8 * U * np.abs(middle), middle + radius + 8 * U * np.abs(middle)
+    size = np.abs(c[:, 0]) + lost[:, 0]
+    across, along = rx[:, None] ** np.arange(size.shape[1]), ry[:, None] ** np.arange(size.shape[2])
+    spread = ((size @ along[:, :, None])[:, :, 0] * across).sum(1)
+    middle = c[:, 0, 0, 0].real
+    radius = (spread - np.abs(c[:, 0, 0, 0]) + 16 * U * spread) * UP
+    by_x = (size[:, 1:, 0] * across[:, 1:]).sum(1) > (size[:, 0, 1:] * along[:, 1:]).sum(1)
+    return middle - radius - 8 * U * np.abs(middle), middle + radius + 8 * U * np.abs(middle), by_x
 
 
 def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> tuple[Any, ...]:
@@ -336,15 +344,16 @@ def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> t
     return parts[0][0].ravel(), parts[1][0].ravel(), parts[0][1].ravel(), parts[1][1].ravel()
 
 
-def _quartered(boxes: tuple[Any, ...]) -> tuple[Any, ...]:
+def _halved(boxes: tuple[Any, ...], by_x: Any) -> tuple[Any, ...]:
+    """Each box in two, along x or along y."""
     x, rx, y, ry = boxes
-    h, k = rx / 2 * UP, ry / 2 * UP
-    signs = ((-1, -1), (-1, 1), (1, -1), (1, 1))
+    dx, dy = np.where(by_x, rx / 2, 0.0), np.where(by_x, 0.0, ry / 2)
+    h, k = np.where(by_x, rx / 2 * UP, rx), np.where(by_x, ry, ry / 2 * UP)
     return (
-        np.concatenate([x + s * rx / 2 for s, _ in signs]),
-        np.concatenate([h] * 4),
-        np.concatenate([y + t * ry / 2 for _, t in signs]),
-        np.concatenate([k] * 4),
+        np.concatenate([x - dx, x + dx]),
+        np.concatenate([h, h]),
+        np.concatenate([y - dy, y + dy]),
+        np.concatenate([k, k]),
     )
 
 
