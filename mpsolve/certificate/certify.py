@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from mpsolve.certificate import verify
@@ -11,6 +12,7 @@ from mpsolve.errors import InputError, PrecisionError, known
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress, silent
+from mpsolve.sheet import reasons
 from mpsolve.sheet.collect import collect
 from mpsolve.sheet.count import Count, count_roots
 from mpsolve.sheet.enclose import RootBall, Symmetry
@@ -18,7 +20,8 @@ from mpsolve.sheet.region import Rectangle, Region, checked_region
 
 MAX_DIGITS = 10_000
 MIN_DIGITS = 15
-_ROUNDS = 3  # of looking for roots that the count has and the enclosures lack
+_MORE_DIGITS = (2, 4, 8)  # times what was asked for, where a sign of Im q is open
+_ROUNDS = 4  # of looking for roots that the count has and the enclosures lack
 
 
 @dataclass(frozen=True)
@@ -93,6 +96,9 @@ def certify(
     except PrecisionError as error:
         return _undecided(case, region, digits, error.reason)
     found = _explain(case, region, digits, count, tell)
+    if region == "unstable" and not found.proved and count.contour == "edge" and case.eta_b > 0:
+        with suppress(PrecisionError):  # roots elsewhere do not matter: those with Im q < 0 are counted by themselves
+            found = _explain(case, region, digits, count_roots(case, region, max_pieces, tell, line=True), tell)
     return _checked(found, tell) if check and found.proved else found
 
 
@@ -118,6 +124,10 @@ def _checked(found: Spectrum, tell: Progress) -> Spectrum:
 
 def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progress) -> Spectrum:
     """Looks for the counted roots, with more effort each round, and encloses them."""
+    if count.total > verify.MAX_ROOTS:
+        why = reasons.too_many(case, region, count.total, verify.MAX_ROOTS)
+        total = count.total if _counts_region(region, count) else None
+        return _undecided(case, region, digits, why, total)
     roots: tuple[RootBall, ...] = ()
     reason: Reason | None = None
     for effort in range(1, _ROUNDS + 1):
@@ -127,17 +137,29 @@ def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progre
         except PrecisionError as error:
             reason = error.reason
         if sum(root.multiplicity for root in roots) == count.total:
-            return _verdict(case, region, digits, count, roots)
+            return _verdict(case, region, digits, count, _signed(case, count, roots, digits, 2 ** (effort - 1)))
     found = sum(root.multiplicity for root in roots)
     why = reason or Reason(
         "roots-missing",
         f"{count.total} roots were counted, but {found} could be enclosed",
         {"counted": str(count.total), "enclosed": str(found)},
-        "ask for more digits, so that clusters come apart, or for a rectangle",
+        reasons.missing_helps(case, region),
     )
     total = count.total if _counts_region(region, count) else None
     rest = total, None, roots, count.radius
     return Spectrum(case, region, digits, Status.UNDECIDED, str(why), *rest, why=why)
+
+
+def _signed(case: Case, count: Count, roots: tuple[RootBall, ...], digits: int, effort: int) -> tuple[RootBall, ...]:
+    """The roots with as many more digits as the signs of Im q take, within reason."""
+    for more in _MORE_DIGITS:
+        if all(_below(root) is not None for root in roots):
+            break
+        with suppress(PrecisionError):
+            sharper = collect(case, count, min(more * digits, MAX_DIGITS), effort, lambda _stage, _fraction: None)
+            if sum(root.multiplicity for root in sharper) == count.total:
+                roots = sharper
+    return roots
 
 
 def _counts_region(region: Region, count: Count) -> bool:

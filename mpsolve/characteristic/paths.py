@@ -95,7 +95,9 @@ class Paths:
             if isinstance(proved, Proved):
                 return proved
             paths = proved
-        raise PrecisionError("pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple")
+        raise PrecisionError(
+            "pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple"
+        )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
         points, index = np.unique(np.concatenate([path.points for path in paths]), return_inverse=True)
@@ -113,7 +115,9 @@ class Paths:
         if not whole:
             return tuple(refined)
         ends = np.cumsum([len(path.points) for path in paths]) - 1
-        corners = tuple((G.a[index[end]], G.e[index[end]] if good[index[end]] else np.inf * G.e[index[end]]) for end in ends)
+        corners = tuple(
+            (G.a[index[end]], G.e[index[end]] if good[index[end]] else np.inf * G.e[index[end]]) for end in ends
+        )
         return Proved(paths, tuple(turns), corners)
 
     def _path(self, path: Path, here: Any, thin: Splittings, A: Jet, good: Any) -> tuple[Any, tuple[float, float]]:
@@ -147,7 +151,7 @@ def discs(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def positive(V: Jet, way: Any, drift: Any) -> Any:
-    """True where V + V* is positive definite for t along `way` (unit vectors), |t| ≤ r, to within `drift` of the line."""
+    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
     n = V.a.shape[1]
     with np.errstate(all="ignore"):
         H0, H1 = _hermitian(V.a), _hermitian(way[:, None, None] * V.b)

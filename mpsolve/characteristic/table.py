@@ -34,7 +34,7 @@ class Table:
     @property
     def _loss(self) -> float:
         """The relative error of each coefficient of an expansion, against the sum of the moduli of its terms."""
-        return 64 * (self.d.shape[0] + self.d.shape[1]) * U
+        return float(64 * (self.d.shape[0] + self.d.shape[1]) * U)
 
     def in_time(self, sigma: Any) -> tuple[Any, Any]:
         """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: shape (discs,), real or complex."""
@@ -50,7 +50,7 @@ class Table:
         return T, A * self._loss * UP
 
     def at(self, z: Any, T: Any, error: Any) -> tuple[Any, Any]:
-        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: shape (discs, nodes)."""
+        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: (discs, nodes)."""
         n = self.d.shape[0]
         weights, powers = _binomials(n), _powers(z, n)
         sizes = np.abs(powers)

@@ -1,8 +1,8 @@
 """−Im G(q) is positive definite for all real q ≥ X: what the track absorbs outweighs what it gives (SPEC, tail).
 
 With W = −Im(N conj D) at P = ip, s = iΩ: −Im u*Gu = (1/2π)∫ |Σ u_j e^{−ipξ_j}|² W/|D|² dp. It absorbs on the block
-p = z q^γ, z₁ ≤ z ≤ z₂, at least κ q^{−e} (for each of a few blocks); it gives where p ≥ q/v, at most C p^{−α}. A large-sieve inequality bounds
-∫|V|² over intervals by their lengths ± 2π/δ, δ the smallest gap between contacts.
+p = z q^γ, z₁ ≤ z ≤ z₂, at least κ q^{−e} (for each of a few blocks); it gives where p ≥ q/v, at most C p^{−α}. A
+large-sieve inequality bounds ∫|V|² over intervals by their lengths ± 2π/δ, δ the smallest gap between contacts.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _OMEGA = 4.0  # where the two charts of the envelope meet
 
 @dataclass(frozen=True)
 class Tail:
-    """The proof: X, the blocks (z₁, z₂, κ) at γ with e, the envelope (ω₀, C, α). All floats are exact as they stand."""
+    """The proof: X, the blocks (z₁, z₂, κ) at γ with e, the envelope (ω₀, C, α). Floats are exact as they stand."""
 
     X: float
     gamma: Fraction
@@ -87,7 +87,7 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
     if not absorption.W or not guide.v:
         return None
     X, tries = least, 0
-    while X <= most and tries < 8:
+    while X <= most and tries < 8:  # noqa: SIM300 — X is no constant
         plan = _plan(absorption, guide, gap, X)
         if plan is not None:
             tries += 1
@@ -108,8 +108,12 @@ def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float) 
         if max(z2 for _, z2 in intervals) * float(guide.v) * X ** float(gamma - 1) >= 0.99:
             continue
         e = absorption.exponent(gamma)
-        kappas = [0.8 * _sampled_block(floats, float(guide.v), X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals]
-        blocks = tuple((*z, float(np.float32(kappa))) for z, kappa in zip(intervals, kappas, strict=True) if kappa > 0)
+        kappas = [
+            0.8 * _sampled_block(floats, float(guide.v), X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals
+        ]
+        blocks = tuple(
+            (*z, float(np.float32(kappa))) for z, kappa in zip(intervals, kappas, strict=True) if kappa > 0
+        )
         tail = Tail(X, gamma, blocks, e, _OMEGA, float(np.float32(C)), alpha)
         if blocks and np.isfinite(C) and outweighs(tail, guide.v, gap):
             size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(gamma - e)
@@ -206,7 +210,7 @@ def _blocks(guide: Guide) -> list[tuple[Fraction, list[tuple[float, float]]]]:
 
 def _side_by_side(low: float, high: float, n: int) -> list[tuple[float, float]]:
     ends = np.linspace(low, high, n + 1).tolist()
-    return list(zip(ends[:-1], ends[1:], strict=True))
+    return list(pairwise(ends))
 
 
 def _round(z: float, levels: int) -> list[tuple[float, float]]:
@@ -257,18 +261,23 @@ def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tu
 
     Near: u = 1/p ≤ v/X and −Ω ≤ ω₀ with u·(−Ω) ≤ v. Far: r = −Ω/p ≤ v and z = −1/Ω ≤ 1/ω₀ with r z ≤ v/X.
     """
-    (Iw, I), (nw, n), alpha = _orders(absorption)
+    (iw, i2), (nw, n2), alpha = _orders(absorption)
     speed = float(v) * UP
     u0 = speed / tail.X * UP
-    near = lambda a, top: {(top - i, j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731
-    far = lambda a, i0, n0: {(i0 - i, n0 - i - j): c * (-1) ** j for (i, j), c in a.items()}  # noqa: E731
-    lift: Polynomial = {(I - Iw - alpha, 0): Fraction(1)}
-    weight: Polynomial = {(I - Iw - alpha, n - nw - alpha): Fraction(1)}
+
+    def near(a: Polynomial, top: int) -> Polynomial:
+        return {(top - i, j): c * (-1) ** j for (i, j), c in a.items()}
+
+    def far(a: Polynomial, top: int, whole: int) -> Polynomial:
+        return {(top - i, whole - i - j): c * (-1) ** j for (i, j), c in a.items()}
+
+    lift: Polynomial = {(i2 - iw - alpha, 0): Fraction(1)}
+    weight: Polynomial = {(i2 - iw - alpha, n2 - nw - alpha): Fraction(1)}
     return (
-        (multiply(near(absorption.W, Iw), lift), near(absorption.D2, I), ((0.0, u0), (0.0, tail.omega0)), speed),
+        (multiply(near(absorption.W, iw), lift), near(absorption.D2, i2), ((0.0, u0), (0.0, tail.omega0)), speed),
         (
-            multiply(far(absorption.W, Iw, nw), weight),
-            far(absorption.D2, I, n),
+            multiply(far(absorption.W, iw, nw), weight),
+            far(absorption.D2, i2, n2),
             ((0.0, speed), (0.0, 1 / tail.omega0 * UP)),
             u0,
         ),
@@ -278,7 +287,7 @@ def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tu
 def _supremum(
     top: Polynomial, bottom: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float
 ) -> float | None:
-    """An upper bound of |top|/bottom on the box where x y ≤ product, by branch and bound; None where bottom may vanish."""
+    """A bound of |top|/bottom on the box where x y ≤ product, by branch and bound; None if bottom may vanish."""
     above, below = Table.of(top), Table.of(bottom)
     boxes, tried = _grid(*box, 8, 4), 0
     known, proved = 0.0, 0.0
@@ -305,7 +314,9 @@ def _supremum(
     return None
 
 
-def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float | None = None) -> bool:
+def _negative(
+    polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float | None = None
+) -> bool:
     """True if the polynomial is proved negative on the box (only where x y ≤ product), by halving boxes."""
     table = Table.of(polynomial)
     boxes, tried = _grid(*box, 8, 4), 0
