@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
-    from mpsolve.certificate.certify import Spectrum, Status, certify
+    from mpsolve.certificate.certify import Spectrum, certify
     from mpsolve.certificate.verify import Verdict, verify
     from mpsolve.characteristic.forced import receptance
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
     from mpsolve.numbers.rootball import RootBall
+    from mpsolve.outcome import Status
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.sheet.region import Rectangle
@@ -105,7 +106,7 @@ _HOME = {
     "certify": "certificate.certify",
     "Rectangle": "sheet.region",
     "Spectrum": "certificate.certify",
-    "Status": "certificate.certify",
+    "Status": "outcome",
     "RootBall": "numbers.rootball",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",

@@ -11,6 +11,7 @@ import errno
 import io
 import os
 import sys
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -47,10 +48,12 @@ def cli() -> None:
 @click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
 @click.option(
     "--region",
-    default="sheet",
-    show_default=True,
     metavar="REGION",
-    help="sheet, unstable (Im q < 0), or the rectangle RE_MIN,RE_MAX,IM_MIN,IM_MAX.",
+    help="sheet, unstable (Im q < 0), or the rectangle RE_MIN,RE_MAX,IM_MIN,IM_MAX.  [default: sheet; unstable where "
+    "the branch cuts leave their line, as on an overdamped track]",
+)
+@click.option(
+    "--max-pieces", type=click.IntRange(1), default=100_000, show_default=True, help="Effort of the count, in pieces."
 )
 @click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 @click.option(
@@ -59,7 +62,7 @@ def cli() -> None:
     type=click.Path(path_type=Path),
     help="Path of the certificate.  [default: NAME.certificate.json in the working directory]",
 )
-def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | None) -> None:
+def certify(file: Path, digits: int, region: str | None, max_pieces: int, as_json: bool, output: Path | None) -> None:
     """Find, count and prove every induced frequency of the case in FILE (TOML), and write a certificate.
 
     The forces that FILE may give (P, P_A, omega_f, phi_f of [[mass]], or [[load]]) have no part in it.
@@ -74,15 +77,33 @@ def certify(file: Path, digits: int, region: str, as_json: bool, output: Path | 
         source = read_input(file)
         path = certificate_path(source.path, output)
         with progress() as tell:
-            spectrum = prove(source.case, digits=digits, region=_region(region), progress=tell)
+            spectrum = _told(lambda: prove(source.case, digits, _region(region, source), max_pieces, tell))
         _report(spectrum, source, path, as_json)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
 
-def _region(text: str) -> Region:
+def _told(prove: Callable[[], Spectrum]) -> Spectrum:
+    """The result, with remedies that name options; InputError likewise."""
+    from dataclasses import replace
+
     from mpsolve.errors import InputError
+    from mpsolve.report.remedies import on_command_line
+
+    try:
+        found = prove()
+    except InputError as error:
+        raise InputError(error.key, on_command_line(str(error).removeprefix(f"{error.key}: "))) from None
+    return replace(found, reason=on_command_line(found.reason))
+
+
+def _region(text: str | None, source: InputFile) -> Region:
+    from mpsolve.errors import InputError
+    from mpsolve.model.parameters import PhysicalCase
     from mpsolve.sheet.region import Rectangle
 
+    if text is None:
+        case = source.case.dimensionless if isinstance(source.case, PhysicalCase) else source.case
+        return "sheet" if case.cuts_on_line else "unstable"
     if text == "sheet":
         return "sheet"
     if text == "unstable":

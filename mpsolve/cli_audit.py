@@ -1,4 +1,4 @@
-"""The command `audit`: every claim of the paper checked anew."""
+"""The command `audit`: every claim of a paper checked anew."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ import click
 from mpsolve.cli_tools import UNDECIDED, one_sentence, progress, show
 
 if TYPE_CHECKING:
-    from mpsolve.audit.run import Report
+    from mpsolve.claims.report import Report
 
 
 @click.command()
+@click.argument("paper", required=False, type=click.Path())
 @click.option(
     "--only", multiple=True, metavar="ID", help="Only this claim, or all whose names begin so (may be given again)."
 )
@@ -23,36 +24,45 @@ if TYPE_CHECKING:
 @click.option("--certificates", type=click.Path(path_type=Path), help="Folder for the certificates.")
 @click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
 def audit(
-    only: tuple[str, ...], as_json: bool, html: Path | None, certificates: Path | None, workers: int | None
+    paper: str | None,
+    only: tuple[str, ...],
+    as_json: bool,
+    html: Path | None,
+    certificates: Path | None,
+    workers: int | None,
 ) -> None:
-    """Check every claim that the paper prints: conclusions, numbers, captions, equations. All of it takes minutes.
+    """Check every claim of PAPER: conclusions, numbers, captions, equations. All of examples/paper takes minutes.
+
+    PAPER is a folder whose __init__.py or paper.py exports PAPER = Paper(title, citation, claims), or the dotted name
+    of such a module. It is a program, and runs: give only what you trust.
 
     Exit status 0: every check came to its end, whatever the verdicts. 1: one did not, or a file could not be
     written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.audit.run import audit as check
-        from mpsolve.audit.run import chosen
+        from mpsolve.claims.load import load
+        from mpsolve.claims.run import audit as check
 
-        claims = chosen(only)
-        _admit(html, certificates)
+        _admit(paper, html, certificates)
         with progress() as tell:
-            report = check(claims, workers, tell)
+            report = check(load(paper or ""), only, workers, tell)
         _report(report, as_json)
         if certificates is not None:
             report.save_certificates(certificates)
         if html is not None:
-            from mpsolve.audit.page import page
+            from mpsolve.claims.page import page
             from mpsolve.files import write_whole
 
             write_whole(html, page(report))
     sys.exit(0 if report.complete else UNDECIDED)
 
 
-def _admit(html: Path | None, certificates: Path | None) -> None:
-    """InputError, before any work is done, for a path that cannot be written."""
+def _admit(paper: str | None, html: Path | None, certificates: Path | None) -> None:
+    """InputError, before any work is done, without a paper or for a path that cannot be written."""
     from mpsolve.errors import InputError
 
+    if paper is None:
+        raise InputError("paper", "is not given: name the folder of its claims, as in mpsolve audit examples/paper")
     if html is not None and (html.is_dir() or not html.parent.is_dir()):
         raise InputError("html", f"{html} cannot be a file there: give a path in a folder that exists")
     if certificates is not None and certificates.exists() and not certificates.is_dir():
@@ -60,7 +70,7 @@ def _admit(html: Path | None, certificates: Path | None) -> None:
 
 
 def _report(report: Report, as_json: bool) -> None:
-    from mpsolve.audit.tables import as_data, document
+    from mpsolve.claims.tables import as_data, document
 
     if as_json:
         import json

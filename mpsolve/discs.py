@@ -2,7 +2,8 @@
 
 A `Discs` holds midpoints `m` (complex128) and radii `r` ≥ 0, and each operation returns discs that hold every
 result. Only IEEE operations +, −, ×, ÷, √ are used, each of which is rounded correctly; what they lose is added to
-the radius with a wide margin (`_EPS` is 32 units of roundoff). A result that cannot be bounded has r = ∞.
+the radius with a wide margin (`_EPS` is 32 units of roundoff). A result that cannot be bounded has r = ∞, never a
+finite radius about a middle that is not finite, and never nan: `np.isfinite(z.r)` tells what is bounded.
 """
 
 from __future__ import annotations
@@ -29,7 +30,10 @@ class Discs:
     __slots__ = ("_size", "m", "r")
 
     def __init__(self, m: Any, r: Any = 0.0) -> None:
-        self.m, self.r, self._size = np.asarray(m, dtype=complex), np.asarray(r, dtype=float), None
+        self.m, self._size = np.asarray(m, dtype=complex), None
+        r = np.fmin(np.asarray(r, dtype=float), np.inf)  # nan becomes ∞
+        finite = np.isfinite(self.m)
+        self.r = r if finite.all() else np.where(finite, r, np.inf)
 
     @property
     def size(self) -> Any:
@@ -85,7 +89,8 @@ class Discs:
             r = (a * other.r + b * self.r + self.r * other.r) * _UP
             return _disc(self.m * other.m, r + (a * b * _EPS + _TINY))
         size = _modulus(other)
-        return _disc(self.m * other, (self.r * _UP + a * _EPS) * size + _TINY)
+        # a·size overflows where the product of the middles may: a·_EPS·size would not
+        return _disc(self.m * other, self.r * (size * _UP) + (a * size * _EPS + _TINY))
 
     __rmul__ = __mul__
 
@@ -138,16 +143,16 @@ class Discs:
 
 
 def _disc(m: Any, r: Any) -> Discs:
-    """Without the conversions of the constructor."""
+    """Without the conversions of the constructor. Where m is not finite, r must be ∞ or nan, which becomes ∞."""
     disc = Discs.__new__(Discs)
-    disc.m, disc.r, disc._size = m, r, None
+    disc.m, disc.r, disc._size = m, np.fmin(r, np.inf), None
     return disc
 
 
 def _modulus(z: Any) -> Any:
     """An upper bound of |z| that is within a few roundings."""
     if isinstance(z, (int, float, complex)):
-        return abs(z) * _UP
+        return abs(z) * _UP + _SMALL
     x, y = z.real, z.imag
     return np.sqrt(x * x + y * y) * _UP + _SMALL
 

@@ -1,7 +1,7 @@
 """Three arithmetics with the same operations: float64 arrays, mpmath numbers, and balls (flint.acb).
 
 A formula is written once, over a `Field`; which of the three it runs in is an explicit argument.
-mpmath's global context is never used.
+The precision of flint is set by `mpsolve.numbers.balls` only. mpmath's global context is never used.
 """
 
 from __future__ import annotations

@@ -93,7 +93,7 @@ def test_undecided(run: Run, tmp_path: Path) -> None:
         ([PLAIN, "--region", "0,1,2"], "region"),
         ([PLAIN, "--region", "1,0,-2,-1"], "region.re_max"),
         ([PLAIN, "--region", "0,1,-1,1"], "region.im_max"),
-        (["over.toml"], "eta_b"),
+        (["over.toml", "--region", "sheet"], "eta_b"),
         ([PLAIN, "-o", "no/such/place.json"], "output"),
         ([PLAIN, "-o", "."], "output"),
         (["bad.toml", "-o", "bad.toml"], "dimensionless.eta_b"),
@@ -125,7 +125,10 @@ def test_verify_says_a_line_for_each_file(run: Run) -> None:
     run("certify", PLAIN, "-o", "good.json")
     Path("broken.json").write_text('{"format": "mpsolve certificate"', encoding="utf-8")
     result = run("verify", "good.json")
-    claim = "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0"
+    claim = (
+        "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0; "
+        "case alpha = 67/100, eta_b = 1/20, eta_n = 0, eta_s = 0, eta_m = 70, 70 at 0, 3/2"
+    )
     assert (result.exit_code, result.stdout) == (0, f"valid: good.json: {claim}\n")
     result = run("verify", "broken.json", "good.json", "missing.json")
     assert result.exit_code == 1
@@ -183,3 +186,25 @@ def test_importing_the_command_is_light() -> None:
     loaded = {name.partition(".")[0] for name in done.stdout.split()}
     assert not loaded & {"rich", "sympy", "matplotlib"}
     assert not [name for name in done.stdout.split() if name.startswith("mpsolve.report")]
+
+
+def test_an_overdamped_track_is_certified_where_it_can_be(run: Run) -> None:
+    """Its branch cuts leave their line, so that the whole sheet has no count: Im q < 0 is what is asked for then."""
+    Path("overdamped.toml").write_text(
+        RAIL.read_text(encoding="utf-8").replace("c = 770 ", "c = 1.2e5 "), encoding="utf-8"
+    )
+    result = run("certify", "overdamped.toml", "--json")
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["region"], data["stable"], data["status"]) == (0, "unstable", True, "proved")
+    refused = run("certify", "overdamped.toml", "--region", "sheet")
+    assert refused.exit_code == 2
+    assert "try --region unstable" in refused.stderr
+    assert "region=" not in refused.stderr
+
+
+def test_remedies_name_options_that_there_are(run: Run) -> None:
+    result = run("certify", PLAIN, "--max-pieces", 20, "--json")
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["why"]["code"]) == (1, "pieces")
+    assert data["reason"].endswith("more than 20 pieces: try --region unstable, or allow more with --max-pieces")
+    assert run("certify", PLAIN, "--max-pieces", 2000).exit_code == 0

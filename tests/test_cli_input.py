@@ -28,7 +28,10 @@ LONG = "x" * 300
         (f"certify {LONG}.toml", "File name too long"),
         ("response case.toml -o plain", "plain does not end in one of .csv, .npz"),
         ("study study.toml -o s.sqlite --dask nonsense", "--dask: is 'nonsense'"),
-        ("receptance fast.toml --omega 0,1,3", "omega: has points where the receptance is infinite, or out of float64's reach"),
+        (
+            "receptance fast.toml --omega 0,1,3",
+            "omega: has points where the receptance is infinite, or out of float64's reach",
+        ),
         ("report table.toml", "quantity: is unknown"),
         ("chart study.toml -o c.svg", "study: is unknown"),
         ("status case", "case does not exist"),

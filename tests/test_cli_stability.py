@@ -11,12 +11,12 @@ import pytest
 from click.testing import CliRunner, Result
 from flint import acb, arb
 
-from mpsolve.certificate.certify import Status
 from mpsolve.certificate.format import Certificate
 from mpsolve.cli import cli
 from mpsolve.errors import CertificateError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
+from mpsolve.outcome import Status
 from mpsolve.report.text import WIDTH
 from mpsolve.stability.distance import CriticalDistance
 

@@ -234,3 +234,37 @@ def test_pi_and_the_wave_of_a_field() -> None:
             p = mp.mpc(complex(z.m[k])) + mp.mpf(float(z.r[k])) * turn
             exact = (1 - mp.expj(p * x)) / p if p else -mp.j * x
             assert abs(mp.mpc(complex(wave.m[k])) - exact) <= mp.mpf(float(wave.r[k]))
+
+
+anything = st.one_of(st.floats(allow_nan=True, allow_infinity=True), extreme)
+sizes_of_all = st.tuples(anything, anything, st.one_of(st.floats(0), st.just(float("nan"))))
+
+
+def sound(z: Discs) -> bool:
+    """Every disc is bounded, with a finite middle, or has r = ∞."""
+    r = np.broadcast_to(z.r, np.shape(z.m))
+    return bool(np.all(np.where(np.isfinite(r), np.isfinite(z.m) & (r >= 0), r == np.inf)))
+
+
+@settings(max_examples=400)
+@given(sizes_of_all, sizes_of_all, st.one_of(anything, st.complex_numbers()))
+def test_what_is_not_bounded_has_an_infinite_radius(a: Any, b: Any, number: complex) -> None:
+    with np.errstate(all="ignore"):
+        one, two = (Discs(np.array([complex(x, y)]), np.array([r])) for x, y, r in (a, b))
+        results = [one, two, -one, one[np.array([0])], one + two, one - two, one * two, one / two, one.inverse()]
+        results += [one.sqrt(), one.exp(), exponential_quotient(one), where(np.array([True]), one, two)]
+        for exact in (number, np.array([number]), np.array([complex(number)])):
+            results += [one + exact, exact + one, one - exact, exact - one, one * exact, exact * one]
+            results += [one / exact, exact / one]
+        results += [3 - one, 1e308 * one * 1e308, one * 0, (one * 1e308) * 0.0, one - one]
+        assert all(sound(z) for z in results)
+        assert not any(z.nonzero()[0] for z in results if z.r[0] == np.inf)
+
+
+def test_a_product_that_overflows_is_not_bounded() -> None:
+    with np.errstate(all="ignore"):
+        for z in (
+            Discs(np.array([1e75 + 0j])) * (-2.9e238 + 0j),
+            Discs(np.array([1e75 + 0j])) * np.array([-2.9e238]),
+        ):
+            assert z.r[0] == np.inf

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shlex
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +13,8 @@ import pytest
 from click.testing import CliRunner
 
 import mpsolve
+from mpsolve.claims import Verdict
+from mpsolve.claims.load import load
 from mpsolve.cli import cli
 from mpsolve.model.inputfile import _DIMENSIONLESS, _LOAD, _MASS, _PHYSICAL, read_input
 
@@ -81,3 +85,15 @@ def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
     for command in ("response", "report"):
         said = cli.commands[command].help or ""
         assert [name for name in (*list(_MASS)[2:], *_LOAD) if name not in said] == []
+
+
+def test_the_paper_on_trial(tmp_path: Path) -> None:
+    """The folder that is shown is a paper: its claim is proved, and refuted with another number."""
+    block = README.split("## A paper on trial")[1].split("\n## ")[0]
+    lines = block[block.index("    from mpsolve") :].splitlines()
+    code = "\n".join(line.removeprefix("    ") for line in itertools.takewhile(lambda x: x[:1] in ("", " "), lines))
+    (tmp_path / "paper.py").write_text(code, "utf-8")
+    paper = load(tmp_path)
+    (claim,) = paper.claims
+    assert claim.check(claim).verdict is Verdict.PROVED
+    assert claim.check(replace(claim, printed={**claim.printed, "n": ("1",)})).verdict is Verdict.REFUTED

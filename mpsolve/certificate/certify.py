@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from enum import Enum
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 
+from mpsolve.certificate import verify
 from mpsolve.certificate.format import Certificate, make_certificate
 from mpsolve.display import card
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import InputError, PrecisionError, known
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress, silent
+from mpsolve.sheet import reasons
 from mpsolve.sheet.collect import collect
 from mpsolve.sheet.count import Count, count_roots
 from mpsolve.sheet.region import Rectangle, Region, checked_region
 
 MAX_DIGITS = 10_000
 MIN_DIGITS = 15
-_ROUNDS = 3  # of looking for roots that the count has and the enclosures lack
-
-
-class Status(Enum):
-    """What has been decided about the region."""
-
-    PROVED = "proved"
-    UNDECIDED = "undecided"
+_MORE_DIGITS = (2, 4, 8)  # times what was asked for, where a sign of Im q is open
+_ROUNDS = 4  # of looking for roots that the count has and the enclosures lack
 
 
 @dataclass(frozen=True)
@@ -33,8 +30,9 @@ class Spectrum:
 
     roots: disjoint balls `root.q` (flint.acb), each with exactly `root.multiplicity` roots, relative radius
     below 10^−digits, sorted by (Re q, Im q). count: number of roots in the region with multiplicity.
-    unstable: how many of them have Im q < 0. When undecided, `reason` says why and what helps; `count` is then
-    the proved number if there is one, and None otherwise.
+    unstable: how many of them have Im q < 0. status: `PROVED` if the certificate also passed the standalone
+    verifier, `UNVERIFIED` if that was left out (check=False). When undecided, `reason` says why and what helps, and
+    `why` has the same in parts; `count` is then the proved number if there is one, and None otherwise.
     """
 
     case: Case
@@ -48,11 +46,12 @@ class Spectrum:
     radius: float | None = None
     certificate: Certificate | None = field(default=None, repr=False)
     evaluations: int = 0
+    why: Reason | None = field(default=None, repr=False)
 
     @property
     def proved(self) -> bool:
         """Whether every root of the region is counted and enclosed."""
-        return self.status is Status.PROVED
+        return self.status.holds
 
     @property
     def stable(self) -> bool | None:
@@ -72,13 +71,15 @@ def certify(
     region: Region = "sheet",
     max_pieces: int = 100_000,
     progress: Progress | None = None,
+    check: bool = True,
 ) -> Spectrum:
     """Every root of Δ, eq. (26), in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
     digits: certified digits of each root relative to |q|, 15 to 10,000. region: "sheet" (the whole physical
     sheet), "unstable" (Im q < 0) or a `Rectangle`. max_pieces bounds the effort of the count, by default to about
-    a minute. progress is called with a stage and a fraction from 0 to 1. Raises InputError for a region that has
-    no meaning.
+    a minute. progress is called with a stage and a fraction from 0 to 1. check: run the standalone verifier on the
+    certificate before "proved" is returned (half as long again); without it the status is "proved, not verified".
+    Raises InputError for a region that has no meaning.
 
     >>> from mpsolve import Case, certify
     >>> certify(Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))).unstable
@@ -93,27 +94,72 @@ def certify(
     try:
         count = count_roots(case, region, max_pieces, tell)
     except PrecisionError as error:
-        return Spectrum(case, region, digits, Status.UNDECIDED, str(error), None, None, ())
-    return _explain(case, region, digits, count, tell)
+        return _undecided(case, region, digits, error.reason)
+    found = _explain(case, region, digits, count, tell)
+    if region == "unstable" and not found.proved and count.contour == "edge" and case.eta_b > 0:
+        with suppress(PrecisionError):  # roots elsewhere do not matter: those with Im q < 0 are counted by themselves
+            found = _explain(case, region, digits, count_roots(case, region, max_pieces, tell, line=True), tell)
+    return _checked(found, tell) if check and found.proved else found
+
+
+def _undecided(case: Case, region: Region, digits: int, why: Reason, count: int | None = None) -> Spectrum:
+    return Spectrum(case, region, digits, Status.UNDECIDED, str(why), count, None, (), why=why)
+
+
+def _checked(found: Spectrum, tell: Progress) -> Spectrum:
+    """The same, proved, if the standalone verifier accepts the certificate as it would stand in a file."""
+    tell("verifying", 0.0)
+    certificate = known(found.certificate, "the certificate")
+    verdict = verify.judge(certificate.text.encode("ascii"))
+    if verdict.valid:
+        return replace(found, status=Status.PROVED)
+    why = Reason(
+        "not-verified",
+        f"the verifier does not confirm the certificate ({verdict.reason})",
+        {"digits": str(found.digits)},
+        "ask for more digits, or change a parameter a little",
+    )
+    return replace(found, status=Status.UNDECIDED, reason=str(why), why=why, count=None, unstable=None)
 
 
 def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progress) -> Spectrum:
     """Looks for the counted roots, with more effort each round, and encloses them."""
+    if count.total > verify.MAX_ROOTS:
+        why = reasons.too_many(case, region, count.total, verify.MAX_ROOTS)
+        total = count.total if _counts_region(region, count) else None
+        return _undecided(case, region, digits, why, total)
     roots: tuple[RootBall, ...] = ()
-    reason = ""
+    reason: Reason | None = None
     for effort in range(1, _ROUNDS + 1):
         try:
             roots = collect(case, count, digits, 2 ** (effort - 1), tell)
-            reason = ""
+            reason = None
         except PrecisionError as error:
-            reason = str(error)
+            reason = error.reason
         if sum(root.multiplicity for root in roots) == count.total:
-            return _verdict(case, region, digits, count, roots)
+            return _verdict(case, region, digits, count, _signed(case, count, roots, digits, 2 ** (effort - 1)))
     found = sum(root.multiplicity for root in roots)
-    reason = reason or f"{count.total} roots were counted, but {found} could be enclosed"
-    remedy = "ask for more digits, so that clusters come apart, or for a rectangle"
-    known = count.total if _counts_region(region, count) else None
-    return Spectrum(case, region, digits, Status.UNDECIDED, f"{reason}: {remedy}", known, None, roots, count.radius)
+    why = reason or Reason(
+        "roots-missing",
+        f"{count.total} roots were counted, but {found} could be enclosed",
+        {"counted": str(count.total), "enclosed": str(found)},
+        reasons.missing_helps(case, region),
+    )
+    total = count.total if _counts_region(region, count) else None
+    rest = total, None, roots, count.radius
+    return Spectrum(case, region, digits, Status.UNDECIDED, str(why), *rest, why=why)
+
+
+def _signed(case: Case, count: Count, roots: tuple[RootBall, ...], digits: int, effort: int) -> tuple[RootBall, ...]:
+    """The roots with as many more digits as the signs of Im q take, within reason."""
+    for more in _MORE_DIGITS:
+        if all(_below(root) is not None for root in roots):
+            break
+        with suppress(PrecisionError):
+            sharper = collect(case, count, min(more * digits, MAX_DIGITS), effort, lambda _stage, _fraction: None)
+            if sum(root.multiplicity for root in sharper) == count.total:
+                roots = sharper
+    return roots
 
 
 def _counts_region(region: Region, count: Count) -> bool:
@@ -125,9 +171,15 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
     signs = [_below(root) for root in roots]
     certificate = make_certificate(case, count, roots)
     if any(sign is None for sign in signs):
-        reason = "a root's ball meets the real axis, so that the sign of Im q is open: ask for more digits"
-        known = count.total if _counts_region(region, count) else None
-        return Spectrum(case, region, digits, Status.UNDECIDED, reason, known, None, roots, count.radius, certificate)
+        why = Reason(
+            "sign-open",
+            "a root's ball meets the real axis, so that the sign of Im q is open",
+            {"digits": str(digits)},
+            "ask for more digits",
+        )
+        total = count.total if _counts_region(region, count) else None
+        rest = total, None, roots, count.radius, certificate
+        return Spectrum(case, region, digits, Status.UNDECIDED, str(why), *rest, why=why)
     unstable = tuple(root for root, sign in zip(roots, signs, strict=True) if sign)
     number = sum(root.multiplicity for root in unstable)
     if region == "unstable":
@@ -136,7 +188,7 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
         case,
         region,
         digits,
-        Status.PROVED,
+        Status.UNVERIFIED,
         "",
         sum(root.multiplicity for root in roots),
         number,

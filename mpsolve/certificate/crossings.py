@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from mpsolve.certificate import verify
 from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.format import FORMAT, VERSION, Certificate, digest, dyadic
-from mpsolve.errors import CertificateError
+from mpsolve.errors import CertificateError, known
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
 
@@ -109,9 +109,7 @@ def make_crossings_certificate(found: Passages) -> Certificate:
     content["crossings"] = [_crossing(content, zero) for zero in zeros]
     if found.bases:
         base = found.bases[0]
-        certificate = base.spectrum.certificate
-        if certificate is None:
-            raise CertificateError("the count that fixes all others has no certificate: nothing was written")
+        certificate = known(base.spectrum.certificate, "the certificate of the base")
         content["base"] = {"t": str(base.t), "certificate": certificate.content}
     return Certificate(content | {"sha256": digest(content)})
 

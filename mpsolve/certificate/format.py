@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from mpsolve.errors import known
 from mpsolve.files import write_whole
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.rootball import RootBall, Symmetry
@@ -86,9 +87,9 @@ def _contour(count: Count) -> dict[str, Any]:
     if isinstance(count.contour, Rectangle):
         sides = [[dyadic(x) for x in path.breaks] for path in count.paths]
         return {"kind": "rectangle", "bits": count.bits, "bounds": count.contour.as_dict(), "sides": sides}
-    assert count.radius is not None
     breaks = [dyadic(x) for x in count.paths[0].breaks]
-    return {"kind": count.contour, "bits": count.bits, "radius": dyadic(count.radius), "breaks": breaks}
+    radius = dyadic(known(count.radius, "the radius"))
+    return {"kind": count.contour, "bits": count.bits, "radius": radius, "breaks": breaks}
 
 
 def _root(root: RootBall) -> dict[str, Any]:

@@ -90,7 +90,14 @@ def _region(reduced: Reduced, region: object) -> tuple[Region, str]:
 
 
 def _spectrum(
-    reduced: Reduced, wanted: Region, digits: int, found: Found, note: str, budget: Effort, started: float, check: bool
+    reduced: Reduced,
+    wanted: Region,
+    digits: int,
+    found: Found,
+    note: str,
+    budget: Effort,
+    started: float,
+    check: bool,
 ) -> Spectrum:
     problem, count = reduced.problem, found.count
     if count is None:
@@ -98,10 +105,17 @@ def _spectrum(
         return Spectrum(problem, wanted, digits, Status.UNDECIDED, found.reason, cost=cost)
     roots = sorted_roots(problem, found.balls)
     cost = Cost(process_time() - started, 0.0, budget.spent, count.pieces)
-    common: dict[str, Any] = {"count": count.total, "roots": roots, "neutral": reduced.neutral, "note": note or count.why}
+    common: dict[str, Any] = {
+        "count": count.total,
+        "roots": roots,
+        "neutral": reduced.neutral,
+        "note": note or count.why,
+    }
     if found.reason is not None:
         known = {"count": count.total}
-        return Spectrum(problem, count.region, digits, Status.UNDECIDED, found.reason, known=known, cost=cost, **common)
+        return Spectrum(
+            problem, count.region, digits, Status.UNDECIDED, found.reason, known=known, cost=cost, **common
+        )
     unstable = unstable_number(found.balls)
     certificate = spectrum_certificate(reduced, count, _entries(found.balls), unstable)
     status, reason, seconds = _checked(certificate, check)

@@ -1,4 +1,4 @@
-"""Certificates of version 2, kind "spectrum", as JSON: equations, claim, and every choice of the proof (certs/SPEC2.md).
+"""Certificates of version 2, kind "spectrum", as JSON: equations, claim, every choice of the proof (certs/SPEC2.md).
 
 All numbers are exact and in the problem's own units: scaled ones are multiplied by powers of two.
 """
@@ -56,7 +56,9 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
 def equations(reduced: Reduced) -> dict[str, Any]:
     """The equations as they are meant: the track's matrix, the velocity, the vehicle's pencil."""
     waveguide, pencil = reduced.problem.track.waveguide, reduced.problem.pencil
-    matrix = [[[[i, j, _text(c)] for (i, j), c in sorted(entry.items())] for entry in row] for row in waveguide.matrix]
+    matrix = [
+        [[[i, j, _text(c)] for (i, j), c in sorted(entry.items())] for entry in row] for row in waveguide.matrix
+    ]
     vehicle: dict[str, Any] = {key: [list(map(_text, row)) for row in getattr(pencil, key)] for key in "MCKB"}
     vehicle |= {"places": list(map(_text, pencil.places)), "compliances": list(map(_text, pencil.h))}
     return {
@@ -98,7 +100,10 @@ def _theorem(reduced: Reduced, tail: Tail) -> dict[str, Any]:
     guide = reduced.guide
     L, T = guide.length, guide.time
     order = _exponent(guide.g) + L  # of N/D against N̂/D̂
-    shift = lambda power: _whole(power, "the scaling of the tail theorem")  # noqa: E731
+
+    def shift(power: Fraction) -> int:
+        return _whole(power, "the scaling of the tail theorem")
+
     z = Fraction(2) ** shift(T * tail.gamma - L)
     kappa = Fraction(2) ** shift(order - T * tail.e)
     envelope = Fraction(2) ** shift(Fraction(order - L * tail.alpha))

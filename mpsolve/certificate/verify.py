@@ -1,8 +1,10 @@
 """Checks a certificate of induced frequencies, or of crossings, against certs/SPEC.md; shares nothing with its maker.
 
 Needs Python ≥ 3.11 and python-flint only, and runs as a plain script:  python verify.py FILE [FILE …]
-Exit status 0: every file is valid; 1: one is not, and its line says why. No search: every step is given in the
-file or fixed by the specification. Δ is evaluated by the residue sums over the p-roots of the quartic D(p, q).
+Exit status 0: every file is valid; 1: one is not, and its line says why. Of a spectrum every step is given in the
+file or fixed by the specification; that there are no crossings besides those listed is found by bisection. The work
+that a file asks for is bounded, and added up before any of it is done. Δ is evaluated by the residue sums over the
+p-roots of the quartic D(p, q).
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ import json
 import math
 import re
 import sys
+import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -23,9 +26,10 @@ from typing import Any
 import flint
 from flint import acb, acb_mat, acb_poly, arb, fmpq
 
-MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_MASSES = 64_000_000, 300_000, 3_000_000, 300, 24
+MAX_BYTES, MAX_PIECES, MAX_ROOTS, MAX_MASSES = 64_000_000, 300_000, 300, 24
 MAX_BITS, MAX_ALL_BITS, MAX_CONTOUR_BITS = 120_000, 1_500_000, 512  # of one root, of all roots, of a contour
-MAX_CROSSINGS, MAX_BOXES, MAX_BOX_WORK, MAX_FAR_PARTS = 1_000, 400_000, 4_000_000, 4_096
+MAX_CROSSINGS, MAX_BOXES, MAX_FAR_PARTS = 1_000, 400_000, 4_096
+MAX_WORK = 200_000_000  # of a whole file, about microseconds: see `work`
 I = acb(0, 1)  # noqa: E741
 
 KINDS = {
@@ -52,12 +56,18 @@ def verify(path: Any) -> Verdict:
     try:
         with open(path, "rb") as file:
             raw = file.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        return Verdict(False, f"the file cannot be read: {getattr(error, 'strerror', None) or error}")
+    return judge(raw)
+
+
+def judge(raw: bytes) -> Verdict:
+    """The verdict on what a file holds. Never raises."""
+    try:
         require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
         return Verdict(True, "", check(read(raw)))
     except Refused as error:
         return Verdict(False, str(error))
-    except OSError as error:
-        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
         return Verdict(
             False, f"no certificate, which is JSON in ASCII, as `mpsolve certify` writes it ({error})"[:200]
@@ -66,19 +76,29 @@ def verify(path: Any) -> Verdict:
         return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
 
 
+def work(masses: int, bits: int) -> int:
+    """What one value of Δ with its slope costs, in about microseconds: places of masses, and bits of precision."""
+    return int((150 + 30 * masses**2 + masses**4 // 4) * (1 + (bits / 600) ** 1.5))
+
+
 def require(condition: Any, message: str) -> None:
     if not condition:
         raise Refused(message)
 
 
+# flint has one precision for the whole process: whoever changes it keeps other threads waiting, by one lock for all
+LOCK = vars(flint).setdefault("_precision_lock", threading.RLock())
+
+
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    before = flint.ctx.prec
-    flint.ctx.prec = bits
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
+    with LOCK:
+        before = flint.ctx.prec
+        flint.ctx.prec = bits
+        try:
+            yield
+        finally:
+            flint.ctx.prec = before
 
 
 # --- reading ----------------------------------------------------------------------------------------------
@@ -160,8 +180,8 @@ def real(text: Any, name: str) -> Real:
     """Reads "p", "p/q", "root4(p/q)" or "-root4(p/q)"."""
     require(isinstance(text, str), f"{name} is not text")
     match = re.fullmatch(r"(-?)(root4\()?([0-9]{1,4300})(?:/([0-9]{1,4300}))?(\))?", text)
-    require(match is not None and bool(match[2]) == bool(match[5]), f"{name} is not an exact number")
-    assert match is not None
+    if match is None or bool(match[2]) != bool(match[5]):
+        raise Refused(f"{name} is not an exact number")
     value = Fraction(int(match[3]), int(match[4] or 1)) * (-1 if match[1] else 1)
     return Real(value, None) if match[2] else rational_real(value)
 
@@ -257,7 +277,8 @@ def seeds(n: Numbers, r: Any) -> list[Any]:
     """Approximate p-roots at the middle of the ball r."""
     r = acb(r.mid())
     polynomial = acb_poly([acb(c).mid() for c in (4 * n.beta2 - 4 * r * r, 8 * n.alpha * r, -4 * n.A, 0, 1)])
-    for bits in (flint.ctx.prec, 4 * flint.ctx.prec, 16 * flint.ctx.prec):
+    first = min(flint.ctx.prec, 512)  # roots that are apart at this precision are polished to the full one
+    for bits in sorted({first, 4 * first, 16 * first, max(16 * first, flint.ctx.prec)}):
         try:
             with precision(bits):
                 found = polynomial.roots()
@@ -682,11 +703,10 @@ def the_integer(value: Any, name: str) -> int:
     return int(n)
 
 
-def breakpoints(n: Numbers, values: Any, name: str) -> list[Fraction]:
+def breakpoints(values: Any, name: str) -> list[Fraction]:
     require(
         isinstance(values, list) and 2 <= len(values) <= MAX_PIECES, f"{name}: no list of breakpoints, or too long"
     )
-    require(len(values) * len(n.eta) ** 2 <= MAX_WORK, f"{name}: too many pieces for so many masses")
     points = [dyadic(v) for v in values]
     require(all(a < b for a, b in pairwise(points)), f"{name}: breakpoints are not in order")
     return points
@@ -762,7 +782,7 @@ def count_in_rectangle(n: Numbers, contour: Any) -> tuple[int, tuple[Any, ...]]:
     require(isinstance(contour["sides"], list) and len(contour["sides"]) == 4, "the rectangle has not four sides")
     total = arb(0)
     for k, side in enumerate(contour["sides"]):
-        points = breakpoints(n, side, f"side {k}")
+        points = breakpoints(side, f"side {k}")
         require(points[0] == 0 and points[-1] == 1, f"side {k} does not run from 0 to 1")
         a, b = corners[k], corners[(k + 1) % 4]
 
@@ -1037,12 +1057,32 @@ def check(content: dict[str, Any]) -> str:
     return check_crossings(content) if content["kind"] == "crossings" else check_frequencies(content)[0]
 
 
+def spectrum_work(p: Problem, content: dict[str, Any]) -> int:
+    """The work that a certificate of induced frequencies asks for, as far as it can be read off the lists in it."""
+    contour, places = content["contour"], len(p.places)
+    lists = [contour.get("breaks"), *(contour["sides"] if isinstance(contour.get("sides"), list) else ())]
+    pieces = sum(len(one) for one in lists if isinstance(one, list))
+    bits = integer(contour.get("bits"), 53, MAX_CONTOUR_BITS, "bits")
+    total = pieces * work(places, bits + 16)
+    require(isinstance(content["roots"], list), "roots are no list")
+    for value in content["roots"]:
+        found = root(value)
+        if found.multiplicity > 1:
+            total += 20 * work(places, 2 * found.bits + 64)
+        else:
+            total += 2 * work(places, found.bits + 48)
+    return total
+
+
 def check_frequencies(content: dict[str, Any]) -> tuple[str, list[Root]]:
     """The claim in words and the roots, if every step of a certificate of induced frequencies holds."""
     p, contour = problem(content["case"]), content["contour"]
     require(isinstance(contour, dict) and contour.get("kind") in ("edge", "line", "rectangle"), "no known contour")
     rectangle = contour["kind"] == "rectangle"
     keys(contour, {"kind", "bits"} | ({"bounds", "sides"} if rectangle else {"radius", "breaks"}))
+    require(
+        spectrum_work(p, content) <= MAX_WORK, "it asks for too much work: too many pieces, roots, masses or digits"
+    )
     roots = check_roots(p, content["roots"])
     check_inside(contour, roots)
     with precision(integer(contour["bits"], 53, MAX_CONTOUR_BITS, "bits") + 16):
@@ -1051,7 +1091,7 @@ def check_frequencies(content: dict[str, Any]) -> tuple[str, list[Root]]:
         if rectangle:
             count = count_in_rectangle(n, contour)[0]
         else:
-            points = breakpoints(n, contour["breaks"], "the contour")
+            points = breakpoints(contour["breaks"], "the contour")
             require(points[-1] == dyadic(contour["radius"]), "the contour does not end at the radius")
             if contour["kind"] == "edge":
                 require(cuts_on_line(n), "the cuts are not on the line Im q = eta_b")
@@ -1073,11 +1113,33 @@ def conclude(content: dict[str, Any], kind: str, roots: list[Root], count: int) 
         claim["count"] == total and type(claim["count"]) is int, f"{total} roots are enclosed, not the number claimed"
     )
     require(total == count, f"the winding number is {count}, but {total} roots are enclosed")
-    where = {"edge": "on the whole physical sheet", "line": "with Im q < 0", "rectangle": "in the rectangle"}[kind]
+    where = {"edge": "on the whole physical sheet", "line": "with Im q < 0", "rectangle": ""}[kind]
+    if kind == "rectangle":
+        low, high, down, up = (
+            said(content["contour"]["bounds"][k]) for k in ("re_min", "re_max", "im_min", "im_max")
+        )
+        where = f"with {low} < Re q < {high}, {down} < Im q < {up}"
     words = f"exactly {count} induced frequencies {where}"
     if "unstable" in claim:
         words += f", {unstable(claim['unstable'], roots)} of them with Im q < 0"
-    return words
+    return f"{words}; {case_said(content['case'])}"
+
+
+def case_said(case: dict[str, Any], free: str = "") -> str:
+    """The case in its exact numbers; without the parameter that is free."""
+    names = [name for name in ("alpha", "eta_b", "eta_n", "eta_s") if name != free]
+    values = [f"{name} = {said(case[name])}" for name in names]
+    ratio = "eta_m in the ratio" if free == "level" else "eta_m ="
+    masses = f"{ratio} {', '.join(map(said, case['eta_m']))}"
+    places = "at 0, d, 2d, …" if free == "distance" else f"at {', '.join(map(said, case['positions']))}"
+    return f"case {', '.join(values)}, {masses} {places}"
+
+
+def said(number: str) -> str:
+    """An exact number; a long one by its first digits and its digest, which two different numbers do not share."""
+    if len(number) <= 40:
+        return number
+    return f"{number[:24]}… ({len(number)} characters, sha256 {hashlib.sha256(number.encode()).hexdigest()[:16]})"
 
 
 def unstable(claimed: Any, roots: list[Root]) -> int:
@@ -1505,8 +1567,8 @@ def one_zero(family: Family, x: Any, t: Any, dx: Any, dt: Any) -> Any:
     box = Box(family, x, t, arb(0, dx), arb(0, dt))
     z = branches(box, seeds_at(box, first_seeds(float(x))))
     found = value_and_slopes(box, z)
-    require(found is not None, "p-roots cannot be told apart")
-    assert found is not None
+    if found is None:
+        raise Refused("p-roots cannot be told apart")
     f, fx, ft = found
     mx, mt = fx.mid(), ft.mid()
     determinant = (mx.conjugate() * mt).imag
@@ -1568,10 +1630,10 @@ def halves(span: Span, across: bool) -> tuple[Span, Span]:
     return (x0, x1, t0, t), (x0, x1, t, t1)
 
 
-def prove_free(family: Family, region: Span, holes: Sequence[Span]) -> int:
+def prove_free(family: Family, region: Span, holes: Sequence[Span], most: int = MAX_WORK) -> int:
     """Proves by bisection that the region holds no zero outside of the holes; the number of boxes it took."""
     stack, number = [(region, first_seeds(1.0))], 0
-    limit = min(MAX_BOXES, MAX_BOX_WORK // len(family.case.eta) ** 2)
+    limit = min(MAX_BOXES, most // work(len(family.case.eta), 64))
     while stack:
         span, start = stack.pop()
         number += 1
@@ -1632,8 +1694,8 @@ class Free:
 
 def rational(text: Any, name: str) -> Fraction:
     value = real(text, name).rational
-    require(value is not None, f"{name} is not rational")
-    assert value is not None
+    if value is None:
+        raise Refused(f"{name} is not rational")
     return value
 
 
@@ -1701,9 +1763,19 @@ def check_crossing(free: Free, c: Crossing) -> None:
         one_zero(family, x, t, ball(c.reach), ball(c.reach))
 
 
+def crossings_work(free: Free, content: dict[str, Any]) -> int:
+    """The work that a certificate of crossings asks for, but for the search for others."""
+    values, base, places = content["crossings"], content["base"], len(free.problem.places)
+    require(isinstance(values, list) and len(values) <= MAX_CROSSINGS, "crossings are no list, or too many")
+    total = sum(5 * work(places, crossing(value).bits + 48) for value in values)
+    inner = base.get("certificate") if isinstance(base, dict) else None
+    if isinstance(inner, dict) and isinstance(inner.get("contour"), dict):
+        total += spectrum_work(free.problem, {"roots": [], **inner})
+    return total
+
+
 def check_each(free: Free, values: Any) -> list[Crossing]:
     """All crossings, each proved, in order: by t, and for a free level by η."""
-    require(isinstance(values, list) and len(values) <= MAX_CROSSINGS, "crossings are no list, or too many")
     found = [crossing(value) for value in values]
     require(sum(c.bits for c in found) <= MAX_ALL_BITS, "the crossings have too many digits in all")
     for k, c in enumerate(found):
@@ -1742,6 +1814,8 @@ def check_far(free: Free, reach: Fraction) -> None:
 def check_crossings(content: dict[str, Any]) -> str:
     """The claim in words, if every step of a certificate of crossings holds."""
     free, reach = free_problem(content), dyadic(content["radius"])
+    spent = crossings_work(free, content)
+    require(spent <= MAX_WORK, "it asks for too much work: too many crossings, pieces, masses or digits")
     found = check_each(free, content["crossings"])
     counts = check_counts(free, found, content["base"], content["claim"])
     with precision(64):
@@ -1749,12 +1823,14 @@ def check_crossings(content: dict[str, Any]) -> str:
         check_far(free, reach)
         holes = [(*inward(c.x - c.reach, c.x + c.reach), *inward(c.t - c.reach, c.t + c.reach)) for c in found]
         region = (0.0, outward(Fraction(0), reach)[1], *outward(free.start, free.end))
-        prove_free(free.family(), region, holes)
+        prove_free(free.family(), region, holes, MAX_WORK - spent)
     name = "the level of the masses" if free.parameter == "level" else free.parameter
     ends = "" if free.parameter == "level" else f" from {free.start} to {free.end}"
     return (
-        f"exactly {len(found)} crossing{'' if len(found) == 1 else 's'} of Im q = {free.height} for {name}{ends}; "
-        f"induced frequencies below it before, between and after: {', '.join(map(str, counts))}"
+        f"exactly {len(found)} crossing{'' if len(found) == 1 else 's'} of Im q = {free.height} for {name}{ends}, "
+        "each within a unit of its last place; "
+        f"induced frequencies below it before, between and after: {', '.join(map(str, counts))}; "
+        f"{case_said(content['case'], free.parameter)}"
     )
 
 

@@ -71,7 +71,7 @@ class Arrays:
         """(splittings, G between the places as jets of shape (discs, places, places), where it is bounded)."""
         s = split(self.D, m, r, up)
         distances, pairs = self.distances
-        values = receptances(self.reduced.guide, self.N, self.D, s, distances)
+        values = receptances(self.N, self.D, s, distances)
         return s, values.jet[:, pairs], values.good
 
     def matrix(self, G: Jet, m: Any) -> Jet:
@@ -91,7 +91,7 @@ class Arrays:
             return top
         compliance = self._constant(np.diag(self.h)[indirect], G.r)
         low = _beside(self._constant(self.B.T[np.ix_(indirect, rest)], G.r), G[:, indirect, :] + compliance)
-        return Jet(*(np.concatenate(pair, 1) for pair in zip((top.a, top.b, top.e), (low.a, low.b, low.e), strict=True)), G.r)
+        return _joined(top, low, 1)
 
     def _pencil(self, m: Any, r: Any) -> Jet:
         """S on the discs."""
@@ -123,5 +123,9 @@ def _outer(column: Jet, row: Jet) -> Jet:
 
 
 def _beside(left: Jet, right: Jet) -> Jet:
-    parts = zip((left.a, left.b, left.e), (right.a, right.b, right.e), strict=True)
-    return Jet(*(np.concatenate(pair, 2) for pair in parts), right.r)
+    return _joined(left, right, 2)
+
+
+def _joined(one: Jet, other: Jet, axis: int) -> Jet:
+    a, b, e = (np.concatenate([getattr(one, key), getattr(other, key)], axis) for key in "abe")
+    return Jet(a, b, e, other.r)

@@ -15,7 +15,6 @@ import numpy as np
 
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.problem.reduced import Guide
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,7 @@ def _nodes(coefficients: Any, up: int) -> Any:
     companion = np.zeros((len(monic), n, n), complex)
     companion[:, np.arange(n - 1), np.arange(1, n)] = 1
     companion[:, n - 1, :] = -np.where(np.isfinite(monic), monic, 0)
-    z = np.linalg.eigvals(companion)
+    z: Any = np.linalg.eigvals(companion)
     for _ in range(2):
         value, slope = np.zeros_like(z), np.zeros_like(z)
         for k in range(n, -1, -1):
@@ -122,11 +121,11 @@ class Receptances:
     good: Any
 
 
-def receptances(guide: Guide, N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
-    """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), on each disc where the roots are apart."""
+def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
+    """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), where they are apart on the disc."""
     with np.errstate(all="ignore"):
         roots, alone = _roots(D, s)
-        weight, p = _weights(N, D, s, roots)
+        weight, p = _weights(N, s, roots)
         ahead, behind = distances >= 0, distances < 0
         parts = []
         for side, mask, sign in ((slice(0, s.up), ahead, 1.0), (slice(s.up, None), behind, -1.0)):
@@ -137,8 +136,7 @@ def receptances(guide: Guide, N: Table, D: Table, s: Splittings, distances: Any)
                 zero = np.zeros((len(s.m), len(x)))
                 parts.append((mask, Jet(zero + 0j, zero + 0j, zero, s.r)))
                 continue
-            grown = Jet(*(part[:, side, None] for part in (p.a, p.b, p.e)), s.r)
-            heavy = Jet(*(part[:, side, None] for part in (weight.a, weight.b, weight.e)), s.r)
+            grown, heavy = (Jet(f.a[:, side, None], f.b[:, side, None], f.e[:, side, None], s.r) for f in (p, weight))
             parts.append((mask, ((grown * x).exp() * heavy * sign).sum(1)))
         a, b = (np.zeros((len(s.m), len(distances)), complex) for _ in range(2))
         e = np.zeros((len(s.m), len(distances)))
@@ -185,7 +183,7 @@ def _roots(D: Table, s: Splittings) -> tuple[_Roots, Any]:
     return _Roots(c, lost, eps, powers), (done & own).all(1)
 
 
-def _weights(N: Table, D: Table, s: Splittings, roots: _Roots) -> tuple[Jet, Jet]:
+def _weights(N: Table, s: Splittings, roots: _Roots) -> tuple[Jet, Jet]:
     """N/D_P and P at the roots, as jets of shape (discs, roots)."""
     c, lost, eps, powers = roots.c, roots.lost, roots.eps, roots.powers
     r = s.r[:, None]

@@ -22,6 +22,8 @@ from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
+_DEFINITE = 0.9
+_ROOM = 1.3  # pieces are planned on discs this much larger, so that a checker with wider bounds passes them too
 
 
 @dataclass(frozen=True)
@@ -68,12 +70,13 @@ class Paths:
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
-            return self._evaluate(kind, a, b)[1]
+            return self._evaluate(kind, a, b, _ROOM)[1]
 
         return passes
 
-    def _evaluate(self, kind: Kind, a: Any, b: Any) -> tuple[Splittings, Any, Regular | None]:
+    def _evaluate(self, kind: Kind, a: Any, b: Any, room: float = 1.0) -> tuple[Splittings, Any, Regular | None]:
         m, r = discs(a, b)
+        r = r * room
         if kind == "link":
             s = split(self.arrays.D, m, r, self.up)
             return s, s.good, None
@@ -92,7 +95,9 @@ class Paths:
             if isinstance(proved, Proved):
                 return proved
             paths = proved
-        raise PrecisionError("pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple")
+        raise PrecisionError(
+            "pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple"
+        )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
         points, index = np.unique(np.concatenate([path.points for path in paths]), return_inverse=True)
@@ -110,7 +115,9 @@ class Paths:
         if not whole:
             return tuple(refined)
         ends = np.cumsum([len(path.points) for path in paths]) - 1
-        corners = tuple((G.a[index[end]], G.e[index[end]] if good[index[end]] else np.inf * G.e[index[end]]) for end in ends)
+        corners = tuple(
+            (G.a[index[end]], G.e[index[end]] if good[index[end]] else np.inf * G.e[index[end]]) for end in ends
+        )
         return Proved(paths, tuple(turns), corners)
 
     def _path(self, path: Path, here: Any, thin: Splittings, A: Jet, good: Any) -> tuple[Any, tuple[float, float]]:
@@ -144,7 +151,7 @@ def discs(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def positive(V: Jet, way: Any, drift: Any) -> Any:
-    """True where V + V* is positive definite for t along `way` (unit vectors), |t| ≤ r, to within `drift` of the line."""
+    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
     n = V.a.shape[1]
     with np.errstate(all="ignore"):
         H0, H1 = _hermitian(V.a), _hermitian(way[:, None, None] * V.b)
@@ -164,7 +171,7 @@ def positive(V: Jet, way: Any, drift: Any) -> Any:
         for _ in range(12):
             y = np.einsum("bij,bj->bi", E, x)
             x = y / y.max(1, keepdims=True) + 1e-4
-        return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < 0.95)
+        return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < _DEFINITE)
 
 
 def _inverse_factor(H: Any) -> tuple[Any, Any]:

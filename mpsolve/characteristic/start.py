@@ -1,4 +1,4 @@
-"""Where the splitting starts: at q = −i y the p-roots of a stable track are never real, and two kinds are told apart."""
+"""Where the splitting starts: at q = −i y no p-root of a stable track is real, and the two kinds are told apart."""
 
 from __future__ import annotations
 

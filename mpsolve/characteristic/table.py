@@ -34,14 +34,14 @@ class Table:
     @property
     def _loss(self) -> float:
         """The relative error of each coefficient of an expansion, against the sum of the moduli of its terms."""
-        return 64 * (self.d.shape[0] + self.d.shape[1]) * U
+        return float(64 * (self.d.shape[0] + self.d.shape[1]) * U)
 
     def in_time(self, sigma: Any) -> tuple[Any, Any]:
-        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: shape (discs,)."""
+        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: shape (discs,), real or complex."""
         weights = _binomials(self.d.shape[1])
         powers = _powers(sigma, self.d.shape[1])
         sizes = np.abs(powers)
-        T = np.zeros((len(sigma), self.d.shape[1], self.d.shape[0]), complex)
+        T = np.zeros((len(sigma), self.d.shape[1], self.d.shape[0]), sigma.dtype)
         A = np.zeros(T.shape)
         for j in range(self.d.shape[1]):
             w = weights[j, j:]
@@ -50,12 +50,12 @@ class Table:
         return T, A * self._loss * UP
 
     def at(self, z: Any, T: Any, error: Any) -> tuple[Any, Any]:
-        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: shape (discs, nodes)."""
+        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: (discs, nodes)."""
         n = self.d.shape[0]
         weights, powers = _binomials(n), _powers(z, n)
         sizes = np.abs(powers)
         absolute = np.abs(T) + error / self._loss
-        c = np.empty((*z.shape, n, T.shape[1]), complex)
+        c = np.empty((*z.shape, n, T.shape[1]), np.result_type(z, T))
         size = np.empty(c.shape)
         for i in range(n):
             w = weights[i, i:]
@@ -69,7 +69,7 @@ def _binomials(n: int) -> Any:
 
 
 def _powers(z: Any, n: int) -> Any:
-    out = np.ones((*z.shape, n), complex)
+    out = np.ones((*z.shape, n), z.dtype)
     for k in range(1, n):
         out[..., k] = out[..., k - 1] * z
     return out

@@ -64,6 +64,6 @@ def require_cuts_on_line(case: Case) -> None:
     if not case.cuts_on_line:
         raise InputError(
             "eta_n",
-            f"gives eta_n − eta_s = {case.axial.short()}, not below √(1 − eta_b²), and the branch cuts leave "
+            f"gives eta_n − eta_s = {case.axial.beside(1)}, not below √(1 − eta_b²), and the branch cuts leave "
             'the line Im q = eta_b: only region="unstable", or a rectangle in Im q ≤ 0, can be certified',
         )

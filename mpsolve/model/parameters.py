@@ -62,7 +62,7 @@ class Case:
             raise InputError("positions", f"{stated}: give one for each mass")
         _check_ascending(self.positions, "positions[{j}]")
         if self.axial >= 1:
-            stated = f"eta_n − eta_s is {self.axial.short()}, not below 1"
+            stated = f"eta_n − eta_s is {self.axial.beside(1)}, not below 1"
             raise InputError("eta_n", f"{stated}, {_BUCKLED} eta_n or raise eta_s")
 
     @property

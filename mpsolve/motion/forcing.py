@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from mpsolve.errors import known
 from mpsolve.fields import Field
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case
@@ -55,8 +56,7 @@ def image(parts: Sequence[Tone], field: Field, q: Any) -> list[Any]:
         else:
             row = [a * (4 / (i * q)) for a in tone.amplitudes]
         total = row if total is None else [u + v for u, v in zip(total, row, strict=True)]
-    assert total is not None
-    return total
+    return known(total, "a part of the force")
 
 
 def _conjugate(a: Any) -> Any:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from mpsolve.certificate.certify import Spectrum
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import InputError, PrecisionError, known
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
 from mpsolve.model.load import Load, loads_of
@@ -88,8 +88,7 @@ def response(
 
         if balls:
             return enclose_response(case, loads, xi, tau, 15 if digits is None else digits, spectrum)
-        assert digits is not None
-        return precise_response(case, loads, xi, tau, digits, spectrum)
+        return precise_response(case, loads, xi, tau, known(digits, "the number of digits"), spectrum)
     problem = prepare(case, loads, spectrum)
     places, times = checked_places(xi, problem.model.positions), checked_times(tau)
     return problem.response(places, times)

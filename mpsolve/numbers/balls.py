@@ -1,7 +1,7 @@
 """Balls (flint.arb, flint.acb): the one place where flint's precision is set, and the arithmetic of proofs.
 
 flint has one precision for the whole process: whoever computes with balls does so inside `precision(bits)`, and a
-second thread waits.
+second thread waits. So does the verifier, which shares no code but takes the same lock.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from mpsolve.errors import PrecisionError
 
 arb, acb, acb_mat, acb_poly = flint.arb, flint.acb, flint.acb_mat, flint.acb_poly
 
-_lock = threading.RLock()
+_lock = vars(flint).setdefault("_precision_lock", threading.RLock())
 _THIN = 30
 
 

@@ -222,6 +222,14 @@ class Exact:
         """Return x rounded to `digits` significant digits, for people to read."""
         return str(libmp.to_str(self._raw(4 * digits + 53), digits)).removesuffix(".0").replace(".0e", "e")
 
+    def beside(self, bound: int) -> str:
+        """Return x as `short`, with as many digits as tell it from the bound, or the exact text."""
+        for digits in (6, 12, 24, 48):
+            text = self.short(digits)
+            if self == bound or text != str(bound):
+                return text
+        return str(self)
+
     def ball(self) -> arb:
         """Return a ball that contains x, at the present `flint.ctx.prec`."""
         if self._rational is not None:

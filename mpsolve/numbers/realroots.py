@@ -34,7 +34,7 @@ def samples(f: fmpq_poly) -> list[Fraction]:
     roots = _roots(f)
     if not roots:
         return [Fraction(1)]
-    ends = [(Fraction(0), Fraction(0)), *((_end(ball, -1), _end(ball, 1)) for ball in roots)]
+    ends = [(Fraction(0), Fraction(0)), *((end_of(ball, -1), end_of(ball, 1)) for ball in roots)]
     return [_between(below[1], above[0]) for below, above in pairwise(ends)] + [
         _between(ends[-1][1], 4 * ends[-1][1])
     ]
@@ -67,12 +67,12 @@ def _roots(f: fmpq_poly) -> list[arb]:
     real = [arb(root.real) for root in roots if root.imag == 0 and root.real != 0]
     if any(not (ball > 0 or ball < 0) for ball in real):
         raise PrecisionError("real roots are not told apart from 0: this stands against what FLINT promises")
-    return sorted((ball for ball in real if ball > 0), key=lambda ball: _end(ball, 0))
+    return sorted((ball for ball in real if ball > 0), key=lambda ball: end_of(ball, 0))
 
 
 def _vanishes_in(factor: fmpz_poly, ball: arb) -> bool:
     """Whether the squarefree factor has the one root of the radical that lies in the ball."""
-    low, high = _end(ball, -1), _end(ball, 1)
+    low, high = end_of(ball, -1), end_of(ball, 1)
     if low == high:
         return sign_at(fmpq_poly(factor), low) == 0
     return sign_at(fmpq_poly(factor), low) * sign_at(fmpq_poly(factor), high) <= 0
@@ -88,7 +88,7 @@ def _between(low: Fraction, high: Fraction) -> Fraction:
     return round((low + high) / 2 / unit) * unit
 
 
-def _end(ball: arb, side: int) -> Fraction:
+def end_of(ball: arb, side: int) -> Fraction:
     """The middle (side 0) or an end of a ball, exactly."""
     mid, exp = ball.mid().man_exp()
     rad, rad_exp = ball.rad().man_exp()

@@ -1,8 +1,8 @@
 """No passive vehicle has a root with Im q < 0 outside a rectangle: a theorem about track, velocity and places alone.
 
-V = σG is proved passive (V + V* positive definite) for real q from ρ to X by pieces, beyond X by the tail theorem, and
-on the walls of the rectangle |Re q| ≤ ρ, −d ≤ Im q ≤ 0; G vanishes at infinity. By Phragmén–Lindelöf V is passive in
-all of Im q ≤ 0 outside the rectangle (SPEC, half-plane).
+V = σG is proved passive (V + V* positive definite) for real q from ρ to X by pieces, beyond X by the tail theorem,
+and on the walls of the rectangle |Re q| ≤ ρ, −d ≤ Im q ≤ 0; G vanishes at infinity. By Phragmén–Lindelöf V is
+passive in all of Im q ≤ 0 outside the rectangle (SPEC, half-plane).
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from mpsolve.errors import PrecisionError
 from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import Tail, prove_tail
 from mpsolve.proof.effort import Effort
-
 
 _SHARE = 4000  # evaluations that one rectangle may take
 
@@ -42,7 +41,9 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
         return "the receptance is not proved to vanish at infinity"
     tail = prove_tail(guide, arrays.reduced.smallest_gap)
     if tail is None:
-        return "no passivity beyond a frequency: the contacts run faster than waves of the track, or it has no damping"
+        return (
+            "no passivity beyond a frequency: the contacts run faster than waves of the track, or it has no damping"
+        )
     reason = ""
     for ratio in (1e-2, 1e-4, 1.0):
         rho = max(_first_passive(arrays, paths.up, tail.X, ratio), least)
@@ -99,7 +100,9 @@ def _axis(rho: float, X: float) -> Any:
     if rho >= X:
         return np.array([rho + 0j])
     count = max(2, int(4 * np.log2(X / rho)) + 2)
-    return np.unique(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
+    return (
+        np.unique(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
+    )
 
 
 def _line(a: complex, b: complex, pieces: int = 6) -> Any:

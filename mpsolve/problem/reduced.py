@@ -97,10 +97,12 @@ def reduce_problem(problem: Problem) -> Reduced:
     S = [_conjugate(rows, scales) for rows in S]
     B = tuple(tuple(x * Fraction(2) ** scales[i] for x in row) for i, row in enumerate(parts.B))
     neutral = range(len(B) - parts.neutral, len(B))
-    shift = lambda k: tuple(  # noqa: E731 — row i of S for neutral i is divided by σ
-        S[k + 1][i] if i in neutral and k < 2 else ((Fraction(0),) * len(S[k]) if i in neutral else S[k][i])
-        for i in range(len(S[k]))
-    )
+
+    def shift(k: int) -> Rows:
+        """The matrix of σ^k in S; row i is divided by σ for a neutral i."""
+        zero = (Fraction(0),) * len(S[k])
+        return tuple((S[k + 1][i] if k < 2 else zero) if i in neutral else S[k][i] for i in range(len(S[k])))
+
     h = tuple(x / guide.g for x in pencil.h)
     index = tuple(places.index(place) for place in scaled_places)
     return Reduced(problem, guide, tuple(places), index, (shift(0), shift(1), shift(2)), B, h, parts, scales)
@@ -124,7 +126,10 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     rows = np.array([[1.0, i, j] for i, j in keys])
     logs = np.array([log2(abs(c.numerator)) - log2(c.denominator) for c in D.values()])
     fit = np.linalg.lstsq(rows, logs, rcond=None)[0]
-    length, time = round(float(fit[1])), 4 * round(float(fit[2]) / 4)  # so that q^γ of the tail theorem scales exactly
+    length, time = (
+        round(float(fit[1])),
+        4 * round(float(fit[2]) / 4),
+    )  # so that q^γ of the tail theorem scales exactly
     unit_P, unit_s = Fraction(2) ** -length, Fraction(2) ** -time
     rescale = lambda i, j, c: c * unit_P**i * unit_s**j  # noqa: E731
     D, N = mapped(D, rescale), mapped(N, rescale)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
+from mpsolve.errors import known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
@@ -131,26 +132,22 @@ def distance_answer(found: CriticalDistance, source: Source, low: Exact, high: E
 
 
 def _at_distance(found: CriticalDistance, source: Source) -> tuple[str, ...]:
-    q = found.q
-    assert found.d is not None
-    assert q is not None
+    d, q = known(found.d, "the distance"), known(found.q, "its root")
     if source.physical is None:
         return f"±{short(abs(q.real))}", short(q.imag)
-    metres = found.d / source.physical.chi.ball()
+    metres = d / source.physical.chi.ball()
     return short(metres), short(_hertz(abs(q.real), source)), short(-q.imag * source.omega)
 
 
 def _distance_data(found: CriticalDistance, source: Source, digits: int) -> dict[str, Any]:
     """d, q = ±re + i im, unstable (Im q < 0), and the distance in m, frequency in Hz, growth rate in 1/s, or null."""
-    q, physical = found.q, source.physical
-    assert found.d is not None
-    assert q is not None
+    d, q, physical = known(found.d, "the distance"), known(found.q, "its root"), source.physical
     return {
-        "d": number(found.d, digits),
+        "d": number(d, digits),
         "re": number(abs(q.real), digits),
         "im": number(q.imag, digits),
         "unstable": bool(q.imag < 0),
-        "distance_m": None if physical is None else number(found.d / physical.chi.ball(), digits),
+        "distance_m": None if physical is None else number(d / physical.chi.ball(), digits),
         "frequency_Hz": None if physical is None else number(_hertz(abs(q.real), source), digits),
         "growth_rate_per_s": None if physical is None else number(-q.imag * source.omega, digits),
     }
@@ -160,9 +157,7 @@ def _distance_sentence(found: CriticalDistance, low: Exact, high: Exact, digits:
     whole = between(low, "d", high)
     if not found.proved:
         return f"UNDECIDED: the critical distance in {whole} is open: {found.reason}."
-    assert found.q is not None
-    meaning = (
-        "where the vibration grows fastest" if found.q.imag < 0 else "so the case is stable at every one of them"
-    )
+    grows = known(found.q, "its root").imag < 0
+    meaning = "where the vibration grows fastest" if grows else "so the case is stable at every one of them"
     place = proved_digits(found.d, digits)
     return f"PROVED: of all distances {whole}, Im q over all roots is smallest at d = {place}, {meaning}."

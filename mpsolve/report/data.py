@@ -32,8 +32,9 @@ def as_data(
 
     format, version   "mpsolve report", 1; a version adds no meaning to a key that is there
     title             the title of the input file, or ""
-    status            "proved" or "undecided"
+    status            "proved", "proved, not verified" or "undecided"
     reason            why undecided, and what helps; "" if proved
+    why               the same in parts: {"code", "message", "numbers", "remedy"}; null if proved
     stable            true, false, or null where that is not decided
     region            "sheet", "unstable", or an object re_min, re_max, im_min, im_max of exact numbers
     digits            certified digits asked for, relative to |q|
@@ -62,6 +63,7 @@ def as_data(
         "title": title,
         "status": spectrum.status.value,
         "reason": spectrum.reason,
+        "why": None if spectrum.why is None else spectrum.why.data(),
         "stable": spectrum.stable,
         "region": spectrum.region.as_dict() if isinstance(spectrum.region, Rectangle) else spectrum.region,
         "digits": spectrum.digits,

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve import __version__
+from mpsolve.errors import known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import PhysicalCase
@@ -133,8 +134,7 @@ def _open_counts(parts: Parts) -> list[tuple[str, str]]:
 
 def _chart_rows(parts: Parts) -> list[tuple[str, str, str]]:
     """For each column: the factor, what is proved on it, and what is open."""
-    chart = parts.chart.value
-    assert chart is not None
+    chart = known(parts.chart.value, "the chart")
     rows = []
     for label, column in zip(chart.x.labels, chart.columns, strict=True):
         said = "; ".join(

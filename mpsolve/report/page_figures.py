@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.certificate.certify import Spectrum
+from mpsolve.errors import known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.motion.scale import Scale
 from mpsolve.numbers.decimals import proved_digits, working_bits
@@ -204,8 +205,7 @@ def _root_said(motions: tuple[Vibration, ...]) -> Iterator[str]:
 
 def _contour_said(spectrum: Spectrum) -> str:
     """The contour of the count, as in figures_plane.whole_contour."""
-    assert spectrum.radius is not None
-    rho = radius_text(spectrum.radius)
+    rho = radius_text(known(spectrum.radius, "the radius"))
     if spectrum.region == "sheet":
         return f"The whole contour to scale: both edges of the cuts, and the circle |q − iη_b| = {rho}"
     return f"The whole contour to scale: the real axis, and the circle |q − iη_b| = {rho} below it"

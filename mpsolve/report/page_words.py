@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from mpsolve.errors import known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.exact import Exact
@@ -146,8 +147,7 @@ def _of(margin: Margin, source: Source) -> str:
 
 
 def _changes(margin: Margin, source: Source, stable: bool | None) -> str:
-    near = margin.nearest
-    assert near is not None
+    near = known(margin.nearest, "the nearest change")
     up = bool(near > margin.here)
     becomes = {True: "becomes unstable", False: "becomes stable", None: "changes its stability"}[stable]
     ratio = ""

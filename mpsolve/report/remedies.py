@@ -7,7 +7,8 @@ import re
 _FOR_LIBRARY = re.compile(
     r"(?:shorten the range of alpha|prove it in parts, over shorter ranges|start (?:above it|from alpha = 0\.001)"
     r"|ask for (?:more|fewer) digits(?:, so that clusters come apart, or for a rectangle)?"
-    r'|change a parameter a little, or ask for another region \("unstable", a Rectangle\)'
+    r"|change a parameter a little, or move the side of the rectangle"
+    r'|ask for the region "unstable"(?:, or (?:raise max_pieces|for more digits, so that clusters come apart))?'
     r"|raise (?:the (?:precision|effort)|max_pieces)|certify (?:single cases|other positions one by one))"
 )
 _ONSET = "mpsolve onset FILE --all --from A --to B"
@@ -21,7 +22,23 @@ ADVICE = {
     "lines": "decide single velocities with mpsolve certify on copies of the file with another velocity",
     "chart": f"try a shorter range of α with {_ONSET}, on a copy of the file with the masses times this factor",
 }
+_COMMAND = (
+    ('ask for the region "unstable"', "try --region unstable"),
+    ('only region="unstable", or a rectangle in Im q ≤ 0, can be certified', "try --region unstable"),
+    ("raise max_pieces", "allow more with --max-pieces"),
+    ("or for more digits", "or more --digits"),
+    ("ask for more digits", "ask for more --digits"),
+    ("or for a rectangle", "or for a small --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
+    ("ask for a rectangle", "ask for a small --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
+)
 ADVICE["response"] = ADVICE["roots"]
+
+
+def on_command_line(reason: str) -> str:
+    """The reason with the names of options in place of those of arguments."""
+    for argument, option in _COMMAND:
+        reason = reason.replace(argument, option)
+    return reason
 
 
 def for_reader(reason: str, part: str) -> str:

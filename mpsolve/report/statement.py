@@ -8,6 +8,7 @@ from mpsolve.certificate.certify import Spectrum, known_count
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.numbers.decimals import proved_digits
+from mpsolve.outcome import Status
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.sheet.region import Rectangle
 
@@ -31,7 +32,7 @@ def verdict(spectrum: Spectrum) -> str:
 
 def proved(spectrum: Spectrum) -> tuple[str, ...]:
     """The sentences that are proved of the count, the far field and the balls; empty if nothing is."""
-    return tuple(sentence for sentence in (_count(spectrum), _balls(spectrum)) if sentence)
+    return tuple(sentence for sentence in (_count(spectrum), _balls(spectrum), _verified(spectrum)) if sentence)
 
 
 def radius_text(radius: float) -> str:
@@ -81,6 +82,11 @@ def _scope(spectrum: Spectrum) -> str:
     if "q_lm" in limits(spectrum):
         return "on the whole physical sheet (the q-plane without the two cuts Im q = η_b, |Re q| ≥ q_lm)"
     return "on the whole physical sheet (the q-plane without the joined cuts, the line Im q = η_b)"
+
+
+def _verified(spectrum: Spectrum) -> str:
+    """Nothing where the verifier has confirmed it."""
+    return "Proved, not verified: the certificate was not checked." if spectrum.status is Status.UNVERIFIED else ""
 
 
 def _balls(spectrum: Spectrum) -> str:

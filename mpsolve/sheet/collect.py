@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import flint
@@ -13,7 +14,7 @@ from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.progress import Progress
 from mpsolve.sheet.cluster import separate
 from mpsolve.sheet.count import BITS, Count
-from mpsolve.sheet.enclose import Box, isolate, refine
+from mpsolve.sheet.enclose import BASE_BITS, Box, isolate, refine
 from mpsolve.sheet.region import Rectangle
 from mpsolve.sheet.seek import seek
 
@@ -48,14 +49,21 @@ def _isolated(case: Case, count: Count, effort: int) -> tuple[list[Box], list[co
     for seed in seeds:
         if any(_holds(box, seed) for box in boxes):
             continue
-        try:
-            box = isolate(case, seed)
-        except PrecisionError:
+        box = _isolated_at(case, seed, effort)
+        if box is None:
             doubtful.append(seed)
             continue
         if not any(box.image.overlaps(other.image) for other in boxes):
             boxes.append(box)
     return boxes, doubtful
+
+
+def _isolated_at(case: Case, seed: complex, effort: int) -> Box | None:
+    """The box about the seed, at more bits with more effort: next to a branch point a few digits are lost."""
+    for bits in sorted({BASE_BITS, min(4, effort) * BASE_BITS}):
+        with suppress(PrecisionError):
+            return isolate(case, seed, bits)
+    return None
 
 
 def _holds(box: Box, q: complex) -> bool:

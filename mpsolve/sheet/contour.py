@@ -16,6 +16,7 @@ from typing import Any
 import flint
 
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.sheet import reasons
 
 Values = tuple[Any, ...]
 Evaluate = Callable[[Any], Values]
@@ -57,15 +58,12 @@ def cover(
         there = _dyadic_sum(here, step, stop)
         count += 1
         if count > limit:
-            raise EffortError(f"the contour needs more than {limit} pieces: raise max_pieces")
+            raise EffortError(reasons.pieces(limit))
         values = _try(evaluate, flint.arb(here).union(flint.arb(there)), accept)
         if values is None:
             step = (there - here) * 0.625
             if step < 2.0**-44 * max(abs(here), abs(stop) * 2.0**-20):
-                raise PrecisionError(
-                    f"a root lies on the contour (a cut, the real axis, a side), or too close to it, near "
-                    f'{here:.6g}: change a parameter a little, or ask for another region ("unstable", a Rectangle)'
-                )
+                raise PrecisionError(reasons.root_on_contour(here))
             continue
         breaks.append(there)
         middles.append(tuple(v.mid() for v in values))

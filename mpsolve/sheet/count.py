@@ -14,6 +14,7 @@ from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.model.parameters import Case
 from mpsolve.progress import Progress
+from mpsolve.sheet import reasons
 from mpsolve.sheet.contour import Path
 from mpsolve.sheet.far import far_radius
 from mpsolve.sheet.region import Rectangle, Region
@@ -21,6 +22,7 @@ from mpsolve.sheet.rest import resting_start
 from mpsolve.sheet.winding import count_rectangle, count_sheet, count_unstable
 
 BITS = 64
+_BESIDE = 1e-6  # a rectangle this close to the line of the cuts fails because of it
 
 
 @dataclass(frozen=True)
@@ -39,30 +41,64 @@ class Count:
         return sum(path.evaluations for path in self.paths)
 
 
-def count_roots(case: Case, region: Region, limit: int, tell: Progress) -> Count:
+def count_roots(case: Case, region: Region, limit: int, tell: Progress, line: bool = False) -> Count:
     """The proved count for the region; `PrecisionError` with reason and remedy when it is undecided.
 
     The unstable region is counted on the whole sheet, where that is possible, since the edge of the cut takes
-    fewer pieces than the real line; else on the line.
+    fewer pieces than the real line; else, or if `line` is asked for, on the line.
     """
     tell("counting", 0.0)
     if isinstance(region, Rectangle):
-        with ball_arithmetic(BITS) as field:
-            total, paths = count_rectangle(track(case, field), region, limit, _checker(case, "rectangle"))
-        return Count(total, region, None, None, paths)
+        return _in_rectangle(case, region, limit)
     if region == "sheet":
-        return _on_edge(case, limit, tell)
-    if case.cuts_on_line:
         try:
             return _on_edge(case, limit, tell)
-        except PrecisionError:
+        except PrecisionError as error:
+            raise type(error)(reasons.on_sheet(case, error.reason)) from None
+    if case.cuts_on_line and not line:
+        try:
+            return _on_edge(case, limit, tell)
+        except PrecisionError as error:
             if not case.eta_b:
-                raise
+                raise type(error)(reasons.on_sheet(case, error.reason)) from None
     with ball_arithmetic(BITS) as field:
         model = track(case, field)
         radius = far_radius(model)
         total, path = count_unstable(model, radius, limit, _meter(tell, radius), _checker(case, "line"))
     return Count(total, "line", radius, None, (path,))
+
+
+def _in_rectangle(case: Case, box: Rectangle, limit: int) -> Count:
+    with ball_arithmetic(BITS) as field:
+        model = track(case, field)
+        _check_reach(model, box, limit)
+        try:
+            total, paths = count_rectangle(model, box, limit, _checker(case, "rectangle"))
+        except EffortError:
+            raise
+        except PrecisionError as error:
+            gaps = [abs(float(side - case.eta_b)) for side in (box.im_min, box.im_max)]
+            if case.cuts_on_line and min(gaps) < _BESIDE * max(1.0, float(case.eta_b)):
+                raise PrecisionError(reasons.beside_cut(case, box)) from error
+            raise
+    return Count(total, box, None, None, paths)
+
+
+def _check_reach(model: Track, box: Rectangle, limit: int) -> None:
+    """Raises where the rectangle goes far beyond all roots and its sides would take more pieces than allowed.
+
+    A side runs through the phase √(2|q|)·span of the waves between the masses twice, half a turn a piece at best.
+    """
+    reach = max(abs(float(x)) for x in vars(box).values())
+    span = float((model.positions[-1] - model.positions[0]).mid())
+    if reach < 4096 or 2 * math.sqrt(2 * reach) * span < limit / 2:
+        return
+    try:
+        radius = far_radius(model)
+    except PrecisionError:
+        return
+    if reach > 4 * radius:
+        raise EffortError(reasons.rectangle_too_large(reach, radius))
 
 
 def _on_edge(case: Case, limit: int, tell: Progress) -> Count:

@@ -24,6 +24,7 @@ acb, arb = flint.acb, flint.arb
 
 BASE_BITS = 80
 _GUARD = 24
+_MOST = 64  # times the bits that are asked for, at most, next to a branch point
 
 
 @dataclass(frozen=True)
@@ -98,9 +99,49 @@ def _prove(model: Any, middle: Any, radius: Any, symmetry: Symmetry) -> Box | No
 def refine(case: Case, box: Box, digits: int) -> RootBall:
     """The root of `box` in a ball of relative radius below 10^−digits that lies within `box`.
 
-    Costs about one evaluation of Δ at the last precision and half of that again below it.
+    Costs about one evaluation of Δ at the last precision and half of that again below it; more next to a branch
+    point, where the number of right digits does not double with each step.
     """
     goal = math.ceil(digits * math.log2(10)) + 1
+    try:
+        return _doubled(case, box, goal)
+    except PrecisionError:
+        pass
+    image = _contracted(case, box, goal + _GUARD)
+    with ball_arithmetic(goal + _GUARD + 10):
+        ball = on_grid(image, goal, 1, box.symmetry)
+        if not (box.q.contains(ball.q) and ball.q.contains(image)):
+            raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
+    return ball
+
+
+def _contracted(case: Case, box: Box, goal: int) -> Any:
+    """The root to `goal` bits, by steps that need no more than to halve the ball; bits double where they do not."""
+    image, bits = box.image, BASE_BITS
+    while bits <= _MOST * goal:
+        with ball_arithmetic(bits) as field:
+            model = track(case, field)
+            middle = onto_axis(image, box.symmetry).mid()
+            try:
+                slope = characteristic_rate(model, image)[1]
+                step = onto_axis(middle - characteristic(model, middle) / slope, box.symmetry)
+            except PrecisionError:
+                step = acb("nan")
+            if not (step.is_finite() and 2 * _reach(step) < _reach(image)):
+                bits *= 2
+                continue
+            image = step
+            if _reach(image) < image.abs_lower() * arb((1, -goal)):
+                return image
+    raise PrecisionError(f"the root near {image.str(6)} is too close to a branch point or to another root")
+
+
+def _reach(image: Any) -> Any:
+    return image.real.rad() + image.imag.rad()
+
+
+def _doubled(case: Case, box: Box, goal: int) -> RootBall:
+    """As in `refine`, where each step doubles the number of right digits; `PrecisionError` where one does not."""
     image, slope = box.image, box.slope
     for bits in _ladder(goal + _GUARD):
         with ball_arithmetic(bits + 10) as field:
@@ -114,7 +155,7 @@ def refine(case: Case, box: Box, digits: int) -> RootBall:
         image = onto_axis(image, box.symmetry)
         ball = on_grid(image, goal, 1, box.symmetry)
         if not (box.q.contains(ball.q) and ball.q.contains(image)):
-            raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
+            raise PrecisionError(f"the root near {image.str(6)} did not get sharper fast enough")
     return ball
 
 

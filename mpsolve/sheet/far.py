@@ -26,6 +26,7 @@ import flint
 
 from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track
+from mpsolve.outcome import Reason
 
 acb, arb = flint.acb, flint.arb
 
@@ -45,8 +46,12 @@ def far_radius(track: Track) -> float:
             continue
         return W * W / 2
     raise PrecisionError(
-        "no radius free of roots could be proved below |w| = 2^22: masses are too close together, or too many; "
-        "merge them, or ask for a rectangle"
+        Reason(
+            "far-radius",
+            "no radius free of roots could be proved below |w| = 2^22: masses are too close together, or too many",
+            {},
+            "merge them, or ask for a rectangle",
+        )
     )
 
 

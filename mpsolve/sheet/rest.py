@@ -20,6 +20,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.fields import laplace_det
 from mpsolve.model.branch import Track
 from mpsolve.numbers.taylor import taylor
+from mpsolve.outcome import Reason
 from mpsolve.proof.pellet import pellet
 
 acb, arb = flint.acb, flint.arb
@@ -35,7 +36,14 @@ def resting_start(track: Track) -> float:
         start: float = beta * (1 + 2.0**-step)
         if disc_is_free(track, start):
             return start
-    raise PrecisionError("the branch point of the load at rest could not be passed: give a small axial force")
+    raise PrecisionError(
+        Reason(
+            "resting-branch-point",
+            f"a root may lie next to the branch point Re q = {beta:.8g} of masses at rest without axial force",
+            {"branch_point": repr(beta)},
+            'ask for the region "unstable"' if track.eta_b > 0 else "give some damping, and ask for Im q < 0",
+        )
+    )
 
 
 def disc_is_free(track: Track, start: float) -> bool:

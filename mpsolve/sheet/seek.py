@@ -6,6 +6,7 @@ decided by the count in winding.py.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +19,8 @@ from mpsolve.model.limits import branch_points
 from mpsolve.model.parameters import Case
 
 _STEPS = 30
+_GRID = 200  # points along Re q, times the effort
+_SMALLEST = 0.02  # smaller roots than this are looked for about 0
 
 
 @dataclass(frozen=True)
@@ -36,8 +39,19 @@ def seek(case: Case, radius: float, effort: int = 1) -> list[Candidate]:
     model = track(case, Float64())
     around = branch_points(case) if case.cuts_on_line else []
     q = _starting_points(radius, around, effort) + 1j * model.eta_b
+    if _least(model) < _SMALLEST:
+        q = np.concatenate([q, _heavy(_least(model), effort)])
     if effort > 1 and case.cuts_on_line:
         q = np.concatenate([q, _along_the_cut(model.positions, around[0], effort) + 1j * model.eta_b])
+    found = _reached(model, q, radius)
+    if effort > 1 and found:  # many roots lie like beads on a few strings: look between those that were found
+        between = _reached(model, _between(found, model.eta_b, effort), radius)
+        found = _distinct(*(np.array([getattr(c, name) for c in [*found, *between]]) for name in ("q", "step")))
+    return found
+
+
+def _reached(model: Any, q: Any, radius: float) -> list[Candidate]:
+    """Where Newton's method leads from the points q, without repetitions."""
     step = np.full(q.shape, np.inf)
     active = np.ones(q.shape, dtype=bool)
     with np.errstate(all="ignore"):
@@ -48,7 +62,7 @@ def seek(case: Case, radius: float, effort: int = 1) -> list[Candidate]:
             active &= (step > 1e-14 * np.abs(q)) & (np.abs(q) < 4 * radius) & np.isfinite(q)
             if not active.any():
                 break
-    good = (step < 1e-9 * np.abs(q)) & (np.abs(q - 1j * model.eta_b) < radius) & (np.abs(q) > 1e-12)
+    good = (step < 1e-9 * np.abs(q)) & (np.abs(q - 1j * model.eta_b) < radius) & (np.abs(q) > 1e-12 * _least(model))
     return _distinct(q[good], step[good])
 
 
@@ -70,6 +84,26 @@ def _starting_points(radius: float, around: list[float], effort: int) -> Any:
     spokes = np.exp(1j * np.pi * (np.arange(6 * effort) + 0.5) / (3 * effort))
     grids += [r * (1 + np.outer(near, spokes)) for r in around if r > 0]
     return np.concatenate([grid.ravel() for grid in grids])
+
+
+def _least(model: Any) -> float:
+    """The size of the smallest roots: a heavy mass swings on the stiffness of the beam, q² ~ 1/η."""
+    return min(1.0, 1 / math.sqrt(sum(float(eta) for eta in model.eta_m)))
+
+
+def _heavy(size: float, effort: int) -> Any:
+    """Points about 0 of the size of the smallest roots."""
+    moduli = np.geomspace(0.1 * size, 10 * size, 8 * effort)
+    return np.outer(moduli, np.exp(1j * np.linspace(-1.5, 1.5, 8 * effort + 1))).ravel()
+
+
+def _between(found: list[Candidate], eta_b: float, effort: int) -> Any:
+    """A grid over the part of the plane in which roots were found, denser towards the line of the cuts."""
+    q = np.array([c.q for c in found])
+    along = np.linspace(0, 1.2 * float(q.real.max()), _GRID * effort)
+    low, high = min(float(q.imag.min()) - eta_b, -0.1), max(float(q.imag.max()) - eta_b, 0.1)
+    heights = eta_b + np.outer([low, high], [1.0, 0.4, 0.15, 0.05, 0.015]).ravel()
+    return (along[:, None] + 1j * heights).ravel()
 
 
 def _along_the_cut(positions: Any, start: float, effort: int) -> Any:

@@ -97,7 +97,7 @@ def _newton(arrays: Arrays, up: int, area: Area, q: Any, found: Any) -> Any:
 def _step(arrays: Arrays, up: int, q: Any, found: Any) -> Any:
     """Newton's step in q for Δ̂ with the found roots and their mirrors divided out."""
     with np.errstate(all="ignore"):
-        _, G, good = arrays.evaluate(1j * q, np.zeros(len(q)), up)
+        _, G, _ = arrays.evaluate(1j * q, np.zeros(len(q)), up)
         A = arrays.matrix(G, 1j * q)
         fine = np.isfinite(A.a).all((1, 2)) & np.isfinite(A.b).all((1, 2))
         a = np.where(fine[:, None, None], A.a, np.eye(A.a.shape[1]))

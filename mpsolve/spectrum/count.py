@@ -1,10 +1,11 @@
-"""How many roots a region holds: the turn of Δ̂ along half of a contour, closed by passivity, an arc or a rectangle."""
+"""How many roots a region holds: the turn of Δ̂ along half of a contour, closed by passivity, an arc or a box."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -65,12 +66,10 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) ->
     tell("contour", 0.3)
     if isinstance(beyond, str):
         return _disc(paths, first, region, height, beyond, effort)
-    return _half_plane(paths, first, region, height, beyond, effort)
+    return _half_plane(paths, first, height, beyond, effort)
 
 
-def _half_plane(
-    paths: Paths, first: Start, region: Region, height: Fraction, beyond: Beyond, effort: Effort
-) -> Count:
+def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond, effort: Effort) -> Count:
     reduced = paths.arrays.reduced
     rho, h = beyond.rho, scaled_height(reduced, height)
     chain = (
@@ -111,9 +110,11 @@ def _box(paths: Paths, first: Start, box: Box, effort: Effort) -> Count:
     unit = reduced.frequency_unit
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
     if any(Fraction(x) * unit != y for x, y in ((a, box.re_min), (b, box.re_max), (c, box.im_min), (d, box.im_max))):
-        raise PrecisionError("the sides of the rectangle are no floats in the scaled unit: give sides of at most 15 digits in binary")
+        raise PrecisionError(
+            "the sides of the rectangle are no floats in the scaled unit: give sides of at most 15 digits in binary"
+        )
     corners = [complex(a, c), complex(b, c), complex(b, d), complex(a, d), complex(a, c)]
-    around = np.concatenate([_line(x, y, 12)[:-1] for x, y in zip(corners, corners[1:], strict=False)] + [corners[-1:]])
+    around = np.concatenate([_line(x, y, 12)[:-1] for x, y in pairwise(corners)] + [corners[-1:]])
     below = complex(0, -first.depth)
     link = _line(below, corners[0], 12)
     proved = paths.prove((paths.plan("link", link, effort), paths.plan("turn", around, effort)), effort)
@@ -126,7 +127,9 @@ def _integer(value: arb) -> int:
     """The only integer in the ball; PrecisionError if there is none or more than one."""
     number = value.unique_fmpz()
     if number is None or int(number) < 0:
-        raise PrecisionError(f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots")
+        raise PrecisionError(
+            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
+        )
     return int(number)
 
 

@@ -21,7 +21,7 @@ class HalfPlane:
 
 @dataclass(frozen=True)
 class Below:
-    """Im q < 0, and with it Im q < height as far as |Re q| < reach; where `radius` is given, below 0 only |q| < radius."""
+    """Im q < 0, and with it Im q < height as far as |Re q| < reach; with a `radius`, below 0 only |q| < radius."""
 
     height: Fraction
     reach: Fraction | None = None

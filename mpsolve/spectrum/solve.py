@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -49,7 +50,9 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
         numbers = {"counted": str(count.total), "enclosed": str(number)}
-        return Found(count, balls, Reason("roots", message, numbers, "ask for more digits, so that close roots come apart"))
+        return Found(
+            count, balls, Reason("roots", message, numbers, "ask for more digits, so that close roots come apart")
+        )
     if any(_sign(ball) is None for ball in balls):
         return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
     return Found(count, balls, None)
@@ -123,7 +126,7 @@ def _inside(region: Region, ball: RootBall) -> bool:
     return below or bool(im < _ball(region.height) and abs(re) < _ball(reach) and im > -_ball(region.height))
 
 
-def _ball(x: Fraction) -> object:
+def _ball(x: Fraction) -> Any:
     from mpsolve.numbers.balls import rational_ball
 
     return rational_ball(x)

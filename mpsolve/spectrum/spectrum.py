@@ -59,7 +59,7 @@ class Root:
 
 @dataclass(frozen=True)
 class Cost:
-    """What an answer took: processor seconds of the proof and of its verification, evaluations of Δ, pieces of paths."""
+    """What an answer took: processor seconds of the proof and of its check, evaluations of Δ, pieces of paths."""
 
     seconds: float
     verification: float = 0.0

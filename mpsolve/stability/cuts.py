@@ -14,12 +14,12 @@ from typing import Any, overload
 
 import flint
 
-from mpsolve.certificate.certify import Status
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, require_cuts_on_line
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
+from mpsolve.outcome import Status
 from mpsolve.stability.gapend import gap_ends
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.rimsearch import edge_zeros
@@ -60,7 +60,7 @@ class CutPoints(Sequence[CutPoint]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.points)
@@ -116,7 +116,7 @@ def cut_points(
     points.sort(key=lambda point: float(point.alpha.mid()))
     strips.sort(key=lambda strip: strip.start)
     reason = strips[0].reason if strips else ""
-    status = Status.UNDECIDED if strips else Status.PROVED
+    status = Status.UNDECIDED if strips else Status.UNVERIFIED
     return CutPoints(low, high, tuple(points), tuple(strips), status, reason, digits, evaluations)
 
 

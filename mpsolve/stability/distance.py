@@ -11,7 +11,6 @@ from typing import Any
 import flint
 import numpy as np
 
-from mpsolve.certificate.certify import Status
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
@@ -20,6 +19,7 @@ from mpsolve.model.characteristic import characteristic, characteristic_rate
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
+from mpsolve.outcome import Status
 from mpsolve.progress import Progress
 from mpsolve.sheet.seek import seek
 from mpsolve.stability.curvature import convex_branch, motion_with_distance
@@ -49,7 +49,7 @@ class CriticalDistance:
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     @property
     def certificate(self) -> Certificate | None:
@@ -161,7 +161,7 @@ def _proved(
         except PrecisionError as error:
             reason = str(error)
             continue
-        return CriticalDistance(ball, q, Status.PROVED, "", digits, ranges)
+        return CriticalDistance(ball, q, Status.UNVERIFIED, "", digits, ranges)
     return CriticalDistance(None, None, Status.UNDECIDED, reason, digits)
 
 

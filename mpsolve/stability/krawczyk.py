@@ -27,7 +27,7 @@ def _solve(f: Any, fx: Any, ft: Any, det: Any) -> tuple[Any, Any]:
 
 
 def contracted(f: Any, fx: Any, ft: Any, x: Any, t: Any, dx: Any, dt: Any) -> tuple[Any, Any] | None:
-    """The image of the box x ± dx, t ± dt, in which it is proved to hold exactly one zero, or None.
+    """The image of the box x ± dx, t ± dt, if it is proved to hold exactly one zero, or None. All four are exact.
 
     f at (x, t), fx and ft over the box: (x, t) − Y f + (I − Y J)(X − (x, t)), Y the inverse of the slopes'
     midpoint, lies in the interior of the box.
@@ -42,7 +42,7 @@ def contracted(f: Any, fx: Any, ft: Any, x: Any, t: Any, dx: Any, dt: Any) -> tu
     spread_x, spread_t = arb(0, dx), arb(0, dt)
     move_x = -u + xx * spread_x + xt * spread_t
     move_t = -v + tx * spread_x + tt * spread_t
-    if spread_x.contains_interior(move_x) and spread_t.contains_interior(move_t):
+    if _within(move_x, dx) and _within(move_t, dt):
         return x + move_x, t + move_t
     return None
 
@@ -63,9 +63,14 @@ def contracted_all(values: Any, jacobian: Any, centre: Any, reaches: Any) -> lis
     one = arb_mat(n, n, [int(j == k) for j in range(n) for k in range(n)])
     spread = arb_mat(n, 1, [arb(0, reach) for reach in reaches])
     move = (one - inverse * slopes) * spread - inverse * arb_mat(n, 1, list(values))
-    if all(spread[k, 0].contains_interior(move[k, 0]) for k in range(n)):
+    if all(_within(move[k, 0], reaches[k]) for k in range(n)):
         return [centre[k] + move[k, 0] for k in range(n)]
     return None
+
+
+def _within(move: Any, reach: Any) -> bool:
+    """Whether the ball lies in the interior of 0 ± reach. The ball arb(0, reach) may be wider by a rounding."""
+    return bool(abs(move) < arb(reach))
 
 
 def ball_of(z: Discs, k: int) -> Any:

@@ -6,11 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from mpsolve.certificate.certify import Status
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Number
 from mpsolve.numbers.ranges import checked_range
+from mpsolve.outcome import Status
 from mpsolve.stability.masses import CrossingMasses, below_critical, checked_digits, crossing_masses
 from mpsolve.stability.together import alone
 
@@ -32,7 +32,7 @@ class LimitingMass:
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
 
 def limiting_mass(
@@ -64,8 +64,8 @@ def limiting_mass(
     if not found.proved:
         return LimitingMass(None, None, found.status, found.reason, found)
     if not found:
-        return LimitingMass(None, None, Status.PROVED, "", found)
-    return LimitingMass(found[0].eta, found[0].q, Status.PROVED, "", found)
+        return LimitingMass(None, None, Status.UNVERIFIED, "", found)
+    return LimitingMass(found[0].eta, found[0].q, Status.UNVERIFIED, "", found)
 
 
 def _at_worst(
@@ -84,11 +84,11 @@ def _at_worst(
         raise InputError("proportions", "are those of one mass: a distance needs two or more")
     if not case.eta_b:
         if below_critical(case):
-            return LimitingMass(None, None, Status.PROVED, "")
+            return LimitingMass(None, None, Status.UNVERIFIED, "")
         reason = "without damping and from alpha_C on, the branch cut covers the real axis: give some damping"
         return LimitingMass(None, None, Status.UNDECIDED, reason)
     try:
         worst = alone(worst_search(case, low, high, digits))
     except PrecisionError as error:
         return LimitingMass(None, None, Status.UNDECIDED, str(error))
-    return LimitingMass(worst.eta, worst.q, Status.PROVED, "", None, worst.d)
+    return LimitingMass(worst.eta, worst.q, Status.UNVERIFIED, "", None, worst.d)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, overload
 
-from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS, Status
+from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
@@ -15,6 +15,7 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
+from mpsolve.outcome import Status
 from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.passages import Passages, passing
@@ -57,7 +58,7 @@ class CrossingMasses(Sequence[Crossing]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.crossings)
@@ -133,7 +134,7 @@ def below_critical(case: Case) -> bool | None:
 
 def _undamped(case: Case, digits: int) -> CrossingMasses:
     if below_critical(case):
-        return CrossingMasses(case, (), (0,), Status.PROVED, "", digits)
+        return CrossingMasses(case, (), (0,), Status.UNVERIFIED, "", digits)
     reason = (
         "without damping and from alpha_C on, the branch cut covers the real axis, and roots appear on it rather "
         "than cross it: give some damping, or certify single cases"
@@ -158,7 +159,7 @@ def _result(case: Case, found: Passages, digits: int) -> CrossingMasses:
     counts = _running(crossings)
     certificate = crossings_certificate(found)
     return CrossingMasses(
-        case, tuple(crossings), counts, Status.PROVED, "", digits, (), certificate, found.evaluations
+        case, tuple(crossings), counts, Status.UNVERIFIED, "", digits, (), certificate, found.evaluations
     )
 
 

@@ -15,13 +15,14 @@ from itertools import pairwise
 import flint
 
 from mpsolve.certificate.certify import Spectrum, certify
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import ContradictionError, PrecisionError, known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.progress import Progress
 from mpsolve.sheet.far import far_radius
 from mpsolve.stability.family import Family
+from mpsolve.stability.holes import about, outward
 from mpsolve.stability.search import Strip, all_zeros
 from mpsolve.stability.together import Search, alone
 from mpsolve.stability.zero import BITS, Zero, sharpen
@@ -129,7 +130,11 @@ def counted(
             bases.append(base)
             counts[place] = base.below
         _spread(events, counts, run, place)
-        assert all((counts[k] or 0) >= 0 for k in run), "a passage contradicts the certified count"
+        if any((counts[k] or 0) < 0 for k in run):
+            raise ContradictionError(
+                f"the passages of {family.parameter} contradict the certified count: the numbers of roots are "
+                f"{[counts[k] for k in run]}; please report this as a fault"
+            )
     return Passages(family, start, end, radius, events, tuple(counts), tuple(bases), evaluations)
 
 
@@ -195,7 +200,8 @@ def _outside(family: Family, zero: Zero, start: Exact, end: Exact) -> bool:
     with ball_arithmetic(BITS):
         if zero.t < start.ball() or zero.t > end.ball() or zero.x < 0:
             return True
-        about_0 = zero.x.contains(0) and float(zero.x.abs_upper()) < 0.99 * zero.reach[0] - abs(zero.centre[0])
+        low, high, *_ = zero.hole
+        about_0 = all(x > low and x < high for x in (zero.x, -zero.x)) and zero.x.contains(0)
     return family.parameter == "level" and about_0
 
 
@@ -204,8 +210,7 @@ def _bits(digits: int) -> int:
 
 
 def _around(zero: Zero, reason: str) -> Strip:
-    t, width = float(zero.t.mid()), zero.reach[1]
-    return Strip(t - width, t + width, reason)
+    return Strip(*outward(about(zero.centre[1], zero.reach[1])), reason)
 
 
 def _span(event: Zero | Strip) -> tuple[float, float]:
@@ -257,18 +262,19 @@ def _base(family: Family, gaps: list[tuple[float, float]], run: range) -> tuple[
 
 def _spread(events: tuple[Zero | Strip, ...], counts: list[int | None], run: range, place: int) -> None:
     """From the count at `place` to the whole run: each passage changes it by two."""
-    below = counts[place] or 0
+    below = known(counts[place], "the certified count")
     for k in range(place + 1, run[-1] + 1):
         below += 2 * _direction(events[k - 1])
         counts[k] = below
-    below = counts[place] or 0
+    below = known(counts[place], "the certified count")
     for k in range(place - 1, run[0] - 1, -1):
         below -= 2 * _direction(events[k])
         counts[k] = below
 
 
 def _direction(event: Zero | Strip) -> int:
-    assert isinstance(event, Zero)
+    if isinstance(event, Strip):
+        raise ContradictionError("an undecided strip stands where only passages were to be")
     return event.direction
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
@@ -17,6 +18,7 @@ from mpsolve.model.branch import Track, track
 from mpsolve.model.parameters import Case
 from mpsolve.sheet.far import far_radius
 from mpsolve.stability.exclude import inside
+from mpsolve.stability.holes import about, exact, holds, inward, outward
 from mpsolve.stability.krawczyk import ball_of, contracted, newton_step
 from mpsolve.stability.rim import edge_ball, slopes_ball, value_ball
 from mpsolve.stability.rimboxes import Region, assess
@@ -39,7 +41,8 @@ _CELL = 0.25  # width in p of the first boxes
 
 @dataclass(frozen=True)
 class EdgeZero:
-    """At the wave number `p` and `alpha` (balls) R·Δ vanishes on the edge, at q = r + iη_b, once within ± `reach`.
+    """At the wave number `p` and `alpha` (balls) R·Δ vanishes on the edge, at q = r + iη_b, once in the box
+    centre ± reach (p, alpha), which is proved exactly.
 
     side: of the cut, "below" or "above". appears: whether the root comes to the sheet as α grows, or leaves it.
     """
@@ -47,15 +50,21 @@ class EdgeZero:
     p: Any
     alpha: Any
     r: Any
+    centre: tuple[Fraction, Fraction]
     reach: float
     side: str = ""
     appears: bool = False
 
     @property
     def hole(self) -> tuple[float, float, float, float]:
-        """A box within the box of uniqueness, in floats: p from, p to, α from, α to."""
-        p, t, h = float(self.p.mid()), float(self.alpha.mid()), 0.99 * self.reach
-        return p - h, p + h, t - h, t + h
+        """The box of uniqueness, rounded inward: p from, p to, α from, α to."""
+        p, t = (inward(about(c, self.reach)) for c in self.centre)
+        return *p, *t
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The box's range of α, rounded outward."""
+        return outward(about(self.centre[1], self.reach))
 
 
 @dataclass(frozen=True)
@@ -235,26 +244,39 @@ def _newton_step(model: Track, p: Any, t: Any) -> tuple[Any, Any] | None:
 
 def _isolate(case: Case, discs: Track, p: Any, t: Any) -> EdgeZero:
     """The largest box about the point that is proved to hold exactly one zero (Krawczyk)."""
-    reaches = 2.0 ** -np.arange(3.0, 26.0)
-    middle, along = float(p), float(t)
-    boxes = np.stack([middle - reaches, middle + reaches, along - reaches, along + reaches], axis=1)
-    seen = assess(discs, boxes, math.inf)
+    p, t = p.mid(), t.mid()
     with ball_arithmetic(_BITS) as field:
         model = track(case, field)
-        wide = 0.0
-        for k, reach in enumerate(reaches.tolist()):
-            if seen.sure[k] and not wide:
-                f, along_p, along_t = (ball_of(z, k) for z in (seen.value, seen.along_p, seen.along_alpha))
-                if contracted(f, along_p, along_t, arb(middle), arb(along), reach, reach) is not None:
-                    wide = 0.999 * reach
+        found = _widest(discs, float(p), float(t))
         for k in range(8, 46, 2):
             image = _krawczyk(model, p, t, 2.0**-k)
             if image is not None:
-                reach = max(wide, 2.0**-k)
-                return EdgeZero(*image, edge_ball(replace(model, alpha=image[1]), image[0]).r, reach)
+                centre, reach = (exact(p), exact(t)), 2.0**-k
+                # the wider box counts only where it holds the zero of the image
+                if found and all(holds(about(c, found[1]), v) for c, v in zip(found[0], image, strict=True)):
+                    centre, reach = found if found[1] > reach else (centre, reach)
+                return EdgeZero(*image, edge_ball(replace(model, alpha=image[1]), image[0]).r, centre, reach)
     raise PrecisionError(
         f"a root touches the cut near alpha = {float(t):.8g}, or two cut points are too close to be told apart"
     )
+
+
+def _widest(discs: Track, p: float, t: float) -> tuple[tuple[Fraction, Fraction], float] | None:
+    """(centre, reach) of the widest box next to the point for which discs prove that it holds exactly one zero."""
+    reaches = 2.0 ** -np.arange(3.0, 26.0)
+    boxes = np.stack([p - reaches, p + reaches, t - reaches, t + reaches], axis=1)
+    seen = assess(discs, boxes, math.inf)
+    for k, box in enumerate(boxes.tolist()):
+        if seen.sure[k]:
+            # the ends of the boxes are rounded, and `assess` takes the middles of what they are
+            p0, p1, t0, t1 = map(Fraction, box)
+            middle = (box[0] + box[1]) / 2, (box[2] + box[3]) / 2
+            x, y = map(Fraction, middle)
+            reach = inward((Fraction(0), min(p1 - x, x - p0, t1 - y, y - t0)))[1]
+            f, along_p, along_t = (ball_of(z, k) for z in (seen.value, seen.along_p, seen.along_alpha))
+            if contracted(f, along_p, along_t, arb(middle[0]), arb(middle[1]), reach, reach) is not None:
+                return (x, y), reach
+    return None
 
 
 def _krawczyk(model: Track, p: Any, t: Any, reach: float) -> tuple[Any, Any] | None:
@@ -284,18 +306,17 @@ def _finished(
     zeros: list[tuple[EdgeZero, EdgeZero]] = []  # each with the box that holds no other
     strips: list[Strip] = []
     for rough in found:
-        t = float(rough.alpha.mid())
         if rough.alpha < low or rough.alpha > high or rough.r < 0:
             continue
         try:
             zero = _sharpened(case, rough, digits)
         except PrecisionError as error:
-            strips.append(Strip(t - rough.reach, t + rough.reach, str(error)))
+            strips.append(Strip(*rough.span, str(error)))
             continue
         if zero.r < 0 or any(_same(case, zero, box) for box, _ in zeros):
             continue
         if any(_close(zero, other) for _, other in zeros):
-            strips.append(Strip(t - rough.reach, t + rough.reach, "two cut points could not be told apart"))
+            strips.append(Strip(*rough.span, "two cut points could not be told apart"))
             continue
         zeros.append((rough, zero))
     return tuple(sorted((zero for _, zero in zeros), key=lambda z: float(z.alpha.mid()))), strips
@@ -359,4 +380,4 @@ def _described(model: Track, rough: EdgeZero, p: Any, t: Any) -> EdgeZero:
     r = edge.r
     if r.contains(0) and r.rad() < 1e-9 * rough.reach * abs(lean).lower():
         r = arb(0)  # the mirror image −r lies in the box that holds one zero
-    return EdgeZero(p, t, r, rough.reach, "below" if lean < 0 else "above", bool(turn < 0))
+    return EdgeZero(p, t, r, rough.centre, rough.reach, "below" if lean < 0 else "above", bool(turn < 0))

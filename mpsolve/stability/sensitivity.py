@@ -17,7 +17,7 @@ from typing import Any, overload
 
 import flint
 
-from mpsolve.certificate.certify import Status, certify
+from mpsolve.certificate.certify import certify
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import ALONG_DAMPING, ALONG_Q, track
@@ -25,6 +25,7 @@ from mpsolve.model.characteristic import characteristic_rates
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.outcome import Status
 from mpsolve.sheet.enclose import isolate, refine
 from mpsolve.stability.masses import below_critical, checked_digits
 
@@ -56,7 +57,7 @@ class DampingSensitivity(Sequence[Sensitivity]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.items)
@@ -90,7 +91,7 @@ def damping_sensitivity(case: Case, digits: int = 30) -> DampingSensitivity:
             items.append(_sensitivity(case, root, digits))
     if any(item.destabilised is None for item in items):
         reason = reason or "a rate is 0, or too close to 0 to tell its sign: ask for more digits"
-    status = Status.UNDECIDED if reason else Status.PROVED
+    status = Status.UNDECIDED if reason else Status.UNVERIFIED
     return DampingSensitivity(case, tuple(items), status, reason, digits)
 
 

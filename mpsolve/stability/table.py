@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.display import card
-from mpsolve.errors import CertificateError, InputError, PrecisionError
+from mpsolve.errors import CertificateError, InputError, PrecisionError, known
 from mpsolve.files import checked_suffix, write_whole
 from mpsolve.model import specs
 from mpsolve.model.parameters import Case
@@ -293,15 +293,14 @@ def _mass(job: _Job, digits: int) -> Search[Entry]:
 
 
 def _onset(job: _Job, digits: int) -> Search[Entry]:
-    assert job.alpha is not None
-    low, high = job.alpha
+    low, high = known(job.alpha, "the range of alpha")
     case = job.case
     model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
     onset = yield from onset_search(*model, (low, high), digits)
     if not onset.proved:
-        return Entry("undecided", None, onset.reason + remark("alpha", onset.ranges.strips, job.alpha))
+        return Entry("undecided", None, onset.reason + remark("alpha", onset.ranges.strips, (low, high)))
     if onset.alpha is None:
-        return Entry("stable", None, f"no onset for alpha in {_shown(job.alpha)}", certificate=onset.certificate)
+        return Entry("stable", None, f"no onset for alpha in {_shown((low, high))}", certificate=onset.certificate)
     if onset.q is None:
         reason = f"unstable from alpha = {specs.label(low)} on, the start of the range"
         return Entry("unstable", None, reason, certificate=onset.certificate)
@@ -309,21 +308,19 @@ def _onset(job: _Job, digits: int) -> Search[Entry]:
 
 
 def _ranges(job: _Job, digits: int) -> Search[Entry]:
-    assert job.alpha is not None
-    case = job.case
+    alpha, case = known(job.alpha, "the range of alpha"), job.case
     model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
-    found = yield from velocities_search(*model, job.alpha, digits)
+    found = yield from velocities_search(*model, alpha, digits)
     if not found.proved:
-        return Entry("undecided", None, found.reason + remark("alpha", found.strips, job.alpha))
+        return Entry("undecided", None, found.reason + remark("alpha", found.strips, alpha))
     if not len(found):
-        return Entry("stable", None, f"stable for all alpha in {_shown(job.alpha)}", certificate=found.certificate)
+        return Entry("stable", None, f"stable for all alpha in {_shown(alpha)}", certificate=found.certificate)
     spans = tuple(_span(interval, job) for interval in found)
     return Entry("proved", " ".join(span.text for span in spans), "", spans, found.certificate)
 
 
 def _span(interval: Interval, job: _Job) -> Span:
-    assert job.alpha is not None
-    low, high = map(specs.label, job.alpha)
+    low, high = map(specs.label, known(job.alpha, "the range of alpha"))
     start = low if interval.q_start is None else fixed_digits(interval.start, job.digits)
     end = high if interval.q_end is None else fixed_digits(interval.end, job.digits)
     return Span(start, end, interval.q_start is not None, interval.q_end is not None, interval.roots)

@@ -10,7 +10,6 @@ from typing import Any, overload
 
 import flint
 
-from mpsolve.certificate.certify import Status
 from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
@@ -19,9 +18,11 @@ from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
+from mpsolve.outcome import Status
 from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first
+from mpsolve.stability.holes import exact
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.passages import Passages, counted, passing
 from mpsolve.stability.search import Strip
@@ -69,7 +70,7 @@ class UnstableRanges(Sequence[Interval]):
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     def __len__(self) -> int:
         return len(self.intervals)
@@ -183,7 +184,7 @@ class Onset:
 
     @property
     def proved(self) -> bool:
-        return self.status is Status.PROVED
+        return self.status.holds
 
     @property
     def certificate(self) -> Certificate | None:
@@ -194,13 +195,13 @@ def _first(scan: UnstableRanges) -> Onset:
     opening = scan.unknown[0][0] if scan.unknown else float(scan.end)
     if len(scan) and scan[0].q_start is not None and float(scan[0].start.mid()) <= opening:
         first = scan[0]
-        return Onset(first.start, first.q_start, Status.PROVED, "", float(first.start.mid()), scan)
+        return Onset(first.start, first.q_start, Status.UNVERIFIED, "", float(first.start.mid()), scan)
     if len(scan) and not scan.unknown:  # unstable from the start of the range on
         first = scan[0]
-        return Onset(first.start, first.q_start, Status.PROVED, "", float(first.start.mid()), scan)
+        return Onset(first.start, first.q_start, Status.UNVERIFIED, "", float(first.start.mid()), scan)
     if scan.unknown:
         return Onset(None, None, Status.UNDECIDED, scan.reason, opening, scan)
-    return Onset(None, None, Status.PROVED, "", opening, scan)
+    return Onset(None, None, Status.UNVERIFIED, "", opening, scan)
 
 
 def _admitted(
@@ -237,7 +238,7 @@ def ranges_search(
     if not found.proved:
         reason = found.strips[0].reason if found.strips else "no certified count could be had in a part of the range"
     certificate = crossings_certificate(found)
-    status = Status.PROVED if found.proved else Status.UNDECIDED
+    status = Status.UNVERIFIED if found.proved else Status.UNDECIDED
     return UnstableRanges(
         family.parameter, low, high, intervals, unknown, found.strips, status, reason, digits, found, certificate
     )
@@ -289,13 +290,19 @@ def _undamped(case: Case, low: Exact, high: Exact, digits: int) -> UnstableRange
     with ball_arithmetic(128) as balls:
         critical = critical_velocity_ratio(case, balls)
         if high.ball() < critical:
-            return UnstableRanges("alpha", low, high, (), (), (), Status.PROVED, "", digits)
+            return UnstableRanges("alpha", low, high, (), (), (), Status.UNVERIFIED, "", digits)
         below, from_here = bool(low.ball() < critical), float(critical.lower())
     model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
     found = cut_points(*model, (low, high), digits)
     strips = [strip for strip in found.strips if strip.end > from_here]
     zeros = [
-        Zero(point.q.real, point.alpha, (math.nan, math.nan), (0.0, 0.0), 1 if point.appears else -1)
+        Zero(
+            point.q.real,
+            point.alpha,
+            (exact(point.q.real), exact(point.alpha)),
+            (0.0, 0.0),
+            1 if point.appears else -1,
+        )
         for point in found
         if point.side == "below"
     ]
@@ -303,6 +310,6 @@ def _undamped(case: Case, low: Exact, high: Exact, digits: int) -> UnstableRange
         Family(case, "alpha"), low, high, math.nan, zeros, strips, found.evaluations, 0 if below else None
     )
     intervals, unknown = _intervals(passed)
-    status = Status.PROVED if passed.proved else Status.UNDECIDED
+    status = Status.UNVERIFIED if passed.proved else Status.UNDECIDED
     reason = passed.strips[0].reason if passed.strips else "" if passed.proved else "no certified count could be had"
     return UnstableRanges("alpha", low, high, intervals, unknown, passed.strips, status, reason, digits, passed)

@@ -34,6 +34,7 @@ from mpsolve.sheet.far import far_radius
 from mpsolve.stability.curvature import NestedBalls, second_order, split_balls
 from mpsolve.stability.exclude import Job, arrays, grid, local
 from mpsolve.stability.family import Family
+from mpsolve.stability.holes import about, inward
 from mpsolve.stability.krawczyk import ball_of, contracted, contracted_all
 from mpsolve.stability.together import Search
 from mpsolve.stability.zero import BITS, approach, isolate, mass_level, sharpen
@@ -67,12 +68,12 @@ def worst_search(case: Case, low: Exact, high: Exact, digits: int) -> Search[Wor
     if end is None:
         hole = _between(float(point[2]), _box(family, point), low, high)
     else:
-        hole = _end_box(family, point, 1 if end is low else -1)
-    hole = 0.99 * hole[0], 0.99 * hole[1], 0.99 * hole[2]  # well within what is proved
+        hole = _end_box(family, point, end, 1 if end is low else -1)
     ceiling = _ceiling(family, point, hole, (-1, 1) if end is None else (1,) if end is low else (-1,))
     with ball_arithmetic(BITS) as field:
         reach = far_radius(family.at(field, None, low.ball().union(high.ball())))
-    holes = np.array([[edge for v, h in zip(map(float, point), hole, strict=True) for edge in (v - h, v + h)]])
+    centre = map(Fraction, map(float, point))
+    holes = np.array([[end for v, h in zip(centre, hole, strict=True) for end in inward(about(v, h))]])
     cover = yield Job(family, _region(reach, ceiling, low, high), holes, 0, 64, _BUDGET)
     if len(cover.open):
         raise PrecisionError(
@@ -241,10 +242,10 @@ def _balls(value: Any, k: int) -> Any:
     return type(value)(_balls(value.value, k), [_balls(slope, k) for slope in value.slopes])
 
 
-def _end_box(family: Family, point: Point, inward: int) -> tuple[float, float, float]:
+def _end_box(family: Family, point: Point, end: Exact, into: int) -> tuple[float, float, float]:
     """Half-widths of a box about a crossing at an end of the range: the only one at that end, t rising from there.
 
-    In the box dt/dd along the zeros has the sign of `inward`, so that t is least at no zero away from this end.
+    In the box dt/dd along the zeros has the sign of `into`, so that t is least at no zero away from this end.
     """
     reaches = 2.0 ** -np.arange(_WIDEST, _NARROWEST, 0.5)
     value, (f_x, f_t, f_d), good = local(family, [float(v) for v in point], reaches)
@@ -252,8 +253,14 @@ def _end_box(family: Family, point: Point, inward: int) -> tuple[float, float, f
         for k in np.flatnonzero(good):
             f, along_x, along_t, along_d = (ball_of(z, int(k)) for z in (value, f_x, f_t, f_d))
             size = float(reaches[k])
-            alone = contracted(f, along_x, along_t, point[0], point[1], size, size) is not None
-            rise = -inward * (along_x.conjugate() * along_d).imag / (along_x.conjugate() * along_t).imag
+            off = end.ball() - arb(float(point[2]))  # the values were taken at a float next to the end
+            if not abs(off) < arb(size):
+                continue
+            f = f + along_d * off
+            alone = (
+                contracted(f, along_x, along_t, arb(float(point[0])), arb(float(point[1])), size, size) is not None
+            )
+            rise = -into * (along_x.conjugate() * along_d).imag / (along_x.conjugate() * along_t).imag
             if alone and rise > 0:
                 return size, size, size
     raise PrecisionError(
@@ -269,7 +276,8 @@ def _sharpened_at(family: Family, point: Point, box: Any, end: Exact, digits: in
         raise PrecisionError("the crossing at an end of the range was lost: ask for fewer digits")
     zero = sharpen(level, isolate(level, *found), digits + 6)
     t = mass_level(zero)
-    if not (abs(zero.x - point[0]) < arb(box[0]) and abs(t - point[1]) < arb(box[1])):
+    x0, t0 = (arb(float(v)) for v in point[:2])
+    if not (abs(zero.x - x0) < arb(box[0]) and abs(t - t0) < arb(box[1])):
         raise PrecisionError("the crossing at an end of the range lies elsewhere: change the range a little")
     return zero.x, t
 
@@ -312,6 +320,7 @@ def _with_distance(case: Case, d: Exact) -> Case:
 
 def _sharpened(family: Family, point: Point, box: Any, digits: int) -> Point:
     """The solution in balls of relative radius below 10^−digits, proved to lie in the box."""
+    centre = [arb(float(v)) for v in point]
     goal, here = math.ceil(digits * math.log2(10)) + 8, point
     bits = 80
     while True:
@@ -327,6 +336,8 @@ def _sharpened(family: Family, point: Point, box: Any, digits: int) -> Point:
             wide = tuple(v + arb(0, s) for v, s in zip(here, sizes, strict=True))
             values, jacobian = _in_balls(family, field, here)[0], _in_balls(family, field, wide)[1]
             image = contracted_all(values, jacobian, list(here), sizes)
-            if image is not None and all(abs(v - p) < h for v, p, h in zip(image, point, map(arb, box), strict=True)):
+            if image is not None and all(
+                abs(v - p) < h for v, p, h in zip(image, centre, map(arb, box), strict=True)
+            ):
                 return image[0], image[1], image[2]
     raise PrecisionError(f"the worst distance could not be sharpened to {digits} digits: ask for fewer")

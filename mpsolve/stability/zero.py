@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import flint
@@ -20,6 +21,7 @@ from mpsolve.model.characteristic import (
 )
 from mpsolve.stability.exclude import local
 from mpsolve.stability.family import Family
+from mpsolve.stability.holes import about, exact, holds, inward
 from mpsolve.stability.krawczyk import ball_of, contracted, newton_step
 
 acb, arb = flint.acb, flint.arb
@@ -29,24 +31,23 @@ _GUARD = 16
 
 @dataclass(frozen=True)
 class Zero:
-    """The one zero in the box centre ± reach (floats: x, t), enclosed by the balls x and t.
+    """The one zero in the box centre ± reach (x, t), enclosed by the balls x and t.
 
-    centre: the middle of the box. direction: +1 where a root passes below the line as t (for masses: η) grows,
-    −1 where one comes up.
+    centre and reach: the proved box, exactly. direction: +1 where a root passes below the line as t (for masses: η)
+    grows, −1 where one comes up.
     """
 
     x: Any
     t: Any
-    centre: tuple[float, float]
+    centre: tuple[Fraction, Fraction]
     reach: tuple[float, float]
     direction: int
 
     @property
     def hole(self) -> tuple[float, float, float, float]:
-        """A box within the box of uniqueness: x from, x to, t from, t to."""
-        x, t = self.centre
-        dx, dt = (0.99 * h for h in self.reach)
-        return x - dx, x + dx, t - dt, t + dt
+        """The box of uniqueness, rounded inward: x from, x to, t from, t to."""
+        x, t = (inward(about(c, h)) for c, h in zip(self.centre, self.reach, strict=True))
+        return *x, *t
 
     @property
     def level(self) -> Any:
@@ -118,6 +119,7 @@ def isolate(family: Family, x: Any, t: Any) -> Zero:
 
     Raises `PrecisionError` when none is found.
     """
+    x, t = x.mid(), t.mid()
     reach = _widest(family, x, t)
     with ball_arithmetic(BITS) as field:
         for k in range(8, 46, 2):
@@ -125,15 +127,25 @@ def isolate(family: Family, x: Any, t: Any) -> Zero:
             try:
                 image = _krawczyk(family, field, x, t, small, small)
                 if image is not None:
-                    wide = max(reach, small)
-                    middle = float(x), float(t)
-                    return Zero(*image, middle, (wide, wide), _direction(family, field, *image))
+                    centre, wide = _box_of((x, t), small, reach, image)
+                    return Zero(*image, centre, (wide, wide), _direction(family, field, *image))
             except PrecisionError:
                 continue
     raise PrecisionError(
         f"a root touches the line near x = {float(x):.6g}, t = {float(t):.8g}, or two crossings are "
         "too close together to be told apart"
     )
+
+
+def _box_of(
+    point: tuple[Any, Any], small: float, wide: float, image: tuple[Any, Any]
+) -> tuple[tuple[Fraction, Fraction], float]:
+    """(centre, reach) of the wider of two proved boxes: that of the discs only if it holds the zero of the image."""
+    if wide > small:
+        centre = Fraction(float(point[0])), Fraction(float(point[1]))
+        if all(holds(about(c, wide), ball) for c, ball in zip(centre, image, strict=True)):
+            return centre, wide
+    return (exact(point[0]), exact(point[1])), small
 
 
 def _widest(family: Family, x: Any, t: Any) -> float:

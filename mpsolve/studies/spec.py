@@ -14,7 +14,7 @@ from math import prod
 from typing import Any
 
 from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS
-from mpsolve.errors import InputError
+from mpsolve.errors import ContradictionError, InputError
 from mpsolve.model import specs
 from mpsolve.numbers.exact import Exact
 from mpsolve.sheet.region import Rectangle, Region
@@ -280,7 +280,8 @@ def _total(axes: Mapping[str, Axis], design: str, count: int) -> int:
 
 
 def _counted(axis: Axis) -> Listed | Steps:
-    assert not isinstance(axis, Span)
+    if isinstance(axis, Span):
+        raise ContradictionError("a range between bounds has no values of its own, and was counted")
     return axis
 
 

@@ -11,15 +11,15 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
-from math import comb, sqrt
+from math import comb
 
-import numpy as np
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.realroots import as_fmpq, is_positive, negative_point, positive_roots, samples, sign_at
+from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point, positive_roots, samples, sign_at
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide
 
+_ROUNDS = 7  # of four, so that the wavenumber of the lowest cut is guessed to 10⁻⁴
 Row = list[fmpq_poly]
 """The coefficients of s⁰, s¹, … as polynomials in y = p²."""
 
@@ -59,19 +59,18 @@ class AtRest:
 def at_rest(track: Track | Waveguide) -> AtRest:
     """The status of the track, decided exactly; InputError where D is odd in P, 0, or loses its inertia at some p."""
     D = rows_of(track.waveguide)
-    D, neutral = (D[1:], True) if not D[0] else (D, False)
     damped, undamped = _split(D)
     grows = _growing(damped) or (_real_growth(undamped) if len(undamped) > 1 else None)
     if grows is not None:
-        return AtRest(Status.UNSTABLE, (sqrt(grows),), buckles=not neutral and sign_at(D[0], grows) < 0)
-    held = [root for root, _ in positive_roots(D[0])]
-    if held and not neutral:
-        return AtRest(Status.UNSTABLE, (sqrt(float(held[0])),), buckles=True)
-    if neutral or len(undamped) > 1:
+        return AtRest(Status.UNSTABLE, (wavenumber(grows),), buckles=sign_at(D[0], grows) < 0)
+    verge = [root for root, _ in positive_roots(D[0])]
+    if verge:
+        return AtRest(Status.UNSTABLE, (wavenumber(verge[0]),), buckles=True)
+    if len(undamped) > 1:
         return AtRest(Status.UNDAMPED)
     minors = _minors(damped)
     edge = minors[-1] if len(minors) < 2 else minors[-2] * damped[0]
-    touches = [0.0] * (edge[0] == 0) + [sqrt(float(root)) for root, _ in positive_roots(edge)]
+    touches = [0.0] * (edge[0] == 0) + [wavenumber(root) for root, _ in positive_roots(edge)]
     far = not _bounded_away(damped)
     return AtRest(Status.TOUCHING if touches or far else Status.STRICT, tuple(touches), far)
 
@@ -88,7 +87,7 @@ def lowest_cut(track: Track | Waveguide, bits: int = 20) -> tuple[Fraction, Frac
     if found.status is not Status.STRICT:
         return Fraction(0), Fraction(0)
     D = rows_of(track.waveguide)
-    guess, fine = Fraction(_float_height(D)), Fraction(1, 2 ** (bits + 1))
+    guess, fine = _guessed_height(D), Fraction(1, 2 ** (bits + 1))
     low, high = guess * (1 - fine), guess * (1 + fine)
     while not is_stable(shifted(D, low)):
         low, high = low / 2, low
@@ -105,13 +104,16 @@ def rows_of(waveguide: Waveguide) -> Row:
     rows = in_squares(waveguide.dispersion, "D")
     if not rows:
         raise InputError("matrix", "has determinant 0 everywhere, so it carries no wave: check its entries")
+    if not rows[0]:
+        stated = "has determinant 0 without frequency, so a constant force moves the track without end"
+        raise InputError("matrix", f"{stated}: give it a stiffness, or divide a row by Omega")
     if len(rows) == 1:
         raise InputError(
             "matrix", "has no frequency in its determinant, so it carries no wave: give it mass or damping"
         )
     lead = rows[-1] if rows[-1](1) >= 0 else -rows[-1]
     if not is_positive(lead):
-        where = next((sqrt(float(root)) for root, _ in positive_roots(lead)), 0.0)
+        where = next((wavenumber(root) for root, _ in positive_roots(lead)), 0.0)
         stated = f"loses the highest power of the frequency at the wavenumber p = {where:.6g}"
         raise InputError("matrix", f"{stated}: give every field of the track some mass or damping there")
     return [row if lead is rows[-1] else -row for row in rows]
@@ -134,6 +136,11 @@ def shifted(D: Row, h: Fraction) -> Row:
     powers = [as_fmpq((-h) ** k) for k in range(len(D))]
     zero = fmpq_poly([])
     return [sum((comb(j, k) * powers[j - k] * D[j] for j in range(k, len(D))), zero) for k in range(len(D))]
+
+
+def wavenumber(y: Fraction | arb) -> float:
+    """p = √y, to be shown."""
+    return float((arb(as_fmpq(y)) if isinstance(y, Fraction) else y).sqrt())
 
 
 def is_stable(D: Row) -> bool:
@@ -165,18 +172,15 @@ def _minors(coefficients: list[fmpq_poly]) -> list[fmpq_poly]:
 
 
 def _growing(D: Row) -> Fraction | None:
-    """A rational y with a root Re s > 0, or None; D has no pair ±s for all y. One Hurwitz determinant is negative."""
+    """A rational y with a root Re s > 0, or None; D has no pair ±s for all y. One Hurwitz determinant is negative.
+
+    Where one is 0 for all y, all y but isolated ones have such a root.
+    """
     minors = _minors(D)
     if minors and not minors[-1]:
-        return _float_growth(D)
+        return max((Fraction(2) ** k for k in range(-20, 21)), key=lambda y: _rate(D, y))
     order = [D[0], *minors] if len(D) > 1 else []
     return next((y for y in map(negative_point, order) if y is not None), None)
-
-
-def _float_growth(D: Row) -> Fraction:
-    """Where a determinant is 0 for all y without pairs ±s, all y but isolated ones have a growing root: take one."""
-    points = [Fraction(2) ** k for k in range(-20, 21)]
-    return max(points, key=lambda y: max(np.roots([float(row(as_fmpq(y))) for row in D[::-1]]).real))
 
 
 def _split(D: Row) -> tuple[Row, Row]:
@@ -223,20 +227,29 @@ def _real_growth(g: Row) -> Fraction | None:
     return None
 
 
-def _float_height(D: Row) -> float:
-    """The height of the lowest cut in floats, on a dense grid of wavenumbers: only a guess."""
-    scale = _scale(D)
-    grid = scale * np.concatenate([[0.0], np.geomspace(1e-8, 1e8, 161)])
-    table = np.array([[float(row(as_fmpq(Fraction(y)))) for row in D[::-1]] for y in grid])
-    heights = np.array([-np.roots(line).real.max() for line in table])
-    positive = heights[heights > 0]
-    return float(positive.min()) if positive.size else 1.0
+def _guessed_height(D: Row) -> Fraction:
+    """A guess of the height of the lowest cut: wavenumbers in octaves about one that balances D, then finer ones."""
+    ends = [(row.degree(), _size(row[row.degree()]) - _size(row[0])) for row in D if row.degree() > 0 and row[0]]
+    middle = -sum(size // k for k, size in ends) // len(ends) if ends else 0
+    points = [Fraction(0), *(Fraction(2) ** (middle + k) for k in range(-28, 29))]
+    best, rate = max(((y, _rate(D, y)) for y in points), key=lambda pair: pair[1])
+    width = best / 2
+    for _ in range(_ROUNDS if best else 0):
+        around = [(y, _rate(D, y)) for y in (best + width * k / 4 for k in range(-3, 4) if k)]
+        best, rate = max([(best, rate), *around], key=lambda pair: pair[1])
+        width /= 4
+    return -rate if rate < 0 else Fraction(1)
 
 
-def _scale(D: Row) -> float:
-    """A size of y that balances the coefficients of D."""
-    ends = [(row.degree(), abs(row[row.degree()] / row[0])) for row in D if row and row.degree() > 0 and row[0]]
-    return float(np.exp(np.mean([-np.log(float(ratio)) / k for k, ratio in ends]))) if ends else 1.0
+def _rate(D: Row, y: Fraction) -> Fraction:
+    """The largest Re s at y, nearly."""
+    line = fmpq_poly([row(as_fmpq(y)) for row in D])
+    return max(end_of(arb(root.real), 0) for root, _ in line.numer().complex_roots())
+
+
+def _size(x: fmpq) -> int:
+    """log₂ |x|, nearly."""
+    return int(x.p).bit_length() - int(x.q).bit_length()
 
 
 def _bounded_away(D: Row) -> bool:

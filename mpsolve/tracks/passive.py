@@ -1,8 +1,8 @@
 """Whether a track at rest takes energy from any harmonic force: Ω Im(N/D) ≤ 0 for all real p and Ω, decided exactly.
 
 With y = p², z = Ω², N = Nₑ + iΩ Nₒ and D alike, −Ω Im(N D*) = z (Nₑ Dₒ − Nₒ Dₑ), a polynomial in y and z that must
-not be negative on the quadrant y, z ≥ 0. Between the zeros y of its discriminant and of its first and last coefficients
-the zeros z neither meet nor pass 0, so that one rational y in each interval decides.
+not be negative on the quadrant y, z ≥ 0. Between the zeros y of its discriminant and of its first and last
+coefficients the zeros z neither meet nor pass 0, so that one rational y in each interval decides.
 """
 
 from __future__ import annotations
@@ -10,12 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from math import sqrt
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.numbers.realroots import as_fmpq, negative_point, samples
-from mpsolve.tracks.at_rest import Row, in_squares, rows_of
+from mpsolve.tracks.at_rest import Row, in_squares, rows_of, wavenumber
 from mpsolve.tracks.waveguide import Track, Waveguide
 
 _CONTEXT = fmpq_mpoly_ctx.get(("z", "y"), "lex")
@@ -41,7 +40,7 @@ def passivity(track: Track | Waveguide) -> Passivity:
     if power.is_zero():
         return Passivity(passive=True, lossless=True)
     found = _negative(power)
-    witness = None if found is None else (sqrt(found[0]), sqrt(found[1]))
+    witness = None if found is None else (wavenumber(found[0]), wavenumber(found[1]))
     return Passivity(passive=found is None, lossless=False, witness=witness)
 
 

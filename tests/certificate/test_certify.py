@@ -10,8 +10,11 @@ import pytest
 from oracle import Truth, holds
 
 from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
+from mpsolve.certificate import verify
 from mpsolve.model.edge import edge_value
 from mpsolve.numbers.rootball import Symmetry
+from mpsolve.report.data import as_data
+from mpsolve.report.text import render
 
 
 def pair(alpha: Any, d: Any, eta_m: Any = 70, eta_b: Any = "0.05", **rest: Any) -> Case:
@@ -260,7 +263,8 @@ def test_effort_that_is_spent_is_not_spent_again(eta_b: str, eta_n: str, monkeyp
     monkeypatch.setattr("mpsolve.sheet.winding.edge_value", value)
     found = certify(Case(alpha="0.5", eta_b=eta_b, eta_n=eta_n, eta_m=(10, 10), positions=(0, 1)), max_pieces=300)
     assert found.status is Status.UNDECIDED
-    assert found.reason == "the contour needs more than 300 pieces: raise max_pieces"
+    helps = 'ask for the region "unstable", or raise max_pieces' if found.case.eta_b else "raise max_pieces"
+    assert found.reason == f"the contour needs more than 300 pieces: {helps}"
     assert pieces[0] <= 302
     assert "raise" in found.reason
     assert found.roots == ()
@@ -284,3 +288,30 @@ def test_digits_out_of_range_are_refused(digits: Any) -> None:
 def test_unknown_regions_are_refused(region: Any) -> None:
     with pytest.raises(InputError, match="region"):
         certify(single("0.5"), region=region)
+
+
+CHECKED = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+
+
+def test_proved_means_that_the_verifier_was_asked() -> None:
+    found, quick = certify(CHECKED, digits=15), certify(CHECKED, digits=15, check=False)
+    assert (found.status, found.status.value) == (Status.PROVED, "proved")
+    assert (quick.status, quick.status.value) == (Status.UNVERIFIED, "proved, not verified")
+    assert found.proved
+    assert quick.proved
+    assert (found.count, found.unstable) == (quick.count, quick.unstable) == (4, 2)
+    assert "Proved, not verified" in render(quick)
+    assert "not verified" not in render(found)
+    assert as_data(quick)["status"] == "proved, not verified"
+
+
+def test_what_the_verifier_refuses_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A proof that miscounts makes a certificate that the verifier, which counts by itself, does not take."""
+    monkeypatch.setattr(verify, "count_on_edge", lambda *_: 6)
+    found = certify(CHECKED, digits=15)
+    assert not found.proved
+    assert (found.count, found.unstable, found.stable) == (None, None, None)
+    assert found.why is not None
+    assert found.why.code == "not-verified"
+    assert "the winding number is 6, but 4 roots are enclosed" in found.reason
+    assert as_data(found)["why"]["code"] == "not-verified"

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from flint import acb, arb
+from oracle import Truth
 
 from mpsolve import Case, certify
 from mpsolve.certificate.format import digest
@@ -169,7 +170,54 @@ def test_what_is_true_is_accepted(name: str, tmp_path: Path) -> None:
     assert result.valid, result.reason
     assert result.claim.startswith(f"exactly {len(counts) - 1} crossing")
     assert f"of Im q = {family.height} for " in result.claim
-    assert result.claim.endswith(": " + ", ".join(map(str, counts)))
+    assert f" after: {', '.join(map(str, counts))}; case " in result.claim
+    for key in ("alpha", "eta_b", "eta_n", "eta_s"):
+        assert (f"{key} = {family.case.as_dict()[key]}" in result.claim) == (key != family.parameter)
+    masses = ", ".join(family.case.as_dict()["eta_m"])
+    places = "0, d, 2d, …" if family.parameter == "distance" else ", ".join(family.case.as_dict()["positions"])
+    ratio = "in the ratio" if family.parameter == "level" else "="
+    assert result.claim.endswith(f"eta_m {ratio} {masses} at {places}")
+
+
+def true_zero(family: Family, x: float, t: float) -> tuple[Any, Any]:
+    """(x, t) by mpmath: the real and the imaginary part of Δ, both real unknowns, from residue sums at 60 digits."""
+    truth = Truth(family.case, 60)
+    mp, masses = truth.mp, list(truth.eta_m)
+
+    def parts(x: Any, t: Any) -> list[Any]:
+        if family.parameter == "distance":
+            truth.x = [k * t for k in range(len(truth.x))]
+        elif family.parameter == "level":
+            eta = mp.pi * (1 + x * x) * t / (1 - t) / (2 * x * x)
+            truth.eta_m = [eta * ratio for ratio in masses]
+        else:
+            setattr(truth, family.parameter, t)
+        value = truth.delta(mp.mpc(x, mp.mpf(family.height.short())))
+        return [mp.re(value), mp.im(value)]
+
+    found = mp.findroot(parts, (mp.mpf(x), mp.mpf(t)), tol=mp.mpf(10) ** -80)
+    return found[0], found[1]
+
+
+@pytest.mark.parametrize("name", ["alpha", "distance", "level", "below", "single"])
+def test_a_last_digit_that_is_moved_is_still_true_or_refused(name: str) -> None:
+    """A crossing is claimed to lie within a unit of its last place: moved by one unit it may still do so."""
+    content = json.loads(original(name))
+    family, points = MADE[name][0], MADE[name][4]
+    for k, (x, t, *_) in enumerate(points):
+        truth = dict(zip("xt", true_zero(family, x, t), strict=True))
+        for key in "xt":
+            place, unit = content["crossings"][k][key], Fraction(2) ** content["crossings"][k][f"{key}_exponent"]
+            valid = {}
+            for steps in (-2, -1, 0, 1, 2):
+                moved = int(place, 16) + steps
+                valid[steps] = confirms_crossing(content, content["crossings"][k] | {key: hex(moved)})
+                off = abs(truth[key] - moved * Truth(family.case, 60).mp.mpf(unit.numerator) / unit.denominator)
+                assert not valid[steps] or off < float(unit), (key, steps)
+            assert valid[0]
+            assert not valid[-2]
+            assert not valid[2]
+            assert not (valid[-1] and valid[1])
 
 
 @pytest.mark.slow

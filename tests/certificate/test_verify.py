@@ -6,6 +6,7 @@ import ast
 import json
 import subprocess
 import sys
+import threading
 from functools import cache
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from mpsolve import Case, Rectangle, certify, read_case
 from mpsolve.certificate import verify as module
 from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.verify import Verdict, verify
+from mpsolve.fields import ball_arithmetic
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = Path(module.__file__)
@@ -60,7 +62,9 @@ def test_the_whole_sheet_is_accepted(name: str, tmp_path: Path) -> None:
     spectrum = certify(case)
     assert spectrum.count == count
     expected = f"exactly {count} induced frequencies on the whole physical sheet, {spectrum.unstable} of them"
-    assert verdict(spectrum, tmp_path) == Verdict(True, "", expected + " with Im q < 0")
+    found = verdict(spectrum, tmp_path)
+    assert found == Verdict(True, "", found.claim)
+    assert found.claim.startswith(f"{expected} with Im q < 0; case alpha = ")
 
 
 def test_a_physical_case_with_surds_is_accepted(tmp_path: Path) -> None:
@@ -82,10 +86,16 @@ def test_the_unstable_region_is_accepted_where_the_cuts_leave_the_line(name: str
     assert verdict(spectrum, tmp_path).claim.startswith(f"exactly {count} induced frequencies with Im q < 0")
 
 
-@pytest.mark.parametrize(("box", "count"), [(("0", "0.4", "-0.01", "0.02"), 2), (("0.1", "0.4", "0.06", "1"), 0)])
-def test_a_rectangle_is_accepted(box: tuple[str, str, str, str], count: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("box", "count", "where"),
+    [
+        (("0", "0.4", "-0.01", "0.02"), 2, "0 < Re q < 2/5, -1/100 < Im q < 1/50"),
+        (("0.1", "0.4", "0.06", "1"), 0, "1/10 < Re q < 2/5, 3/50 < Im q < 1"),
+    ],
+)
+def test_a_rectangle_is_accepted(box: tuple[str, str, str, str], count: int, where: str, tmp_path: Path) -> None:
     spectrum = certify(Case(alpha="0.67", eta_b="0.05", **PAIR), region=Rectangle(*box))
-    assert verdict(spectrum, tmp_path).claim.startswith(f"exactly {count} induced frequencies in the rectangle")
+    assert verdict(spectrum, tmp_path).claim.startswith(f"exactly {count} induced frequencies with {where}, ")
 
 
 def test_a_thousand_digits_are_accepted(tmp_path: Path) -> None:
@@ -136,8 +146,24 @@ def test_as_a_script_it_prints_a_line_and_exits_with_0(tmp_path: Path) -> None:
     file = pair_file(tmp_path)
     result = run(file)
     assert (result.returncode, result.stderr) == (0, "")
-    claim = "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0"
+    claim = (
+        "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0; "
+        "case alpha = 67/100, eta_b = 1/20, eta_n = 0, eta_s = 0, eta_m = 70, 70 at 0, 3/2"
+    )
     assert result.stdout == f"{file}: valid: {claim}\n"
+
+
+def test_the_verdict_names_the_case_and_the_rectangle(tmp_path: Path) -> None:
+    case = Case(alpha="0.67", eta_b="0.05", eta_n="1/3", eta_m=(70, 70), positions=(0, "1.5"))
+    said = verdict(certify(case, digits=15, region=Rectangle("0", "0.4", "-0.01", "0.02")), tmp_path).claim
+    assert "with 0 < Re q < 2/5, -1/100 < Im q < 1/50" in said
+    assert said.endswith("; case alpha = 67/100, eta_b = 1/20, eta_n = 1/3, eta_s = 0, eta_m = 70, 70 at 0, 3/2")
+
+
+def test_long_numbers_are_named_by_a_digest() -> None:
+    one, two = (module.said(f"1/{'3' * 100}{last}") for last in "12")
+    assert one != two
+    assert len(one) < 80
 
 
 def test_as_a_script_it_exits_with_1_when_one_of_the_files_is_not_valid(tmp_path: Path) -> None:
@@ -175,6 +201,34 @@ def test_it_imports_the_standard_library_and_flint_only() -> None:
 def test_it_leaves_the_precision_of_flint_as_it_was(tmp_path: Path) -> None:
     before = module.flint.ctx.prec
     assert verify(pair_file(tmp_path)).valid
+    assert module.flint.ctx.prec == before
+
+
+def test_it_waits_for_the_precision_of_other_threads() -> None:
+    """flint has one precision for the process: the verifier and the arithmetic of the proofs take turns."""
+    inside, leave, seen = threading.Event(), threading.Event(), []
+
+    def hold() -> None:
+        with module.precision(777):
+            inside.set()
+            leave.wait(10)
+            seen.append(module.flint.ctx.prec)
+
+    def change() -> None:
+        with ball_arithmetic(99):
+            seen.append(module.flint.ctx.prec)
+
+    before = module.flint.ctx.prec
+    threads = [threading.Thread(target=hold), threading.Thread(target=change)]
+    threads[0].start()
+    assert inside.wait(10)
+    threads[1].start()
+    threads[1].join(0.2)
+    assert not seen
+    leave.set()
+    for thread in threads:
+        thread.join()
+    assert seen == [777, 99]
     assert module.flint.ctx.prec == before
 
 

@@ -1,13 +1,17 @@
-"""The precision is set for a block and put back; balls of rationals and of polynomials hold the exact values."""
+"""The precision holds in a block and comes back, other threads wait; balls of rationals and polynomials hold them."""
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from fractions import Fraction
 
 import flint
 import pytest
 
 from mpsolve.errors import PrecisionError
+from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.balls import Balls, acb, arb, bits_now, exact_ball, precision, rational_ball, square
 
 
@@ -19,6 +23,25 @@ def test_precision_is_put_back() -> None:
             raise ZeroDivisionError
         assert bits_now() == 200
     assert bits_now() == before
+
+
+@pytest.mark.parametrize("other", [precision, ball_arithmetic])
+def test_another_thread_waits_whichever_way_it_asks(other: Callable[[int], AbstractContextManager[object]]) -> None:
+    seen, asking = [], threading.Event()
+
+    def work() -> None:
+        asking.set()
+        with other(900):
+            seen.append(flint.ctx.prec)
+
+    thread = threading.Thread(target=work)
+    with precision(70):
+        thread.start()
+        assert asking.wait(10)
+        thread.join(0.2)
+        assert (flint.ctx.prec, seen, thread.is_alive()) == (70, [], True)
+    thread.join(10)
+    assert seen == [900]
 
 
 def test_a_rational_is_held_at_every_precision() -> None:

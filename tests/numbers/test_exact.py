@@ -301,3 +301,11 @@ def test_a_number_cannot_be_changed() -> None:
     with pytest.raises(AttributeError):
         del x._signed
     assert x == Fraction(1, 2)
+
+
+def test_a_number_beside_a_bound_is_not_shown_as_the_bound() -> None:
+    assert Exact("0.999999999").beside(1) == "0.999999999"
+    assert Exact("1").beside(1) == "1"
+    assert Exact("0.5").beside(1) == "0.5"
+    tiny = Exact(1 - Fraction(1, 10**60))
+    assert tiny.beside(1) == str(tiny)

@@ -111,7 +111,7 @@ def test_a_range_that_ends_at_a_passage_is_not_proved() -> None:
 
 
 def zero(t: float, direction: int = 1) -> Zero:
-    return Zero(flint.arb(0.1), flint.arb(t), (0.1, t), (1e-3, 1e-3), direction)
+    return Zero(flint.arb(0.1), flint.arb(t), (Fraction(0.1), Fraction(t)), (1e-3, 1e-3), direction)
 
 
 def test_what_overlaps_a_strip_becomes_part_of_it() -> None:

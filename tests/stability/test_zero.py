@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import flint
@@ -98,12 +99,11 @@ def test_the_direction_is_that_of_a_tracked_root(name: str) -> None:
 def test_the_hole_lies_in_the_box_of_uniqueness_and_holds_the_zero(name: str) -> None:
     _, zero, _ = found(name)
     x0, x1, t0, t1 = zero.hole
-    for ball, low, high, reach in ((zero.x, x0, x1, zero.reach[0]), (zero.t, t0, t1, zero.reach[1])):
+    sides = ((zero.x, x0, x1), (zero.t, t0, t1))
+    for (ball, low, high), centre, reach in zip(sides, zero.centre, zero.reach, strict=True):
         assert ball > low
         assert ball < high
-        assert 0 < high - low < 2 * reach
-        assert float(ball.mid()) - reach < low
-        assert high < float(ball.mid()) + reach
+        assert centre - Fraction(reach) <= Fraction(low) < Fraction(high) <= centre + Fraction(reach)
 
 
 @pytest.mark.parametrize("name", ["one mass", "distance", "level, two"])

@@ -150,3 +150,18 @@ def test_the_lowest_cut_of_a_track_that_touches_or_buckles() -> None:
     assert lowest_cut(DAMPED["rayleigh"]) == (0, 0)
     with pytest.raises(InputError, match="buckles"):
         lowest_cut(tracks.EulerBernoulli(EI=1, m=1, k=1, c=1, N=3))
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"EI": "1e300", "m": "1e-300", "k": "1e300", "c": "1e-100"},
+        {"EI": "1e-300", "m": "1e300", "k": "1e-300", "c": "1e-250"},
+    ],
+)
+def test_numbers_beyond_floats_are_decided_too(values: dict[str, str]) -> None:
+    """Underdamped at every wavenumber: the height is c/(2m)."""
+    low, high = lowest_cut(tracks.EulerBernoulli(**values))
+    truth = Fraction(values["c"]) / (2 * Fraction(values["m"]))
+    assert low <= truth <= high
+    assert high - low < truth / 10**5

@@ -67,6 +67,7 @@ def test_symbols_may_carry_assumptions() -> None:
         ([[BEAM + I * p]], 0, "matrix", "odd powers"),
         ([[0]], 0, "matrix", "no wave"),
         ([[p**4 + 1]], 0, "matrix", "mass or damping"),
+        ([[I * Omega - Omega**2]], 0, "matrix", "without end"),
         ([[BEAM, BEAM], [1, 1]], 0, "matrix", "no wave"),
         ([[BEAM - 2]], 0, "matrix", "buckles"),
         ([[BEAM - 3 * p**2]], 0, "matrix", "buckles"),

@@ -1,0 +1,73 @@
+"""Limiting masses, and the search for the damping ratio and distance that a printed one belongs to."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from mpsolve.claims import Claim
+from mpsolve.claims.values import grid, places, rounds_to
+from mpsolve.errors import PrecisionError
+from mpsolve.fields import Float64
+from mpsolve.model.branch import track
+from mpsolve.model.characteristic import kernel_matrix
+from mpsolve.stability.masses import CrossingMasses, crossing_masses
+
+from .cases import pair
+
+_TRIED = grid("0.5:0.05:2")  # distances of the search
+_FREQUENCIES = np.geomspace(0.02, 2, 800)
+
+
+@lru_cache(maxsize=64)
+def crossings(alpha: str, eta_b: str, d: str) -> CrossingMasses:
+    """All crossing masses, proved. PrecisionError if they are not."""
+    found = crossing_masses(alpha, eta_b, (0, d), digits=15)
+    if not found.proved:
+        raise PrecisionError(found.reason)
+    return found
+
+
+def exchanged(claim: Claim, search: list[tuple[str, str]]) -> tuple[str, ...]:
+    """Whether this number and its companion both come out at one distance, with the damping ratios exchanged."""
+    own, other, companion = claim.number("eta_b"), claim.number("other_eta_b"), claim.number("other_eta_m")
+    there = reproductions(claim.number("alpha"), companion, (own,))
+    common = sorted({d for b, d in search if b == other} & {d for _, d in there})
+    return tuple(
+        f"at d = {d} both numbers come out, exchanged: η_b = {other} gives {claim.number('eta_m')}, η_b = {own} "
+        f"gives {companion}"
+        for d in common
+    )
+
+
+def reproductions(alpha: str, printed: str, dampings: tuple[str, ...]) -> list[tuple[str, str]]:
+    """(η_b, d) on a short-decimal grid whose proved limiting mass rounds to `printed`; float64 says where to look."""
+    half = 0.5 * 10.0 ** -places(printed)
+    hits = []
+    for eta_b in dampings:
+        for d in _TRIED:
+            guess = _limit_guess(alpha, eta_b, d)
+            if guess is not None and abs(guess - float(printed)) < 1.2 * half:
+                found = crossings(alpha, eta_b, d)
+                if len(found) and rounds_to(found[0].eta, printed):
+                    hits.append((eta_b, d))
+    return hits
+
+
+@lru_cache(maxsize=8192)
+def _limit_guess(alpha: str, eta_b: str, d: str) -> float | None:
+    """The least crossing mass in float64: where an eigenvalue λ of [K_ij] is real and positive, η = π/(2q²λ)."""
+    q = _FREQUENCIES
+    rows = kernel_matrix(track(pair(alpha, eta_b, "1", d), Float64()), q)
+    root = np.sqrt(rows[0][1] * rows[1][0] + 0j)
+    root = root * np.cumprod(np.concatenate([[1.0], np.where((root[1:] * root[:-1].conj()).real < 0, -1.0, 1.0)]))
+    least = None
+    for value in (rows[0][0] + root, rows[0][0] - root):
+        turns = np.flatnonzero((value.imag[1:] * value.imag[:-1] < 0) & (value.real[1:] > 0))
+        for k in turns:
+            t = value.imag[k] / (value.imag[k] - value.imag[k + 1])
+            x, real = q[k] + t * (q[k + 1] - q[k]), value.real[k] + t * (value.real[k + 1] - value.real[k])
+            eta = float(np.pi / (2 * x * x * real))
+            least = eta if least is None else min(least, eta)
+    return least

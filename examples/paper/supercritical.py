@@ -1,0 +1,186 @@
+"""Conclusions (i) and (iii): one or two equal masses without damping, above the critical velocity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import product
+
+from mpsolve.certificate.format import Certificate
+from mpsolve.claims import Claim, Finding, Verdict
+from mpsolve.claims.values import decimal, ends, shown
+from mpsolve.errors import PrecisionError
+from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
+from mpsolve.stability.tube import follow
+from mpsolve.stability.velocities import UnstableRanges, unstable_velocities
+
+from .cases import certificate, pair, single, spectrum
+from .justabove import STEPS, unstable_up_to
+from .theory import symmetries, undamped_roots_are_real
+
+_STRIPS = ("1.1", "1.08", "1.04", "1.02", "1.01")  # where the strip above α_C may end, the widest first
+_WIDER = Fraction(1, 10**6)  # covers the rounding of open ranges
+_HALVINGS = 6
+_CERTIFIED = "1.1"
+
+
+def onset_at_critical(claim: Claim) -> Finding:
+    """Conclusion (i) over the box: stable below α_C by the theorem, unstable all the way above it."""
+    return _onset(claim, list(product(claim.values("eta_m"), claim.values("d"))))
+
+
+def one_mass_onset_at_critical(claim: Claim) -> Finding:
+    """The same for one mass, as Section 3 recalls."""
+    return _onset(claim, [(eta_m, None) for eta_m in claim.values("eta_m")])
+
+
+def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
+    proof, top = undamped_roots_are_real(), claim.number("alpha")
+    stable: list[str] = []
+    undecided: list[str] = []
+    numbers = [("α_C = α_cr,ex without damping", "1")]
+    certificates: list[tuple[str, Certificate | None]] = []
+    for eta_m, d in models:
+        name = f"η_M = {eta_m}" if d is None else f"η_M = {eta_m}, d = {d}"
+        strip = next((end for end in _STRIPS if unstable_up_to(end, eta_m, d)), None)
+        masses, places = ((eta_m,), ("0",)) if d is None else ((eta_m, eta_m), ("0", d))
+        found = unstable_velocities(0, masses, places, alpha=(0, top), digits=15)
+        start, end = Fraction(strip or "1"), Fraction(top)
+        open_ = _left_over(found, start, end)
+        broken = [at for low, high in open_ for at in _not_followed(eta_m, d, low, high)]
+        undecided += [f"{name}, α from {at}" for at in broken]
+        for low, high in uncovered([*open_, *_unstable(found, end)], start, end):
+            at = f"{name}, α from {float(low):.7g} to {float(high):.7g}"
+            (stable if _is_stable(eta_m, d, (low + high) / 2) else undecided).append(at)
+        followed = ", ".join(f"{float(low):.4g} to {float(high):.4g}" for low, high in open_)
+        how = f"up to {strip} by the count just above α_C"
+        numbers.append((f"{name}: unstable", f"{how}; one root followed over {followed}" if followed else how))
+        if eta_m == models[0][0] or d in (None, "1"):
+            certificates.append((f"{claim.id}_eta{eta_m}_d{d or 0}_alpha{_CERTIFIED}", _certified(eta_m, d)))
+    steps = (*proof.steps, *STEPS)
+    if stable:
+        sentence = f"Stable above α_C: {'; '.join(stable)}."
+        return Finding(Verdict.REFUTED, sentence, numbers, steps, certificates=certificates)
+    if undecided or not proof.holds:
+        sentence = f"Open above α_C: {'; '.join(undecided)}."
+        return Finding(Verdict.UNDECIDABLE, sentence, numbers, steps, certificates=certificates)
+    sentence = (
+        "Below α_C every root is real, for any masses (theorem). Just above it there is exactly one root near the "
+        f"branch point, an unstable one (proved for every α of a strip at once), and each of the {len(models)} cases "
+        f"that are looked at is proved unstable from there to α = {top}; for other masses and distances the part "
+        "above α_C is not proved."
+    )
+    return Finding(Verdict.CONDITIONAL, sentence, numbers, steps, certificates=certificates)
+
+
+def _case(alpha: str, eta_m: str, d: str | None) -> Case:
+    return single(alpha, "0", eta_m) if d is None else pair(alpha, "0", eta_m, d)
+
+
+def _certified(eta_m: str, d: str | None) -> Certificate | None:
+    return certificate(_case(_CERTIFIED, eta_m, d))
+
+
+Range = tuple[Fraction, Fraction]
+
+
+def _unstable(found: UnstableRanges, top: Fraction) -> list[Range]:
+    """The ranges of α proved unstable, without the balls of their ends; an end that is no crossing may be `top`."""
+    ranges = []
+    for interval in found:
+        low, (least, most) = ends(interval.start)[1], ends(interval.end)
+        ranges.append((low, top if interval.q_end is None and least <= top <= most else least))
+    return ranges
+
+
+def uncovered(ranges: Sequence[Range], start: Fraction, end: Fraction) -> list[Range]:
+    """What of [start, end] lies in none of the closed ranges, by exact comparison."""
+    left, reached = [], start
+    for low, high in sorted(ranges):
+        if low > reached:
+            left.append((reached, min(low, end)))
+        reached = max(reached, high)
+        if reached >= end:
+            return left
+    return [*left, (reached, end)]
+
+
+def _is_stable(eta_m: str, d: str | None, alpha: Fraction) -> bool:
+    """Whether it is certified that no root is unstable there."""
+    try:
+        return spectrum(_case(str(alpha), eta_m, d)).unstable == 0
+    except PrecisionError:
+        return False
+
+
+def _left_over(found: UnstableRanges, strip: Fraction, top: Fraction) -> list[Range]:
+    """The ranges of α that are open, a little wider, without what lies in the strip; ranges that touch are one."""
+    wide = [(max(strip, Fraction(a) - _WIDER), min(top, Fraction(b) + _WIDER)) for a, b in found.unknown]
+    merged: list[Range] = []
+    for low, high in sorted((low, high) for low, high in wide if low < high):
+        if merged and low <= merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
+        else:
+            merged.append((low, high))
+    return [
+        (Fraction(low * 10**7 // 1, 10**7), min(top, Fraction(-(-high * 10**7 // 1), 10**7))) for low, high in merged
+    ]
+
+
+def _not_followed(eta_m: str, d: str | None, low: Fraction, high: Fraction) -> list[str]:
+    """Where no chain of tubes is found that keeps one unstable root unstable: from each of these on, for a while."""
+    pending, broken = [(low, high, 0)], []
+    while pending:
+        start, end, depth = pending.pop()
+        if _followed(eta_m, d, start, end):
+            continue
+        if depth == _HALVINGS:
+            broken.append(f"{float(start):.5g} to {float(end):.5g}")
+            continue
+        middle = Fraction((start + end) * 10**9 // 2, 10**9)
+        pending += [(start, middle, depth + 1), (middle, end, depth + 1)]
+    return broken
+
+
+def _followed(eta_m: str, d: str | None, start: Fraction, end: Fraction) -> bool:
+    """Whether a certified unstable root at `start` is proved to go on below the real axis up to `end`."""
+    try:
+        found = spectrum(_case(decimal(start), eta_m, d))
+    except PrecisionError:
+        return False
+    balls = [r.q for r in found.roots if r.q.imag < 0 and not r.q.real < 0 and r.multiplicity == 1]
+    starts, ends = ([Exact.parse(at, "alpha")] * len(balls) for at in (start, end))
+    reached = follow(found.case, starts, ends, balls)
+    return any(ball is not None for ball in reached)
+
+
+def four_signs(claim: Claim) -> Finding:
+    """Conclusion (iii): both symmetries, and whether a root is on an axis, where only two signs are left."""
+    known, numbers, wrong, count = symmetries(), [], [], 0
+    certificates: list[tuple[str, Certificate | None]] = []
+    for alpha in claim.values("alpha"):
+        for eta_m in claim.values("eta_m"):
+            for d in claim.values("d"):
+                case = pair(alpha, "0", eta_m, d)
+                lone = [root.q.imag for root in spectrum(case).roots if root.symmetry.value == "imaginary"]
+                count += 1
+                if lone:
+                    wrong.append(f"α = {alpha}, η_M = {eta_m}, d = {d}")
+                    numbers += [(f"{wrong[-1]}: q (real part exactly 0)", f"{shown(y, 12)}i") for y in lone]
+                    certificates.append((f"{claim.id}_alpha{alpha}_eta{eta_m}_d{d}", certificate(case)))
+    numbers.append(("certified cases", str(count)))
+    if wrong:
+        sentence = (
+            f"At {'; '.join(wrong)} there are purely imaginary frequencies: with q only −q, two signs, not four. "
+            "(Off the axes it holds: D(−p, −q̄) = conj D(p, q), and without damping D(p, q̄) = conj D(p, q).)"
+        )
+        return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
+    if not all(known.values()):
+        return Finding(Verdict.UNDECIDABLE, "A symmetry of D was not confirmed.")
+    sentence = (
+        "D(−p, −q̄) = conj D(p, q) and, without damping, D(p, q̄) = conj D(p, q): with q, also −q̄, q̄ and −q are "
+        "roots, four provided that q is not on an axis. Real it cannot be, since the cut covers the real axis; that "
+        f"none is imaginary is certified at {count} cases."
+    )
+    return Finding(Verdict.CONDITIONAL, sentence, numbers)

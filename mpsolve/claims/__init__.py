@@ -1,0 +1,10 @@
+"""The claims of a paper, checked anew: what a claim is, how a paper is loaded, checked and reported.
+
+The papers themselves are folders of data outside this package, as `examples/paper`.
+"""
+
+from mpsolve.claims.claim import Claim, Printed
+from mpsolve.claims.finding import Finding, Verdict
+from mpsolve.claims.paper import Paper
+
+__all__ = ["Claim", "Finding", "Paper", "Printed", "Verdict"]

@@ -1,0 +1,80 @@
+"""No `assert` guards anything in the package: what is proved, and what is refused, is the same under `python -O`."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import mpsolve
+
+PACKAGE = Path(mpsolve.__file__).parent
+
+SAMPLE = """
+import copy, math, sys
+from fractions import Fraction
+import flint
+import mpsolve
+from mpsolve import Case, certify
+from mpsolve.certificate import verify
+from mpsolve.certificate.format import digest
+from mpsolve.errors import ContradictionError, InputError
+from mpsolve.numbers.exact import Exact
+from mpsolve.stability.family import Family
+from mpsolve.stability.passages import counted
+from mpsolve.stability.zero import Zero
+
+def holds(condition, name):
+    if not condition:
+        sys.exit(f"under -O: {name}")
+
+holds(not __debug__, "asserts are still on")
+case = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+found = certify(case, digits=15)
+holds(found.proved and (found.count, found.unstable) == (4, 2), "the count")
+content = copy.deepcopy(found.certificate.content)
+content["claim"]["count"] = 6
+content["sha256"] = digest({k: v for k, v in content.items() if k != "sha256"})
+try:
+    verify.check(verify.opened(content))
+except verify.Refused:
+    pass
+else:
+    holds(False, "a wrong count was accepted")
+content["case"]["alpha"] = "0.67)"
+content["sha256"] = digest({k: v for k, v in content.items() if k != "sha256"})
+try:
+    verify.check(verify.opened(content))
+except verify.Refused:
+    pass
+else:
+    holds(False, "a number that is none was accepted")
+family, t = Family(Case(alpha=0, eta_b="0.1", eta_m=1), "alpha"), flint.arb("0.5")
+leaves = Zero(flint.arb("0.2"), t, (Fraction(1, 5), Fraction(1, 2)), (0.01, 0.01), -1)
+try:
+    counted(family, Exact(0), Exact(1), 10.0, [leaves], [], 1, 0)
+except ContradictionError as error:
+    holds("contradict" in str(error) and "fault" in str(error), "the words")
+else:
+    holds(False, "two roots left where none was")
+try:
+    Case(alpha=-1, eta_b="0.1", eta_m=1)
+except InputError:
+    pass
+else:
+    holds(False, "a negative velocity ratio")
+"""
+
+
+def test_the_package_has_no_assert() -> None:
+    for file in PACKAGE.rglob("*.py"):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        lines = [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Assert)]
+        assert not lines, f"{file}: {lines}"
+
+
+def test_proofs_and_refusals_are_the_same_without_asserts() -> None:
+    command = [sys.executable, "-O", "-c", SAMPLE]
+    result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    assert (result.returncode, result.stderr) == (0, "")
