@@ -22,6 +22,8 @@ from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
+_DEFINITE = 0.9
+_ROOM = 1.3  # pieces are planned on discs this much larger, so that a checker with wider bounds passes them too
 
 
 @dataclass(frozen=True)
@@ -68,12 +70,13 @@ class Paths:
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
-            return self._evaluate(kind, a, b)[1]
+            return self._evaluate(kind, a, b, _ROOM)[1]
 
         return passes
 
-    def _evaluate(self, kind: Kind, a: Any, b: Any) -> tuple[Splittings, Any, Regular | None]:
+    def _evaluate(self, kind: Kind, a: Any, b: Any, room: float = 1.0) -> tuple[Splittings, Any, Regular | None]:
         m, r = discs(a, b)
+        r = r * room
         if kind == "link":
             s = split(self.arrays.D, m, r, self.up)
             return s, s.good, None
@@ -168,7 +171,7 @@ def positive(V: Jet, way: Any, drift: Any) -> Any:
         for _ in range(12):
             y = np.einsum("bij,bj->bi", E, x)
             x = y / y.max(1, keepdims=True) + 1e-4
-        return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < 0.95)
+        return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < _DEFINITE)
 
 
 def _inverse_factor(H: Any) -> tuple[Any, Any]:

@@ -37,11 +37,11 @@ class Table:
         return float(64 * (self.d.shape[0] + self.d.shape[1]) * U)
 
     def in_time(self, sigma: Any) -> tuple[Any, Any]:
-        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: shape (discs,)."""
+        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: shape (discs,), real or complex."""
         weights = _binomials(self.d.shape[1])
         powers = _powers(sigma, self.d.shape[1])
         sizes = np.abs(powers)
-        T = np.zeros((len(sigma), self.d.shape[1], self.d.shape[0]), complex)
+        T = np.zeros((len(sigma), self.d.shape[1], self.d.shape[0]), sigma.dtype)
         A = np.zeros(T.shape)
         for j in range(self.d.shape[1]):
             w = weights[j, j:]
@@ -55,7 +55,7 @@ class Table:
         weights, powers = _binomials(n), _powers(z, n)
         sizes = np.abs(powers)
         absolute = np.abs(T) + error / self._loss
-        c = np.empty((*z.shape, n, T.shape[1]), complex)
+        c = np.empty((*z.shape, n, T.shape[1]), np.result_type(z, T))
         size = np.empty(c.shape)
         for i in range(n):
             w = weights[i, i:]
@@ -69,7 +69,7 @@ def _binomials(n: int) -> Any:
 
 
 def _powers(z: Any, n: int) -> Any:
-    out = np.ones((*z.shape, n), complex)
+    out = np.ones((*z.shape, n), z.dtype)
     for k in range(1, n):
         out[..., k] = out[..., k - 1] * z
     return out

@@ -15,12 +15,13 @@ import numpy as np
 from mpsolve.numbers.jets import UP, Jet, U
 
 THETA = 0.9
+"""Below 1 by a margin, so that a checker that rounds otherwise agrees."""
 _PIVOTS = 0.95
 
 
 @dataclass(frozen=True)
 class Regular:
-    """For each disc the preconditioner R, the vector x and θ; `good` where |R A − I| x ≤ θ x, θ < 0.9, is proved."""
+    """For each disc the preconditioner R, the vector x and θ; `good` where |R A − I| x ≤ θ x, θ < THETA, is proved."""
 
     R: Any
     x: Any

@@ -1,0 +1,1528 @@
+"""Checks certificates of version 2 against certs/SPEC2.md; shares nothing with their maker.
+
+Needs Python ≥ 3.11 and python-flint only, and runs as a plain script:  python verify2.py FILE [FILE …]
+Exit status 0: every file is valid; 1: one is not, and its line says why.
+
+A certificate carries the equations (the track's matrix A(P, s), velocity, M, C, K, B, places, compliances), the
+claim, and every choice of its maker: break points of the contours, numbers of the theorem at large q, root balls.
+The verifier forms D = det A, the cofactor N and S(σ) = K + Cσ + Mσ² itself. Throughout P = ip, σ = iq,
+s = σ − vP; everything varies as e^{Px + σt} in the moving frame, x ahead; Re σ > 0 grows (Im q < 0).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import sys
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations, combinations_with_replacement, pairwise, product
+from math import comb
+from typing import Any
+
+import flint
+from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
+
+MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 3e8, 2_000, 20_000
+MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 96, 32, 24, 70_000, 8
+RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
+P_, S_ = RING.gens()
+
+Point = tuple[Any, Any]  # of q: real and imaginary part, exact
+Terms = dict[tuple[int, int], Any]  # {(i, j): c}: Σ c x^i y^j
+
+
+class Refused(Exception):  # noqa: N818
+    """The certificate does not prove its claim; the message says where it fails."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """valid: every step was checked. reason: why not. claim: what is proved, of which equations, if valid."""
+
+    valid: bool
+    reason: str = ""
+    claim: str = ""
+
+
+def verify(path: Any) -> Verdict:
+    """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
+    try:
+        with open(path, "rb") as file:
+            raw = file.read(MAX_BYTES + 1)
+        return verify_bytes(raw)
+    except OSError as error:
+        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+
+
+def verify_bytes(raw: bytes) -> Verdict:
+    """The verdict on a certificate's bytes. Never raises for what they hold."""
+    try:
+        require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
+        content = opened(raw)
+        with precision(64):
+            return Verdict(True, "", spectrum(content))
+    except Refused as error:
+        return Verdict(False, str(error))
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+        return Verdict(False, f"no certificate, which is JSON in ASCII ({error})"[:200])
+    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
+        return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
+
+
+def require(condition: Any, message: str) -> None:
+    if not condition:
+        raise Refused(message)
+
+
+_lock = threading.RLock()  # flint's precision is one per process
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """flint at `bits` inside the block; put back after it. Other threads that come here wait."""
+    with _lock:
+        before = flint.ctx.prec
+        flint.ctx.prec = bits
+        try:
+            yield
+        finally:
+            flint.ctx.prec = before
+
+
+# --- reading: numbers, objects ----------------------------------------------------------------------------
+
+
+def opened(raw: bytes) -> dict[str, Any]:
+    """The file's object without its digest, which fits, with format, version, kind and keys checked."""
+
+    def no_number(text: str) -> Any:
+        raise Refused(f"{text[:40]} is not an exact number: numbers are integers, or text")
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
+        return dict(pairs)
+
+    read = json.loads(
+        raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique
+    )
+    require(isinstance(read, dict), "the file holds no JSON object")
+    require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
+    version = read.get("version")
+    require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
+    require(read.get("kind") == "spectrum", "the kind is not known to this verifier")
+    names = "format version kind sha256 equations basis bits start paths theorem claim roots"
+    keys(read, names)
+    rest = {key: value for key, value in read.items() if key != "sha256"}
+    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
+    require(digest == read["sha256"], "the digest does not fit the content")
+    return rest
+
+
+def keys(value: Any, names: str, optional: str = "") -> None:
+    require(isinstance(value, dict), "an object is missing")
+    missing = sorted(set(names.split()) - value.keys())
+    unknown = sorted(value.keys() - set(names.split()) - set(optional.split()))
+    require(not missing and not unknown, f"keys missing: {missing[:5]}, unknown: {[u[:40] for u in unknown[:5]]}")
+
+
+def items(value: Any, most: int, name: str, length: int | None = None) -> list[Any]:
+    require(isinstance(value, list) and len(value) <= most, f"{name}: no list, or more than {most} entries")
+    require(length is None or len(value) == length, f"{name}: {len(value)} entries in place of {length}")
+    return list(value)
+
+
+def integer(value: Any, low: int, high: int, name: str) -> int:
+    require(type(value) is int and low <= value <= high, f"{name} is not an integer from {low} to {high}")
+    return int(value)
+
+
+def rational(text: Any, name: str) -> Any:
+    """Reads "p" or "p/q"."""
+    match = re.fullmatch(r"(-?[0-9]{1,300})(?:/([0-9]{1,300}))?", text, re.ASCII) if isinstance(text, str) else None
+    if match is None:
+        raise Refused(f"{name} is not a rational number in text")
+    return fmpq(int(match[1]), int(match[2] or 1))
+
+
+def power_of_2(e: int) -> Any:
+    return fmpq(1 << max(e, 0), 1 << max(-e, 0))
+
+
+def dyadic(value: Any, name: str) -> Any:
+    m, e = items(value, 2, name, 2)
+    return integer(m, -(2**200), 2**200, name) * power_of_2(integer(e, -1100, 1100, name))
+
+
+def point(value: Any) -> Point:
+    """[m, n, e] is (m + in)·2^e; ["p/q", "r/s"] is exact as well."""
+    value = items(value, 3, "a point")
+    if len(value) == 2:
+        return rational(value[0], "a point"), rational(value[1], "a point")
+    require(len(value) == 3, "a point has not two or three entries")
+    m, n = (integer(x, -(2**200), 2**200, "a point") for x in value[:2])
+    unit = power_of_2(integer(value[2], -1100, 1100, "a point"))
+    return m * unit, n * unit
+
+
+def matrix(rows: Any, height: int, width: int, name: str) -> Any:
+    rows = items(rows, height, name, height)
+    entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
+    numerators, denominator = entries.numer_denom()
+    bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
+    require(bits * max(height, width) <= 12_000, f"{name} has too many digits")
+    return entries
+
+
+def at_q(z: Point) -> Any:
+    """σ = iq in balls."""
+    return acb(-arb(z[1]), arb(z[0]))
+
+
+# --- exact algebra ------------------------------------------------------------------------------------------
+
+
+def nonnegative(p: Any, strictly: bool) -> bool:
+    """p(y) ≥ 0 for all y ≥ 0 and p ≠ 0; strictly: p(y) > 0 for all y ≥ 0. Exact, by Sturm's theorem."""
+    c = p.coeffs()
+    if not c or c[-1] <= 0 or (strictly and c[0] <= 0):
+        return False
+    return all(x >= 0 for x in c) or all(
+        k % 2 == 0 and not strictly or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
+    )
+
+
+def roots_above_zero(f: Any) -> int:
+    """The number of roots y > 0 of a squarefree polynomial."""
+    if f(0) == 0:
+        f = f // fmpq_poly([0, 1])
+    chain = [f, f.derivative()]
+    while chain[-1].degree() > 0:
+        chain.append(-(chain[-2] % chain[-1]))
+
+    def changes(values: Sequence[Any]) -> int:
+        kept = [x for x in values if x != 0]
+        return sum(a * b < 0 for a, b in pairwise(kept))
+
+    return changes([g(0) for g in chain]) - changes([g.leading_coefficient() for g in chain if g.degree() >= 0])
+
+
+def hurwitz(a: Sequence[Any], strictly: bool) -> bool:
+    """Σ a_j(y) s^j, a_j polynomials in y, has no root Re s > 0 for any y ≥ 0; strictly: no root Re s ≥ 0.
+
+    The Hurwitz determinants are the leading minors of a matrix: the pivots of Bareiss' elimination.
+    """
+    n = len(a) - 1
+    if not nonnegative(a[n], True):
+        return False
+    zero = fmpq_poly([])
+    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
+    before = fmpq_poly([1])
+    for k in range(n):
+        pivot = h[k][k]
+        if not nonnegative(pivot, strictly):
+            return False
+        for i in range(k + 1, n):
+            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
+        before = pivot
+    return True
+
+
+def semidefinite(a: Any) -> bool:
+    """All eigenvalues of a symmetric rational matrix are ≥ 0: the signs of its characteristic polynomial alternate."""
+    n = a.nrows()
+    return a == a.transpose() and all(c * (-1) ** (n - k) >= 0 for k, c in enumerate(a.charpoly().coeffs()))
+
+
+def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """Of polynomials, along the first row."""
+    if not rows:
+        return RING.constant(1)
+    minors = [determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]]) if x else 0 for k, x in enumerate(rows[0])]
+    return sum(((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0))
+
+
+def terms(p: Any) -> Terms:
+    return {(int(i), int(j)): c for (i, j), c in p.to_dict().items()}
+
+
+def in_y(t: Terms) -> list[Any]:
+    """The coefficients of s^j as polynomials in y, of a polynomial even in P, with P² = −y."""
+    out = [[fmpq(0)] * (MAX_DEGREE + 1) for _ in range(max((j for _, j in t), default=0) + 1)]
+    for (i, j), c in t.items():
+        out[j][i // 2] += c * (-1) ** (i // 2)
+    return [fmpq_poly(c) for c in out]
+
+
+# --- the equations ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Track:
+    """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ)."""
+
+    rows: list[list[Any]]
+    loaded: int
+    v: Any
+    D: Any
+    N: Any
+    d: Terms
+    n: Terms
+
+    @property
+    def degree(self) -> int:
+        return max(i for i, _ in self.d)
+
+    @property
+    def lead(self) -> list[Any]:
+        """The coefficients in σ of the highest power of P."""
+        top = self.degree
+        return [self.d.get((top, j), fmpq(0)) for j in range(max(j for i, j in self.d if i == top) + 1)]
+
+
+def read_track(value: Any, velocity: Any) -> Track:
+    keys(value, "matrix loaded")
+    size = len(items(value["matrix"], MAX_ROWS, "the track's matrix"))
+    rows = [[entry(x) for x in items(row, size, "a row", size)] for row in value["matrix"]]
+    loaded = integer(value["loaded"], 0, size - 1, "loaded")
+    v = rational(velocity, "velocity")
+    require(v >= 0, "the velocity is negative")
+    big = determinant(rows)
+    cofactor = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded])
+    require(big and cofactor, "the track's determinant or cofactor vanishes")
+    for p in (big, cofactor):
+        require(sum(p.degrees()) <= MAX_DEGREE, "the track's determinant has too high a degree")
+        require(all(i % 2 == 0 for i, _ in terms(p)), "D or N is not even in P: the track is not the same in both directions")
+    moved = [terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (big, cofactor)]
+    track = Track(rows, loaded, v, big, cofactor, moved[0], moved[1])
+    require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
+    return track
+
+
+def entry(value: Any) -> Any:
+    """[[i, j, "c"], …] is Σ c P^i s^j."""
+    out = RING.constant(0)
+    for term in items(value, 60, "an entry of the track"):
+        i, j, c = items(term, 3, "a term", 3)
+        out += rational(c, "a coefficient") * P_ ** integer(i, 0, 12, "a power of P") * S_ ** integer(j, 0, 6, "a power of s")
+    return out
+
+
+def check_no_cut(track: Track, height: Any) -> None:
+    """No p-root is real for Im q < 0, or, for height > 0, for Im q ≤ height; the highest coefficient has no zero there."""
+    strictly = height > 0
+    shifted = track.D.compose(P_, S_ - height, ctx=RING) if strictly else track.D
+    a = in_y(terms(shifted))
+    if a[-1].coeffs()[-1] < 0:
+        a = [-x for x in a]
+    require(hurwitz(a, strictly), "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this")
+    lead = fmpq_poly(track.lead)(fmpq_poly([-height, 1])).coeffs()
+    lead = [-x for x in lead] if lead[-1] < 0 else lead
+    require(hurwitz([fmpq_poly([x]) for x in lead], True), "the highest coefficient of D may vanish in the region")
+
+
+def check_passive_track(track: Track) -> None:
+    """Q = (A − A*)/(2i) at P = ip, s = iΩ is positive semidefinite for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
+
+    Sufficient and exact: the coefficient of Ω^j vanishes for even j; for odd j its principal minors are ≥ 0.
+    """
+    size = len(track.rows)
+    parts: dict[int, list[list[Any]]] = {}
+    for r, c in product(range(size), repeat=2):
+        for (i, j), x in terms(track.rows[r][c]).items():
+            rows = parts.setdefault(j, [[RING.constant(0)] * size for _ in range(size)])
+            rows[r][c] += x * P_**i / 2
+            rows[c][r] += x * (-P_) ** i / 2 * (-1) ** (j + 1)
+    for j, rows in parts.items():
+        if j % 2 == 0:
+            require(not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive")
+            continue
+        sign = 1 if j % 4 == 1 else -1
+        for k in range(1, size + 1):
+            for kept in combinations(range(size), k):
+                minor = in_y(terms(determinant([[sign * rows[r][c] for c in kept] for r in kept])))[0]
+                require(not minor.coeffs() or nonnegative(minor, False), "the track may give energy at rest: it is not passive")
+    require(terms(absorption(track)[0]), "the track absorbs nothing")
+    require(max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)), "the track's receptance does not decay in frequency")
+
+
+def absorption(track: Track) -> tuple[Any, Any]:
+    """W = −Im(N conj D) and |D|², exact polynomials in p and Ω (in the places of P and s)."""
+    parts = []
+    for poly in (track.D, track.N):
+        real, imag = RING.constant(0), RING.constant(0)
+        for (i, j), c in terms(poly).items():  # c (ip)^i (iΩ)^j, i even
+            x = c * P_**i * S_**j * (-1) ** ((i + j - j % 2) // 2)
+            real, imag = (real, imag + x) if j % 2 else (real + x, imag)
+        parts.append((real, imag))
+    (a, b), (c, d) = parts
+    return c * b - d * a, a * a + b * b
+
+
+@dataclass(frozen=True)
+class Vehicle:
+    """M, C, K, B of the bodies that the contacts feel (the last `neutral` ones neutral), and the unfelt rest."""
+
+    M: Any
+    C: Any
+    K: Any
+    B: Any
+    h: list[Any]
+    places: list[Any]
+    neutral: int
+    unfelt: int
+
+    @property
+    def sites(self) -> list[Any]:
+        return sorted(set(self.places))
+
+
+def read_vehicle(value: Any, basis: Any) -> Vehicle:
+    keys(value, "M C K B places compliances")
+    nc = len(items(value["places"], MAX_CONTACTS, "places"))
+    nb = len(items(value["M"], MAX_BODIES, "M"))
+    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
+    M, C, K = (matrix(value[name], nb, nb, name) for name in "MCK")
+    B = matrix(value["B"], nb, nc, "B")
+    places = [rational(x, "a place") for x in value["places"]]
+    h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
+    require(all(x >= 0 for x in h), "a compliance is negative")
+    for a in (M, C, K):
+        require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
+    require((M + C + K).det() != 0, "a body has no mass, spring or damper")
+    neutral = unfelt = 0
+    if basis is not None:
+        keys(basis, "matrix neutral unfelt")
+        neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
+        Q = matrix(basis["matrix"], nb, nb, "basis")
+        require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
+        M, C, K, B = Q.transpose() * M * Q, Q.transpose() * C * Q, Q.transpose() * K * Q, Q.transpose() * B
+    felt = nb - unfelt
+    for i, j in product(range(felt, nb), range(nb)):
+        require(j >= felt or M[i, j] == C[i, j] == K[i, j] == 0, "the unfelt coordinates are coupled to the others")
+    for i in range(felt - neutral, nb):
+        require(all(B[i, j] == 0 for j in range(nc)), "an unfelt or neutral coordinate carries a contact")
+        require(i >= felt or all(K[i, j] == 0 for j in range(felt)), "a neutral coordinate has a spring")
+    M, C, K = (fmpq_mat(felt, felt, [a[i, j] for i in range(felt) for j in range(felt)]) for a in (M, C, K))
+    B = fmpq_mat(felt, nc, [B[i, j] for i in range(felt) for j in range(nc)])
+    vehicle = Vehicle(M, C, K, B, h, places, neutral, unfelt)
+    check_forces(vehicle)
+    return vehicle
+
+
+def check_forces(vehicle: Vehicle) -> None:
+    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0."""
+    nc, nb = len(vehicle.h), vehicle.B.nrows()
+    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
+    rows += [[fmpq(int(x == site)) for x in vehicle.places] for site in vehicle.sites]
+    rows += [[h if i == j else fmpq(0) for j in range(nc)] for i, h in enumerate(vehicle.h)]
+    require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
+
+
+# --- waves in balls: D and N moved to a point, the splitting D = lead·U·L --------------------------------------
+
+
+def shift(z: Any, size: int, rows: int) -> Any:
+    """The matrix that takes the coefficients of a polynomial (ascending, `size` of them) to the first ones at z."""
+    powers = [acb(1)]
+    for _ in range(size - 1):
+        powers.append(powers[-1] * z)
+    return acb_mat(rows, size, [powers[k - i] * comb(k, i) if k >= i else 0 for i in range(rows) for k in range(size)])
+
+
+def box(radius: Any) -> Any:
+    """A ball that holds the disc of this radius round 0."""
+    r = arb(0, radius.upper())
+    return acb(r, r)
+
+
+def table(t: Terms) -> Any:
+    height, width = (max(k[x] for k in t) + 1 for x in (0, 1))
+    return acb_mat(height, width, [t.get((i, j), 0) for i in range(height) for j in range(width)])
+
+
+@dataclass
+class Local:
+    """D and N as polynomials in P and t = σ − m: row i, column j belongs to P^i t^j."""
+
+    m: Any
+    d: Any
+    n: Any
+
+    @property
+    def degree(self) -> int:
+        return int(self.d.nrows()) - 1
+
+    def lead(self) -> list[Any]:
+        return [self.d[self.degree, j] for j in range(self.d.ncols())]
+
+
+class Waves:
+    """The track in balls at the present precision, and the gaps between places that its kernels are needed for."""
+
+    def __init__(self, track: Track, sites: Sequence[Any]) -> None:
+        self.d, self.n = table(track.d), table(track.n)
+        self.gaps = sorted({a - b for a in sites for b in sites})
+        self.xi = [arb(gap) for gap in self.gaps]
+
+    def near(self, m: Any) -> Local:
+        return Local(m, *(a * shift(m, a.ncols(), a.ncols()).transpose() for a in (self.d, self.n)))
+
+
+class Nodes:
+    """Distinct points z_k, the first `up` of them for U; U = Π(P − z_k)·(1 + Σ a_k/(P − z_k)), L likewise."""
+
+    def __init__(self, z: Sequence[Any], up: int, local: Local) -> None:
+        n = len(z)
+        self.z, self.up, self.local = list(z), up, local
+        self.side = [range(up), range(up, n)]
+        distance = [[arb(0)] * n for _ in range(n)]
+        for i, k in combinations(range(n), 2):
+            distance[i][k] = distance[k][i] = abs(z[i] - z[k])
+        self.distance = distance
+        self.own, self.all, inverse = [], [], []
+        for k in range(n):
+            same, other = arb(1), arb(1)
+            for i in range(n):
+                if (i < up) != (k < up):
+                    other *= distance[k][i]
+                    inverse.append(1 / distance[k][i])
+                else:
+                    same *= distance[k][i] if i != k else 1
+                    inverse.append(0)
+            self.own.append(same)
+            self.all.append(same * other)
+        self.inverse = arb_mat(n, n, inverse)
+        vander = []
+        for x in z:
+            power = acb(1)
+            for _ in range(n + 1):
+                vander.append(power)
+                power *= x
+        self.values = (acb_mat(n, n + 1, vander) * local.d).tolist()  # D(z_k, m + t), ascending in t
+
+    def split(self, r: Any) -> Split:
+        """The pair on |σ − m| ≤ r, or Refused. β is found by iteration; what counts is the last inequality."""
+        sizes = [arb(1)]
+        for _ in range(self.local.d.ncols() - 1):
+            sizes.append(sizes[-1] * r)
+
+        def bound(row: Sequence[Any]) -> Any:
+            return sum((abs(x) * s for x, s in zip(row, sizes, strict=True)), arb(0)) if r else abs(row[0])
+
+        lead = self.local.lead()
+        low = 2 * abs(lead[0]) - bound(lead)
+        require(low > 0, "the highest coefficient may vanish on a piece")
+        w = [(bound(row) / (size * low)).upper() for row, size in zip(self.values, self.all, strict=True)]
+        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
+        beta = [(x * 1.2 + tiny).upper() for x in w]
+        for _ in range(10):
+            s = (self.inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+            if not all(x < 0.5 for x in s):
+                break
+            tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
+            if all(x < y for x, y in zip(tau, beta, strict=True)):
+                return Split(self, beta, tau)
+            beta = [(x * 1.15 + tiny).upper() for x in tau]
+        raise Refused("the p-roots of both sides are not kept apart on a piece: it is too long")
+
+
+@dataclass
+class Split:
+    """For each σ of the disc exactly one pair U·L = D/lead has |a_k| ≤ box_k; it is analytic; |a_k| ≤ tight_k."""
+
+    nodes: Nodes
+    box: list[Any]
+    tight: list[Any]
+
+    def links(self, other: Split) -> bool:
+        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |a_k| = |U(z_k)/U₀'(z_k)| < box_k."""
+        z, w, a = self.nodes.z, other.nodes.z, other.values
+        for side in self.nodes.side:
+            for k in side:
+                full, rest = acb(1), acb(0)  # Π(z_k − w) and Σ a Π'(z_k − w)
+                for i in side:
+                    gap = z[k] - w[i]
+                    full, rest = full * gap, rest * gap + a[i] * full
+                if not abs(full + rest) < self.box[k] * self.nodes.own[k]:
+                    return False
+        return True
+
+    @cached_property
+    def values(self) -> list[Any]:
+        """Balls of the a_k of a thin splitting, sharpened where nodes are far from the roots."""
+        at = self.nodes
+        sharp = all(self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k)
+        return [box(t) for t in self.tight] if sharp else [x[0] for x in factor_series(self, arb(0), 1)]
+
+    def isolated(self, side: range) -> list[Any] | None:
+        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor; or None."""
+        distance, radii = self.nodes.distance, []
+        for k in side:
+            for widening in (1.02, 1.1, 1.5, 3):
+                e = (self.tight[k] * widening).upper()
+                near = [(self.tight[j], distance[k][j] - e) for j in side if j != k]
+                if all(gap > 0 for _, gap in near):
+                    g = sum((t / gap for t, gap in near), arb(0))
+                    if g < 1 and (self.tight[k] < e * (1 - g) or self.tight[k] == 0):
+                        radii.append(e)
+                        break
+            else:
+                return None
+        pairs = combinations(range(len(radii)), 2)
+        start = side.start
+        return radii if all(distance[start + i][start + k] > radii[i] + radii[k] for i, k in pairs) else None
+
+
+def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
+    """Approximate roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
+    c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
+    z = [p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)]  # off the real axis, where roots may meet
+    for _ in range(40):
+        change = 0.0
+        for k, p in enumerate(z):
+            value, slope = c[0], 0j
+            for a in c[1:]:
+                slope = slope * p + value
+                value = value * p + a
+            step = value / (slope or 1e-300)
+            repel = sum(1 / (p - other) for i, other in enumerate(z) if i != k and other != p)
+            step = step / ((1 - step * repel) or 1)
+            z[k] = p - step
+            change = max(change, abs(step) / (abs(p) or 1))
+        if change < 1e-13:
+            break
+    top = max(map(abs, z), default=1.0)
+    for i, k in combinations(range(len(z)), 2):
+        if abs(z[i] - z[k]) < 1e-6 * top:  # nodes must be apart
+            z[k] += 1e-3 * top
+    return z
+
+
+def roots_of(local: Local) -> list[Any]:
+    """Approximate roots of D(·, m) by FLINT's finder and Newton's method, at the present precision."""
+    D = acb_poly([local.d[i, 0].mid() for i in range(local.degree + 1)])
+    slope, z = D.derivative(), [x.mid() for x in D.roots()]
+    for _ in range(4 + flint.ctx.prec.bit_length()):
+        z = [(x - D(x) / slope(x)).mid() for x in z]
+    return z
+
+
+def check_sides(split: Split) -> None:
+    """U has the roots with Re P < 0, L those with Re P > 0, over the whole disc."""
+    for side, sign in zip(split.nodes.side, (-1, 1), strict=True):
+        radii = split.isolated(side)
+        require(radii is not None, "two p-roots meet there")
+        for k, radius in zip(side, radii or [], strict=True):
+            require(split.nodes.z[k].real * sign > radius, "a p-root may be real there")
+
+
+# --- kernels: Taylor coefficients of G(ξ) in t ------------------------------------------------------------------
+
+
+def powers_of_root(f: list[list[Any]], order: int) -> list[list[Any]]:
+    """u, u², … as series in t, for the solution u(0) = 0 of Σ f_ij u^i t^j = const; row i is u^i."""
+    zero = acb(0)
+    u = [[zero] * order for _ in range(order)]
+    u[0][0] = acb(1)
+    for k in range(1, order):
+        for i in range(2, k + 1):
+            u[i][k] = sum((u[1][m] * u[i - 1][k - m] for m in range(1, k)), zero)
+        rest = f[0][k]
+        for i in range(1, k + 1):
+            for j in range(k - i + 1):
+                if i + j > 1:
+                    rest = rest + f[i][j] * u[i][k - j]
+        u[1][k] = -rest / f[1][0]
+    return u
+
+
+def along(f: list[list[Any]], u: list[list[Any]], order: int) -> list[Any]:
+    """Σ f_ij u^i t^j as a series."""
+    rows = len(f)
+    return [
+        sum((f[i][j] * u[i][k - j] for j in range(k + 1) for i in range(min(k - j + 1, rows))), acb(0)) for k in range(order)
+    ]
+
+
+def quotient(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    out: list[Any] = []
+    for k, x in enumerate(a):
+        for j, y in enumerate(out):
+            x = x - y * b[k - j]
+        out.append(x / b[0])
+    return out
+
+
+def exponential(a: Sequence[Any], factor: Any) -> list[Any]:
+    """The series of e^{a·factor}."""
+    out = [(a[0] * factor).exp()]
+    slopes = [x * factor * k for k, x in enumerate(a)]
+    for k in range(1, len(a)):
+        out.append(sum((slopes[j] * out[k - j] for j in range(1, k + 1)), acb(0)) / k)
+    return out
+
+
+def convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    return [sum((a[j] * b[k - j] for j in range(k + 1)), acb(0)) for k in range(len(a))]
+
+
+def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = False) -> list[list[Any]]:
+    """For each gap the first Taylor coefficients of G: at m for r = 0, at all points of |σ − m| ≤ r otherwise."""
+    out: list[list[Any]] = [[]] * len(waves.xi)
+    for side, here in enumerate(split.nodes.side):
+        chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
+        if not chosen:
+            continue
+        radii = None if by_matrix else split.isolated(here)
+        one = by_roots if radii is not None else by_matrices
+        found = one(split, side, r, order, [waves.xi[g] for g in chosen], radii or [])
+        for g, series in zip(chosen, found, strict=True):
+            require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
+            out[g] = series
+    return out
+
+
+def by_roots(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]) -> list[list[Any]]:
+    """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
+    nodes, local = split.nodes, split.nodes.local
+    n, total = local.degree + 1, [[acb(0)] * order for _ in gaps]
+    in_t = [shift(box(r) if r else acb(0), a.ncols(), order).transpose() for a in (local.d, local.n)]
+    d0, n0 = (local.d * in_t[0], local.n * in_t[1]) if not r else (None, None)
+    for k, e in zip(nodes.side[side], radii, strict=True):
+        z, rows = nodes.z[k], local.n.nrows()
+        if r:
+            f = (shift(box(e), n, order + 1) * (shift(z, n, n) * local.d) * in_t[0]).tolist()
+            g = (shift(box(e), rows, min(order, rows)) * (shift(z, rows, rows) * local.n) * in_t[1]).tolist()
+            p = z + box(e)
+        else:
+            slope = (shift(z + box(e), n, 2) * d0)[1, 0]
+            p = z - nodes.values[k][0] / slope
+            f = (shift(p, n, order + 1) * d0).tolist()
+            g = (shift(p, rows, min(order, rows)) * n0).tolist()
+        u = powers_of_root(f, order)
+        slopes = [[x * i for x in row] for i, row in enumerate(f)][1:]
+        weight = quotient(along(g, u, order), along(slopes, u, order))
+        wave = [p, *u[1][1:]] if order > 1 else [p]
+        for series, xi in zip(total, gaps, strict=True):
+            one = weight if xi == 0 else convolved(weight, exponential(wave, xi))
+            for j, x in enumerate(one):
+                series[j] = series[j] - x if side else series[j] + x
+    return total
+
+
+def by_matrices(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]) -> list[list[Any]]:
+    """The same where roots of one side may meet: U is the characteristic polynomial of diag(z) − 1·aᵀ =: A, and
+    G = ± cᵀ e^{Aξ} N(A) L(A)⁻¹ 1/lead with c_k = 1/Π(z_k − z_i); series in t are block triangular matrices."""
+    nodes, local = split.nodes, split.nodes.local
+    here, there = nodes.side[side], nodes.side[1 - side]
+    m, z = len(here), nodes.z
+    if not m:
+        return [[acb(0)] * order for _ in gaps]
+    a = factor_series(split, r, order)
+    in_t = shift(box(r) if r else acb(0), max(local.d.ncols(), local.n.ncols()), order).transpose()
+
+    def moved(row: list[Any]) -> list[Any]:
+        padded = row + [acb(0)] * (in_t.nrows() - len(row))
+        return list((acb_mat(1, len(padded), padded) * in_t).entries())
+
+    def block(entry: Any) -> Any:
+        """entry(k, i, j): the entry of the coefficient of t^k."""
+        size = order * m
+        full = [[acb(0)] * size for _ in range(size)]
+        for b, k, i, j in product(range(order), range(order), range(m), range(m)):
+            if b + k < order:
+                full[b * m + i][(b + k) * m + j] = entry(k, i, j)
+        return acb_mat(full)
+
+    def scalar(series: Sequence[Any]) -> Any:
+        return block(lambda k, i, j: series[k] if i == j else acb(0))
+
+    A = block(lambda k, i, j: (z[here[i]] if i == j and k == 0 else acb(0)) - a[here[j]][k])
+    one = scalar([acb(1)] + [acb(0)] * (order - 1))
+    full, rest = one, one * acb(0)
+    for k in there:  # L(A) = Π(A − z) + Σ b Π'(A − z)
+        rest = rest * (A - one * z[k]) + scalar(a[k]) * full
+        full = full * (A - one * z[k])
+    numerator = one * acb(0)
+    for row in reversed(local.n.tolist()):
+        numerator = numerator * A + scalar(moved(row))
+    tail = numerator * (full + rest).inv()
+    c = []
+    for k in here:
+        weight = acb(1)
+        for i in here:
+            weight = weight * (z[k] - z[i]) if i != k else weight
+        c.append(1 / weight)
+    lead, out = moved(local.lead()), []
+    for xi in gaps:
+        F = (A * acb(xi)).exp() * tail if xi != 0 else tail
+        series = [sum((c[i] * F[i, k * m + j] for i in range(m) for j in range(m)), acb(0)) for k in range(order)]
+        out.append(quotient([-x for x in series] if side else series, lead))
+    return out
+
+
+def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
+    """The Taylor coefficients of all a_k (and b_l), from a_k (1 + Σ b_l/(z_k − z_l)) = W_k."""
+    nodes, local = split.nodes, split.nodes.local
+    n, z, columns = len(nodes.z), nodes.z, local.d.ncols()
+    in_t = shift(box(r) if r else acb(0), columns, order).transpose()
+    inverse = acb_mat(n, n, [1 / (z[k] - z[i]) if (i < nodes.up) != (k < nodes.up) else 0 for k in range(n) for i in range(n)])
+    lead = (acb_mat(1, columns, local.lead()) * in_t).entries()
+    W = []
+    for k in range(n):
+        scale = acb(1)
+        for i in range(n):
+            scale = scale * (z[k] - z[i]) if i != k else scale
+        W.append(quotient([x / scale for x in (acb_mat(1, columns, nodes.values[k]) * in_t).entries()], lead))
+    a = [[box(t)] for t in split.tight]
+    for _ in range(0 if r else 14):
+        s = (inverse * acb_mat(n, 1, [x[0] for x in a])).entries()
+        a = [[W[k][0] / (1 + s[k])] for k in range(n)]
+    sums = [(inverse * acb_mat(n, 1, [x[0] for x in a])).entries()]
+    J = acb_mat(n, n, [a[k][0] * inverse[k, i] if i != k else 1 + sums[0][k] for k in range(n) for i in range(n)])
+    J = J.inv() if order > 1 else J
+    for j in range(1, order):
+        rest = [W[k][j] - sum((a[k][i] * sums[j - i][k] for i in range(1, j)), acb(0)) for k in range(n)]
+        for row, x in zip(a, (J * acb_mat(n, 1, rest)).entries(), strict=True):
+            row.append(x)
+        sums.append((inverse * acb_mat(n, 1, [x[j] for x in a])).entries())
+    return a
+
+
+# --- the characteristic function ---------------------------------------------------------------------------------
+
+
+class Bordered:
+    """Δ̂ = det [[S, −B], [Bᵀ, G + h]] with the rows of neutral coordinates divided by σ, in balls."""
+
+    def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
+        nb, nc = vehicle.B.nrows(), len(vehicle.h)
+        self.vehicle, self.nb, self.nc, self.size = vehicle, nb, nc, nb + nc
+        full = []
+        for power in range(3):
+            rows = [[fmpq(0)] * self.size for _ in range(self.size)]
+            for i in range(nb):
+                source = [vehicle.K, vehicle.C, vehicle.M][power + (i >= nb - vehicle.neutral) :]
+                for j in range(nb):
+                    rows[i][j] = source[0][i, j] if source else fmpq(0)
+            if power == 0:
+                for i, j in product(range(nb), range(nc)):
+                    rows[i][nb + j], rows[nb + j][i] = -vehicle.B[i, j], vehicle.B[i, j]
+                for j, h in enumerate(vehicle.h):
+                    rows[nb + j][nb + j] = h
+            full.append(acb_mat(fmpq_mat(rows)))
+        self.K, self.C, self.M = full
+        where = {gap: g for g, gap in enumerate(waves.gaps)}
+        self.index = [[where[a - b] for b in vehicle.places] for a in vehicle.places]
+        self.sites = [[where[a - b] for b in vehicle.sites] for a in vehicle.sites]
+
+    def coefficient(self, k: int, sigma: Any, G: list[list[Any]]) -> Any:
+        """The k-th Taylor coefficient of the matrix at σ."""
+        zeros = [acb(0)] * self.nb
+        entries = [acb(0)] * (self.nb * self.size)
+        for row in self.index:
+            entries += zeros
+            entries += [G[g][k] for g in row]
+        waves = acb_mat(self.size, self.size, entries)
+        if k == 0:
+            return self.K + self.C * sigma + self.M * (sigma * sigma) + waves
+        if k == 1:
+            return self.C + self.M * (2 * sigma) + waves
+        return self.M + waves if k == 2 else waves
+
+
+def contracting(E: Any) -> bool:
+    """E x < x for some x > 0, for a matrix of moduli: x by power iteration."""
+    n = E.nrows()
+    x = arb_mat(n, 1, [1] * n)
+    for _ in range(14):
+        y = E * x
+        pairs = list(zip(y.entries(), x.entries(), strict=True))
+        if all(a < b for a, b in pairs):
+            return True
+        x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in pairs])  # each in its own unit
+    return False
+
+
+def moduli(parts: Sequence[tuple[Any, Any]]) -> Any:
+    """Σ |matrix|·factor, entry by entry."""
+    n = parts[0][0].nrows()
+    total = [arb(0)] * (n * n)
+    for a, factor in parts:
+        total = [t + abs(x) * factor for t, x in zip(total, a.entries(), strict=True)]
+    return arb_mat(n, n, total)
+
+
+def pivots(a: list[list[Any]], in_order: bool = True) -> Any:
+    """Σ Arg of the pivots of an elimination on the diagonal: in order, or the relatively greatest one first."""
+    a, left, total = [list(row) for row in a], list(range(len(a))), arb(0)
+    while left:
+        if in_order:
+            k = left.pop(0)
+        else:
+            k = max(left, key=lambda i: float(abs(a[i][i].mid()) / (1e-300 + sum(abs(a[i][j].mid()) for j in left))))
+            left.remove(k)
+        total += a[k][k].arg()
+        for i in left:
+            factor = a[i][k] / a[k][k]
+            for j in left:
+                a[i][j] = a[i][j] - factor * a[k][j]
+    return total
+
+
+# --- walking along the paths ---------------------------------------------------------------------------------------
+
+
+@dataclass
+class Mark:
+    """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed."""
+
+    q: Point
+    z: list[complex]
+    split: Split
+    matrix: Any = None
+
+
+@dataclass
+class Walker:
+    """Carries the splitting along the paths, and proves each piece."""
+
+    waves: Waves
+    bordered: Bordered
+    up: int = 0
+    work: float = 0.0
+    pieces: int = 0
+    marks: dict[Point, Mark] = field(default_factory=dict)
+
+    def spend(self, units: float) -> None:
+        self.work += units
+        require(self.work < MAX_WORK, "the certificate asks for more work than this verifier does")
+
+    def begin(self, depth: Any) -> None:
+        """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
+        local = self.waves.near(acb(arb(depth)))
+        z = float_roots(local, [complex(x) for x in roots_of(local)])
+        z.sort(key=lambda x: x.real)
+        self.up = sum(x.real < 0 for x in z)
+        split = Nodes([acb(x) for x in z], self.up, local).split(arb(0))
+        check_sides(split)
+        at = (fmpq(0), -depth)
+        self.marks[at] = Mark(at, z, split)
+
+    def mark(self, q: Point, near: Sequence[complex]) -> Mark:
+        local = self.waves.near(at_q(q))
+        z = float_roots(local, near)
+        return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split(arb(0)))
+
+    def matrix(self, mark: Mark) -> Any:
+        if mark.matrix is None:
+            G = kernels(self.waves, mark.split, arb(0), 1)
+            mark.matrix = self.bordered.coefficient(0, mark.split.nodes.local.m, G)
+        return mark.matrix
+
+    def path(self, kind: str, points: Sequence[Point], special: dict[int, list[Any]]) -> Any:
+        """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
+        require(points[0] in self.marks, "a path does not begin where an earlier one ends")
+        mark, total = self.marks[points[0]], arb(0)
+        for k, (a, b) in enumerate(pairwise(points)):
+            try:
+                end, turned = self.piece(kind, mark, b, special.get(k))
+            except Refused as error:
+                x, y = (float(arb(c)) for c in a)
+                raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
+            mark, total = end, total + turned
+        self.marks[points[-1]] = mark
+        return total
+
+    def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None) -> tuple[Mark, Any]:
+        """From a mark to b: the disc over [a, b], its splitting linked with those at both ends, and what `kind` asks."""
+        n, size = len(mark.z), self.bordered.size
+        self.pieces += 1
+        self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3))
+        a = mark.q
+        require(a != b, "two points of a path are the same")
+        m = at_q(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
+        half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
+        r = (abs(half) * arb(1 + 2.0**-12)).upper()
+        local = self.waves.near(m)
+        z = float_roots(local, mark.z)
+        require(nodes is None or len(nodes) == n, "a special piece has not as many nodes as p-roots")
+        chosen = Nodes([acb(x) for x in z] if nodes is None else nodes, self.up, local)
+        disc = chosen.split(r)
+        end = self.mark(b, z)
+        for side in (mark, end):
+            require(disc.links(side.split), "the splitting does not join on to its neighbour's")
+        if kind == "link":
+            return end, arb(0)
+        thin = chosen.split(arb(0))
+        require(all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle")
+        by_matrix = nodes is not None
+        G = kernels(self.waves, thin, arb(0), 2, by_matrix)
+        over = kernels(self.waves, disc, r, 3, by_matrix)
+        if kind == "passive":
+            self.passive(m, half, r, G, over)
+            return end, arb(0)
+        return end, self.turn(mark, end, m, r, G, over)
+
+    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> Any:
+        """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
+        A = [self.bordered.coefficient(k, m, G) for k in range(2)]
+        rest = self.bordered.coefficient(2, m, over)
+        try:
+            R = A[0].mid().inv().mid()
+        except ZeroDivisionError:
+            raise Refused("the matrix is singular in the middle of a piece") from None
+        size = self.bordered.size
+        one = acb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
+        E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r), (R * rest, r * r)])
+        require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
+        start, stop = ((R * self.matrix(x)).tolist() for x in (mark, end))
+        return pivots(stop) - pivots(start)
+
+    def passive(self, m: Any, half: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> None:
+        """The Hermitian part of σ(G_ij), over the places, is positive definite on the whole segment."""
+        where = self.bordered.sites
+        n = len(where)
+        sigma = m + box(r)
+        series = [
+            [[m * G[g][0] for g in row] for row in where],
+            [[half * (G[g][0] + m * G[g][1]) for g in row] for row in where],
+            [[half * half * (over[g][1] + sigma * over[g][2]) for g in row] for row in where],
+        ]
+        H = []
+        for rows in series:
+            a = acb_mat(rows)
+            H.append((a + a.conjugate().transpose()) * acb(0.5))
+        X = acb_mat(inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
+        back = X.conjugate().transpose()
+        one = acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
+        E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1)), (X * H[2] * back, arb(1))])
+        require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
+
+
+def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
+    """X with X H X* ≈ 1, in floats: nothing rests on it."""
+    n = len(h)
+    low = [[0j] * n for _ in range(n)]
+    X = [[0j] * n for _ in range(n)]
+    for i in range(n):
+        for j in range(i + 1):
+            x = h[i][j] - sum(low[i][k] * low[j][k].conjugate() for k in range(j))
+            if i == j:
+                require(x.real > 0, "the receptance is not passive in the middle of a piece")
+                low[i][i] = complex(x.real**0.5)
+            else:
+                low[i][j] = x / low[j][j]
+        for j in range(i + 1):
+            x = (1.0 if i == j else 0.0) - sum(low[i][k] * X[k][j] for k in range(j, i))
+            X[i][j] = x / low[i][i]
+    return X
+
+
+# --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------------------
+
+
+def bernstein(n: int, a: float, b: float) -> Any:
+    """Takes coefficients (ascending, degree n) to Bernstein coefficients on [a, b]: they bound the values."""
+    start, width = [arb(1)], [arb(1)]
+    for _ in range(n):
+        start.append(start[-1] * arb(a))
+        width.append(width[-1] * (arb(b) - arb(a)))
+    moved = [[start[k - j] * width[j] * comb(k, j) if k >= j else arb(0) for k in range(n + 1)] for j in range(n + 1)]
+    basis = [[arb(fmpq(comb(i, j), comb(n, j))) if j <= i else arb(0) for j in range(n + 1)] for i in range(n + 1)]
+    return arb_mat(basis) * arb_mat(moved)
+
+
+def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], product_below: Any, name: str) -> None:
+    """Σ c x^i y^j > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+    n, m = (max(k[i] for k in f) for i in (0, 1))
+    c = arb_mat(n + 1, m + 1, [f.get((i, j), arb(0)) for i in range(n + 1) for j in range(m + 1)])
+    stack, number = [(x, y, 0)], 0
+    while stack:
+        (x0, x1), (y0, y1), depth = stack.pop()
+        if product_below is not None and arb(x0) * arb(y0) > product_below:
+            continue
+        number += 1
+        b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
+        if all(z > 0 for z in b.entries()):
+            continue
+        require(not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}")
+        if depth % 2:
+            middle = (y0 + y1) / 2
+            stack += [((x0, x1), (y0, middle), depth + 1), ((x0, x1), (middle, y1), depth + 1)]
+        else:
+            middle = (x0 + x1) / 2
+            stack += [((x0, middle), (y0, y1), depth + 1), ((middle, x1), (y0, y1), depth + 1)]
+
+
+def above(x: Any) -> float:
+    """A float that is no less."""
+    near = float(x.upper())
+    return near + abs(near) * 2.0**-50 + 1e-300
+
+
+def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over its highest power q^{top/m}: in z and τ = q^{−1/m}."""
+    top, out = max(k * i + m * j for i, j in t), {}
+    for (i, j), c in t.items():
+        for a in range(j + 1):
+            at = (i + a, top - k * i - m * j + (m - k) * a)
+            out[at] = out.get(at, fmpq(0)) + c * comb(j, a) * (-v) ** a
+    return out, top
+
+
+def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None:
+    """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
+    keys(theorem, "gamma blocks alpha omega envelope")
+    k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
+    blocks = [[dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")]
+    omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
+    alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
+    require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
+    require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
+    require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
+    w, d = (terms(x) for x in absorption(track))
+    (block_w, top_w), (block_d, top_d) = in_block(w, v, k, m), in_block(d, v, k, m)
+    x = arb(X)
+    growth = x ** arb(fmpq(k, m))
+    between = 2 * arb.pi() / arb(min(b - a for a, b in pairwise(sites))) if len(sites) > 1 else arb(0)
+    require(arb(v * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
+    require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
+    tau = above(x ** arb(fmpq(-1, m)))
+    for z1, z2, kappa in blocks:
+        difference = {at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}}
+        check_positive(difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa")
+    iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
+    require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
+    near, far = {}, {}
+    for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
+        for (i, j), c in source.items():
+            for chart, at in ((near, (id_ - less - i, j)), (far, (id_ - less - i, nd - less - i - j))):
+                chart[at] = chart.get(at, fmpq(0)) + factor * c * (-1) ** j
+    reach = arb(v / X)
+    give = "the giving part may exceed the envelope"
+    check_positive({at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), None, give)
+    check_positive({at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give)
+    absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
+    takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
+    gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
+    require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
+    require((alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given")
+
+
+def check_decay(track: Track) -> None:
+    """G(ξ, σ) → 0 as σ → +∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple, and weights N/D_P fall.
+
+    Roots with s = σ − vP = o(σ) (several have c = 1/v) are taken in s and σ, P = (σ − s)/v.
+    """
+    check_edges(track.d, track.n, track.v, False)
+    moved = [terms(p.compose((S_ - P_) / track.v, P_, ctx=RING)) for p in (track.D, track.N)]
+    check_edges(moved[0], moved[1], track.v, True)
+
+
+def check_edges(d: Terms, n: Terms, v: Any, slow: bool) -> None:
+    """The edges of d (of exponent θ < 1 only, if slow; else without the roots c = 1/v where θ = 1)."""
+    top: dict[int, int] = {}
+    for i, j in d:
+        top[i] = max(top.get(i, j), j)
+    require(0 in top, "0 is a root for every frequency")
+    i = 0
+    while i < max(top):
+        slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)  # −θ
+        on = {a: d[a, b] for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
+        edge, resting = fmpq_poly([on.get(a, fmpq(0)) for a in range(i, max(on) + 1)]), fmpq_poly([1, -v])
+        if slope == -1:
+            while (edge % resting).degree() < 0:
+                edge = edge // resting
+        if slope > -1 or not slow:
+            simple = edge.degree() == 0 or edge.gcd(edge.derivative()).degree() == 0
+            require(simple, "waves of one speed at high frequency: decay is not proved")
+            weight = max(b - slope * a for a, b in n) - (top[i] - slope * i + slope)
+            require(weight < 0, "the receptance does not decay at high frequency")
+        i = max(on)
+
+
+# --- regions ----------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Region:
+    """Where the roots are counted. All numbers exact; height 0: only Im q < 0."""
+
+    kind: str
+    height: Any
+    reach: Any = None
+    re: tuple[Any, Any] | None = None
+    im: tuple[Any, Any] | None = None
+
+    @property
+    def words(self) -> str:
+        if self.re and self.im:
+            return f"{self.re[0]} < Re q < {self.re[1]}, {self.im[0]} < Im q < {self.im[1]}"
+        strip = f" or Im q < {self.height}, |Re q| < {self.reach}" if self.height > 0 else ""
+        return "Im q < 0" + (f", |q| < {self.reach}" if "disc" in self.kind else "") + strip
+
+    def holds(self, z: Point, r: Any) -> bool:
+        """Whether the closed disc of radius r round z lies inside."""
+        if self.re and self.im:
+            return bool(self.re[0] < z[0] - r and z[0] + r < self.re[1] and self.im[0] < z[1] - r and z[1] + r < self.im[1])
+        low = z[1] + r < 0
+        within = "disc" not in self.kind or (r < self.reach and z[0] ** 2 + z[1] ** 2 < (self.reach - r) ** 2)
+        if low or self.height == 0:
+            return bool(low and within)
+        return bool(z[1] + r < self.height and abs(z[0]) + r < self.reach and (within or z[1] - r >= 0))
+
+
+def read_region(value: Any) -> Region:
+    require(isinstance(value, dict) and isinstance(value.get("kind"), str), "the region has no kind")
+    kind = value["kind"]
+    names = {"unstable": "", "disc": "radius", "below": "height reach", "below disc": "height radius", "rectangle": "re im"}
+    require(kind in names, "the region's kind is not known to this verifier")
+    keys(value, f"kind {names[kind]}")
+    if kind == "rectangle":
+        re_, im = (tuple(rational(x, "a side") for x in items(value[name], 2, name, 2)) for name in ("re", "im"))
+        require(re_[0] < re_[1] and im[0] < im[1], "the rectangle is empty")
+        return Region(kind, max(im[1], fmpq(0)), None, (re_[0], re_[1]), (im[0], im[1]))
+    height = rational(value["height"], "height") if "height" in value else fmpq(0)
+    reach = rational(value.get("radius", value.get("reach")), "radius") if kind != "unstable" else None
+    require((height > 0 or "below" not in kind) and (reach is None or reach > 0), "a height or radius is not positive")
+    return Region(kind, height, reach)
+
+
+@dataclass(frozen=True)
+class Path:
+    kind: str
+    points: list[Point]
+    special: dict[int, list[Any]]
+
+
+def read_paths(values: Any, kinds: str) -> list[Path]:
+    out = []
+    for value, kind in zip(items(values, 4, "paths", len(kinds.split())), kinds.split(), strict=True):
+        keys(value, "kind points", "special")
+        require(value["kind"] == kind, f"a path is of another kind than {kind}")
+        points = [point(x) for x in items(value["points"], MAX_PIECES + 1, "points")]
+        require(points, "a path has no points")
+        special = {}
+        for one in items(value.get("special", []), MAX_PIECES, "special pieces"):
+            keys(one, "piece nodes")
+            nodes = [point(x) for x in items(one["nodes"], MAX_DEGREE, "nodes")]
+            require(len(set(nodes)) == len(nodes), "two nodes are the same")
+            special[integer(one["piece"], 0, MAX_PIECES, "piece")] = [acb(arb(x), arb(y)) for x, y in nodes]
+        out.append(Path(kind, points, special))
+    require(sum(len(p.points) for p in out) <= MAX_PIECES, "there are too many pieces")
+    return out
+
+
+def check_lines(points: Sequence[Point], corners: Sequence[Point]) -> None:
+    """The points run along the polygon through the corners, in order, and hold each corner."""
+    require(points[0] == corners[0], "a path begins elsewhere than its region asks")
+    at, ahead = points[0], 1
+    for z in points[1:]:
+        require(ahead < len(corners), "a path goes on beyond its end")
+        a, b = corners[ahead - 1], corners[ahead]
+        direct = (b[0] - a[0], b[1] - a[1])
+        step, rest = (z[0] - at[0], z[1] - at[1]), (b[0] - z[0], b[1] - z[1])
+        straight = direct[0] * (z[1] - a[1]) == direct[1] * (z[0] - a[0])
+        forward = all(x * direct[0] + y * direct[1] >= 0 for x, y in (step, rest)) and z != at
+        require(straight and forward, "a point is not on the line that its region asks for, or not in order")
+        at, ahead = z, ahead + (z == b)
+    require(ahead == len(corners), "a path ends before its last corner")
+
+
+def check_arc(points: Sequence[Point], radius: Any) -> None:
+    """Each disc over neighbouring points holds the arc of |q| = radius between their directions, in Re q ≥ 0 ≥ Im q."""
+    require(points[0] == (radius, 0) and points[-1] == (0, -radius), "the arc does not end on the imaginary axis")
+    require(all(x >= 0 >= y and (x, y) != (0, 0) for x, y in points), "a point of the arc is not in its quarter")
+    for a, b in pairwise(points):
+        m = acb(arb((a[0] + b[0]) / 2), arb((a[1] + b[1]) / 2))
+        half = acb(arb((b[0] - a[0]) / 2), arb((b[1] - a[1]) / 2))
+        r = abs(half) * arb(1 + 2.0**-12)
+        for z in (a, b):
+            w = acb(arb(z[0]), arb(z[1]))
+            require(abs(w * (arb(radius) / abs(w)) - m) < r, "a piece's disc does not hold its arc")
+        require(r < arb(radius), "a piece of the arc is too long")
+
+
+KINDS = {
+    "unstable": "link turn passive passive",
+    "below": "link turn passive passive",
+    "disc": "link turn",
+    "below disc": "link turn",
+    "rectangle": "link turn",
+}
+
+
+def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
+    """The paths are those that the region's count rests on."""
+    zero = fmpq(0)
+    link, turn = (p.points for p in paths[:2])
+    require(link[0] == (zero, -start), "the first path does not begin at the start")
+    require(all(y <= region.height for _, y in link), "a point of the first path is above the region")
+    if region.re and region.im:
+        (a, b), (c, d) = region.re, region.im
+        require(link[-1] == (a, c), "the first path does not end at the rectangle's corner")
+        check_lines(turn, [(a, c), (b, c), (b, d), (a, d), (a, c)])
+        return
+    require(link[-1] == (zero, region.height), "the first path does not end on the imaginary axis, at the region's height")
+    rho = region.reach if region.reach is not None else turn[-1][0]
+    require(rho > 0, "rho is not positive")
+    corner = (rho, zero)
+    above_axis = [(zero, region.height), (rho, region.height)] if region.height > 0 else [(zero, zero)]
+    require(corner in turn, "the path does not come to the real axis at its corner")
+    where = turn.index(corner)
+    check_lines(turn[: where + 1], [*above_axis, corner])
+    if "disc" in region.kind:
+        check_arc(turn[where:], rho)
+        return
+    if len(paths) == 2:
+        require(where == len(turn) - 1, "the path goes on beyond its corner")
+        return
+    require(where == len(turn) - 1, "the path goes on beyond its corner")
+    walls, axis = paths[2].points, paths[3].points
+    d = walls[-1][1]
+    require(d < 0, "the walls do not go down")
+    check_lines(walls, [corner, (rho, d), (zero, d)])
+    if len(axis) == 1:
+        require(axis[0] == corner, "the path beyond the corner begins elsewhere")
+    else:
+        check_lines(axis, [corner, axis[-1]])
+        require(axis[-1][1] == 0 and axis[-1][0] > rho, "the path beyond the corner leaves the real axis")
+
+
+def closing(walker: Walker, rho: Any) -> Any:
+    """Σ Arg of the pivots of [[S/σ, −B], [Bᵀ, σ(G + h)]] at σ = iρ: an accretive matrix."""
+    b, sigma = walker.bordered, acb(0, arb(rho))
+    mark = walker.marks[rho, fmpq(0)]
+    G = kernels(walker.waves, mark.split, arb(0), 1)
+    v, nb, size = b.vehicle, b.nb, b.size
+    a = [[acb(0)] * size for _ in range(size)]
+    for i in range(nb):
+        for j in range(nb):
+            a[i][j] = acb(arb(v.K[i, j])) / sigma + arb(v.C[i, j]) + arb(v.M[i, j]) * sigma
+        for j in range(b.nc):
+            a[i][nb + j], a[nb + j][i] = acb(-arb(v.B[i, j])), acb(arb(v.B[i, j]))
+    for i, row in enumerate(b.index):
+        for j, g in enumerate(row):
+            a[nb + i][nb + j] = sigma * (G[g][0] + (arb(v.h[i]) if i == j else 0))
+    return pivots(a, in_order=False)
+
+
+def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:
+    """The number of roots in the region, proved."""
+    passive = region.kind in ("unstable", "below")
+    require((passive and track.v != 0) or theorem is None, "this region needs no theorem")
+    turned = arb(0)
+    for path in paths:
+        turned += walker.path(path.kind, path.points, path.special)
+    pi, b = arb.pi(), walker.bordered
+    if passive:
+        with precision(128):
+            check_passive_track(track)
+            if track.v != 0:
+                check_decay(track)
+                check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
+        rho = paths[1].points[-1][0]
+        number = (closing(walker, rho) + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
+    else:
+        number = turned / (2 * pi) if region.kind == "rectangle" else -turned / pi
+    n = number.unique_fmpz()
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
+
+
+# --- roots -------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Root:
+    """Claimed: exactly `multiplicity` roots with |q − z| ≤ radius; `pair`: and as many at −q̄."""
+
+    z: Point
+    radius: Any
+    multiplicity: int
+    pair: bool
+    bits: int
+
+    @property
+    def number(self) -> int:
+        return self.multiplicity * (2 if self.pair else 1)
+
+
+def read_root(value: Any) -> Root:
+    keys(value, "re im exponent radius multiplicity pair")
+    parts = []
+    for name in ("re", "im"):
+        text = value[name]
+        known = isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text)
+        require(known, "a mantissa is not hexadecimal")
+        parts.append(int(text, 16))
+    e = integer(value["exponent"], -MAX_BITS, 1100, "an exponent")
+    m, f = items(value["radius"], 2, "a radius", 2)
+    radius = integer(m, 1, 2**64, "a radius") * power_of_2(integer(f, -MAX_BITS, 1100, "a radius"))
+    unit = power_of_2(e)
+    require(type(value["pair"]) is bool, "pair is not true or false")
+    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
+    require(bits <= MAX_BITS, "a root has too many digits")
+    multiplicity = integer(value["multiplicity"], 1, MAX_MULTIPLICITY, "multiplicity")
+    return Root((parts[0] * unit, parts[1] * unit), radius, multiplicity, value["pair"], bits)
+
+
+def determinant_series(A: Sequence[Any], k: int) -> Any:
+    """The coefficient of t^k of det Σ A_j t^j: the sum over all ways to take k orders from the rows."""
+    size = A[0].nrows()
+    rows = [a.tolist() for a in A]
+    total = acb(0)
+    for taken in combinations_with_replacement(range(size), k):
+        total += acb_mat([rows[taken.count(i)][i] for i in range(size)]).det()
+    return total
+
+
+def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
+    """Exactly `multiplicity` roots in the disc, by Rouché: Δ̂ = Σ c_k t^k + t^m g(t) against t^m times the middle of g."""
+    m, bits = root.multiplicity, root.bits + 128
+    size = walker.bordered.size
+    walker.spend((comb(size + m - 1, m) * m * size**3 + 2000) * (1 + bits / 512) ** 1.5 / 4)
+    with precision(bits):
+        waves = Waves(track, vehicle.sites)
+        bordered = Bordered(vehicle, waves)
+        center, e = at_q(root.z), arb(root.radius).upper()
+        local = waves.near(center)
+        z = sorted(roots_of(local), key=lambda p: bool(p.real > 0))
+        nodes = Nodes(z, sum(bool(p.real < 0) for p in z), local)
+        disc, thin = nodes.split(e), nodes.split(arb(0))
+        check_sides(disc)
+        G, over = kernels(waves, thin, arb(0), m), kernels(waves, disc, e, m + 1)
+        A = [bordered.coefficient(k, center, G) for k in range(m)]
+        all_over = [bordered.coefficient(k, center + box(e), over) for k in range(m + 1)]
+        g = determinant_series(all_over, m)
+        middle = g.mid()
+        rest = abs(g - middle) * e**m
+        for k in range(m):
+            rest += abs(determinant_series(A[: k + 1], k)) * e**k
+        require(g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed")
+
+
+def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:
+    """The claimed roots: inside the region, apart from each other, each proved."""
+    roots = [read_root(value) for value in items(values, MAX_ROOTS, "roots")]
+    balls: list[tuple[Point, Any]] = []
+    for k, root in enumerate(roots):
+        x, y = root.z
+        mirror = (-x, y)
+        require(region.holds(root.z, root.radius), f"root {k} is not inside the region")
+        if root.pair:
+            require(x > root.radius and region.holds(mirror, root.radius), f"root {k} is no pair inside the region")
+            balls.append((mirror, root.radius))
+        else:
+            require(region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis")
+        balls.append((root.z, root.radius))
+    balls.sort(key=lambda ball: ball[0][0] - ball[1])
+    for k, ((x, y), r) in enumerate(balls):
+        for (u, w), s in balls[k + 1 :]:
+            if u - s > x + r:
+                break
+            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, "two balls of roots overlap")
+    for k, root in enumerate(roots):
+        try:
+            check_root(track, vehicle, root, walker)
+        except Refused as error:
+            raise Refused(f"root {k}: {error}") from None
+    return roots
+
+
+# --- the certificate -----------------------------------------------------------------------------------------------------
+
+
+def spectrum(content: dict[str, Any]) -> str:
+    """The claim in words, if every step of the certificate holds."""
+    keys(content["equations"], "track velocity vehicle")
+    track = read_track(content["equations"]["track"], content["equations"]["velocity"])
+    vehicle = read_vehicle(content["equations"]["vehicle"], content["basis"])
+    keys(content["claim"], "region count unstable")
+    region, claim = read_region(content["claim"]["region"]), content["claim"]
+    count = integer(claim["count"], 0, 10_000, "count")
+    start, bits = dyadic(content["start"], "start"), integer(content["bits"], 53, 256, "bits")
+    require(start > 0, "the start is not below the real axis")
+    at_rest = region.kind == "unstable" and track.v == 0
+    with precision(bits):
+        kinds = "" if at_rest else "link turn" if track.v == 0 else KINDS[region.kind]
+        paths = read_paths(content["paths"], kinds)
+        check_no_cut(track, region.height)
+        walker = Walker(waves := Waves(track, vehicle.sites), Bordered(vehicle, waves))
+        if at_rest:
+            require(content["theorem"] is None, "at rest no theorem is needed")
+            check_passive_track(track)
+            number = 0
+        else:
+            check_paths(region, paths, start)
+            walker.begin(start)
+            number = count_roots(walker, region, paths, content["theorem"], track)
+    require(number == count, f"the number of roots is {number}, not as claimed")
+    roots = check_roots(content["roots"], region, track, vehicle, walker)
+    found = sum(root.number for root in roots)
+    require(found == number, f"the file names {found} of {number} roots")
+    below = sum(root.number for root in roots if root.z[1] + root.radius < 0)
+    require(all(abs(root.z[1]) > root.radius for root in roots), "a root may lie on either side of the real axis")
+    require(below == integer(claim["unstable"], 0, 10_000, "unstable"), f"{below} roots have Im q < 0, not as claimed")
+    return words(content, track, vehicle, region, roots, walker.pieces)
+
+
+def polynomial_words(p: Any) -> str:
+    return str(p).replace("*", " ") if p else "0"
+
+
+def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: Sequence[Root], pieces: int) -> str:
+    """What has been verified, of which equations."""
+    number, below = sum(r.number for r in roots), sum(r.number for r in roots if r.z[1] < 0)
+    plural = "" if number == 1 else "s"
+    said = [
+        f"exactly {number} induced frequenc{'y' if number == 1 else 'ies'} q with {region.words}"
+        + (f", {below} of them with Im q < 0" if region.height > 0 else "")
+        + (f", enclosed in {len(roots)} ball{'' if len(roots) == 1 else 's'}" if roots else "")
+    ]
+    for root in roots:
+        x, y = (float(arb(c)) for c in root.z)
+        sign = "±" if root.pair else ""
+        more = f" ({root.multiplicity} roots)" if root.multiplicity > 1 else ""
+        axis = " (imaginary)" if not root.pair and root.z[0] == 0 and root.multiplicity == 1 else ""
+        said.append(f"  q = {sign}{x:.15g}{y:+.15g}i within {float(arb(root.radius)):.2g}{more}{axis}")
+    if vehicle.neutral:
+        said.append(f"  and {vehicle.neutral} neutral at q = 0 (a coordinate without spring or contact), named apart")
+    if vehicle.unfelt:
+        said.append(f"  modes of {vehicle.unfelt} coordinates that no contact feels are named apart; none has Im q < 0")
+    said.append(f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t at rest, row {track.loaded + 1} carries the contacts):")
+    for k, row in enumerate(track.rows):
+        left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
+        said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
+    equations = content["equations"]["vehicle"]
+    said.append(f"  velocity {track.v}; bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ")
+    said += [f"  {name} = {listed(equations[name])}" for name in ("M", "C", "K", "B")]
+    said.append(f"  contacts at {listed(equations['places'])}, compliances {listed(equations['compliances'])}")
+    _ = plural
+    return "\n".join(said)
+
+
+def listed(value: Any) -> str:
+    return "[" + ", ".join(map(listed, value)) + "]" if isinstance(value, list) else str(value)
+
+
+def main(paths: Sequence[str]) -> int:
+    """Prints what each file proves; 0 if all are valid."""
+    if not paths:
+        print("usage: verify2.py FILE [FILE …]", file=sys.stderr)
+        return 1
+    verdicts = [(path, verify(path)) for path in paths]
+    for path, verdict in verdicts:
+        print(f"{path}: " + (f"valid: {verdict.claim}" if verdict.valid else f"INVALID: {verdict.reason}"))
+    return 0 if all(verdict.valid for _, verdict in verdicts) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
