@@ -211,6 +211,8 @@ def _ladder(last: int) -> list[int]:
 
 def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:
     """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image."""
+    if not image.is_finite():
+        raise PrecisionError("a root was lost while it was sharpened: raise the precision")
     size = float(image.abs_lower())
     first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
     first -= CLUSTER if multiplicity > 1 else 0

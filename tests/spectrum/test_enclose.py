@@ -11,7 +11,7 @@ from oracle import Truth, holds
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.spectrum.enclose import Symmetry, isolate, refine
+from mpsolve.spectrum.enclose import Symmetry, isolate, on_grid, refine
 from mpsolve.spectrum.seek import seek
 
 PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}
@@ -109,3 +109,8 @@ def test_no_box_where_there_is_no_root(seed: complex) -> None:
     except PrecisionError:
         return
     assert holds(box.q, Truth(case, 60).root(complex(box.image.mid())))
+
+
+def test_a_ball_that_is_not_finite_is_refused() -> None:
+    with pytest.raises(PrecisionError, match="was lost"):
+        on_grid(flint.acb("nan"), 60, 1, Symmetry.NONE)
