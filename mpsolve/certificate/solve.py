@@ -10,11 +10,11 @@ from typing import Any
 from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.enclose import RootBall, Symmetry
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots

@@ -79,7 +79,7 @@ def require(condition: Any, message: str) -> None:
         raise Refused(message)
 
 
-_lock = threading.RLock()  # flint's precision is one per process
+_lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's precision is one per process
 
 
 @contextmanager

@@ -55,6 +55,8 @@ _INNER = 0.4  # how far from its grid point, in units, a coordinate of the root 
 
 def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:
     """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image."""
+    if not image.is_finite():
+        raise PrecisionError("a root was lost while it was sharpened: raise the precision")
     size = float(image.abs_lower())
     first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
     first -= CLUSTER if multiplicity > 1 else 0

@@ -11,12 +11,13 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
-from mpsolve.spectrum.enclose import RootBall, Symmetry, enclose
+from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 from mpsolve.spectrum.spectrum import disjoint

@@ -9,9 +9,9 @@ from typing import Any
 from flint import arb
 
 from mpsolve.numbers.balls import acb, precision
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
-from mpsolve.spectrum.enclose import RootBall, Symmetry
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 from mpsolve.spectrum.shape import Shape, root_shape
 

@@ -195,9 +195,10 @@ class Floats:
         return np.linalg.eigvalsh((V + V.conj().T) / 2)[0] > 0
 
     def full_count(self, radius, height=0.0):
-        """Roots in the lower half disc by the argument principle: nothing but Δ along its boundary."""
+        """Roots in the half disc Im q < 0 and the strip below `height`, by the argument principle: Δ along the boundary."""
         arc = [radius * np.exp(-1j * t) for t in np.linspace(0, pi / 2, 40)]
-        return -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 0j), *arc[1:]]) / pi
+        side = np.linspace(height, 0, 10)[:-1] if height else []
+        return -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 1j * height), *(radius + 1j * np.array(side)), *arc]) / pi
 
 
 def newton(f, q, steps=40):
@@ -487,3 +488,31 @@ def as_root(q, pair, relative):
 
 def save(content, path):
     path.write_text(json.dumps(content, indent=None) + "\n")
+
+
+def refine(content, digits):
+    """The same certificate with every root to so many digits, by Newton's method on the verifier's own function."""
+    bits = int(digits * 3.33) + 40
+    car = v2.read_vehicle(content["equations"]["vehicle"], content["basis"])
+    track = v2.read_track(content["equations"]["track"], content["equations"]["velocity"])
+    roots = []
+    for value in content["roots"]:
+        root = v2.read_root(value)
+        with v2.precision(bits + 64):
+            waves = v2.Waves(track, car.sites)
+            bordered = v2.Bordered(car, waves)
+            sigma = v2.at_q(root.z)
+            for _ in range(bits.bit_length()):
+                local = waves.near(sigma)
+                z = sorted(v2.roots_of(local), key=lambda p: bool(p.real > 0))
+                thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
+                G = v2.kernels(waves, thin, arb(0), 2)
+                A = [bordered.coefficient(k, sigma, G) for k in range(2)]
+                sigma = (sigma - v2.determinant_series(A, 0) / v2.determinant_series(A, 1)).mid()
+                if not root.pair and root.z[0] == 0:
+                    sigma = acb(sigma.real)
+            q = sigma / acb(0, 1)
+            e = value["exponent"] + 52 - bits
+            re, im = (int((x * arb(2) ** -e).mid().floor().unique_fmpz()) for x in (q.real, q.imag))
+        roots.append(value | {"re": hex(re), "im": hex(im), "exponent": e, "radius": [64, e]})
+    return seal(content | {"roots": roots})
