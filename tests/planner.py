@@ -7,17 +7,18 @@ Numbers come in and go out in the problem's own units.
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 from fractions import Fraction
-from math import comb, pi
+from math import pi
 
 import numpy as np
-from flint import acb, acb_mat, acb_poly, arb, fmpq
+from flint import acb, arb, fmpq
 
 from mpsolve.certificate import verify2 as v2
 
 
-class NotPlanned(Exception):
+class NotPlanned(Exception):  # noqa: N818
     pass
 
 
@@ -153,7 +154,7 @@ def seal(content):
 
 
 class Floats:
-    """G and Δ in floats by residues over the roots of largest imaginary part; independent of the verifier's splitting."""
+    """G and Δ in floats by residues over the roots of largest imaginary part."""
 
     def __init__(self, content):
         eq = content["equations"]
@@ -207,7 +208,7 @@ class Floats:
     def turn(self, points, step=0.3):
         """Change of arg Δ along a polygon, by steps below `step`."""
         total = 0.0
-        for a, b in zip(points, points[1:]):
+        for a, b in itertools.pairwise(points):
             t, h, f = 0.0, 1 / 64, self.det(a)
             while t < 1:
                 h = min(h, 1 - t)
@@ -224,7 +225,7 @@ class Floats:
         return np.linalg.eigvalsh((V + V.conj().T) / 2)[0] > 0
 
     def full_count(self, radius, height=0.0):
-        """Roots in the half disc Im q < 0 and the strip below `height`, by the argument principle: Δ along the boundary."""
+        """Roots in the half disc Im q < 0 and the strip below `height`, by the argument principle: Δ along the boundary."""  # noqa: E501
         arc = [radius * np.exp(-1j * t) for t in np.linspace(0, pi / 2, 40)]
         side = np.linspace(height, 0, 10)[:-1] if height else []
         return (
@@ -258,7 +259,7 @@ def plan_tail(track, sites, X):
     """Numbers of the theorem for q ≥ X, or None: sampled, with a margin."""
     w, d = (v2.terms(x) for x in v2.absorption(track))
     v = float(arb(track.v))
-    between = 2 * pi / float(min(b - a for a, b in zip(sites, sites[1:]))) if len(sites) > 1 else 0.0
+    between = 2 * pi / float(min(b - a for a, b in itertools.pairwise(sites))) if len(sites) > 1 else 0.0
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     alpha = min(id_ - iw, nd - nw)
     if alpha < 2:
@@ -288,12 +289,12 @@ def plan_tail(track, sites, X):
             continue
         growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
         tau = np.linspace(0, X ** (-1 / m), 12)
-        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bw, bd, most)):
+        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bd, most)):
             edges = np.array(
                 sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)})
             )
             kept = []
-            for z1, z2 in zip(edges, edges[1:]):
+            for z1, z2 in itertools.pairwise(edges):
                 with np.errstate(all="ignore"):
                     z = np.linspace(z1, z2, 60)
                     kappa = 0.8 * np.min(value(bw, z, tau) / value(bd, z, tau))
@@ -329,7 +330,7 @@ def absorbs(bw, bd, z1, z2, kappa, tau):
     return True
 
 
-def resonances(bw, bd, most):
+def resonances(bd, most):
     """Edges of cells, geometrically spaced round the least values of |D|² at infinite q."""
     z = np.concatenate([-np.geomspace(1e-3, 20, 3000)[::-1], np.geomspace(1e-3, 1, 3000)]) * most
     d = value(bd, z, np.zeros(1))[:, 0]
@@ -341,20 +342,20 @@ def resonances(bw, bd, most):
     ]
 
 
-# --- paths -----------------------------------------------------------------------------------------------------------
+# --- paths -----------------------------------------------------------------------------------------------------------  # noqa: E501
 
 
-def walk(walker, kind, corners, special=None):
+def walk(walker, kind, corners):
     """Points along the polygon; each piece passes the verifier's tests."""
     at = corners[0]
     mark, points, total = walker.marks[at], [at], arb(0)
     for b in corners[1:]:
-        length = float(arb(sum(abs(x - y) for x, y in zip(mark.q, b))))
+        length = float(arb(sum(abs(x - y) for x, y in zip(mark.q, b, strict=False))))
         h, t, a = 1 / 16, 0.0, mark.q
         while mark.q != b:
             to = min(1.0, t + h)
             to = to if to < 1 else 1.0
-            where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b))
+            where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b, strict=False))
             try:
                 end, turned = walker.piece(kind, mark, where, None)
             except v2.Refused as no:
@@ -401,7 +402,7 @@ def plan_rho(floats, X):
     return float(max([*bad, X / 30])) * 1.05
 
 
-def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):
+def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):  # noqa: C901
     """A sealed certificate of the region, its roots found by Newton's method from the float determinant."""
     content = {
         "format": "mpsolve certificate",
@@ -474,7 +475,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             elif passive:
                 d = q_(depth or float(arb(rho_)))
                 walls = walk(walker, "passive", [(rho_, zero), (rho_, -d), (zero, -d)])[0]
-                axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if X > rho_ else [(rho_, zero)]
+                axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if rho_ < X else [(rho_, zero)]
                 paths += [("passive", walls), ("passive", axis)]
                 number = (
                     v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
@@ -507,7 +508,7 @@ def start_x(floats):
 
 
 def find_roots(content, floats, reg, rho):
-    """Newton from a grid of starts until as many as counted are found; balls of 1e-9 relative, refined at 128 bits."""
+    """Newton from a grid of starts until as many as counted are found; balls of 1e-9 relative, refined at 128 bits."""  # noqa: E501
     n = content["claim"]["count"]
     found = []
     rng = np.random.default_rng(1)

@@ -1,8 +1,9 @@
-"""The verifier of version 2: counts against an independent float count, kernels against their integrals, forgeries refused."""
+"""The verifier of version 2: counts against a float count, kernels against their integrals, forgeries refused."""
 
 from __future__ import annotations
 
 import copy
+import itertools
 import json
 import time
 from fractions import Fraction
@@ -110,7 +111,7 @@ def test_the_count_is_that_of_an_independent_float_contour(name):
     if region.re:
         (a, b), (c, d) = ([float(arb(x)) for x in side] for side in (region.re, region.im))
         corners = [a + 1j * c, b + 1j * c, b + 1j * d, a + 1j * d, a + 1j * c]
-        number = floats.turn([z for x, y in zip(corners, corners[1:]) for z in np.linspace(x, y, 40)]) / (2 * pi)
+        number = floats.turn([z for x, y in itertools.pairwise(corners) for z in np.linspace(x, y, 40)]) / (2 * pi)
     else:
         rho = float(arb(region.reach)) if region.reach is not None else 1.3 * last_real(value)
         number = floats.full_count(rho, float(arb(region.height)))
@@ -267,9 +268,9 @@ def turned_into_links(c):
 
 
 FORGERIES = [
-    moved_digit, dropped_root, twice, wrong_count, no_count, wrong_unstable, other_stiffness, other_velocity, other_mass, other_place,
-    undamped, gap_in_path, no_start, jump, off_the_line, too_long, backwards, less_x, swapped_nodes, few_nodes, more_absorption,
-    less_envelope, wider_block, larger_alpha, other_region, below_region, alone, double, negative_damper, turned_into_links,
+    moved_digit, dropped_root, twice, wrong_count, no_count, wrong_unstable, other_stiffness, other_velocity, other_mass, other_place,  # noqa: E501
+    undamped, gap_in_path, no_start, jump, off_the_line, too_long, backwards, less_x, swapped_nodes, few_nodes, more_absorption,  # noqa: E501
+    less_envelope, wider_block, larger_alpha, other_region, below_region, alone, double, negative_damper, turned_into_links,  # noqa: E501
 ]  # fmt: skip
 
 
@@ -337,14 +338,14 @@ def set_at(path, value):
 
 
 PLACES = [
-    ("bits",), ("start",), ("paths",), ("roots",), ("theorem",), ("basis",), ("claim",), ("equations",), ("claim", "count"), ("claim", "region"),
-    ("paths", 0, "points"), ("paths", 1, "points", 2), ("paths", 1, "kind"), ("theorem", "gamma"), ("theorem", "blocks"), ("theorem", "blocks", 0),
-    ("roots", 0), ("roots", 0, "re"), ("roots", 0, "radius"), ("roots", 0, "exponent"), ("equations", "track"), ("equations", "track", "matrix"),
-    ("equations", "track", "matrix", 0, 0), ("equations", "track", "loaded"), ("equations", "velocity"), ("equations", "vehicle", "M"),
+    ("bits",), ("start",), ("paths",), ("roots",), ("theorem",), ("basis",), ("claim",), ("equations",), ("claim", "count"), ("claim", "region"),  # noqa: E501
+    ("paths", 0, "points"), ("paths", 1, "points", 2), ("paths", 1, "kind"), ("theorem", "gamma"), ("theorem", "blocks"), ("theorem", "blocks", 0),  # noqa: E501
+    ("roots", 0), ("roots", 0, "re"), ("roots", 0, "radius"), ("roots", 0, "exponent"), ("equations", "track"), ("equations", "track", "matrix"),  # noqa: E501
+    ("equations", "track", "matrix", 0, 0), ("equations", "track", "loaded"), ("equations", "velocity"), ("equations", "vehicle", "M"),  # noqa: E501
     ("equations", "vehicle", "places"), ("equations", "vehicle", "compliances"), ("equations", "vehicle", "B", 0),
 ]  # fmt: skip
 VALUES = [
-    None, True, 0, -1, 10**400, "", "1/0", "0x1", "9" * 400, [], [[]], {}, [0] * 30_000, [["1", 0]], {"kind": []}, [1, 10**6], [0, 0, 10**9],
+    None, True, 0, -1, 10**400, "", "1/0", "0x1", "9" * 400, [], [[]], {}, [0] * 30_000, [["1", 0]], {"kind": []}, [1, 10**6], [0, 0, 10**9],  # noqa: E501
     [2**300, 0], "nan",
 ]  # fmt: skip
 
@@ -501,7 +502,7 @@ def test_two_roots_in_one_ball():
 
 
 def test_neutral_and_unfelt_coordinates_are_named():
-    """A body that hangs on a damper is neutral; two equal oscillators in opposite motion are not felt by their wheel."""
+    """A body that hangs on a damper is neutral; two equal oscillators in opposite motion are not felt by their wheel."""  # noqa: E501
     damped = p.vehicle(
         [[10, 0], [0, 5]], [[0, 0], [0, 1]], [[0, 0], [0, 0]], [[1], [0]], [0], [0]
     )  # the second: m ÿ + ẏ = 0
