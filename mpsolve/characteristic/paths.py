@@ -23,7 +23,8 @@ from mpsolve.proof.turning import Regular, pivot_arguments, regular
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
 _DEFINITE = 0.9
-_ROOM = 1.3  # pieces are planned on discs this much larger, so that a checker with wider bounds passes them too
+ROOM = 1.3
+"""Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
 
 
 @dataclass(frozen=True)
@@ -56,10 +57,11 @@ class Proved:
 
 @dataclass(frozen=True)
 class Paths:
-    """The tests of a problem with `up` p-roots in U."""
+    """The tests of a problem with `up` p-roots in U; pieces are planned on discs larger by `room`."""
 
     arrays: Arrays
     up: int
+    room: float = ROOM
 
     def plan(self, kind: Kind, points: Any, effort: Effort) -> Path:
         """A path through `points` whose pieces pass the test of its kind, links left aside."""
@@ -70,7 +72,7 @@ class Paths:
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
-            return self._evaluate(kind, a, b, _ROOM)[1]
+            return self._evaluate(kind, a, b, self.room)[1]
 
         return passes
 

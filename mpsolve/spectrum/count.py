@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import Path, Paths, Proved, positive
+from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
@@ -48,7 +48,7 @@ class Count:
         return sum(path.pieces for path in self.paths)
 
 
-def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) -> Count:
+def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
     A half-plane whose theorem fails comes back as the half-disc that was counted. The track is passive at rest: the
@@ -56,7 +56,7 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) ->
     """
     arrays = Arrays(reduced)
     first = start(reduced.guide)
-    paths = Paths(arrays, first.up)
+    paths = Paths(arrays, first.up, room)
     if isinstance(region, Box):
         return _box(paths, first, region, effort)
     height = region.height if isinstance(region, Below) else Fraction(0)
