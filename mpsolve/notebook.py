@@ -1,4 +1,4 @@
-"""What a notebook shows of a Spectrum, a Response, an OnsetTable: a table, and a figure where it says more.
+"""What a notebook shows of a SheetSpectrum, a Response, an OnsetTable: a table, and a figure where it says more.
 
 Pictures that results save by themselves are listed here too. Only mpsolve/display.py loads this module.
 """
@@ -11,7 +11,7 @@ from functools import singledispatch
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.motion.solution import Response
@@ -51,7 +51,7 @@ save_picture.register(StabilityChart, picture)
 
 
 @card.register
-def spectrum_card(spectrum: Spectrum) -> str:
+def spectrum_card(spectrum: SheetSpectrum) -> str:
     """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
     motions = vibrations(spectrum)
     rows = [

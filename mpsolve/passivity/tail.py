@@ -198,7 +198,9 @@ def _blocks(guide: Guide) -> list[tuple[Fraction, list[tuple[float, float]]]]:
         ends = [(-1.4, 1.4), (-0.9, 0.9), (-0.5, 0.5), (-1.4, -0.6), (-0.8, -0.2), (0.1, 0.4), (-3.0, -2.0)]
         choices = [[end] for end in ends] + [_side_by_side(-2.0, 1.2, 8), _side_by_side(-2.0, 0.5, 16)]
         if edge.slope == 1:
-            choices += [_round(root.real / scale, n) for root in roots if abs(root.imag) < 1e-9 * scale for n in (3, 6)]
+            choices += [
+                _round(root.real / scale, n) for root in roots if abs(root.imag) < 1e-9 * scale for n in (3, 6)
+            ]
         for choice in choices:
             z = [(float(np.float32(a * scale)), float(np.float32(b * scale))) for a, b in choice]
             if edge.slope == 1:

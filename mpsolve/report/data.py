@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from mpsolve.certificate.certify import Spectrum, known_count
+from mpsolve.certificate.sheet import SheetSpectrum, known_count
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import PhysicalCase
@@ -13,7 +13,7 @@ from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.report.statement import proved, radius_text
 from mpsolve.report.vibration import Trend, Vibration, vibration
 from mpsolve.sheet.enclose import RootBall
-from mpsolve.sheet.region import Rectangle
+from mpsolve.spectrum.regions import Rectangle
 
 FORMAT = "mpsolve report"
 VERSION = 1
@@ -23,7 +23,7 @@ _DIMENSIONLESS_UNITS = {"frequency": "cycles per unit of τ", "growth_rate": "1 
 
 
 def as_data(
-    spectrum: Spectrum,
+    spectrum: SheetSpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,

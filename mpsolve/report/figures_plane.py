@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
@@ -37,7 +37,7 @@ def gap_end(case: Case) -> float | None:
     return max(0.0, float(limiting_frequency(case, Float64()))) if case.cuts_on_line else None
 
 
-def q_plane(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def q_plane(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The roots with the cuts, their branch points, the contour along them and the unstable half-plane; `ax`."""
     start = gap_end(spectrum.case)
     height = float(spectrum.case.eta_b)
@@ -55,7 +55,7 @@ def q_plane(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     return ax
 
 
-def draw_roots(spectrum: Spectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
+def draw_roots(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
     """A mark at the midpoint of each certified ball; a diamond where Im q < 0 is proved."""
     for k, root in enumerate(spectrum.roots, 1):
         x, y = centre(root)
@@ -99,7 +99,7 @@ def root_ball(motion: Vibration, ax: Axes, look: Look = COLOUR) -> Axes:
     return ax
 
 
-def whole_contour(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def whole_contour(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The whole contour of the count to scale: both edges of the cuts and the far circle; `ax`.
 
     Where only Im q < 0 was counted: the real axis and the circle below it.

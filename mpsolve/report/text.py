@@ -14,7 +14,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -31,7 +31,7 @@ _COLOUR = {"UNSTABLE": "bold red", "STABLE": "bold green", "UNDECIDED": "bold ye
 
 
 def render(
-    spectrum: Spectrum,
+    spectrum: SheetSpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
@@ -54,7 +54,7 @@ def plain(report: Group) -> str:
 
 
 def document(
-    spectrum: Spectrum,
+    spectrum: SheetSpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
@@ -88,7 +88,7 @@ def columns_of(columns: int) -> Table:
     return table
 
 
-def _case(spectrum: Spectrum, physical: PhysicalCase | None) -> Table:
+def _case(spectrum: SheetSpectrum, physical: PhysicalCase | None) -> Table:
     table = columns_of(3)
     for row in [*(beam_rows(physical) if physical else ()), *ratio_rows(spectrum.case), *_limits(spectrum)]:
         table.add_row(*(Text(cell) for cell in row))
@@ -132,7 +132,7 @@ def ratio_rows(case: Case) -> Iterator[tuple[str, str, str]]:
         yield f"η_M{j}", shown(ratio), f"mass ratio M χ/m, at ξ {_equals(place)}"
 
 
-def _limits(spectrum: Spectrum) -> Iterator[tuple[str, str, str]]:
+def _limits(spectrum: SheetSpectrum) -> Iterator[tuple[str, str, str]]:
     meaning = {"α_C": "velocity ratio at which the cuts join", "q_lm": "limiting frequency, where the cuts begin"}
     for name, value in limits(spectrum).items():
         yield name, value, meaning[name]

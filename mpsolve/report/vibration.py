@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import arb
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
@@ -51,7 +51,7 @@ def vibration(root: RootBall, physical: PhysicalCase | None, digits: int) -> Vib
         return Vibration(root, abs(root.q.real) * omega / (2 * field.pi), rate, time, state)
 
 
-def vibrations(spectrum: Spectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
+def vibrations(spectrum: SheetSpectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
     """Every root of the spectrum once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency.
 
     Raises InputError if `physical` is not the case of the spectrum.
@@ -62,7 +62,7 @@ def vibrations(spectrum: Spectrum, physical: PhysicalCase | None = None) -> tupl
     return tuple(vibration(root, physical, spectrum.digits) for root in ordered)
 
 
-def _once(spectrum: Spectrum) -> list[RootBall]:
+def _once(spectrum: SheetSpectrum) -> list[RootBall]:
     """The roots without those whose mirror image with Re q > 0 is there too."""
     right = [root for root in spectrum.roots if not root.q.real < 0]
     with ball_arithmetic(working_bits(spectrum.digits)):

@@ -19,6 +19,7 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.packed import Portable
 
 acb, arb = flint.acb, flint.arb
 
@@ -36,7 +37,7 @@ class Symmetry(Enum):
 
 
 @dataclass(frozen=True)
-class RootBall:
+class RootBall(Portable):
     """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
 
     A single root is isolated by interval Newton, a cluster (multiplicity > 1) by Pellet's test. The midpoint

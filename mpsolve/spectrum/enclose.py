@@ -17,6 +17,7 @@ from typing import Any
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.proof.ladder import climb
 from mpsolve.proof.newton import Isolated, isolated, polished, sharpened
@@ -38,7 +39,7 @@ class Symmetry(Enum):
 
 
 @dataclass(frozen=True)
-class RootBall:
+class RootBall(Portable):
     """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
 
     A single root is isolated by interval Newton, a cluster (multiplicity > 1) by Pellet's test. The midpoint
