@@ -8,8 +8,8 @@ from typing import Any
 
 import flint
 
-from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.certificate.format import Certificate
+from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.claims import Claim
 from mpsolve.errors import PrecisionError
 from mpsolve.model.parameters import Case

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from mpsolve.certificate.on_sheet import certify_on_sheet
@@ -56,12 +57,16 @@ def certify(
     if paper is not None and _needs_sheet(paper, wanted):
         return certify_on_sheet(problem, paper, wanted, **options)
     found = certify_problem(as_problem(problem), region=wanted, **options)
+    if wanted is None and not found.proved:
+        other = certify(problem, region="unstable", **options)
+        return replace(other, note=other.note or _ABOVE) if other.proved else found
     if paper is not None and wanted == "unstable" and not found.proved:
         other = certify_on_sheet(problem, paper, "unstable", **options)
         return other if other.proved else found
     return found
 
 
+_ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
 _OTHERS = 'give "unstable", ("below", h) or a Rectangle'
 
 

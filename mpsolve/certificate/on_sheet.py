@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from time import process_time
-from typing import Any
+from typing import Any, TypeAlias
 
 from flint import acb
 
@@ -18,13 +18,14 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.sheet.enclose import RootBall
 from mpsolve.spectrum.enclose import Symmetry
-from mpsolve.spectrum.regions import Answered, HalfPlane, Sheet
+from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.solve import MORE_EFFORT
 from mpsolve.spectrum.spectrum import Cost, Root, Spectrum
 
+AnySpectrum: TypeAlias = Spectrum | SheetSpectrum
+"""What may be handed to a question about the paper's beam; `sheet_of` makes one thing of it."""
+
 _PIECES = 100_000
-_SPARE = 1  # a digit more, for the rounding of q √(k/m)
-_MOST = 10_000
 
 
 def certify_on_sheet(
@@ -43,11 +44,10 @@ def certify_on_sheet(
     started = process_time()
     case, scale = (paper, None) if isinstance(paper, Case) else (paper.dimensionless, paper.time_scale)
     budget = (effort or Effort(evaluations=_PIECES)).anew()
-    spare = 0 if scale is None else _SPARE
     tell = _timed(progress or silent, budget)
     pieces = budget.evaluations or 100 * _PIECES
-    found = certify_sheet(case, min(digits + spare, _MOST), region, pieces, tell, check)
-    with precision(working_bits(digits + spare)):
+    found = certify_sheet(case, digits, region, pieces, tell, check)
+    with precision(working_bits(digits)):
         unit = None if scale is None else scale.ball()
         roots = tuple(_root(root, unit, given) for root in found.roots)
     count = known_count(found)
@@ -61,13 +61,15 @@ def certify_on_sheet(
         unstable=found.unstable,
         roots=roots,
         known={} if found.proved or count is None else {"count": count},
+        closing=_closing(found),
+        verified=found.verified,
         certificate=found.certificate,
         cost=Cost(process_time() - started, evaluations=found.evaluations),
         sheet=found,
     )
 
 
-def sheet_of(spectrum: object) -> SheetSpectrum:
+def sheet_of(spectrum: AnySpectrum) -> SheetSpectrum:
     """The answer on the paper's beam, in dimensionless terms; InputError where there is none."""
     found = spectrum.sheet if isinstance(spectrum, Spectrum) else spectrum
     if not isinstance(found, SheetSpectrum):
@@ -95,8 +97,15 @@ def _root(root: RootBall, unit: Any, given: Given) -> Root:
 
 
 def _region(region: Any) -> Answered:
-    names: dict[Any, Answered] = {"sheet": Sheet(), "unstable": HalfPlane()}
-    return names.get(region, region)
+    named: dict[str, Answered] = {"sheet": Sheet(), "unstable": HalfPlane()}
+    return region if isinstance(region, Rectangle) else named[region]
+
+
+def _closing(found: SheetSpectrum) -> str:
+    """What proves that no root is missed."""
+    if found.radius is None:
+        return "" if found.count is None else "the argument of Δ turns along the sides of the rectangle"
+    return f"a bound of Δ for large q: no root has |q − iη_b| ≥ {found.radius:.10g} in units of √(k/m)"
 
 
 def _worded(reason: Reason) -> Reason:

@@ -48,6 +48,7 @@ class SheetSpectrum:
     certificate: Certificate | None = field(default=None, repr=False)
     evaluations: int = 0
     why: Reason | None = field(default=None, repr=False)
+    verified: str = ""
 
     @property
     def proved(self) -> bool:
@@ -113,7 +114,7 @@ def _checked(found: SheetSpectrum, tell: Progress) -> SheetSpectrum:
     certificate = known(found.certificate, "the certificate")
     verdict = verify.judge(certificate.text.encode("ascii"))
     if verdict.valid:
-        return replace(found, status=Status.PROVED)
+        return replace(found, status=Status.PROVED, verified=verdict.claim)
     why = Reason(
         "not-verified",
         f"the verifier does not confirm the certificate ({verdict.reason})",

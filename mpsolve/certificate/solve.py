@@ -16,15 +16,17 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.count import Count
+from mpsolve.spectrum.count import AT_REST, Count
 from mpsolve.spectrum.enclose import RootBall, Symmetry
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
+from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest, lowest_cut
 
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
+_REMEDY = "report this as a fault, with the input"
 
 
 def certify_problem(
@@ -48,12 +50,9 @@ def certify_problem(
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
     _require_stable(problem)
-    wanted, note = _region(reduced, region)
+    wanted = _region(reduced, region)
     found = solve(reduced, wanted, checked_digits(digits), budget, tell)
-    if found.count is None and region is None and isinstance(wanted, Below):
-        wanted, note = HalfPlane(), "roots above the real axis are left out, as the count below a height stayed open"
-        found = solve(reduced, wanted, digits, budget, tell)
-    return _spectrum(reduced, wanted, digits, found, note, budget, started, check, tell)
+    return _spectrum(reduced, wanted, digits, found, budget, started, check, tell)
 
 
 def checked_digits(digits: object) -> int:
@@ -79,31 +78,32 @@ def _timed(progress: Progress, budget: Effort) -> Progress:
     """The same progress, which ends the work when its time is over."""
 
     def tell(stage: str, fraction: float) -> None:
-        budget.spend(0)
+        if stage != "verifying":
+            budget.spend(0)
         progress(stage, fraction)
 
     return tell
 
 
-def _region(reduced: Reduced, region: object) -> tuple[Region, str]:
+def _region(reduced: Reduced, region: object) -> Region:
     if region == "unstable":
-        return HalfPlane(), ""
+        return HalfPlane()
     low, _ = lowest_cut(reduced.problem.track)
     if region is None:
-        return (Below(default_height(reduced, low)), "") if low > 0 else (HalfPlane(), "")
+        return Below(default_height(reduced, low)) if low > 0 else HalfPlane()
     given = checked_region(region)
     unit = reduced.frequency_unit
     if isinstance(given, Below):
         if given.height > low:
             raise InputError("region", f"is {_below_words(given)}, but {_cut_words(low)}: {_lower('h', low)}")
-        return Below(_rounded(given.height, unit, up=False)), ""
+        return Below(_rounded(given.height, unit, up=False))
     if isinstance(given, Rectangle):
         if given.im_max > max(low, Fraction(0)):
             stated = f"is {shown(given.im_max)}, but {_cut_words(low)}"
             raise InputError("region.im_max", f"{stated}: {_lower('im_max', low)}")
         left, right, bottom, top = (_rounded(x, unit, up=bool(k % 2)) for k, x in enumerate(given.bounds))
         top = top if top <= max(low, Fraction(0)) else _rounded(given.im_max, unit, up=False)
-        return Rectangle(left, right, bottom, top), ""
+        return Rectangle(left, right, bottom, top)
     raise InputError("region", f'is {region!r}: give "unstable", ("below", h) or a Rectangle')
 
 
@@ -136,7 +136,6 @@ def _spectrum(
     wanted: Region,
     digits: int,
     found: Found,
-    note: str,
     budget: Effort,
     started: float,
     check: bool,
@@ -152,7 +151,9 @@ def _spectrum(
         "count": count.total,
         "roots": roots,
         "neutral": reduced.neutral,
-        "note": note or count.why,
+        "unfelt": unfelt_frequencies(reduced.parts),
+        "note": "" if count.why == AT_REST else count.why,
+        "closing": _closing(reduced, count),
     }
     if found.reason is not None:
         return Spectrum(
@@ -162,13 +163,33 @@ def _spectrum(
     certificate = spectrum_certificate(reduced, count, _entries(found.balls), unstable)
     if check:
         tell("verifying", 0.0)
-    status, reason, seconds = _checked(certificate, check)
+    status, reason, verified, seconds = _checked(certificate, check)
     cost = Cost(cost.seconds, seconds, cost.evaluations, cost.pieces)
     if reason is not None:  # of what the verifier refuses nothing is known
         return Spectrum(problem, count.region, digits, status, reason, certificate=certificate, cost=cost)
     return Spectrum(
-        problem, count.region, digits, status, reason, unstable=unstable, certificate=certificate, cost=cost, **common
+        problem,
+        count.region,
+        digits,
+        status,
+        unstable=unstable,
+        certificate=certificate,
+        cost=cost,
+        verified=verified,
+        **common,
     )
+
+
+def _closing(reduced: Reduced, count: Count) -> str:
+    """What proves that no root is missed."""
+    if count.why == AT_REST:
+        return AT_REST
+    if isinstance(count.region, Rectangle):
+        return "the argument of the characteristic function turns along the sides of the rectangle"
+    if count.beyond is None:
+        return "the argument of the characteristic function turns along the border of the half-disc"
+    rho = outward(float(count.beyond.rho * float(reduced.frequency_unit)), 6, up=True)
+    return f"the track takes up power at all frequencies with |q| ≥ {rho}, so that none with Im q < 0 is there"
 
 
 def _known(count: Count) -> dict[str, Any]:
@@ -176,19 +197,19 @@ def _known(count: Count) -> dict[str, Any]:
     return {"count": count.total}
 
 
-def _checked(certificate: Any, check: bool) -> tuple[Status, Reason | None, float]:
+def _checked(certificate: Any, check: bool) -> tuple[Status, Reason | None, str, float]:
     """The verifier's word on the certificate that was just made."""
     if not check:
-        return Status.UNVERIFIED, None, 0.0
+        return Status.UNVERIFIED, None, "", 0.0
     from mpsolve.certificate.verify2 import verify_bytes
 
     started = process_time()
     verdict = verify_bytes(certificate.text.encode("ascii"))
     seconds = process_time() - started
     if verdict.valid:
-        return Status.PROVED, None, seconds
+        return Status.PROVED, None, verdict.claim, seconds
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"
-    return Status.UNDECIDED, Reason("verifier", message, {}, "report this as a fault, with the input"), seconds
+    return Status.UNDECIDED, Reason("verifier", message, {}, _REMEDY), "", seconds
 
 
 def _entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:

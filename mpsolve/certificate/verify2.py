@@ -107,9 +107,7 @@ def opened(raw: bytes) -> dict[str, Any]:
         require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
         return dict(pairs)
 
-    read = json.loads(
-        raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique
-    )
+    read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
     require(isinstance(read, dict), "the file holds no JSON object")
     require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
     version = read.get("version")
@@ -193,7 +191,7 @@ def nonnegative(p: Any, strictly: bool) -> bool:
     if not c or c[-1] <= 0 or (strictly and c[0] <= 0):
         return False
     return all(x >= 0 for x in c) or all(
-        k % 2 == 0 and not strictly or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
+        (k % 2 == 0 and not strictly) or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
     )
 
 
@@ -244,7 +242,9 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
     if not rows:
         return RING.constant(1)
     minors = [determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]]) if x else 0 for k, x in enumerate(rows[0])]
-    return sum(((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0))
+    return sum(
+        ((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0)
+    )
 
 
 def terms(p: Any) -> Terms:
@@ -297,7 +297,10 @@ def read_track(value: Any, velocity: Any) -> Track:
     require(big and cofactor, "the track's determinant or cofactor vanishes")
     for p in (big, cofactor):
         require(sum(p.degrees()) <= MAX_DEGREE, "the track's determinant has too high a degree")
-        require(all(i % 2 == 0 for i, _ in terms(p)), "D or N is not even in P: the track is not the same in both directions")
+        require(
+            all(i % 2 == 0 for i, _ in terms(p)),
+            "D or N is not even in P: the track is not the same in both directions",
+        )
     moved = [terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (big, cofactor)]
     track = Track(rows, loaded, v, big, cofactor, moved[0], moved[1])
     require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
@@ -309,7 +312,11 @@ def entry(value: Any) -> Any:
     out = RING.constant(0)
     for term in items(value, 60, "an entry of the track"):
         i, j, c = items(term, 3, "a term", 3)
-        out += rational(c, "a coefficient") * P_ ** integer(i, 0, 12, "a power of P") * S_ ** integer(j, 0, 6, "a power of s")
+        out += (
+            rational(c, "a coefficient")
+            * P_ ** integer(i, 0, 12, "a power of P")
+            * S_ ** integer(j, 0, 6, "a power of s")
+        )
     return out
 
 
@@ -320,7 +327,10 @@ def check_no_cut(track: Track, height: Any) -> None:
     a = in_y(terms(shifted))
     if a[-1].coeffs()[-1] < 0:
         a = [-x for x in a]
-    require(hurwitz(a, strictly), "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this")
+    require(
+        hurwitz(a, strictly),
+        "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this",
+    )
     lead = fmpq_poly(track.lead)(fmpq_poly([-height, 1])).coeffs()
     lead = [-x for x in lead] if lead[-1] < 0 else lead
     require(hurwitz([fmpq_poly([x]) for x in lead], True), "the highest coefficient of D may vanish in the region")
@@ -340,15 +350,23 @@ def check_passive_track(track: Track) -> None:
             rows[c][r] += x * (-P_) ** i / 2 * (-1) ** (j + 1)
     for j, rows in parts.items():
         if j % 2 == 0:
-            require(not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive")
+            require(
+                not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive"
+            )
             continue
         sign = 1 if j % 4 == 1 else -1
         for k in range(1, size + 1):
             for kept in combinations(range(size), k):
                 minor = in_y(terms(determinant([[sign * rows[r][c] for c in kept] for r in kept])))[0]
-                require(not minor.coeffs() or nonnegative(minor, False), "the track may give energy at rest: it is not passive")
+                require(
+                    not minor.coeffs() or nonnegative(minor, False),
+                    "the track may give energy at rest: it is not passive",
+                )
     require(terms(absorption(track)[0]), "the track absorbs nothing")
-    require(max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)), "the track's receptance does not decay in frequency")
+    require(
+        max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)),
+        "the track's receptance does not decay in frequency",
+    )
 
 
 def absorption(track: Track) -> tuple[Any, Any]:
@@ -432,7 +450,9 @@ def shift(z: Any, size: int, rows: int) -> Any:
     powers = [acb(1)]
     for _ in range(size - 1):
         powers.append(powers[-1] * z)
-    return acb_mat(rows, size, [powers[k - i] * comb(k, i) if k >= i else 0 for i in range(rows) for k in range(size)])
+    return acb_mat(
+        rows, size, [powers[k - i] * comb(k, i) if k >= i else 0 for i in range(rows) for k in range(size)]
+    )
 
 
 def box(radius: Any) -> Any:
@@ -557,7 +577,9 @@ class Split:
     def values(self) -> list[Any]:
         """Balls of the a_k of a thin splitting, sharpened where nodes are far from the roots."""
         at = self.nodes
-        sharp = all(self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k)
+        sharp = all(
+            self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k
+        )
         return [box(t) for t in self.tight] if sharp else [x[0] for x in factor_series(self, arb(0), 1)]
 
     def isolated(self, side: range) -> list[Any] | None:
@@ -582,7 +604,9 @@ class Split:
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
     """Approximate roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
     c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
-    z = [p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)]  # off the real axis, where roots may meet
+    z = [
+        p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)
+    ]  # off the real axis, where roots may meet
     for _ in range(40):
         change = 0.0
         for k, p in enumerate(z):
@@ -646,7 +670,8 @@ def along(f: list[list[Any]], u: list[list[Any]], order: int) -> list[Any]:
     """Σ f_ij u^i t^j as a series."""
     rows = len(f)
     return [
-        sum((f[i][j] * u[i][k - j] for j in range(k + 1) for i in range(min(k - j + 1, rows))), acb(0)) for k in range(order)
+        sum((f[i][j] * u[i][k - j] for j in range(k + 1) for i in range(min(k - j + 1, rows))), acb(0))
+        for k in range(order)
     ]
 
 
@@ -688,7 +713,9 @@ def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = Fa
     return out
 
 
-def by_roots(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]) -> list[list[Any]]:
+def by_roots(
+    split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]
+) -> list[list[Any]]:
     """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
     nodes, local = split.nodes, split.nodes.local
     n, total = local.degree + 1, [[acb(0)] * order for _ in gaps]
@@ -716,7 +743,9 @@ def by_roots(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], r
     return total
 
 
-def by_matrices(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]) -> list[list[Any]]:
+def by_matrices(
+    split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]
+) -> list[list[Any]]:
     """The same where roots of one side may meet: U is the characteristic polynomial of diag(z) − 1·aᵀ =: A, and
     G = ± cᵀ e^{Aξ} N(A) L(A)⁻¹ 1/lead with c_k = 1/Π(z_k − z_i); series in t are block triangular matrices."""
     nodes, local = split.nodes, split.nodes.local
@@ -772,7 +801,9 @@ def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
     nodes, local = split.nodes, split.nodes.local
     n, z, columns = len(nodes.z), nodes.z, local.d.ncols()
     in_t = shift(box(r) if r else acb(0), columns, order).transpose()
-    inverse = acb_mat(n, n, [1 / (z[k] - z[i]) if (i < nodes.up) != (k < nodes.up) else 0 for k in range(n) for i in range(n)])
+    inverse = acb_mat(
+        n, n, [1 / (z[k] - z[i]) if (i < nodes.up) != (k < nodes.up) else 0 for k in range(n) for i in range(n)]
+    )
     lead = (acb_mat(1, columns, local.lead()) * in_t).entries()
     W = []
     for k in range(n):
@@ -961,7 +992,9 @@ class Walker:
         if kind == "link":
             return end, arb(0)
         thin = chosen.split(arb(0))
-        require(all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle")
+        require(
+            all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
+        )
         by_matrix = nodes is not None
         G = kernels(self.waves, thin, arb(0), 2, by_matrix)
         over = kernels(self.waves, disc, r, 3, by_matrix)
@@ -1052,7 +1085,9 @@ def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], pro
         b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
         if all(z > 0 for z in b.entries()):
             continue
-        require(not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}")
+        require(
+            not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}"
+        )
         if depth % 2:
             middle = (y0 + y1) / 2
             stack += [((x0, x1), (y0, middle), depth + 1), ((x0, x1), (middle, y1), depth + 1)]
@@ -1081,7 +1116,9 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
     keys(theorem, "gamma blocks alpha omega envelope")
     k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
-    blocks = [[dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")]
+    blocks = [
+        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")
+    ]
     omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
     alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
     require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
@@ -1096,8 +1133,12 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
     tau = above(x ** arb(fmpq(-1, m)))
     for z1, z2, kappa in blocks:
-        difference = {at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}}
-        check_positive(difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa")
+        difference = {
+            at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}
+        }
+        check_positive(
+            difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa"
+        )
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
     near, far = {}, {}
@@ -1108,12 +1149,16 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     reach = arb(v / X)
     give = "the giving part may exceed the envelope"
     check_positive({at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), None, give)
-    check_positive({at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give)
+    check_positive(
+        {at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give
+    )
     absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
     takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
     gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
     require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
-    require((alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given")
+    require(
+        (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
+    )
 
 
 def check_decay(track: Track) -> None:
@@ -1171,7 +1216,9 @@ class Region:
     def holds(self, z: Point, r: Any) -> bool:
         """Whether the closed disc of radius r round z lies inside."""
         if self.re and self.im:
-            return bool(self.re[0] < z[0] - r and z[0] + r < self.re[1] and self.im[0] < z[1] - r and z[1] + r < self.im[1])
+            return bool(
+                self.re[0] < z[0] - r and z[0] + r < self.re[1] and self.im[0] < z[1] - r and z[1] + r < self.im[1]
+            )
         low = z[1] + r < 0
         within = "disc" not in self.kind or (r < self.reach and z[0] ** 2 + z[1] ** 2 < (self.reach - r) ** 2)
         if low or self.height == 0:
@@ -1182,7 +1229,13 @@ class Region:
 def read_region(value: Any) -> Region:
     require(isinstance(value, dict) and isinstance(value.get("kind"), str), "the region has no kind")
     kind = value["kind"]
-    names = {"unstable": "", "disc": "radius", "below": "height reach", "below disc": "height radius", "rectangle": "re im"}
+    names = {
+        "unstable": "",
+        "disc": "radius",
+        "below": "height reach",
+        "below disc": "height radius",
+        "rectangle": "re im",
+    }
     require(kind in names, "the region's kind is not known to this verifier")
     keys(value, f"kind {names[kind]}")
     if kind == "rectangle":
@@ -1191,7 +1244,9 @@ def read_region(value: Any) -> Region:
         return Region(kind, max(im[1], fmpq(0)), None, (re_[0], re_[1]), (im[0], im[1]))
     height = rational(value["height"], "height") if "height" in value else fmpq(0)
     reach = rational(value.get("radius", value.get("reach")), "radius") if kind != "unstable" else None
-    require((height > 0 or "below" not in kind) and (reach is None or reach > 0), "a height or radius is not positive")
+    require(
+        (height > 0 or "below" not in kind) and (reach is None or reach > 0), "a height or radius is not positive"
+    )
     return Region(kind, height, reach)
 
 
@@ -1270,7 +1325,9 @@ def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
         require(link[-1] == (a, c), "the first path does not end at the rectangle's corner")
         check_lines(turn, [(a, c), (b, c), (b, d), (a, d), (a, c)])
         return
-    require(link[-1] == (zero, region.height), "the first path does not end on the imaginary axis, at the region's height")
+    require(
+        link[-1] == (zero, region.height), "the first path does not end on the imaginary axis, at the region's height"
+    )
     rho = region.reach if region.reach is not None else turn[-1][0]
     require(rho > 0, "rho is not positive")
     corner = (rho, zero)
@@ -1406,7 +1463,9 @@ def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> No
         rest = abs(g - middle) * e**m
         for k in range(m):
             rest += abs(determinant_series(A[: k + 1], k)) * e**k
-        require(g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed")
+        require(
+            g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed"
+        )
 
 
 def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:
@@ -1421,7 +1480,9 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, wal
             require(x > root.radius and region.holds(mirror, root.radius), f"root {k} is no pair inside the region")
             balls.append((mirror, root.radius))
         else:
-            require(region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis")
+            require(
+                region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis"
+            )
         balls.append((root.z, root.radius))
     balls.sort(key=lambda ball: ball[0][0] - ball[1])
     for k, ((x, y), r) in enumerate(balls):
@@ -1470,7 +1531,9 @@ def spectrum(content: dict[str, Any]) -> str:
     require(found == number, f"the file names {found} of {number} roots")
     below = sum(root.number for root in roots if root.z[1] + root.radius < 0)
     require(all(abs(root.z[1]) > root.radius for root in roots), "a root may lie on either side of the real axis")
-    require(below == integer(claim["unstable"], 0, 10_000, "unstable"), f"{below} roots have Im q < 0, not as claimed")
+    require(
+        below == integer(claim["unstable"], 0, 10_000, "unstable"), f"{below} roots have Im q < 0, not as claimed"
+    )
     return words(content, track, vehicle, region, roots, walker.pieces)
 
 
@@ -1496,8 +1559,12 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     if vehicle.neutral:
         said.append(f"  and {vehicle.neutral} neutral at q = 0 (a coordinate without spring or contact), named apart")
     if vehicle.unfelt:
-        said.append(f"  modes of {vehicle.unfelt} coordinates that no contact feels are named apart; none has Im q < 0")
-    said.append(f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t at rest, row {track.loaded + 1} carries the contacts):")
+        said.append(
+            f"  modes of {vehicle.unfelt} coordinates that no contact feels are named apart; none has Im q < 0"
+        )
+    said.append(
+        f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t at rest, row {track.loaded + 1} carries the contacts):"
+    )
     for k, row in enumerate(track.rows):
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from mpsolve.certificate.on_sheet import sheet_of
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case
-from mpsolve.spectrum.spectrum import Spectrum
 
 
-def proved_spectrum(case: Case, spectrum: Spectrum | SheetSpectrum | None, digits: int = 30) -> SheetSpectrum:
+def proved_spectrum(case: Case, spectrum: AnySpectrum | None, digits: int = 30) -> SheetSpectrum:
     """The given spectrum of the case, or a new one with these digits; PrecisionError if it is undecided."""
     found = certify_sheet(case, digits) if spectrum is None else sheet_of(spectrum)
     if found.case != case or found.region != "sheet":

@@ -20,6 +20,7 @@ import flint
 import mpmath
 import numpy as np
 
+from mpsolve.certificate.on_sheet import AnySpectrum
 from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
@@ -75,7 +76,7 @@ def enclose_response(
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
     digits: int = 15,
-    spectrum: SheetSpectrum | None = None,
+    spectrum: AnySpectrum | None = None,
 ) -> Enclosure:
     """The motion in balls proved to hold it, of a beam from rest under moving masses.
 
@@ -130,7 +131,7 @@ def precise_response(
     xi: Iterable[Number] | Number | None,
     tau: Iterable[Number] | Number,
     digits: int,
-    spectrum: SheetSpectrum | None = None,
+    spectrum: AnySpectrum | None = None,
 ) -> PreciseMotion:
     """The middles of the balls of `enclose_response`; PrecisionError if a ball is wider than 10^−digits."""
     _check_digits(digits)
@@ -156,7 +157,7 @@ def _check_digits(digits: Any) -> None:
 
 
 def _sharp(
-    case: Case, loads: tuple[Load, ...], spectrum: SheetSpectrum | None, digits: int, last: float
+    case: Case, loads: tuple[Load, ...], spectrum: AnySpectrum | None, digits: int, last: float
 ) -> tuple[SheetSpectrum, int]:
     """Induced frequencies with the digits that the sum of the parts needs, and how many of them it loses."""
     least = max(digits + 8, 20)

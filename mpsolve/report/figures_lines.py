@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
@@ -26,7 +27,7 @@ _SAMPLES = 200
 
 
 def line_frequencies(
-    lines: FrequencyLines, ax: Axes, spectrum: SheetSpectrum | None = None, physical: PhysicalCase | None = None,
+    lines: FrequencyLines, ax: Axes, spectrum: AnySpectrum | None = None, physical: PhysicalCase | None = None,
     look: Look = COLOUR,
 ) -> Axes:  # fmt: skip
     """Re q of each line over α, with q_lm dotted; `spectrum`: the case that is marked; `ax`.
@@ -35,6 +36,7 @@ def line_frequencies(
     """
     _lines(lines, ax, look, lambda q: float(q.real.mid()))
     if spectrum is not None:
+        spectrum = sheet_of(spectrum)
         _limit(spectrum.case, lines, ax, look)
         _here(spectrum, ax, look, lambda q: float(q.real.mid()))
     ax.set(ylabel="Re q", ylim=(0, None))
@@ -46,13 +48,14 @@ def line_frequencies(
 
 
 def line_growth(
-    lines: FrequencyLines, ax: Axes, spectrum: SheetSpectrum | None = None, physical: PhysicalCase | None = None,
+    lines: FrequencyLines, ax: Axes, spectrum: AnySpectrum | None = None, physical: PhysicalCase | None = None,
     look: Look = COLOUR,
 ) -> Axes:  # fmt: skip
     """Im q of each line over α, with the level η_b of the cuts dotted and the unstable half shaded; `ax`."""
     _lines(lines, ax, look, lambda q: float(q.imag.mid()))
     ax.axhline(0, color=look.ink, linewidth=0.8)
     if spectrum is not None:
+        spectrum = sheet_of(spectrum)
         if spectrum.case.cuts_on_line:
             ax.axhline(
                 float(spectrum.case.eta_b), color=look.ink, linestyle=":", linewidth=1, label="$η_b$, the cuts"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.sheet import SheetSpectrum
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
@@ -37,8 +37,9 @@ def gap_end(case: Case) -> float | None:
     return max(0.0, float(limiting_frequency(case, Float64()))) if case.cuts_on_line else None
 
 
-def q_plane(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def q_plane(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The roots with the cuts, their branch points, the contour along them and the unstable half-plane; `ax`."""
+    spectrum = sheet_of(spectrum)
     start = gap_end(spectrum.case)
     height = float(spectrum.case.eta_b)
     places = [centre(root) for root in spectrum.roots]
@@ -55,8 +56,9 @@ def q_plane(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     return ax
 
 
-def draw_roots(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
+def draw_roots(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
     """A mark at the midpoint of each certified ball; a diamond where Im q < 0 is proved."""
+    spectrum = sheet_of(spectrum)
     for k, root in enumerate(spectrum.roots, 1):
         x, y = centre(root)
         ax.plot(x, y, **look.root(root.q.imag < 0), markersize=size, markeredgewidth=0.8, zorder=5, gid=f"root-{k}")
@@ -99,11 +101,12 @@ def root_ball(motion: Vibration, ax: Axes, look: Look = COLOUR) -> Axes:
     return ax
 
 
-def whole_contour(spectrum: SheetSpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def whole_contour(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The whole contour of the count to scale: both edges of the cuts and the far circle; `ax`.
 
     Where only Im q < 0 was counted: the real axis and the circle below it.
     """
+    spectrum = sheet_of(spectrum)
     rho = 1.0 if spectrum.radius is None else spectrum.radius
     start = gap_end(spectrum.case)
     on_cuts = start is not None

@@ -14,6 +14,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
@@ -31,7 +32,7 @@ _COLOUR = {"UNSTABLE": "bold red", "STABLE": "bold green", "UNDECIDED": "bold ye
 
 
 def render(
-    spectrum: SheetSpectrum,
+    spectrum: AnySpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
@@ -54,12 +55,13 @@ def plain(report: Group) -> str:
 
 
 def document(
-    spectrum: SheetSpectrum,
+    spectrum: AnySpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
 ) -> Group:
     """The same report for a rich console, with the verdict in colour."""
+    spectrum = sheet_of(spectrum)
     stated = verdict(spectrum)
     parts: list[Any] = [Text(title, style="bold"), Text("")] if title else []
     parts += [Text(stated, style=_COLOUR.get(stated.partition(":")[0], "bold")), Text("")]
@@ -190,12 +192,13 @@ def _roots(motions: tuple[Vibration, ...], digits: int) -> Table:
     table = columns_of(2)
     with ball_arithmetic(working_bits(digits)):
         for j, motion in enumerate(motions, 1):
-            for label, number in _root(j, motion, digits):
+            for label, number in root_rows(j, motion, digits):
                 table.add_row(Text(label), Text(number))
     return table
 
 
-def _root(j: int, motion: Vibration, digits: int) -> list[tuple[str, str]]:
+def root_rows(j: int, motion: Vibration, digits: int) -> list[tuple[str, str]]:
+    """Label and digits of a root, at the precision that is set: one row, or two where one would be too long."""
     q = motion.root.q
     real, imag = decimal(abs(q.real), digits + 2).text, decimal(q.imag, digits + 2).text
     pair = "±" if q.real else ""

@@ -78,6 +78,8 @@ class Spectrum(Portable):
     unstable: how many of them have Im q < 0. neutral: how often q = 0 is a root by construction (bodies on dampers
     alone); unfelt: frequencies of the vehicle that no contact feels. Both are left out of `roots`.
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    note: why the region is not all that was asked for. closing: what proves that the count misses nothing.
+    verified: what the standalone verifier has confirmed, in its own words.
     sheet: the answer on the paper's beam that this one was made of, in dimensionless terms, or None.
     """
 
@@ -92,6 +94,8 @@ class Spectrum(Portable):
     neutral: int = 0
     unfelt: tuple[Any, ...] = ()
     note: str = ""
+    closing: str = ""
+    verified: str = ""
     known: Mapping[str, Any] = field(default_factory=dict)
     certificate: Any = field(default=None, repr=False)
     cost: Cost = field(default_factory=lambda: Cost(0.0))

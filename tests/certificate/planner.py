@@ -9,10 +9,10 @@ from __future__ import annotations
 import hashlib
 import json
 from fractions import Fraction
-from math import comb, pi
+from math import pi
 
 import numpy as np
-from flint import acb, acb_mat, acb_poly, arb, fmpq
+from flint import arb, fmpq
 
 from mpsolve.certificate import verify2 as v2
 
@@ -35,7 +35,12 @@ def F(x):
 
 def beam(EI, m, k, c, kp=0, N=0, eta=0):
     EI, eta = F(EI), F(eta)
-    return {"matrix": [[poly((4, 0, EI), (4, 1, EI * eta), (2, 0, F(N) - F(kp)), (0, 2, F(m)), (0, 1, F(c)), (0, 0, F(k)))]], "loaded": 0}
+    return {
+        "matrix": [
+            [poly((4, 0, EI), (4, 1, EI * eta), (2, 0, F(N) - F(kp)), (0, 2, F(m)), (0, 1, F(c)), (0, 0, F(k)))]
+        ],
+        "loaded": 0,
+    }
 
 
 def string(T, m, k, c):
@@ -44,7 +49,10 @@ def string(T, m, k, c):
 
 def timoshenko(EI, m, J, S, k, c):
     a = poly((2, 0, -F(S)), (0, 2, F(m)), (0, 1, F(c)), (0, 0, F(k)))
-    return {"matrix": [[a, poly((1, 0, F(S)))], [poly((1, 0, -F(S))), poly((2, 0, -F(EI)), (0, 2, F(J)), (0, 0, F(S)))]], "loaded": 0}
+    return {
+        "matrix": [[a, poly((1, 0, F(S)))], [poly((1, 0, -F(S))), poly((2, 0, -F(EI)), (0, 2, F(J)), (0, 0, F(S)))]],
+        "loaded": 0,
+    }
 
 
 def two_layer(EI, m, kpad, cpad, ms, kb, cb):
@@ -59,24 +67,42 @@ def exact(a):
 
 
 def vehicle(M, C, K, B, places, h):
-    return {"M": exact(M), "C": exact(C), "K": exact(K), "B": exact(B), "places": [str(F(x)) for x in places], "compliances": [str(Fraction(x)) for x in h]}
+    return {
+        "M": exact(M),
+        "C": exact(C),
+        "K": exact(K),
+        "B": exact(B),
+        "places": [str(F(x)) for x in places],
+        "compliances": [str(Fraction(x)) for x in h],
+    }
 
 
 def masses(values, places):
     n = len(values)
     zero = [[0] * n for _ in range(n)]
     one = [[int(i == j) for j in range(n)] for i in range(n)]
-    return vehicle([[values[i] if i == j else 0 for j in range(n)] for i in range(n)], zero, zero, one, places, [0] * n)
+    return vehicle(
+        [[values[i] if i == j else 0 for j in range(n)] for i in range(n)], zero, zero, one, places, [0] * n
+    )
 
 
 def joined(mass, spring, distance):
     zero = [[0, 0], [0, 0]]
-    return vehicle([[mass, 0], [0, mass]], zero, [[spring, -F(spring)], [-F(spring), spring]], [[1, 0], [0, 1]], [0, distance], [0, 0])
+    return vehicle(
+        [[mass, 0], [0, mass]],
+        zero,
+        [[spring, -F(spring)], [-F(spring), spring]],
+        [[1, 0], [0, 1]],
+        [0, distance],
+        [0, 0],
+    )
 
 
 def bogie(frame, pitch, wheelset, k1, c1, kH, base):
     arm, n = F(base) / 2, 4
-    M = [[F(x) if i == j else Fraction(0) for j in range(n)] for i, x in enumerate((frame, pitch, wheelset, wheelset))]
+    M = [
+        [F(x) if i == j else Fraction(0) for j in range(n)] for i, x in enumerate((frame, pitch, wheelset, wheelset))
+    ]
     C, K = ([[Fraction(0)] * n for _ in range(n)] for _ in range(2))
     for side, w in ((-arm, 2), (arm, 3)):
         g = [Fraction(1), side, Fraction(0), Fraction(0)]
@@ -141,7 +167,10 @@ class Floats:
             for (i, j), c in t.items():
                 a[i, j] = c
             self.tables.append(a)
-        self.M, self.C, self.K, self.B = (np.array([[float(arb(x)) for x in r] for r in a.tolist()]) for a in (self.car.M, self.car.C, self.car.K, self.car.B))
+        self.M, self.C, self.K, self.B = (
+            np.array([[float(arb(x)) for x in r] for r in a.tolist()])
+            for a in (self.car.M, self.car.C, self.car.K, self.car.B)
+        )
         self.h = np.diag([float(arb(x)) for x in self.car.h])
         self.x = np.array([float(arb(x)) for x in self.car.places])
         self.sites = np.array([float(arb(x)) for x in self.car.sites])
@@ -256,21 +285,31 @@ def plan_tail(track, sites, X):
         growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
         tau = np.linspace(0, X ** (-1 / m), 12)
         for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bw, bd, most)):
-            edges = np.array(sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)}))
+            edges = np.array(
+                sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)})
+            )
             kept = []
             for z1, z2 in zip(edges, edges[1:]):
                 with np.errstate(all="ignore"):
                     z = np.linspace(z1, z2, 60)
                     kappa = 0.8 * np.min(value(bw, z, tau) / value(bd, z, tau))
-                if kappa > 0 and np.isfinite(kappa) and (z2 - z1) * growth > 1.01 * between and absorbs(bw, bd, z1, z2, kappa, tau[-1]):
+                if (
+                    kappa > 0
+                    and np.isfinite(kappa)
+                    and (z2 - z1) * growth > 1.01 * between
+                    and absorbs(bw, bd, z1, z2, kappa, tau[-1])
+                ):
                     kept.append((z1, z2, kappa))
             takes = sum(((b - a) * growth - between) * kappa for a, b, kappa in kept) * X ** ((tw - td) / m)
             Cf = float(arb(C))
             gives = Cf * ((v / X) ** (alpha - 1) / (alpha - 1) + between * (v / X) ** alpha)
             if takes > 1.02 * gives:
                 return {
-                    "gamma": [k, m], "blocks": [[as_dyadic(q_(x)) for x in one] for one in kept],
-                    "alpha": int(alpha), "omega": as_dyadic(q_(omega)), "envelope": as_dyadic(C),
+                    "gamma": [k, m],
+                    "blocks": [[as_dyadic(q_(x)) for x in one] for one in kept],
+                    "alpha": int(alpha),
+                    "omega": as_dyadic(q_(omega)),
+                    "envelope": as_dyadic(C),
                 }
     return None
 
@@ -291,7 +330,11 @@ def resonances(bw, bd, most):
     z = np.concatenate([-np.geomspace(1e-3, 20, 3000)[::-1], np.geomspace(1e-3, 1, 3000)]) * most
     d = value(bd, z, np.zeros(1))[:, 0]
     least = [z[i] for i in range(1, len(z) - 1) if d[i] < d[i - 1] and d[i] < d[i + 1]]
-    return [x for x in [r + s * abs(r) * g for r in least for s in (-1, 1) for g in np.geomspace(2e-3, 0.5, 12)] if x < most]
+    return [
+        x
+        for x in [r + s * abs(r) * g for r in least for s in (-1, 1) for g in np.geomspace(2e-3, 0.5, 12)]
+        if x < most
+    ]
 
 
 # --- paths -----------------------------------------------------------------------------------------------------------
@@ -313,7 +356,9 @@ def walk(walker, kind, corners, special=None):
             except v2.Refused as no:
                 h /= 2
                 if h < 1e-7:
-                    raise NotPlanned(f"{kind} at {float(arb(mark.q[0]))}, {float(arb(mark.q[1]))} of {length}: {no}") from None
+                    raise NotPlanned(
+                        f"{kind} at {float(arb(mark.q[0]))}, {float(arb(mark.q[1]))} of {length}: {no}"
+                    ) from None
                 continue
             mark, t, total, h = end, to, total + turned, h * 1.3
             points.append(mark.q)
@@ -327,7 +372,11 @@ def arc(walker, radius):
     R = float(arb(radius))
     while t < 1:
         to = min(1.0, t + h)
-        where = (fmpq(0), -radius) if to == 1.0 else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
+        where = (
+            (fmpq(0), -radius)
+            if to == 1.0
+            else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
+        )
         try:
             end, turned = walker.piece("turn", mark, where, None)
         except v2.Refused as no:
@@ -350,7 +399,14 @@ def plan_rho(floats, X):
 
 def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):
     """A sealed certificate of the region, its roots found by Newton's method from the float determinant."""
-    content = {"format": "mpsolve certificate", "version": 2, "kind": "spectrum", "equations": eq, "basis": basis, "bits": bits}
+    content = {
+        "format": "mpsolve certificate",
+        "version": 2,
+        "kind": "spectrum",
+        "equations": eq,
+        "basis": basis,
+        "bits": bits,
+    }
     floats = Floats(content)
     track, car = floats.track, floats.car
     reg = v2.read_region(region)
@@ -381,7 +437,16 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             rho_ = q_(rho or (plan_rho(floats, X) if X else 1))
         y0 = q_(start or float(arb(rho_)))
         if reg.kind == "unstable" and track.v == 0:
-            return seal(content | {"start": [1, 0], "paths": [], "theorem": None, "claim": {"region": region, "count": 0, "unstable": 0}, "roots": []})
+            return seal(
+                content
+                | {
+                    "start": [1, 0],
+                    "paths": [],
+                    "theorem": None,
+                    "claim": {"region": region, "count": 0, "unstable": 0},
+                    "roots": [],
+                }
+            )
         walker.begin(y0)
         zero = fmpq(0)
         X = max(q_(X), rho_) if X else None
@@ -399,13 +464,17 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             turn, T = walk(walker, "turn", up)
             paths = [("link", link), ("turn", turn)]
             if passive and track.v == 0:
-                number = (v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T) / arb.pi()
+                number = (
+                    v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
+                ) / arb.pi()
             elif passive:
                 d = q_(depth or float(arb(rho_)))
                 walls = walk(walker, "passive", [(rho_, zero), (rho_, -d), (zero, -d)])[0]
-                axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if X > rho_ else [(rho_, zero)]
+                axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if rho_ < X else [(rho_, zero)]
                 paths += [("passive", walls), ("passive", axis)]
-                number = (v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T) / arb.pi()
+                number = (
+                    v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
+                ) / arb.pi()
             else:
                 more, U = arc(walker, rho_)
                 paths[1] = ("turn", turn + more[1:])
@@ -446,7 +515,9 @@ def find_roots(content, floats, reg, rho):
         if tries % 3 == 0 and not reg.re:
             guess = 1j * rng.uniform(low, high)
         else:
-            guess = rng.uniform(0 if not reg.re else -rho, rho) * (1 if tries % 2 else rng.uniform(0, 0.3)) + 1j * (rng.uniform(low, high) if tries % 2 else rng.uniform(0.1 * low, high))
+            guess = rng.uniform(0 if not reg.re else -rho, rho) * (1 if tries % 2 else rng.uniform(0, 0.3)) + 1j * (
+                rng.uniform(low, high) if tries % 2 else rng.uniform(0.1 * low, high)
+            )
         try:
             with np.errstate(all="ignore"):
                 q = newton(floats.det, complex(guess))
@@ -482,7 +553,14 @@ def total(found, reg):
 def as_root(q, pair, relative):
     e = int(np.floor(np.log2(abs(q)))) - 52
     re, im = (round(x * 2.0**-e) for x in (q.real, q.imag))
-    return {"re": hex(re), "im": hex(im), "exponent": e, "radius": [1, e + 52 + int(np.log2(relative))], "multiplicity": 1, "pair": pair}
+    return {
+        "re": hex(re),
+        "im": hex(im),
+        "exponent": e,
+        "radius": [1, e + 52 + int(np.log2(relative))],
+        "multiplicity": 1,
+        "pair": pair,
+    }
 
 
 def save(content, path):
