@@ -12,12 +12,11 @@ from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import working_bits
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.outcome import Reason
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.sheet.enclose import RootBall
-from mpsolve.spectrum.enclose import Symmetry
 from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.solve import MORE_EFFORT
 from mpsolve.spectrum.spectrum import Cost, Root, Spectrum
@@ -90,10 +89,8 @@ def _timed(progress: Progress, budget: Effort) -> Progress:
 
 
 def _root(root: RootBall, unit: Any, given: Given) -> Root:
-    symmetry = Symmetry[root.symmetry.name]
-    if unit is None:
-        return Root(root.q, root.multiplicity, symmetry, given)
-    return Root(acb(root.q.real * unit, root.q.imag * unit), root.multiplicity, symmetry, given)
+    q = root.q if unit is None else acb(root.q.real * unit, root.q.imag * unit)
+    return Root(q, root.multiplicity, root.symmetry, given)
 
 
 def _region(region: Any) -> Answered:

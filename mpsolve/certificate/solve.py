@@ -11,13 +11,13 @@ from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
 from mpsolve.errors import InputError
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.model import shown
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.count import AT_REST, Count
-from mpsolve.spectrum.enclose import RootBall, Symmetry
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots

@@ -27,7 +27,7 @@ from typing import Any
 import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
-MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 3e8, 2_000, 20_000
+MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 3e8, 1_000, 20_000
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 96, 32, 24, 70_000, 8
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
@@ -79,7 +79,7 @@ def require(condition: Any, message: str) -> None:
         raise Refused(message)
 
 
-_lock = threading.RLock()  # flint's precision is one per process
+_lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's precision is one per process
 
 
 @contextmanager
@@ -142,7 +142,7 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
 
 def rational(text: Any, name: str) -> Any:
     """Reads "p" or "p/q"."""
-    match = re.fullmatch(r"(-?[0-9]{1,300})(?:/([0-9]{1,300}))?", text, re.ASCII) if isinstance(text, str) else None
+    match = re.fullmatch(r"(-?[0-9]{1,120})(?:/([0-9]{1,120}))?", text, re.ASCII) if isinstance(text, str) else None
     if match is None:
         raise Refused(f"{name} is not a rational number in text")
     return fmpq(int(match[1]), int(match[2] or 1))
@@ -173,7 +173,7 @@ def matrix(rows: Any, height: int, width: int, name: str) -> Any:
     entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
     numerators, denominator = entries.numer_denom()
     bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
-    require(bits * max(height, width) <= 12_000, f"{name} has too many digits")
+    require(bits * max(height, width) <= 8_000, f"{name} has too many digits")
     return entries
 
 
@@ -182,7 +182,7 @@ def at_q(z: Point) -> Any:
     return acb(-arb(z[1]), arb(z[0]))
 
 
-# --- exact algebra ------------------------------------------------------------------------------------------
+# --- exact algebra ----------------------------------------------------------------------------------------
 
 
 def nonnegative(p: Any, strictly: bool) -> bool:
@@ -232,7 +232,7 @@ def hurwitz(a: Sequence[Any], strictly: bool) -> bool:
 
 
 def semidefinite(a: Any) -> bool:
-    """All eigenvalues of a symmetric rational matrix are ≥ 0: the signs of its characteristic polynomial alternate."""
+    """Symmetric, with eigenvalues ≥ 0 only: the signs of the characteristic polynomial alternate."""
     n = a.nrows()
     return a == a.transpose() and all(c * (-1) ** (n - k) >= 0 for k, c in enumerate(a.charpoly().coeffs()))
 
@@ -259,7 +259,7 @@ def in_y(t: Terms) -> list[Any]:
     return [fmpq_poly(c) for c in out]
 
 
-# --- the equations ------------------------------------------------------------------------------------------
+# --- the equations ----------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -310,7 +310,7 @@ def read_track(value: Any, velocity: Any) -> Track:
 def entry(value: Any) -> Any:
     """[[i, j, "c"], …] is Σ c P^i s^j."""
     out = RING.constant(0)
-    for term in items(value, 60, "an entry of the track"):
+    for term in items(value, 40, "an entry of the track"):
         i, j, c = items(term, 3, "a term", 3)
         out += (
             rational(c, "a coefficient")
@@ -321,7 +321,7 @@ def entry(value: Any) -> Any:
 
 
 def check_no_cut(track: Track, height: Any) -> None:
-    """No p-root is real for Im q < 0, or, for height > 0, for Im q ≤ height; the highest coefficient has no zero there."""
+    """No p-root is real, and lead(σ) ≠ 0, for Im q < 0, or, for height > 0, for Im q ≤ height."""
     strictly = height > 0
     shifted = track.D.compose(P_, S_ - height, ctx=RING) if strictly else track.D
     a = in_y(terms(shifted))
@@ -337,7 +337,7 @@ def check_no_cut(track: Track, height: Any) -> None:
 
 
 def check_passive_track(track: Track) -> None:
-    """Q = (A − A*)/(2i) at P = ip, s = iΩ is positive semidefinite for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
+    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
 
     Sufficient and exact: the coefficient of Ω^j vanishes for even j; for odd j its principal minors are ≥ 0.
     """
@@ -442,7 +442,7 @@ def check_forces(vehicle: Vehicle) -> None:
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
-# --- waves in balls: D and N moved to a point, the splitting D = lead·U·L --------------------------------------
+# --- waves in balls: D and N moved to a point, the splitting D = lead·U·L ---------------------------------
 
 
 def shift(z: Any, size: int, rows: int) -> Any:
@@ -561,7 +561,7 @@ class Split:
     tight: list[Any]
 
     def links(self, other: Split) -> bool:
-        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |a_k| = |U(z_k)/U₀'(z_k)| < box_k."""
+        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |U(z_k)/U₀'(z_k)| < box_k."""
         z, w, a = self.nodes.z, other.nodes.z, other.values
         for side in self.nodes.side:
             for k in side:
@@ -602,7 +602,7 @@ class Split:
 
 
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
-    """Approximate roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
+    """Roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
     c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
     z = [
         p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)
@@ -646,7 +646,7 @@ def check_sides(split: Split) -> None:
             require(split.nodes.z[k].real * sign > radius, "a p-root may be real there")
 
 
-# --- kernels: Taylor coefficients of G(ξ) in t ------------------------------------------------------------------
+# --- kernels: Taylor coefficients of G(ξ) in t ------------------------------------------------------------
 
 
 def powers_of_root(f: list[list[Any]], order: int) -> list[list[Any]]:
@@ -705,8 +705,12 @@ def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = Fa
         if not chosen:
             continue
         radii = None if by_matrix else split.isolated(here)
-        one = by_roots if radii is not None else by_matrices
-        found = one(split, side, r, order, [waves.xi[g] for g in chosen], radii or [])
+        gaps = [waves.xi[g] for g in chosen]
+        found = (
+            by_matrices(split, side, r, order, gaps)
+            if radii is None
+            else by_roots(split, side, r, order, gaps, radii)
+        )
         for g, series in zip(chosen, found, strict=True):
             require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
             out[g] = series
@@ -743,9 +747,7 @@ def by_roots(
     return total
 
 
-def by_matrices(
-    split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]
-) -> list[list[Any]]:
+def by_matrices(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any]) -> list[list[Any]]:
     """The same where roots of one side may meet: U is the characteristic polynomial of diag(z) − 1·aᵀ =: A, and
     G = ± cᵀ e^{Aξ} N(A) L(A)⁻¹ 1/lead with c_k = 1/Π(z_k − z_i); series in t are block triangular matrices."""
     nodes, local = split.nodes, split.nodes.local
@@ -826,7 +828,7 @@ def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
     return a
 
 
-# --- the characteristic function ---------------------------------------------------------------------------------
+# --- the characteristic function --------------------------------------------------------------------------
 
 
 class Bordered:
@@ -907,7 +909,7 @@ def pivots(a: list[list[Any]], in_order: bool = True) -> Any:
     return total
 
 
-# --- walking along the paths ---------------------------------------------------------------------------------------
+# --- walking along the paths ------------------------------------------------------------------------------
 
 
 @dataclass
@@ -972,7 +974,7 @@ class Walker:
         return total
 
     def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None) -> tuple[Mark, Any]:
-        """From a mark to b: the disc over [a, b], its splitting linked with those at both ends, and what `kind` asks."""
+        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3))
@@ -1058,7 +1060,7 @@ def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
     return X
 
 
-# --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------------------
+# --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
 
 
 def bernstein(n: int, a: float, b: float) -> Any:
@@ -1103,8 +1105,9 @@ def above(x: Any) -> float:
 
 
 def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
-    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over its highest power q^{top/m}: in z and τ = q^{−1/m}."""
-    top, out = max(k * i + m * j for i, j in t), {}
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z and τ = q^{−1/m}."""
+    top = max(k * i + m * j for i, j in t)
+    out: Terms = {}
     for (i, j), c in t.items():
         for a in range(j + 1):
             at = (i + a, top - k * i - m * j + (m - k) * a)
@@ -1141,7 +1144,8 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
         )
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    near, far = {}, {}
+    near: Terms = {}
+    far: Terms = {}
     for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
         for (i, j), c in source.items():
             for chart, at in ((near, (id_ - less - i, j)), (far, (id_ - less - i, nd - less - i - j))):
@@ -1193,7 +1197,7 @@ def check_edges(d: Terms, n: Terms, v: Any, slow: bool) -> None:
         i = max(on)
 
 
-# --- regions ----------------------------------------------------------------------------------------------------------
+# --- regions ----------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -1292,7 +1296,7 @@ def check_lines(points: Sequence[Point], corners: Sequence[Point]) -> None:
 
 
 def check_arc(points: Sequence[Point], radius: Any) -> None:
-    """Each disc over neighbouring points holds the arc of |q| = radius between their directions, in Re q ≥ 0 ≥ Im q."""
+    """Each disc over neighbouring points holds the arc of |q| = radius between them, in Re q ≥ 0 ≥ Im q."""
     require(points[0] == (radius, 0) and points[-1] == (0, -radius), "the arc does not end on the imaginary axis")
     require(all(x >= 0 >= y and (x, y) != (0, 0) for x, y in points), "a point of the arc is not in its quarter")
     for a, b in pairwise(points):
@@ -1394,7 +1398,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     return int(n)
 
 
-# --- roots -------------------------------------------------------------------------------------------------------------
+# --- roots ------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -1442,7 +1446,7 @@ def determinant_series(A: Sequence[Any], k: int) -> Any:
 
 
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
-    """Exactly `multiplicity` roots in the disc, by Rouché: Δ̂ = Σ c_k t^k + t^m g(t) against t^m times the middle of g."""
+    """Exactly `multiplicity` roots in the disc, by Rouché: Δ̂ = Σ c_k t^k + t^m g(t) against t^m g₀."""
     m, bits = root.multiplicity, root.bits + 128
     size = walker.bordered.size
     walker.spend((comb(size + m - 1, m) * m * size**3 + 2000) * (1 + bits / 512) ** 1.5 / 4)
@@ -1498,7 +1502,7 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, wal
     return roots
 
 
-# --- the certificate -----------------------------------------------------------------------------------------------------
+# --- the certificate --------------------------------------------------------------------------------------
 
 
 def spectrum(content: dict[str, Any]) -> str:
@@ -1544,7 +1548,6 @@ def polynomial_words(p: Any) -> str:
 def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: Sequence[Root], pieces: int) -> str:
     """What has been verified, of which equations."""
     number, below = sum(r.number for r in roots), sum(r.number for r in roots if r.z[1] < 0)
-    plural = "" if number == 1 else "s"
     said = [
         f"exactly {number} induced frequenc{'y' if number == 1 else 'ies'} q with {region.words}"
         + (f", {below} of them with Im q < 0" if region.height > 0 else "")
@@ -1563,7 +1566,7 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
             f"  modes of {vehicle.unfelt} coordinates that no contact feels are named apart; none has Im q < 0"
         )
     said.append(
-        f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t at rest, row {track.loaded + 1} carries the contacts):"
+        f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t; row {track.loaded + 1}: contacts):"
     )
     for k, row in enumerate(track.rows):
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
@@ -1572,7 +1575,6 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     said.append(f"  velocity {track.v}; bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ")
     said += [f"  {name} = {listed(equations[name])}" for name in ("M", "C", "K", "B")]
     said.append(f"  contacts at {listed(equations['places'])}, compliances {listed(equations['compliances'])}")
-    _ = plural
     return "\n".join(said)
 
 

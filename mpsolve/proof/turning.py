@@ -21,7 +21,7 @@ _PIVOTS = 0.95
 
 @dataclass(frozen=True)
 class Regular:
-    """For each disc the preconditioner R, the vector x and θ; `good` where |R A − I| x ≤ θ x, θ < THETA, is proved."""
+    """For each disc the preconditioner R, x and θ; `good` where |R A − I| x ≤ θ x is proved, θ < THETA."""
 
     R: Any
     x: Any

@@ -17,7 +17,6 @@ from mpsolve.model.parameters import Case
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
-from mpsolve.sheet.enclose import RootBall
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,7 +26,7 @@ _GUARD = 0.12  # of the extent, around what is shown
 _CLOSE = 0.25  # of the half width: below it the labels of both branch points would meet
 
 
-def centre(root: RootBall) -> tuple[float, float]:
+def centre(root: Any) -> tuple[float, float]:
     """The midpoint of the ball, in float64."""
     return float(root.q.real.mid()), float(root.q.imag.mid())
 

@@ -13,7 +13,7 @@ from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.spectrum.spectrum import Root, Spectrum
 
 
@@ -89,7 +89,7 @@ def _once(spectrum: Any) -> list[Any]:
 
 def trend(root: RootBall | Root) -> Trend:
     """What is proved of the sign of Im q."""
-    if root.symmetry.name == Symmetry.REAL.name:
+    if root.symmetry is Symmetry.REAL:
         return Trend.STEADY
     if root.q.imag < 0:
         return Trend.GROWS

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
-from mpsolve.spectrum.enclose import RootBall, Symmetry, enclose
+from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.spectrum.spectrum import disjoint
@@ -94,7 +94,8 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
 
 def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
     symmetric = not isinstance(count.region, Rectangle)
-    seeds = find_roots(Arrays(reduced), count.start.up, _areas(reduced, count), count.total, symmetric)
+    hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
+    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
     proved = Proved(reduced)
     balls: list[RootBall] = []
     for k, q in enumerate(seeds.tolist()):

@@ -11,9 +11,9 @@ from flint import arb
 from mpsolve.display import card
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
-from mpsolve.spectrum.enclose import RootBall, Symmetry
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.shape import Shape, root_shape
 

@@ -14,9 +14,9 @@ from mpsolve.certificate import verify
 from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
 from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.model.edge import edge_value
+from mpsolve.numbers.rootball import Symmetry
 from mpsolve.report.data import as_data
 from mpsolve.report.text import render
-from mpsolve.sheet.enclose import Symmetry
 
 
 def pair(alpha: Any, d: Any, eta_m: Any = 70, eta_b: Any = "0.05", **rest: Any) -> Case:

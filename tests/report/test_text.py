@@ -11,9 +11,9 @@ from mpsolve import Case, PhysicalCase, Rectangle, Status, read_case
 from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
 from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.statement import proved, verdict
 from mpsolve.report.text import WIDTH, beam_rows, render, shown
-from mpsolve.sheet.enclose import RootBall
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNSTABLE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))

@@ -7,17 +7,18 @@ Numbers come in and go out in the problem's own units.
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 from fractions import Fraction
 from math import pi
 
 import numpy as np
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 
 from mpsolve.certificate import verify2 as v2
 
 
-class NotPlanned(Exception):
+class NotPlanned(Exception):  # noqa: N818
     pass
 
 
@@ -153,7 +154,7 @@ def seal(content):
 
 
 class Floats:
-    """G and Δ in floats by residues over the roots of largest imaginary part; independent of the verifier's splitting."""
+    """G and Δ in floats by residues over the roots of largest imaginary part."""
 
     def __init__(self, content):
         eq = content["equations"]
@@ -207,7 +208,7 @@ class Floats:
     def turn(self, points, step=0.3):
         """Change of arg Δ along a polygon, by steps below `step`."""
         total = 0.0
-        for a, b in zip(points, points[1:]):
+        for a, b in itertools.pairwise(points):
             t, h, f = 0.0, 1 / 64, self.det(a)
             while t < 1:
                 h = min(h, 1 - t)
@@ -224,9 +225,13 @@ class Floats:
         return np.linalg.eigvalsh((V + V.conj().T) / 2)[0] > 0
 
     def full_count(self, radius, height=0.0):
-        """Roots in the lower half disc by the argument principle: nothing but Δ along its boundary."""
+        """Roots in the half disc Im q < 0 and the strip below `height`, by the argument principle: Δ along the boundary."""  # noqa: E501
         arc = [radius * np.exp(-1j * t) for t in np.linspace(0, pi / 2, 40)]
-        return -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 0j), *arc[1:]]) / pi
+        side = np.linspace(height, 0, 10)[:-1] if height else []
+        return (
+            -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 1j * height), *(radius + 1j * np.array(side)), *arc])
+            / pi
+        )
 
 
 def newton(f, q, steps=40):
@@ -254,7 +259,7 @@ def plan_tail(track, sites, X):
     """Numbers of the theorem for q ≥ X, or None: sampled, with a margin."""
     w, d = (v2.terms(x) for x in v2.absorption(track))
     v = float(arb(track.v))
-    between = 2 * pi / float(min(b - a for a, b in zip(sites, sites[1:]))) if len(sites) > 1 else 0.0
+    between = 2 * pi / float(min(b - a for a, b in itertools.pairwise(sites))) if len(sites) > 1 else 0.0
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     alpha = min(id_ - iw, nd - nw)
     if alpha < 2:
@@ -284,12 +289,12 @@ def plan_tail(track, sites, X):
             continue
         growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
         tau = np.linspace(0, X ** (-1 / m), 12)
-        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bw, bd, most)):
+        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bd, most)):
             edges = np.array(
                 sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)})
             )
             kept = []
-            for z1, z2 in zip(edges, edges[1:]):
+            for z1, z2 in itertools.pairwise(edges):
                 with np.errstate(all="ignore"):
                     z = np.linspace(z1, z2, 60)
                     kappa = 0.8 * np.min(value(bw, z, tau) / value(bd, z, tau))
@@ -325,7 +330,7 @@ def absorbs(bw, bd, z1, z2, kappa, tau):
     return True
 
 
-def resonances(bw, bd, most):
+def resonances(bd, most):
     """Edges of cells, geometrically spaced round the least values of |D|² at infinite q."""
     z = np.concatenate([-np.geomspace(1e-3, 20, 3000)[::-1], np.geomspace(1e-3, 1, 3000)]) * most
     d = value(bd, z, np.zeros(1))[:, 0]
@@ -337,20 +342,20 @@ def resonances(bw, bd, most):
     ]
 
 
-# --- paths -----------------------------------------------------------------------------------------------------------
+# --- paths -----------------------------------------------------------------------------------------------------------  # noqa: E501
 
 
-def walk(walker, kind, corners, special=None):
+def walk(walker, kind, corners):
     """Points along the polygon; each piece passes the verifier's tests."""
     at = corners[0]
     mark, points, total = walker.marks[at], [at], arb(0)
     for b in corners[1:]:
-        length = float(arb(sum(abs(x - y) for x, y in zip(mark.q, b))))
+        length = float(arb(sum(abs(x - y) for x, y in zip(mark.q, b, strict=False))))
         h, t, a = 1 / 16, 0.0, mark.q
         while mark.q != b:
             to = min(1.0, t + h)
             to = to if to < 1 else 1.0
-            where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b))
+            where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b, strict=False))
             try:
                 end, turned = walker.piece(kind, mark, where, None)
             except v2.Refused as no:
@@ -397,7 +402,7 @@ def plan_rho(floats, X):
     return float(max([*bad, X / 30])) * 1.05
 
 
-def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):
+def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):  # noqa: C901
     """A sealed certificate of the region, its roots found by Newton's method from the float determinant."""
     content = {
         "format": "mpsolve certificate",
@@ -503,7 +508,7 @@ def start_x(floats):
 
 
 def find_roots(content, floats, reg, rho):
-    """Newton from a grid of starts until as many as counted are found; balls of 1e-9 relative, refined at 128 bits."""
+    """Newton from a grid of starts until as many as counted are found; balls of 1e-9 relative, refined at 128 bits."""  # noqa: E501
     n = content["claim"]["count"]
     found = []
     rng = np.random.default_rng(1)
@@ -565,3 +570,31 @@ def as_root(q, pair, relative):
 
 def save(content, path):
     path.write_text(json.dumps(content, indent=None) + "\n")
+
+
+def refine(content, digits):
+    """The same certificate with every root to so many digits, by Newton's method on the verifier's own function."""
+    bits = int(digits * 3.33) + 40
+    car = v2.read_vehicle(content["equations"]["vehicle"], content["basis"])
+    track = v2.read_track(content["equations"]["track"], content["equations"]["velocity"])
+    roots = []
+    for value in content["roots"]:
+        root = v2.read_root(value)
+        with v2.precision(bits + 64):
+            waves = v2.Waves(track, car.sites)
+            bordered = v2.Bordered(car, waves)
+            sigma = v2.at_q(root.z)
+            for _ in range(bits.bit_length()):
+                local = waves.near(sigma)
+                z = sorted(v2.roots_of(local), key=lambda p: bool(p.real > 0))
+                thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
+                G = v2.kernels(waves, thin, arb(0), 2)
+                A = [bordered.coefficient(k, sigma, G) for k in range(2)]
+                sigma = (sigma - v2.determinant_series(A, 0) / v2.determinant_series(A, 1)).mid()
+                if not root.pair and root.z[0] == 0:
+                    sigma = acb(sigma.real)
+            q = sigma / acb(0, 1)
+            e = value["exponent"] + 52 - bits
+            re, im = (int((x * arb(2) ** -e).mid().floor().unique_fmpz()) for x in (q.real, q.imag))
+        roots.append(value | {"re": hex(re), "im": hex(im), "exponent": e, "radius": [64, e]})
+    return seal(content | {"roots": roots})
