@@ -16,7 +16,7 @@ from mpsolve.errors import CertificateError
 from mpsolve.passivity.tail import Tail
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.count import Count
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 VERSION = 2
 KIND = "spectrum"
@@ -77,7 +77,7 @@ def _basis(reduced: Reduced) -> dict[str, Any] | None:
 
 
 def _region(region: Region) -> dict[str, Any]:
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         re, im = (region.re_min, region.re_max), (region.im_min, region.im_max)
         return {"kind": "rectangle", "re": list(map(_text, re)), "im": list(map(_text, im))}
     if isinstance(region, HalfPlane):

@@ -9,6 +9,7 @@ from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.packed import Portable
 
 
 class Symmetry(Enum):
@@ -20,7 +21,7 @@ class Symmetry(Enum):
 
 
 @dataclass(frozen=True)
-class RootBall:
+class RootBall(Portable):
     """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
 
     A single root is isolated by interval Newton, a cluster (multiplicity > 1) by Pellet's test. The midpoint

@@ -21,7 +21,7 @@ from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
@@ -57,7 +57,7 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, ro
     arrays = Arrays(reduced)
     first = start(reduced.guide)
     paths = Paths(arrays, first.up, room)
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         return _box(paths, first, region, effort)
     height = region.height if isinstance(region, Below) else Fraction(0)
     if not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None:
@@ -116,7 +116,7 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
 
-def _box(paths: Paths, first: Start, box: Box, effort: Effort) -> Count:
+def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
     reduced = paths.arrays.reduced
     unit = reduced.frequency_unit
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))

@@ -19,7 +19,7 @@ from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.spectrum.spectrum import disjoint
 
 Tell = Callable[[str, float], None]
@@ -39,13 +39,16 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     try:
         count = count_roots(reduced, region, effort, tell)
     except EffortError as error:
-        return Found(None, (), Reason("effort", str(error), {}, "allow more effort"))
+        return Found(None, (), Reason("effort", str(error), {}, MORE_EFFORT))
     except PrecisionError as error:
         return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
     if not count.total:
         return Found(count, (), None)
-    tell("roots", 0.5)
-    balls = _enclosed(reduced, count, digits, tell)
+    try:
+        tell("roots", 0.5)
+        balls = _enclosed(reduced, count, digits, tell)
+    except EffortError as error:
+        return Found(count, (), Reason("effort", str(error), {}, MORE_EFFORT))
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -58,6 +61,7 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     return Found(count, balls, None)
 
 
+MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
 _COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
 
 
@@ -76,7 +80,7 @@ def _sign(ball: RootBall) -> bool | None:
 def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     """Scaled rectangles that hold the right half of all counted roots."""
     region, unit = count.region, reduced.frequency_unit
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         return (Area(*(float(x / unit) for x in (region.re_min, region.re_max, region.im_min, region.im_max))),)
     if count.beyond is not None:
         width, depth = count.beyond.rho, count.beyond.depth
@@ -89,7 +93,7 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
 
 
 def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
-    symmetric = not isinstance(count.region, Box)
+    symmetric = not isinstance(count.region, Rectangle)
     hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
     seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
     proved = Proved(reduced)
@@ -117,7 +121,7 @@ def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
 def _inside(region: Region, ball: RootBall) -> bool:
     """Whether the ball is proved to lie in the region."""
     re, im = ball.q.real, ball.q.imag
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
         return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
     below = bool(im < 0) and (region.radius is None or abs(ball.q) < _ball(region.radius))

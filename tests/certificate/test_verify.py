@@ -15,9 +15,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mpsolve import Case, Rectangle, certify, read_case
+from mpsolve import Case, Rectangle, read_case
 from mpsolve.certificate import verify as module
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.certificate.verify import Verdict, verify
 from mpsolve.fields import ball_arithmetic
 

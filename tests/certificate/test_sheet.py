@@ -9,8 +9,10 @@ from typing import Any
 import pytest
 from oracle import Truth, holds
 
-from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
+from mpsolve import Case, InputError, Rectangle, Status
 from mpsolve.certificate import verify
+from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.model.edge import edge_value
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.report.data import as_data
