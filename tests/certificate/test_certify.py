@@ -77,6 +77,7 @@ def test_the_general_engine_finds_what_the_sheet_has() -> None:
     below = certify(RAIL, digits=20, region=("below", 6), check=False)
     assert (below.status, below.sheet) == (Status.UNVERIFIED, None)
     assert isinstance(below.region, Below)
+    assert below.problem is RAIL
     for one, other in zip(sheet.roots, below.roots, strict=True):
         assert one.q.overlaps(other.q)
         assert one.symmetry is other.symmetry
