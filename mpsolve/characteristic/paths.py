@@ -97,7 +97,7 @@ class Paths:
                 return proved
             paths = proved
         raise PrecisionError(
-            "pieces of the paths cannot be joined to their neighbours: a root lies next to them, or p-roots nearly meet"
+            "pieces of the paths cannot be joined to each other: a root lies next to them, or p-roots nearly meet"
         )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
