@@ -8,7 +8,7 @@ from time import process_time
 from typing import Any
 
 from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
-from mpsolve.errors import InputError
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.model import shown
 from mpsolve.numbers.rootball import RootBall, Symmetry
@@ -17,7 +17,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.count import AT_REST, Count
+from mpsolve.spectrum.count import AT_REST, Count, count_roots
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
@@ -26,6 +26,7 @@ from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest, lowest_cut
 
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
+_ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
 _REMEDY = "report this as a fault, with the input"
 
 
@@ -164,6 +165,15 @@ def _spectrum(
     if check:
         tell("verifying", 0.0)
     status, reason, verified, seconds = _checked(certificate, check)
+    for room in _ROOMS if reason is not None and "piece" in reason.message else ():
+        # the verifier's bounds are wider on some piece: the same proof again, in shorter pieces
+        again = _recounted(reduced, wanted, budget, room)
+        if again is None or (again.total, again.region) != (count.total, count.region):
+            break
+        certificate = spectrum_certificate(reduced, again, _entries(found.balls), unstable)
+        status, reason, verified, seconds = _checked(certificate, check)
+        if reason is None:
+            break
     cost = Cost(cost.seconds, seconds, cost.evaluations, cost.pieces)
     if reason is not None:  # of what the verifier refuses nothing is known
         return Spectrum(problem, count.region, digits, status, reason, certificate=certificate, cost=cost)
@@ -178,6 +188,14 @@ def _spectrum(
         verified=verified,
         **common,
     )
+
+
+def _recounted(reduced: Reduced, wanted: Region, budget: Effort, room: float) -> Count | None:
+    """The count with pieces that are planned on discs larger by `room`; None where it stays open."""
+    try:
+        return count_roots(reduced, wanted, budget, silent, room)
+    except PrecisionError:
+        return None
 
 
 def _closing(reduced: Reduced, count: Count) -> str:

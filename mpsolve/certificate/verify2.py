@@ -442,6 +442,10 @@ def check_forces(vehicle: Vehicle) -> None:
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
+Bent = tuple[Any, Any, Any]
+NOTHING: Bent = (acb(0), acb(0), arb(0))
+
+
 # --- waves in balls: D and N moved to a point, the splitting D = lead·U·L ---------------------------------
 
 
@@ -702,19 +706,105 @@ def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = Fa
     out: list[list[Any]] = [[]] * len(waves.xi)
     for side, here in enumerate(split.nodes.side):
         chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
+        if chosen:
+            radii = None if by_matrix else split.isolated(here)
+            gaps = [waves.xi[g] for g in chosen]
+            found = (
+                by_matrices(split, side, r, order, gaps)
+                if radii is None
+                else by_roots(split, side, r, order, gaps, radii)
+            )
+            for g, series in zip(chosen, found, strict=True):
+                require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
+                out[g] = series
+    return out
+
+
+def bent_kernels(waves: Waves, disc: Split, thin: Split, r: Any, by_matrix: bool) -> list[Bent]:
+    """For each gap G over |t| ≤ r as a + b t and a bound of the rest; `thin`: the splitting at the middle."""
+    out: list[Bent] = [NOTHING] * len(waves.xi)
+    for side, here in enumerate(disc.nodes.side):
+        chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
         if not chosen:
             continue
-        radii = None if by_matrix else split.isolated(here)
-        gaps = [waves.xi[g] for g in chosen]
-        found = (
-            by_matrices(split, side, r, order, gaps)
-            if radii is None
-            else by_roots(split, side, r, order, gaps, radii)
-        )
-        for g, series in zip(chosen, found, strict=True):
-            require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
-            out[g] = series
+        gaps, radii = [waves.xi[g] for g in chosen], None if by_matrix else disc.isolated(here)
+        if radii is not None:
+            found = bent_by_roots(disc, side, r, gaps, radii)
+        else:
+            middle = by_matrices(thin, side, arb(0), 2, gaps)
+            over = by_matrices(disc, side, r, 3, gaps)
+            found = [(x[0], x[1], abs(y[2]) * r * r) for x, y in zip(middle, over, strict=True)]
+        for g, one in zip(chosen, found, strict=True):
+            require(all(x.is_finite() for x in one), "a kernel is not bounded on a piece")
+            out[g] = one
     return out
+
+
+# (a, b, rest): a function of t with |f(t) − a − b t| ≤ rest for |t| ≤ r; a and b thin balls, rest ≥ 0 real
+def bent_product(x: Bent, y: Bent, r: Any) -> Bent:
+    (a, b, e), (c, d, f) = x, y
+    rest = abs(b) * abs(d) * r * r + (abs(a) + abs(b) * r) * f + (abs(c) + abs(d) * r + f) * e
+    return a * c, a * d + b * c, rest
+
+
+def bent_inverse(x: Bent, r: Any) -> Bent:
+    """1/f: with f = a(1 + u), |u| ≤ y < 1, the rest of 1/(1 + u) after 1 − u is at most y²/(1 − y)."""
+    a, b, e = x
+    c = 1 / a
+    y = (abs(b) * r + e) * abs(c)
+    require(y < 0.9, "a weight may be infinite on a piece: it is too long")
+    return c, -b * c * c, abs(c) * (y * y / (1 - y) + e * abs(c))
+
+
+def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
+    """e^{f·factor}, factor real: |e^u − 1 − u| ≤ e^y − 1 − y for |u| ≤ y."""
+    a, b, e = x[0] * factor, x[1] * factor, x[2] * abs(factor)
+    y, value = abs(b) * r + e, a.exp()
+    return value, value * b, abs(value) * (e + y.expm1() - y)
+
+
+def bent_polynomial(c: list[list[Any]], root: Bent, e: Any, r: Any) -> Bent:
+    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by moduli."""
+    slope = c[1][0] if len(c) > 1 else acb(0)
+    rest, power = abs(slope) * root[2], arb(1)
+    for i, row in enumerate(c):
+        term = power
+        for j, x in enumerate(row):
+            if i + j > 1:
+                rest += abs(x) * term
+            term = term * r
+        power = power * e
+    time = c[0][1] if len(c[0]) > 1 else acb(0)
+    return c[0][0] + slope * root[0], slope * root[1] + time, rest
+
+
+def bent_by_roots(split: Split, side: int, r: Any, gaps: Sequence[Any], radii: Sequence[Any]) -> list[Bent]:
+    """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
+    nodes, local = split.nodes, split.nodes.local
+    n, rows, total = local.degree + 1, local.n.nrows(), [NOTHING for _ in gaps]
+    for k, e in zip(nodes.side[side], radii, strict=True):
+        z = nodes.z[k]
+        c = (shift(z, n, n) * local.d).tolist()
+        require(not c[1][0].contains(0), "a p-root may be double on a piece")
+        # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
+        higher = bent_polynomial(c, (acb(0), acb(0), arb(0)), e, r)[2]
+        first = c[0][1] if len(c[0]) > 1 else acb(0)
+        root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
+        e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
+        slopes = [[x * i for x in row] for i, row in enumerate(c)][1:]
+        above = bent_polynomial((shift(z, rows, rows) * local.n).tolist(), root, e, r)
+        weight = bent_product(above, bent_inverse(bent_polynomial(slopes, root, e, r), r), r)
+        wave = (z + root[0], root[1], root[2])
+        for g, xi in enumerate(gaps):
+            one = weight if xi == 0 else bent_product(weight, bent_wave(wave, xi, r), r)
+            a, b, rest = total[g]
+            total[g] = (a - one[0], b - one[1], rest + one[2]) if side else (a + one[0], b + one[1], rest + one[2])
+    return total
+
+
+def min_bound(x: Any, y: Any) -> Any:
+    """The smaller of two upper bounds, whichever balls decide; x where they do not."""
+    return y.upper() if y < x else x
 
 
 def by_roots(
@@ -869,6 +959,14 @@ class Bordered:
             return self.C + self.M * (2 * sigma) + waves
         return self.M + waves if k == 2 else waves
 
+    def rest(self, r: Any, G: list[Bent]) -> Any:
+        """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients."""
+        entries = [abs(x) * r * r for x in self.M.entries()]
+        for i, row in enumerate(self.index):
+            for j, g in enumerate(row):
+                entries[(self.nb + i) * self.size + self.nb + j] += G[g][2]
+        return arb_mat(self.size, self.size, entries)
+
 
 def contracting(E: Any) -> bool:
     """E x < x for some x > 0, for a matrix of moduli: x by power iteration."""
@@ -997,47 +1095,47 @@ class Walker:
         require(
             all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
         )
-        by_matrix = nodes is not None
-        G = kernels(self.waves, thin, arb(0), 2, by_matrix)
-        over = kernels(self.waves, disc, r, 3, by_matrix)
+        G = bent_kernels(self.waves, disc, thin, r, nodes is not None)
         if kind == "passive":
-            self.passive(m, half, r, G, over)
+            self.passive(m, half, r, G)
             return end, arb(0)
-        return end, self.turn(mark, end, m, r, G, over)
+        return end, self.turn(mark, end, m, r, G)
 
-    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> Any:
+    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
         """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
-        A = [self.bordered.coefficient(k, m, G) for k in range(2)]
-        rest = self.bordered.coefficient(2, m, over)
+        A = [self.bordered.coefficient(k, m, [list(g[:2]) for g in G]) for k in range(2)]
+        rest = self.bordered.rest(r, G)
         try:
             R = A[0].mid().inv().mid()
         except ZeroDivisionError:
             raise Refused("the matrix is singular in the middle of a piece") from None
         size = self.bordered.size
         one = acb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
-        E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r), (R * rest, r * r)])
+        E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r)]) + moduli([(R, arb(1))]) * rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
         start, stop = ((R * self.matrix(x)).tolist() for x in (mark, end))
         return pivots(stop) - pivots(start)
 
-    def passive(self, m: Any, half: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> None:
-        """The Hermitian part of σ(G_ij), over the places, is positive definite on the whole segment."""
+    def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
+        """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
         where = self.bordered.sites
         n = len(where)
-        sigma = m + box(r)
-        series = [
-            [[m * G[g][0] for g in row] for row in where],
-            [[half * (G[g][0] + m * G[g][1]) for g in row] for row in where],
-            [[half * half * (over[g][1] + sigma * over[g][2]) for g in row] for row in where],
-        ]
+        V = [bent_product((m, acb(1), arb(0)), g, r) for g in G]
         H = []
-        for rows in series:
+        for rows in ([[V[g][0] for g in row] for row in where], [[half * V[g][1] for g in row] for row in where]):
             a = acb_mat(rows)
             H.append((a + a.conjugate().transpose()) * acb(0.5))
         X = acb_mat(inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
         back = X.conjugate().transpose()
         one = acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
-        E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1)), (X * H[2] * back, arb(1))])
+        size = moduli([(X, arb(1))])
+        rest = arb_mat(
+            [
+                [(V[g][2] + V[h][2]) / 2 for g, h in zip(row, column, strict=True)]
+                for row, column in zip(where, zip(*where, strict=True), strict=True)
+            ]
+        )
+        E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1))]) + size * rest * size.transpose()
         require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
 
 
@@ -1152,7 +1250,9 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
                 chart[at] = chart.get(at, fmpq(0)) + factor * c * (-1) ** j
     reach = arb(v / X)
     give = "the giving part may exceed the envelope"
-    check_positive({at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), None, give)
+    check_positive(
+        {at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), arb(v), give
+    )  # −Ω ≤ v p: u·(−Ω) ≤ v
     check_positive(
         {at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give
     )

@@ -91,8 +91,8 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
         plan = _plan(absorption, guide, gap, X)
         if plan is not None:
             tries += 1
-            tail = _prove(absorption, guide, plan)
-            if tail is not None and outweighs(tail, guide.v, gap):
+            tail = _prove(absorption, guide, gap, plan)
+            if tail is not None:
                 return tail
         X *= _RATIO if tries == 0 else _RATIO**2
     return None
@@ -103,7 +103,7 @@ def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float) 
     alpha = _orders(absorption)[2]
     C = _ROOM * _sampled_envelope(guide, X, alpha)
     best: tuple[float, Tail] | None = None
-    floats = _floats(guide)
+    floats, sieve = _floats(guide), 2 * np.pi / float(gap) if gap is not None else 0.0
     for gamma, intervals in _blocks(guide):
         if max(z2 for _, z2 in intervals) * float(guide.v) * X ** float(gamma - 1) >= 0.99:
             continue
@@ -111,9 +111,9 @@ def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float) 
         kappas = [
             0.8 * _sampled_block(floats, float(guide.v), X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals
         ]
-        blocks = tuple(
-            (*z, float(np.float32(kappa))) for z, kappa in zip(intervals, kappas, strict=True) if kappa > 0
-        )
+        long = [(z2 - z1) * X ** float(gamma) > 1.001 * sieve for z1, z2 in intervals]
+        each = zip(intervals, kappas, long, strict=True)
+        blocks = tuple(sorted((*z, float(np.float32(kappa))) for z, kappa, enough in each if kappa > 0 and enough))
         tail = Tail(X, gamma, blocks, e, _OMEGA, float(np.float32(C)), alpha)
         if blocks and np.isfinite(C) and outweighs(tail, guide.v, gap):
             size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(gamma - e)
@@ -123,7 +123,7 @@ def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float) 
     return None if best is None else best[1]
 
 
-def _prove(absorption: Absorption, guide: Guide, plan: Tail) -> Tail | None:
+def _prove(absorption: Absorption, guide: Guide, gap: Fraction | None, plan: Tail) -> Tail | None:
     """The plan with a proved C, and κ as planned or half of it, if they are proved."""
     C = _envelope(absorption, guide.v, plan)
     if C is None:
@@ -133,7 +133,8 @@ def _prove(absorption: Absorption, guide: Guide, plan: Tail) -> Tail | None:
         if block_holds(absorption, guide.v, tail):
             # less than what is proved, so that a checker need not come as near
             blocks = tuple((z1, z2, kappa * 0.9) for z1, z2, kappa in tail.blocks)
-            return replace(tail, C=1.1 * max(C, plan.C / _ROOM), blocks=blocks)
+            wide = [replace(tail, C=room * max(C, plan.C / _ROOM), blocks=blocks) for room in (2.0, 1.3, 1.1)]
+            return next((one for one in wide if outweighs(one, guide.v, gap)), None)
     return None
 
 
