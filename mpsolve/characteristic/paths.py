@@ -118,7 +118,7 @@ class Paths:
                 return proved
             paths = proved
         raise PrecisionError(
-            "pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple"
+            "pieces of the paths cannot be joined to each other: a root lies next to them, or p-roots nearly meet"
         )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:

@@ -45,7 +45,7 @@ def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: 
     try:
         count = count_roots(reduced, region, effort, tell)
     except EffortError as error:
-        return Found(None, (), Reason("effort", str(error), {}, MORE_EFFORT))
+        return Found(None, (), error.reason)
     except PrecisionError as error:
         return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
     if not count.total:
@@ -54,7 +54,7 @@ def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: 
         tell("roots", 0.5)
         balls = _enclosed(reduced, count, digits, tell)
     except EffortError as error:
-        return Found(count, (), Reason("effort", str(error), {}, MORE_EFFORT))
+        return Found(count, (), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -67,7 +67,7 @@ def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: 
     return Found(count, balls, None)
 
 
-MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
+_NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 _COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
 
 
@@ -145,4 +145,4 @@ def _ball(x: Fraction) -> Any:
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
     """A height below the lowest cut, short in scaled units."""
-    return Fraction(float(np.float32(0.75 * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit
+    return Fraction(float(np.float32(_NEAR * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit
