@@ -136,6 +136,15 @@ def test_two_nodes_of_one_side_at_the_same_root_do_not_count_it_twice(monkeypatc
     assert not receptances(N, D, s, np.array([0.0])).good.any()
 
 
+def test_a_disc_between_two_roots_is_not_taken_for_one_of_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    D, N = Table.of(polynomial([-1.0, -1.001, 50.0, 60.0])), Table.of({(0, 0): Fraction(1)})
+    nodes = np.array([[-1.00025 + 0j, -1.00075 + 0j, 50.0 + 0j, 60.0 + 0j]])
+    monkeypatch.setattr(discs, "_nodes", lambda *_: nodes)
+    s = split(D, np.array([0.01 + 0j]), np.zeros(1), 2)
+    assert s.good.all()
+    assert not discs._roots(D, s)[1].any()
+
+
 def test_a_root_on_the_wrong_side_is_not_linked_nor_found() -> None:
     guide = track_guide(DAMPED["euler-bernoulli"], Fraction(40))
     D = Table.of(guide.D)
