@@ -54,7 +54,7 @@ def test_where_halving_does_not_help_the_place_is_named() -> None:
 def test_pieces_that_floats_cannot_halve_are_given_up() -> None:
     a = 1e8
     with pytest.raises(OpenPieceError):
-        cover([a, np.nextafter(a, 2 * a)], lambda a, b: np.zeros(len(a), bool), Effort(evaluations=100))
+        cover([a, np.nextafter(a, 2 * a)], lambda a, _: np.zeros(len(a), bool), Effort(evaluations=100))
 
 
 def test_effort_ends_it() -> None:
