@@ -137,7 +137,7 @@ def test_two_nodes_of_one_side_at_the_same_root_do_not_count_it_twice(monkeypatc
 
 
 def test_a_disc_between_two_roots_is_not_taken_for_one_of_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    D, N = Table.of(polynomial([-1.0, -1.001, 50.0, 60.0])), Table.of({(0, 0): Fraction(1)})
+    D = Table.of(polynomial([-1.0, -1.001, 50.0, 60.0]))
     nodes = np.array([[-1.00025 + 0j, -1.00075 + 0j, 50.0 + 0j, 60.0 + 0j]])
     monkeypatch.setattr(discs, "_nodes", lambda *_: nodes)
     s = split(D, np.array([0.01 + 0j]), np.zeros(1), 2)
