@@ -29,7 +29,7 @@ from mpsolve.proof.turning import Regular, pivot_arguments, regular
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
 _DEFINITE = 0.9
-ROOM = 1.3
+ROOM = 1.1
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
 _WIDER = 1 + 2.0**-12  # of a disc, against half of its piece
 _OFF_ARC = 2.0**-14  # of a piece's length: how far from the circle the points of an arc may lie
