@@ -15,11 +15,11 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.enclose import RootBall, Symmetry
+from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
-from mpsolve.tracks.at_rest import Status as Rest
-from mpsolve.tracks.at_rest import at_rest, lowest_cut
+from mpsolve.tracks.at_rest import lowest_cut
 
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
 Progress = Callable[[str, float], None]
@@ -44,7 +44,7 @@ def certify_problem(
     tell = progress or (lambda _stage, _fraction: None)
     budget = effort or Effort(evaluations=2_000_000)
     reduced = reduce_problem(problem)
-    _require_stable(problem)
+    require_premises(reduced, HalfPlane())
     wanted, note = _region(reduced, region)
     found = solve(reduced, wanted, checked_digits(digits), budget, tell)
     if found.count is None and region is None and isinstance(wanted, Below):
@@ -64,27 +64,18 @@ def checked_digits(digits: object) -> int:
     return number
 
 
-def _require_stable(problem: Problem) -> None:
-    rest = at_rest(problem.track)
-    if rest.status is Rest.UNSTABLE:
-        raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
-    if rest.status is Rest.UNDAMPED:
-        raise InputError("track", "has vibrations without damping, which is not decided here: give it some damping")
-
-
 def _region(reduced: Reduced, region: object) -> tuple[Region, str]:
     if region == "unstable":
         return HalfPlane(), ""
     if isinstance(region, (Box, HalfPlane)):
         return region, ""
-    low, _ = lowest_cut(reduced.problem.track)
     if region is None:
+        low, _ = lowest_cut(reduced.problem.track)
         return (Below(default_height(reduced, low)), "") if low > 0 else (HalfPlane(), "")
     if isinstance(region, tuple) and len(region) == 2 and region[0] == "below":
         height = rational(region[1], "region")
-        if not 0 < height <= low:
-            stated = f"is {shown(height)}, but must be above 0 and below the lowest cut, at {float(low):.6g}"
-            raise InputError("region", f'{stated}: give ("below", h) with a smaller h, or "unstable"')
+        if height <= 0:
+            raise InputError("region", f'is below {shown(height)}: give ("below", h) with h above 0, or "unstable"')
         return Below(height), ""
     raise InputError("region", f'is {region!r}: give "unstable", ("below", h) or a Rectangle')
 

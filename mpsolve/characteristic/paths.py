@@ -144,9 +144,9 @@ def _halved(points: Any, passed: Any) -> Any:
 
 
 def discs(a: Any, b: Any) -> tuple[Any, Any]:
-    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b."""
+    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, and any whose ends are rounded to a and b."""
     m = (a + b) / 2
-    r = np.maximum(np.abs(a - m), np.abs(b - m)) * UP
+    r = np.maximum(np.abs(a - m), np.abs(b - m)) * UP + 4 * U * (np.abs(a) + np.abs(b))
     return 1j * m, r
 
 

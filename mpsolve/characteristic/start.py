@@ -34,7 +34,10 @@ def start(guide: Guide, depths: tuple[float, ...] = (1.0, 0.5, 2.0, 4.0)) -> Sta
 
 def _count(guide: Guide, depth: float) -> int | None:
     with precision(96):
-        roots = dispersion_at(guide, acb(depth)).roots()
+        try:
+            roots = dispersion_at(guide, acb(depth)).roots()
+        except ValueError:  # two of them meet at this depth
+            return None
         if not all(root.real < 0 or root.real > 0 for root in roots):
             return None
         up = sum(1 for root in roots if root.real < 0)

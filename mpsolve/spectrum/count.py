@@ -20,10 +20,12 @@ from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
+from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
+_AT_REST_REACH = 8.0  # and how far it goes where nothing moves
 Tell = Callable[[str, float], None]
 
 
@@ -50,33 +52,37 @@ class Count:
 def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
-    A half-plane whose theorem fails comes back as the half-disc that was counted. The track is passive at rest: the
-    caller has made sure.
+    A half-plane whose theorem fails comes back as the half-disc that was counted. InputError where a premise fails.
     """
+    require_premises(reduced, region)
     arrays = Arrays(reduced)
     first = start(reduced.guide)
     paths = Paths(arrays, first.up)
     if isinstance(region, Box):
         return _box(paths, first, region, effort)
     height = region.height if isinstance(region, Below) else Fraction(0)
-    if not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None:
-        return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
+    if region.radius is not None:
+        return _disc(paths, first, region, height, "", effort)
     tell("passivity", 0.0)
-    beyond = plan_beyond(paths, effort, _LEAST_REACH if height else 0.0)
+    closed = open_at_rest(reduced) or (
+        plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if reduced.guide.v else None
+    )
     tell("contour", 0.3)
-    if isinstance(beyond, str):
-        return _disc(paths, first, region, height, beyond, effort)
-    return _half_plane(paths, first, height, beyond, effort)
+    if isinstance(closed, str):
+        return _disc(paths, first, region, height, closed, effort)
+    if closed is None and not height:
+        return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
+    return _half_plane(paths, first, height, closed, effort)
 
 
-def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond, effort: Effort) -> Count:
+def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | None, effort: Effort) -> Count:
+    """The count that passivity closes: beyond a rectangle, or at rest (None) everywhere in Im q < 0."""
     reduced = paths.arrays.reduced
-    rho, h = beyond.rho, scaled_height(reduced, height)
+    rho, h = beyond.rho if beyond is not None else _AT_REST_REACH, scaled_height(reduced, height)
     chain = (
         paths.plan("link", _descent(first, h), effort),
         paths.plan("turn", _along(rho, h), effort),
-        beyond.walls,
-        beyond.axis,
+        *((beyond.walls, beyond.axis) if beyond is not None else ()),
     )
     proved = paths.prove(chain, effort)
     with precision(64):
@@ -100,7 +106,8 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     proved = paths.prove(chain, effort)
     with precision(64):
         total = _integer(-_turn(proved) / arb.pi())
-    exact = _unscaled(reduced, radius)
+    asked = getattr(region, "radius", None)
+    exact = asked if asked is not None else _unscaled(reduced, radius)
     held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
@@ -109,10 +116,6 @@ def _box(paths: Paths, first: Start, box: Box, effort: Effort) -> Count:
     reduced = paths.arrays.reduced
     unit = reduced.frequency_unit
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
-    if any(Fraction(x) * unit != y for x, y in ((a, box.re_min), (b, box.re_max), (c, box.im_min), (d, box.im_max))):
-        raise PrecisionError(
-            "the sides of the rectangle are no floats in the scaled unit: give sides of at most 15 digits in binary"
-        )
     corners = [complex(a, c), complex(b, c), complex(b, d), complex(a, d), complex(a, c)]
     around = np.concatenate([_line(x, y, 12)[:-1] for x, y in pairwise(corners)] + [corners[-1:]])
     below = complex(0, -first.depth)
@@ -138,7 +141,7 @@ def _turn(proved: Proved) -> arb:
 
 
 def scaled_height(reduced: Reduced, height: Fraction) -> float:
-    """The height in scaled units, exactly: heights are chosen or rounded so that it is a float."""
+    """The float nearest to the height in scaled units: the discs of the pieces hold the exact line too."""
     return float(height / reduced.frequency_unit)
 
 
@@ -147,7 +150,7 @@ def _unscaled(reduced: Reduced, x: float) -> Fraction:
 
 
 def _radius(reduced: Reduced, region: Region) -> float:
-    """The radius of the half-disc: the asked one, or one beyond the vehicle's and the track's own frequencies."""
+    """The radius of the half-disc in scaled units: the asked one to the nearest float, or one of some size."""
     asked = getattr(region, "radius", None)
     return float(asked / reduced.frequency_unit) if asked is not None else 8.0
 

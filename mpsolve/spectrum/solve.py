@@ -119,11 +119,12 @@ def _inside(region: Region, ball: RootBall) -> bool:
     if isinstance(region, Box):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
         return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
-    below = bool(im < 0) and (region.radius is None or abs(ball.q) < _ball(region.radius))
+    near = region.radius is None or bool(abs(ball.q) < _ball(region.radius))
+    below = bool(im < 0) and near
     if isinstance(region, HalfPlane):
         return below
-    reach = region.reach or Fraction(0)
-    return below or bool(im < _ball(region.height) and abs(re) < _ball(reach) and im > -_ball(region.height))
+    strip = bool(im < _ball(region.height) and abs(re) < _ball(region.reach or Fraction(0)))
+    return below or (strip and (near or bool(im >= 0)))
 
 
 def _ball(x: Fraction) -> Any:
