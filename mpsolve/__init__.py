@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
+    from mpsolve.numbers.rootball import RootBall
     from mpsolve.outcome import Status
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
-    from mpsolve.sheet.enclose import RootBall
     from mpsolve.sheet.region import Rectangle
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
@@ -107,7 +107,7 @@ _HOME = {
     "Rectangle": "sheet.region",
     "Spectrum": "certificate.certify",
     "Status": "outcome",
-    "RootBall": "sheet.enclose",
+    "RootBall": "numbers.rootball",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",
     "Outcome": "fast.follow",

@@ -10,12 +10,12 @@ from mpsolve.certificate.format import Certificate, make_certificate
 from mpsolve.display import card
 from mpsolve.errors import InputError, PrecisionError, known
 from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress, silent
 from mpsolve.sheet import reasons
 from mpsolve.sheet.collect import collect
 from mpsolve.sheet.count import Count, count_roots
-from mpsolve.sheet.enclose import RootBall, Symmetry
 from mpsolve.sheet.region import Rectangle, Region, checked_region
 
 MAX_DIGITS = 10_000

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from mpsolve.errors import known
 from mpsolve.files import write_whole
 from mpsolve.model.parameters import Case
-from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.sheet.region import Rectangle
 
 if TYPE_CHECKING:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
-from mpsolve.characteristic.receptance import at_matrix, companion
+from mpsolve.characteristic.bordered import direct_contacts
+from mpsolve.characteristic.receptance import at_matrix, by_companions, companion
 from mpsolve.characteristic.splitting import Splitting
 from mpsolve.characteristic.symbol import Symbols, product
 from mpsolve.numbers.arithmetic import Arithmetic
@@ -18,7 +20,9 @@ from mpsolve.problem.reduced import Reduced
 class Bordering:
     """The vehicle's part of the matrix, and which distance stands in which entry.
 
-    distances: the different ξ_i − ξ_j, exact; which[i][j] is the number of that of contacts i and j.
+    S[i][j]: the coefficients of that entry in σ. distances: the different ξ_i − ξ_j, exact; which[i][j] is the
+    number of that of contacts i and j. direct: contacts (body, contact, b) that are tight and alone on a body with
+    no other contact; their bodies are eliminated by y = −(Gλ)/b, which divides the determinant by ±b.
     """
 
     S: tuple[tuple[tuple[Fraction, ...], ...], ...]
@@ -26,48 +30,85 @@ class Bordering:
     h: tuple[Fraction, ...]
     distances: tuple[Fraction, ...]
     which: tuple[tuple[int, ...], ...]
+    direct: tuple[tuple[int, int, Fraction], ...]
 
     @staticmethod
-    def of(reduced: Reduced) -> Bordering:
+    def of(reduced: Reduced, eliminate: bool = True) -> Bordering:
         places = [reduced.places[k] for k in reduced.index]
         distances = sorted({x - y for x in places for y in places})
         number = {x: k for k, x in enumerate(distances)}
         which = tuple(tuple(number[x - y] for y in places) for x in places)
         bodies = range(len(reduced.B))
         S = tuple(tuple(tuple(reduced.S[k][i][j] for k in range(3)) for j in bodies) for i in bodies)
-        return Bordering(S, reduced.B, reduced.h, tuple(distances), which)
+        direct = tuple((d.body, d.contact, d.b) for d in direct_contacts(reduced)) if eliminate else ()
+        return Bordering(S, reduced.B, reduced.h, tuple(distances), which, direct)
+
+    @cached_property
+    def kept(self) -> tuple[int, ...]:
+        """The bodies whose motions are unknowns."""
+        gone = {body for body, _, _ in self.direct}
+        return tuple(i for i in range(len(self.S)) if i not in gone)
+
+    @cached_property
+    def indirect(self) -> tuple[int, ...]:
+        """The contacts whose equations remain."""
+        gone = {contact for _, contact, _ in self.direct}
+        return tuple(j for j in range(len(self.which)) if j not in gone)
 
     def rows(self, K: Arithmetic, sigma: Any, G: Sequence[Any]) -> list[list[Any]]:
-        """The matrix A(σ), from the receptances at `distances`."""
+        """The matrix A(σ), from the receptances at `distances`: rows of bodies, then of contacts that remain."""
         like = sigma * 0
-        vehicle = [
-            [K.evaluate(cell, sigma) if any(cell) else like for cell in row]
-            + [like - K.number(x) if x else like for x in self.B[i]]
-            for i, row in enumerate(self.S)
-        ]
-        rail = [
-            [like + K.number(row[i]) if row[i] else like for row in self.B]
-            + [G[k] + K.number(self.h[i]) if i == j and self.h[i] else G[k] for j, k in enumerate(which)]
-            for i, which in enumerate(self.which)
-        ]
-        return [*vehicle, *rail]
+        out = []
+        for i, cells in enumerate(self.S):
+            pencil = {j: K.evaluate(cell, sigma) for j, cell in enumerate(cells) if any(cell)}
+            row = [like - K.number(x) if x else like for x in self.B[i]]
+            for body, contact, b in self.direct:
+                if body in pencil:
+                    factor = pencil[body] * K.number(1 / b)
+                    row = [x - factor * G[k] for x, k in zip(row, self.which[contact], strict=True)]
+            out.append([*(pencil.get(j, like) for j in self.kept), *row])
+        for i in self.indirect:
+            row = [G[k] + K.number(self.h[i]) if i == j and self.h[i] else G[k] for j, k in enumerate(self.which[i])]
+            out.append([*(like + K.number(self.B[j][i]) if self.B[j][i] else like for j in self.kept), *row])
+        return out
 
-    def slopes(self, K: Arithmetic, sigma: Any, G_sigma: Sequence[Any]) -> list[list[Any]]:
-        """A'(σ), from the slopes of the receptances."""
+    def slopes(self, K: Arithmetic, sigma: Any, G: Sequence[Any], G_sigma: Sequence[Any]) -> list[list[Any]]:
+        """A'(σ), from the receptances and their slopes."""
         like = sigma * 0
-        zero = [like] * len(self.which)
-        vehicle = [
-            [K.evaluate((c[1], 2 * c[2]), sigma) if c[1] or c[2] else like for c in row] + zero for row in self.S
-        ]
-        rail = [[like] * len(self.S) + [G_sigma[k] for k in which] for which in self.which]
-        return [*vehicle, *rail]
+        out = []
+        for cells in self.S:
+            pencil = {j: K.evaluate(cell, sigma) for j, cell in enumerate(cells) if any(cell)}
+            rates = {j: K.evaluate((c[1], 2 * c[2]), sigma) for j, c in enumerate(cells) if c[1] or c[2]}
+            row = [like] * len(self.which)
+            for body, contact, b in self.direct:
+                if body in pencil:
+                    factor, rate = (x * K.number(1 / b) for x in (pencil[body], rates.get(body, like)))
+                    row = [
+                        x - factor * G_sigma[k] - rate * G[k] for x, k in zip(row, self.which[contact], strict=True)
+                    ]
+            out.append([*(rates.get(j, like) for j in self.kept), *row])
+        for i in self.indirect:
+            out.append([*[like] * len(self.kept), *(G_sigma[k] for k in self.which[i])])
+        return out
+
+
+def delta(K: Arithmetic, border: Bordering, symbols: Symbols, split: Splitting, sigma: Any) -> tuple[Any, Any]:
+    """Δ̂ and its slope in σ from the factors U and L, in any arithmetic; where Δ̂ is not 0."""
+    G, G_sigma = by_companions(K, symbols, split, sigma, border.distances, True)
+    A = K.matrix(border.rows(K, sigma, G))
+    turn = K.solve(A, K.matrix(border.slopes(K, sigma, G, G_sigma)))
+    value, n = K.det(A), len(border.kept) + len(border.which)
+    trace = K.entry(turn, 0, 0)
+    for i in range(1, n):
+        trace = trace + K.entry(turn, i, i)
+    return value, value * trace
 
 
 def evans(K: Arithmetic, reduced: Reduced, symbols: Symbols, split: Splitting, sigma: Any) -> tuple[Any, Any]:
     """(R·Δ̂, R) with R = det L(C_U): every entry is entire in U and L, so upper and lower roots may meet."""
     like = sigma * 0
     U, L, m = split.upper, split.lower, len(split.upper)
-    border = Bordering.of(reduced)
+    border = Bordering.of(reduced, eliminate=False)
     zero = [like] * len(border.distances)
     base = border.rows(K, sigma, zero)
     bodies, contacts = len(border.S), len(border.which)

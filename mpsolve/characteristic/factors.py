@@ -13,6 +13,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import Balls, acb, acb_mat, acb_poly, arb, bits_now, exact_ball, square
 
 _K = Balls()
+_GAPS = (2.0**-8, 2.0**-5, 2.0**-3, 2.0**-2)
 Factors = tuple[tuple[Any, ...], tuple[Any, ...]]
 
 
@@ -61,17 +62,23 @@ def _centre(D: list[Any], z: Any, upper: int) -> tuple[list[Any], list[Any]]:
 
 
 def sides(factors: Factors, z: Any, upper: int) -> bool:
-    """Whether all roots of U have Re P < 0 and all of L Re P > 0, by Gershgorin's discs about nodes near z."""
+    """Whether all roots of U have Re P < 0 and all of L Re P > 0, proved; z: near the roots, those of U first."""
     size = float(max(abs(x) for x in z))
-    for part, near, sign in ((factors[0], z[:upper], -1), (factors[1], z[upper:], 1)):
-        nodes = _spread_out(near, 2.0**-8 * size)
-        polynomial = acb_poly([*part, 1])
-        for k, x in enumerate(nodes):
-            gap = arb(1)
-            for i, other in enumerate(nodes):
-                gap = gap if i == k else gap * abs(x - other)
-            if not sign * x.real > len(nodes) * abs(polynomial(x)) / gap:
-                return False
+    return all(
+        any(_on_side(part, _spread_out(near, gap * size), sign) for gap in _GAPS)
+        for part, near, sign in ((factors[0], z[:upper], -1), (factors[1], z[upper:], 1))
+    )
+
+
+def _on_side(part: Sequence[Any], nodes: Sequence[Any], sign: int) -> bool:
+    """By Gershgorin's discs of the monic polynomial about the nodes."""
+    polynomial = acb_poly([*part, 1])
+    for k, x in enumerate(nodes):
+        gap = arb(1)
+        for i, other in enumerate(nodes):
+            gap = gap if i == k else gap * abs(x - other)
+        if not sign * x.real > len(nodes) * abs(polynomial(x)) / gap:
+            return False
     return True
 
 

@@ -139,7 +139,7 @@ class Floats:
         """A(σ) and A'(σ), shape (len(σ), n, n)."""
         sigma = np.atleast_1d(np.asarray(sigma, complex))
         G, G_sigma = self.receptance(sigma, self.border.distances)
-        return _K.matrix(self.border.rows(_K, sigma, G)), _K.matrix(self.border.slopes(_K, sigma, G_sigma))
+        return _K.matrix(self.border.rows(_K, sigma, G)), _K.matrix(self.border.slopes(_K, sigma, G, G_sigma))
 
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ on an array of σ."""

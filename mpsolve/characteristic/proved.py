@@ -100,9 +100,13 @@ def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
     middle = [row(sigma.mid()) for row in symbols.D.balls()]
     z = float_roots(middle, symbols.degree)
     if apart(z):
-        roots = tuple(root_balls(symbols.D, sigma, z))
-        signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
-        return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
+        try:
+            roots = tuple(root_balls(symbols.D, sigma, z))
+        except PrecisionError:  # over the ball roots of one side may meet
+            roots = ()
+        if roots:
+            signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
+            return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
     factors = factor_balls(symbols.D, sigma, z, upper)
     return ProvedSplitting(symbols, sigma, upper, None, factors, sides(factors, z, upper))
 
@@ -112,13 +116,14 @@ class Proved:
 
     Its premise: σ is in the part of the plane that reaches to Re σ → ∞ without crossing a cut (Re σ > 0, or above
     −h for h below the lowest cut), where the upper p-roots are the n₊ with Re P < 0. signed: refuse a ball of σ at
-    which these signs are not proved; with signed=False the caller must know which roots are upper.
+    which these signs are not proved; with signed=False the caller must know which roots are upper. eliminate: take
+    out the bodies of direct contacts (see `Bordering`), so that the matrix is smaller.
     """
 
-    def __init__(self, reduced: Reduced, signed: bool = True) -> None:
+    def __init__(self, reduced: Reduced, signed: bool = True, eliminate: bool = True) -> None:
         self.reduced = reduced
         self.symbols = Symbols.of(reduced.guide)
-        self.border = Bordering.of(reduced)
+        self.border = Bordering.of(reduced, eliminate)
         self.signed = signed
 
     @cached_property
@@ -141,12 +146,12 @@ class Proved:
         sigma = acb(sigma)
         mean = mean and not is_thin(sigma)
         G, G_sigma = self.splitting(sigma).receptances(self.border.distances, slope or mean)
-        if mean:
-            middle = sigma.mid()
-            inner = self.splitting(middle).receptances(self.border.distances, False)[0]
-            G = [g + g_s * (sigma - middle) for g, g_s in zip(inner, G_sigma, strict=True)]
-        A = acb_mat(self.border.rows(_K, sigma, G))
-        return A, (acb_mat(self.border.slopes(_K, sigma, G_sigma)) if slope else None)
+        A_sigma = acb_mat(self.border.slopes(_K, sigma, G, G_sigma)) if slope or mean else None
+        if not mean:
+            return acb_mat(self.border.rows(_K, sigma, G)), A_sigma
+        middle = sigma.mid()
+        inner = self.splitting(middle).receptances(self.border.distances, False)[0]
+        return acb_mat(self.border.rows(_K, middle, inner)) + A_sigma * (sigma - middle), A_sigma
 
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ over the ball σ."""

@@ -93,7 +93,7 @@ def root_balls(symbol: Symbol, sigma: Any, z: Any) -> list[Any]:
     if not is_thin(sigma):
         local = Orders(symbol, sigma)
         nodes = [exact_ball(complex(x)) for x in z]
-        values, radii = _discs(local, local.wide, nodes)
+        values, radii = discs(local, local.wide, nodes)
         return [_newton(local, *one) for one in zip(nodes, values, radii, strict=True)]
     ladder = [target]
     while ladder[0] > _FIRST_BITS:
@@ -102,7 +102,7 @@ def root_balls(symbol: Symbol, sigma: Any, z: Any) -> list[Any]:
         local = Orders(symbol, sigma)
         D = local.wide
         nodes = [exact_ball(complex(x)) for x in z]
-        values, radii = _discs(local, D, nodes)
+        values, radii = discs(local, D, nodes)
         slope = D.derivative()
         balls = [x + square(r) for x, r in zip(nodes, radii, strict=True)]
         balls = [_smaller(b, x - v / slope(b)) for b, x, v in zip(balls, nodes, values, strict=True)]
@@ -121,8 +121,8 @@ def _smaller(ball: Any, image: Any) -> Any:
     return image if image.is_finite() and image.rad() < ball.rad() else ball
 
 
-def _discs(local: Orders, D: Any, z: Sequence[Any]) -> tuple[list[Any], list[Any]]:
-    """The values of D at the nodes, and radii of discs round them with one root each."""
+def discs(local: Orders, D: Any, z: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    """The values of D at the nodes, and radii of discs round them with one root each, apart from each other."""
     n = len(z)
     lead = abs(leading(D, n))
     values, radii = [local(x) for x in z], []

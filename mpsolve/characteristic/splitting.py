@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.characteristic.symbol import Symbol, product
+from mpsolve.characteristic.symbol import Symbol, Symbols, product
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.arithmetic import Arithmetic
-from mpsolve.numbers.balls import acb_poly, arb, exact_ball, precision, rational_ball
+from mpsolve.numbers.balls import acb_poly, arb, precision, rational_ball
+from mpsolve.numbers.multiprecision import Multiprecision
 
 _STARTS = [Fraction(2) ** k for k in (0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8)]
 
@@ -76,6 +77,8 @@ def sharpened(K: Arithmetic, D: Sequence[Any], U: Sequence[Any], L: Sequence[Any
     return moved[: len(U)], moved[len(U) :]
 
 
-def node(z: complex) -> Any:
-    """A float root as an exact ball."""
-    return exact_ball(complex(z))
+def split_digits(K: Multiprecision, symbols: Symbols, sigma: Any, upper: int) -> Splitting:
+    """The splitting in mpmath, without proof: the `upper` roots of smallest real part are those of U."""
+    D = symbols.D.at(K, sigma)
+    roots = sorted(K.roots(D), key=lambda z: z.real)
+    return Splitting(D[-1], monic(roots[:upper]), monic(roots[upper:]))

@@ -16,7 +16,7 @@ from mpsolve.model.edge import edge_roots
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 from mpsolve.motion.rigorous_forces import Setting
 from mpsolve.motion.transform import contact_image, numerators, system
-from mpsolve.sheet.enclose import Symmetry
+from mpsolve.numbers.rootball import Symmetry
 
 acb, arb = flint.acb, flint.arb
 

@@ -24,7 +24,7 @@ from mpsolve.motion.field import images_at
 from mpsolve.motion.forcing import Tone, image, tones
 from mpsolve.motion.sheets import pairing_below
 from mpsolve.motion.transform import contact_image, numerators, system
-from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.numbers.rootball import RootBall, Symmetry
 
 BITS = 160
 _NEAR = 1e-5  # closer frequencies, relative, lose too many digits in float64

@@ -45,3 +45,7 @@ class Multiprecision:
 
     def det(self, a: Any) -> Any:
         return self.mp.det(a)
+
+    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
+        """The roots of a polynomial, coefficients from the constant term up."""
+        return list(self.mp.polyroots(list(coefficients)[::-1], maxsteps=500, extraprec=3 * self.mp.prec))

@@ -83,6 +83,8 @@ class Reduction:
 
     def kernel(self, A: Any) -> list[Any]:
         """A vector x ≠ 0 with A x = 0 for each singular matrix of the balls A."""
+        if self.left.det().contains(0):
+            raise PrecisionError("the characteristic matrix is too badly conditioned in float64 to show its kernel")
         first, column, _, _ = self._blocks(A)
         n = first.nrows()
         head = [-x for x in _solved(first, column).entries()] if n else []

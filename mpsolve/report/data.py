@@ -10,9 +10,9 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.numbers.decimals import decimal, working_bits
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.statement import proved, radius_text
 from mpsolve.report.vibration import Trend, Vibration, vibration
-from mpsolve.sheet.enclose import RootBall
 from mpsolve.sheet.region import Rectangle
 
 FORMAT = "mpsolve report"

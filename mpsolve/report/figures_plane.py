@@ -15,9 +15,9 @@ from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.decimals import proved_digits
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
-from mpsolve.sheet.enclose import RootBall
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

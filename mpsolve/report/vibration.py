@@ -13,7 +13,7 @@ from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.sheet.enclose import RootBall, Symmetry
+from mpsolve.numbers.rootball import RootBall, Symmetry
 
 
 class Trend(Enum):

@@ -10,10 +10,11 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.progress import Progress
 from mpsolve.sheet.cluster import separate
 from mpsolve.sheet.count import BITS, Count
-from mpsolve.sheet.enclose import BASE_BITS, Box, RootBall, Symmetry, isolate, refine
+from mpsolve.sheet.enclose import BASE_BITS, Box, isolate, refine
 from mpsolve.sheet.region import Rectangle
 from mpsolve.sheet.seek import seek
 

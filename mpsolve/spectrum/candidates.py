@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.floats import Floats
+from mpsolve.problem.reduced import Reduced
 
 _STEPS = 40
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
@@ -40,15 +41,19 @@ class Area:
         return max(self.re_max - self.re_min, self.im_max - self.im_min)
 
 
-def find_roots(arrays: Arrays, up: int, areas: tuple[Area, ...], count: int, symmetric: bool = True) -> Any:
-    """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found."""
+def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any, symmetric: bool = True) -> Any:
+    """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found.
+
+    hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid.
+    """
+    function = Floats(reduced)
     found = np.zeros(0, complex)
-    for level in range(5):
+    for level in range(-1, 5):
         if _number(found, symmetric) >= count:
             break
         for area in areas:
-            starts = _starts(arrays, up, area, level)
-            found = _newton(arrays, up, area, starts, found)
+            starts = _best(function, hints, np.inf, 8 * count + 20) if level < 0 else _starts(function, area, level)
+            found = _newton(function, area, starts, found)
     return found
 
 
@@ -58,7 +63,7 @@ def _number(found: Any, symmetric: bool) -> int:
     return int(sum(1 if abs(q.real) < 1e-9 * abs(q) else 2 for q in found))
 
 
-def _starts(arrays: Arrays, up: int, area: Area, level: int) -> Any:
+def _starts(function: Floats, area: Area, level: int) -> Any:
     """Grid points whose Newton step is of the size of the grid, shortest first; rows lie denser near Im q = 0."""
     n, m = 24 * 2**level, 8 * 2**level
     x = np.linspace(area.re_min, area.re_max, n + 1)
@@ -66,20 +71,24 @@ def _starts(arrays: Arrays, up: int, area: Area, level: int) -> Any:
     spread = np.concatenate([-np.geomspace(1e-4, 1, m)[::-1], [0.0], np.geomspace(1e-4, 1, m)]) * depth
     y = spread[(spread >= area.im_min) & (spread <= area.im_max)]
     q = (x[:, None] + 1j * y[None, :]).ravel()
-    step = _step(arrays, up, q, np.zeros(0, complex))
-    near = np.abs(step) < 3 * (area.re_max - area.re_min) / n + 0.5 * np.abs(q.imag)
-    order = np.flatnonzero(near & np.isfinite(step))
-    order = order[np.argsort(np.abs(step[order]))]
-    return q[order[: 60 * 2**level]] + step[order[: 60 * 2**level]]
+    return _best(function, q, 3 * (area.re_max - area.re_min) / n + 0.5 * np.abs(q.imag), 60 * 2**level)
 
 
-def _newton(arrays: Arrays, up: int, area: Area, q: Any, found: Any) -> Any:
+def _best(function: Floats, q: Any, reach: Any, most: int) -> Any:
+    """Where Newton's step leads from the points at which it is shortest, below `reach`."""
+    step = _step(function, q, np.zeros(0, complex))
+    order = np.flatnonzero((np.abs(step) < reach) & np.isfinite(step))
+    order = order[np.argsort(np.abs(step[order]))][:most]
+    return q[order] + step[order]
+
+
+def _newton(function: Floats, area: Area, q: Any, found: Any) -> Any:
     """Roots in the area, old and new ones."""
     slack = 1e-9 * area.size
     for _ in range(_STEPS):
         if not len(q):
             return found
-        step = _step(arrays, up, q, found)
+        step = _step(function, q, found)
         limit = 0.2 * area.size
         size = np.abs(step)
         step = np.where(size > limit, step * (limit / np.where(size > 0, size, 1)), step)
@@ -94,17 +103,16 @@ def _newton(arrays: Arrays, up: int, area: Area, q: Any, found: Any) -> Any:
     return found
 
 
-def _step(arrays: Arrays, up: int, q: Any, found: Any) -> Any:
+def _step(function: Floats, q: Any, found: Any) -> Any:
     """Newton's step in q for Δ̂ with the found roots and their mirrors divided out."""
     with np.errstate(all="ignore"):
-        _, G, _ = arrays.evaluate(1j * q, np.zeros(len(q)), up)
-        A = arrays.matrix(G, 1j * q)
-        fine = np.isfinite(A.a).all((1, 2)) & np.isfinite(A.b).all((1, 2))
-        a = np.where(fine[:, None, None], A.a, np.eye(A.a.shape[1]))
+        a, b = function.matrices(1j * q)
+        fine = np.isfinite(a).all((1, 2)) & np.isfinite(b).all((1, 2))
+        a, b = np.where(fine[:, None, None], a, np.eye(a.shape[1])), np.where(fine[:, None, None], b, 0)
         try:
-            trace = np.trace(np.linalg.solve(a, np.where(fine[:, None, None], A.b, 0)), axis1=1, axis2=2)
+            trace = np.trace(np.linalg.solve(a, b), axis1=1, axis2=2)
         except np.linalg.LinAlgError:
-            trace = np.array([_trace(x, y) for x, y in zip(a, A.b, strict=True)])
+            trace = np.array([_trace(x, y) for x, y in zip(a, b, strict=True)])
         slope = 1j * trace
         for root in found:
             for mirror in {complex(root), complex(-root.conjugate())}:

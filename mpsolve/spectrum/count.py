@@ -12,10 +12,11 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import Path, Paths, Proved
+from mpsolve.characteristic.paths import Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
@@ -87,12 +88,22 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
     proved = paths.prove(chain, effort)
     with precision(64):
         middle, radius = proved.corners[1]
+        _require_passive(rho, middle, radius)
         closing = closing_argument(reduced, rho, middle, radius)
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
     held = Below(height, reach=exact) if height else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
+
+
+def _require_passive(rho: float, middle: Any, radius: Any) -> None:
+    """V + V* is positive definite for every G in middle ± radius: PrecisionError where that is not proved."""
+    a = 1j * rho * middle
+    e = (rho * radius + 8 * U * np.abs(a)) * UP
+    V = Jet(a[None], np.zeros_like(a[None]), e[None], np.zeros(1))
+    if not positive(V, np.array([1j]), np.zeros(1))[0]:
+        raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
 
 
 def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort) -> Count:

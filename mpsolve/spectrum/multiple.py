@@ -8,9 +8,10 @@ from typing import Any
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, precision, square
+from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import Taylor, taylor
 from mpsolve.proof.pellet import pellet
-from mpsolve.spectrum.enclose import RootBall, Symmetry, in_units, isolate, on_grid, radius_of, refine
+from mpsolve.spectrum.enclose import in_units, isolate, refine
 
 MOST = 6
 """Roots in one cluster that are looked for."""
@@ -41,7 +42,7 @@ def separate(proved: Proved, seed: complex, digits: int) -> list[RootBall]:
             return apart
         if bits >= 4 * target:
             with precision(2 * bits + 64):
-                return _as_cluster(proved, series, m, target)
+                return as_cluster(proved, series, m, target)
         bits *= 2
 
 
@@ -101,7 +102,7 @@ def _isolated(proved: Proved, approximations: list[Any], bits: int, digits: int)
     return None
 
 
-def _as_cluster(proved: Proved, series: Taylor, m: int, target: int) -> list[RootBall]:
+def as_cluster(proved: Proved, series: Taylor, m: int, target: int) -> list[RootBall]:
     """A square ball of relative size 2^−target: at least m roots in its disc, at most m around it."""
     unit = proved.reduced.frequency_unit
     centre = in_units(series.centre, unit)

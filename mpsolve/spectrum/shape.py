@@ -45,7 +45,7 @@ def root_shape(problem: Problem, q: Any, multiplicity: int = 1, places: Sequence
         raise PrecisionError("several roots meet in this ball, so it has no single shape: ask for more digits")
     with precision(max(64, q.rel_accuracy_bits() + _GUARD)):
         unit = rational_ball(1 / reduced.frequency_unit)
-        return _shape(Proved(reduced), acb(-q.imag * unit, q.real * unit), asked)
+        return _shape(Proved(reduced, eliminate=False), acb(-q.imag * unit, q.real * unit), asked)
 
 
 def _shape(proved: Proved, sigma: Any, asked: tuple[Fraction, ...]) -> Shape:

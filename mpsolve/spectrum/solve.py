@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.outcome import Reason
@@ -90,7 +89,8 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
 
 def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
     symmetric = not isinstance(count.region, Box)
-    seeds = find_roots(Arrays(reduced), count.start.up, _areas(reduced, count), count.total, symmetric)
+    hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
+    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
     proved = Proved(reduced)
     balls: list[RootBall] = []
     for k, q in enumerate(seeds.tolist()):

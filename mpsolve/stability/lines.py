@@ -18,7 +18,7 @@ from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
-from mpsolve.sheet.enclose import RootBall
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.stability.cuts import CutPoint, CutPoints, cut_points
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.tube import follow

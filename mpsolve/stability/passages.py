@@ -18,8 +18,8 @@ from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.errors import ContradictionError, PrecisionError, known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.rootball import Symmetry
 from mpsolve.progress import Progress
-from mpsolve.sheet.enclose import Symmetry
 from mpsolve.sheet.far import far_radius
 from mpsolve.stability.family import Family
 from mpsolve.stability.holes import about, outward

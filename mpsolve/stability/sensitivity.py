@@ -24,8 +24,9 @@ from mpsolve.model.branch import ALONG_DAMPING, ALONG_Q, track
 from mpsolve.model.characteristic import characteristic_rates
 from mpsolve.model.limits import require_cuts_on_line
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Status
-from mpsolve.sheet.enclose import RootBall, Symmetry, isolate, refine
+from mpsolve.sheet.enclose import isolate, refine
 from mpsolve.stability.masses import below_critical, checked_digits
 
 arb = flint.arb

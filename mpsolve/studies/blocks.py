@@ -19,7 +19,7 @@ from mpsolve.studies.design import Value
 from mpsolve.studies.spec import PARAMETERS, Spec, spec_of
 
 if TYPE_CHECKING:
-    from mpsolve.sheet.enclose import RootBall
+    from mpsolve.numbers.rootball import RootBall
 
 FORMAT = 2
 """Raised when the results of a case, or the way they are written, change."""

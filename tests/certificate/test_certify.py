@@ -12,9 +12,9 @@ from oracle import Truth, holds
 from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
 from mpsolve.certificate import verify
 from mpsolve.model.edge import edge_value
+from mpsolve.numbers.rootball import Symmetry
 from mpsolve.report.data import as_data
 from mpsolve.report.text import render
-from mpsolve.sheet.enclose import Symmetry
 
 
 def pair(alpha: Any, d: Any, eta_m: Any = 70, eta_b: Any = "0.05", **rest: Any) -> Case:

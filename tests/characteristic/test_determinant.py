@@ -7,11 +7,12 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from residue import TRACKS, Residues, random_track
+from residue import TRACKS, Residues, holds, random_track
 
-from mpsolve.characteristic.determinant import Bordering, evans
+from mpsolve.characteristic.determinant import Bordering, delta, evans
+from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
-from mpsolve.characteristic.splitting import Splitting, monic
+from mpsolve.characteristic.splitting import Splitting, monic, split_digits
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.numbers.balls import Balls, acb, arb, precision
 from mpsolve.numbers.multiprecision import Multiprecision
@@ -21,6 +22,7 @@ from mpsolve.tracks import EulerBernoulli
 from mpsolve.vehicles import Bogie, Mass
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1", N="0.1")
+BIG = Bogie(wheel=1813, frame=2615, inertia=1476, wheelbase="2.5", k="2.4e6", c="3e4", k_contact="1.5e9")
 BOGIE = Bogie(wheel=18, frame=26, inertia=14, wheelbase="1.5", k=2, c="0.3", k_contact=15)
 
 
@@ -36,7 +38,7 @@ def split(reduced: Reduced, sigma: Any, digits: int) -> tuple[Multiprecision, Sp
 def both(reduced: Reduced, sigma: Any, digits: int) -> tuple[Any, Any, Any]:
     """R·Δ̂ by the bordered form, R, and Δ̂ from residues."""
     K, split_, truth = split(reduced, sigma, digits)
-    border = Bordering.of(reduced)
+    border = Bordering.of(reduced, eliminate=False)
     G = [truth(x, sigma) for x in border.distances]
     delta = K.det(K.matrix(border.rows(K, K.mp.mpmathify(sigma), G)))
     product, R = evans(K, reduced, Symbols.of(reduced.guide), split_, K.mp.mpmathify(sigma))
@@ -61,6 +63,52 @@ def test_it_is_r_times_delta(track: Any, v: Fraction) -> None:
     for sigma in (0.5 + 0.25j, 0.125 - 1.5j):
         product, R, delta = both(reduced, sigma, 40)
         assert abs(product / (R * delta) - 1) < 1e-25
+
+
+@pytest.mark.parametrize("mass", [Fraction(3), Fraction(900)])
+def test_direct_contacts_are_taken_out(mass: Fraction) -> None:
+    """The determinant changes by the constant ±Π b, its slope with it; a sprung wheel and a bogie's wheels remain."""
+    reduced = reduce_problem(Problem(BEAM, [BOGIE.at(1), Mass(mass).at(-1), Mass(2).at("0.5")], "0.7"))
+    whole, small = Bordering.of(reduced, eliminate=False), Bordering.of(reduced)
+    K, truth = Multiprecision(60), Residues(reduced.guide, 60)
+    factor = K.number(Fraction(1))
+    for _, _, b in small.direct:
+        factor *= K.number(b)
+    assert len(small.direct) == 2
+    for sigma in (0.5 + 0.25j, 0.125 - 1.5j):
+        s, h = K.mp.mpmathify(sigma), K.mp.mpf(10) ** -15
+
+        def det(border: Bordering, s: Any) -> Any:
+            return K.det(K.matrix(border.rows(K, s, [truth(x, s) for x in border.distances])))
+
+        assert abs(abs(det(whole, s) / det(small, s) / factor) - 1) < 1e-40
+        G, G_sigma = ([f(x, s) for x in small.distances] for f in (truth, truth.slope))
+        A, A_sigma = K.matrix(small.rows(K, s, G)), K.matrix(small.slopes(K, s, G, G_sigma))
+        trace = K.solve(A, A_sigma)
+        rate = sum(trace[i, i] for i in range(A.rows))
+        change = (det(small, s + h) - det(small, s - h)) / (2 * h) / det(small, s)
+        assert abs(rate / change - 1) < 1e-20
+
+
+def test_one_function_in_three_arithmetics() -> None:
+    """Δ̂ and its slope in mpmath, in balls, and in float64 by residues and by companions, are the same."""
+    reduced = reduce_problem(Problem(TRACKS["two-layer"], [BIG.at(1), Mass(900).at(-3)], 300))
+    symbols, border, proved = Symbols.of(reduced.guide), Bordering.of(reduced), Proved(reduced)
+    for s in (0.5 + 0.25j, 0.125 - 1.5j):
+        K = Multiprecision(60)
+        digits = delta(
+            K, border, symbols, split_digits(K, symbols, K.mp.mpmathify(s), proved.upper), K.mp.mpmathify(s)
+        )
+        with precision(150):
+            point = acb(s.real, s.imag)
+            balls = proved.delta(point)
+            companions = delta(Balls(), border, symbols, proved.splitting(point).splitting, point)
+        floats = Floats(reduced).delta([s])
+        for exact, ball, other, value in zip(digits, balls, companions, floats, strict=True):
+            assert holds(ball, exact)
+            assert holds(other, exact)
+            assert max(float(ball.rad()), float(other.rad())) < 1e-25 * abs(exact)
+            assert abs(value[0] / complex(exact) - 1) < 1e-12
 
 
 def branch_point(reduced: Reduced, digits: int) -> Any:

@@ -147,6 +147,23 @@ def test_roots_that_collide_inside_a_ball() -> None:
             assert float(value.rad()) < 0.05
 
 
+def test_roots_that_may_meet_beside_the_middle_of_a_ball() -> None:
+    """At its middle they are apart, but over it no disc holds one root: the factors take over."""
+    guide = track_guide(MEET, Fraction(0))
+    truth = Residues(guide, 40)
+    middle, half = (0.5 + 0.02j) * 2.0**guide.time, 0.04
+    with precision(64):
+        symbols = Symbols.of(guide)
+        split = split_ball(symbols, exact_ball(middle) + square(half), 2)
+        G = split.receptances(XI)[0]
+    assert split.roots is None
+    assert split.signed
+    for turn in (0, 1, -1, 1j, -1j, 1 - 1j):
+        s = middle + half * 0.999 * turn
+        for x, value in zip(XI, G, strict=True):
+            assert holds(value, truth(x, s))
+
+
 def test_on_a_cut_the_sides_are_open() -> None:
     beam = track_guide(EulerBernoulli(EI="1/4", m=1, k=1), Fraction(3, 5))
     symbols = Symbols.of(beam)

@@ -9,9 +9,9 @@ from flint import acb, arb
 
 from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, Status, certify, read_case
 from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.statement import proved, verdict
 from mpsolve.report.text import WIDTH, beam_rows, render, shown
-from mpsolve.sheet.enclose import RootBall
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNSTABLE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))

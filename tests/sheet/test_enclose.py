@@ -11,7 +11,8 @@ from oracle import Truth, holds
 from mpsolve import Case
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.sheet.enclose import Symmetry, isolate, refine
+from mpsolve.numbers.rootball import Symmetry
+from mpsolve.sheet.enclose import isolate, refine
 from mpsolve.sheet.seek import seek
 
 PAIR = {"eta_m": (70, 70), "positions": (0, "1.5")}

@@ -19,7 +19,7 @@ from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.spectrum.enclose import Symmetry, enclose, in_units, isolate, refine
-from mpsolve.tracks import EulerBernoulli
+from mpsolve.tracks import EulerBernoulli, Timoshenko, TwoLayer
 from mpsolve.vehicles import Bogie, Mass, Vehicle
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
@@ -179,3 +179,45 @@ def test_no_box_where_there_is_no_root(sigma: complex) -> None:
     unit = float(proved.reduced.frequency_unit)
     start = 1j * complex(ball.q.mid()) / unit
     assert holds(ball.q, true_root(proved.reduced, start, 50))
+
+
+EI = 210 * 10**9 * Fraction("3.037e-5")
+RAIL = {"EI": "6.4e6", "m": 60, "k": "1e6", "c": 770}
+STEM = Bogie(
+    wheel=1500, frame=3000, inertia=155, wheelbase="2.5", k="4.8e6", c=250, body=12500, k2="2.708e6", c2="64e3"
+)
+SHEAR = Fraction("0.393") * Fraction("80.769e9") * Fraction("76.70e-4")
+ROLLAND = {"k_pad": "300e6", "c_pad": "3e4", "m_sleeper": 250, "k_ballast": "100e6", "c_ballast": "8e4"}
+ONSETS = {
+    "timoshenko": (
+        Timoshenko(EI=EI, m="60.2", S=SHEAR, J=7860 * Fraction("3.037e-5"), k="1e6", c=770),
+        [Mass(10_000)],
+        Fraction("309.445688"),
+        17.0711,
+    ),
+    "two-layer": (
+        TwoLayer(EI=210 * 10**9 * Fraction("3038.30e-8"), m="60.2", **ROLLAND),
+        [Mass(900)],
+        Fraction("1413.817865"),
+        673.4268,
+    ),
+    "kelvin-voigt": (
+        EulerBernoulli(**RAIL, eta="1e-4"),
+        [Mass(10_000).at(0), Mass(10_000).at("3.4")],
+        Fraction("197.878094"),
+        19.3498,
+    ),
+    "bogie": (EulerBernoulli(**RAIL), [STEM], Fraction("334.590808"), 31.971),
+}
+
+
+@pytest.mark.parametrize("name", ONSETS)
+def test_published_onsets(name: str) -> None:
+    """Velocities in m/s at which an independent float program loses stability: proved on both sides, 1e-6 away."""
+    track, vehicles, v, q = ONSETS[name]
+    for factor, sign in ((Fraction(999_999, 10**6), 1), (Fraction(1_000_001, 10**6), -1)):
+        reduced = reduce_problem(Problem(track, vehicles, v * factor))
+        ball = enclose(Proved(reduced), floats_root(reduced, q), 20)
+        assert sign * ball.q.imag > 0
+        assert abs(float(ball.q.real.mid()) - q) < 1e-3 * q
+        assert abs(float(ball.q.imag.mid())) < 1e-4 * q

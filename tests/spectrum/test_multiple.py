@@ -9,10 +9,13 @@ import pytest
 from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
+from mpsolve.numbers.taylor import SAMPLES, Taylor
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
-from mpsolve.spectrum.enclose import RootBall, enclose
-from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.enclose import enclose
+from mpsolve.spectrum.multiple import as_cluster, separate
 from mpsolve.tracks import EulerBernoulli
 from mpsolve.vehicles import Mass
 
@@ -68,8 +71,14 @@ def test_the_gap_is_that_of_the_coupling() -> None:
     slope = one.delta([sigma])[1][0]
     S = complex(sum(float(c) * sigma**k for k, c in enumerate(floats.border.S[0][0])))
     (behind, ahead) = (G[x][0] for x in floats.border.distances if x)
-    gap = abs(2 * S * (ahead * behind) ** 0.5 / slope) * float(proved.reduced.frequency_unit)
+    gap = abs(2 * S * (ahead * behind) ** 0.5 / slope / b_of(one)) * float(proved.reduced.frequency_unit)
     assert abs(abs(a - b) / gap - 1) < 1e-3
+
+
+def b_of(one: Floats) -> float:
+    """The determinant of one mass is −(b + S G/b)."""
+    ((_, _, b),) = one.border.direct
+    return float(b)
 
 
 def floats_sigma(sigma: complex) -> object:
@@ -88,3 +97,18 @@ def test_a_simple_root_comes_back_simple() -> None:
 def test_nothing_where_there_is_no_root() -> None:
     proved, sigma = far_apart()
     assert separate(proved, 2 * sigma + 0.3, 15) == []
+
+
+@pytest.mark.parametrize(("share", "held"), [(0.5, True), (1.2, False), (3.0, False)])
+def test_a_ball_is_given_only_with_both_roots_inside(share: float, held: bool) -> None:
+    """z² = r² about a point: the disc inside the ball must hold both roots, not only the disc round it."""
+    proved, _ = far_apart()
+    with precision(200):
+        centre = acb(1, 1)
+        radius = abs(radius_of(on_grid(centre, 40, 2, Symmetry.NONE).exponent, 2)) * arb((1, 0))
+        unit = proved.reduced.frequency_unit
+        radius = radius / (arb(unit.numerator) / unit.denominator)
+        r = radius * share
+        zero = [acb(0)] * (SAMPLES - 3)
+        series = Taylor(centre, (-acb(r * r), acb(0), acb(1), *zero), arb(1), arb((1, -10)))
+        assert bool(as_cluster(proved, series, 2, 40)) is held
