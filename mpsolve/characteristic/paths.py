@@ -16,7 +16,7 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.proof.cover import cover
+from mpsolve.proof.cover import cover, halfway
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
@@ -28,10 +28,14 @@ _ROOM = 1.3  # pieces are planned on discs this much larger, so that a checker w
 
 @dataclass(frozen=True)
 class Path:
-    """Break points in order, and what is proved between them."""
+    """Break points in order, and what is proved between them.
+
+    radius: of the circle round 0 of which slanted pieces are arcs: their discs hold the arcs. 0: all are straight.
+    """
 
     kind: Kind
     points: Any
+    radius: float = 0.0
 
     @property
     def pieces(self) -> int:
@@ -61,12 +65,12 @@ class Paths:
     arrays: Arrays
     up: int
 
-    def plan(self, kind: Kind, points: Any, effort: Effort) -> Path:
+    def plan(self, kind: Kind, points: Any, effort: Effort, radius: float = 0.0) -> Path:
         """A path through `points` whose pieces pass the test of its kind, links left aside."""
         points = np.asarray(points, complex)
         if len(points) < 2:
-            return Path(kind, points)
-        return Path(kind, cover(points, self._test(kind), effort))
+            return Path(kind, points, radius)
+        return Path(kind, cover(points, self._test(kind), effort, radius=radius), radius)
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
@@ -111,7 +115,7 @@ class Paths:
             passed, turn = self._path(path, here, thin, A, good)
             turns.append(turn)
             whole = whole and bool(passed.all())
-            refined.append(Path(path.kind, _halved(path.points, passed)))
+            refined.append(Path(path.kind, _halved(path, passed), path.radius))
         if not whole:
             return tuple(refined)
         ends = np.cumsum([len(path.points) for path in paths]) - 1
@@ -136,10 +140,12 @@ class Paths:
         return passed, (float((end - start).sum()), error)
 
 
-def _halved(points: Any, passed: Any) -> Any:
+def _halved(path: Path, passed: Any) -> Any:
+    points = path.points
+    middles = halfway(points[:-1], points[1:], path.radius)
     out = [points[:1]]
-    for a, b, good in zip(points[:-1], points[1:], passed, strict=True):
-        out.append(np.array([b] if good else [(a + b) / 2, b]))
+    for middle, b, good in zip(middles, points[1:], passed, strict=True):
+        out.append(np.array([b] if good else [middle, b]))
     return np.concatenate(out)
 
 

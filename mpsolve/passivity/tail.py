@@ -29,6 +29,7 @@ _SPLIT = 80  # halvings of a box at most
 _MOST_BOXES = 6000  # in one search
 _ROOM = 1.25  # between what floats sample and what is to be proved
 _OMEGA = 4.0  # where the two charts of the envelope meet
+_UNDERFLOW = 1e-280  # more than powers that underflow can add up to
 
 
 @dataclass(frozen=True)
@@ -172,7 +173,7 @@ def _orders(absorption: Absorption) -> tuple[tuple[int, int], tuple[int, int], i
 
 def outweighs(tail: Tail, v: Fraction, gap: Fraction | None) -> bool:
     """(c): absorbed > given at X, and so for all q ≥ X."""
-    if not (tail.alpha > 1 and tail.alpha - 1 >= tail.e - tail.gamma):
+    if not (tail.alpha > 1 and tail.gamma >= 0 and tail.alpha - 1 >= tail.e - tail.gamma):
         return False
     with precision(64):
         X, speed = arb(tail.X), _ball(v)
@@ -349,7 +350,7 @@ def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any, Any]:
     across, along = rx[:, None] ** np.arange(size.shape[1]), ry[:, None] ** np.arange(size.shape[2])
     spread = ((size @ along[:, :, None])[:, :, 0] * across).sum(1)
     middle = c[:, 0, 0, 0]
-    radius = (spread - np.abs(c[:, 0, 0, 0]) + 16 * U * spread) * UP
+    radius = (spread - np.abs(c[:, 0, 0, 0]) + 256 * U * spread) * UP + _UNDERFLOW
     by_x = (size[:, 1:, 0] * across[:, 1:]).sum(1) > (size[:, 0, 1:] * along[:, 1:]).sum(1)
     return middle - radius - 8 * U * np.abs(middle), middle + radius + 8 * U * np.abs(middle), by_x
 

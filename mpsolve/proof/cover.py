@@ -22,10 +22,20 @@ class OpenPieceError(PrecisionError):
         self.place = place
 
 
-def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40) -> Any:
+def halfway(a: Any, b: Any, radius: float = 0.0) -> Any:
+    """The middles of pieces; that of a slanted one on the circle |q| = radius, if there is one."""
+    middle = (a + b) / 2
+    if not radius:
+        return middle
+    slanted = (a.real != b.real) & (a.imag != b.imag)
+    with np.errstate(all="ignore"):
+        return np.where(slanted, middle * (radius / np.abs(middle)), middle)
+
+
+def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40, radius: float = 0.0) -> Any:
     """The break points of a refinement of the polyline through `points` (complex) whose pieces all pass.
 
-    `smallest` is relative to the length of the path. Raises OpenPieceError where halving does not help, EffortError
+    radius: of the circle of which slanted pieces are arcs, 0 for none. `smallest` is relative to the length of the path. Raises OpenPieceError where halving does not help, EffortError
     where the effort is spent.
     """
     points = np.asarray(points, complex)
@@ -40,7 +50,7 @@ def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40) -
         short = np.abs(b - a) < smallest * length
         if short.any():
             raise OpenPieceError(complex((a[short][0] + b[short][0]) / 2), smallest * length)
-        middle = (a + b) / 2
+        middle = halfway(a, b, radius)
         a, b = np.concatenate([a, middle]), np.concatenate([middle, b])
     out = [complex(points[0])]
     while out[-1] in following:

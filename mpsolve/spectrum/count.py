@@ -111,9 +111,9 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     h = scaled_height(reduced, height)
     radius = _radius(reduced, region)
     arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33))
-    arc = np.concatenate([[radius + 0j], arc[1:-1].astype(np.complex64).astype(complex), [complex(0, -radius)]])
+    arc[0], arc[-1] = radius, complex(0, -radius)
     turn = np.concatenate([_along(radius, h), arc[1:]])
-    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort))
+    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, radius))
     proved = paths.prove(chain, effort)
     with precision(64):
         total = _integer(-_turn(proved) / arb.pi())
