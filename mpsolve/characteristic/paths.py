@@ -176,7 +176,8 @@ def positive(V: Jet, way: Any, drift: Any) -> Any:
         x = np.ones((len(E), n))
         for _ in range(12):
             y = np.einsum("bij,bj->bi", E, x)
-            x = y / y.max(1, keepdims=True) + 1e-4
+            y = y + 0.02 * x
+            x = y / y.max(1, keepdims=True)
         return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < _DEFINITE)
 
 
