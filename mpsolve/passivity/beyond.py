@@ -19,7 +19,7 @@ from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import Tail, prove_tail
 from mpsolve.proof.effort import Effort
 
-_SHARE = 4000  # evaluations that one rectangle may take
+_SHARE = 12000  # evaluations that one rectangle may take
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
+from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
@@ -61,6 +62,8 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) ->
     paths = Paths(arrays, first.up)
     if isinstance(region, Box):
         return _box(paths, first, region, effort)
+    if waves_meet_at_zero(reduced.guide) and not (_at_rest(reduced, region) and not open_at_rest(reduced)):
+        raise WavesMeetError
     height = region.height if isinstance(region, Below) else Fraction(0)
     if region.radius is not None:
         return _disc(paths, first, region, height, "", effort)
@@ -74,6 +77,10 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) ->
     if closed is None and not height:
         return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
     return _half_plane(paths, first, height, closed, effort)
+
+
+def _at_rest(reduced: Reduced, region: Region) -> bool:
+    return not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None
 
 
 def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | None, effort: Effort) -> Count:

@@ -18,6 +18,7 @@ from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import RootBall, Symmetry, enclose
 from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.reasons import reason_of
 from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
 from mpsolve.spectrum.spectrum import disjoint
 
@@ -37,10 +38,8 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     """All roots of Δ̂ in the region; never raises for what stays undecided."""
     try:
         count = count_roots(reduced, region, effort, tell)
-    except EffortError as error:
-        return Found(None, (), Reason("effort", str(error), {}, "allow more effort"))
-    except PrecisionError as error:
-        return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
+    except (EffortError, PrecisionError) as error:
+        return Found(None, (), reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
     tell("roots", 0.5)
@@ -55,9 +54,6 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     if any(_sign(ball) is None for ball in balls):
         return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
     return Found(count, balls, None)
-
-
-_COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
 
 
 def unstable_number(balls: tuple[RootBall, ...]) -> int:
