@@ -131,7 +131,8 @@ class _Search:
         roots = np.roots([float(c) for c in reversed(edge.roots)])
         scale = float(np.abs(roots).max()) if len(roots) else 1.0
         real = [float(root.real) for root in roots if abs(root.imag) < 1e-9 * scale]
-        near = np.concatenate([2.0 ** -np.arange(1, 12), [0.0], -(2.0 ** -np.arange(1, 12))])
+        steps = 2.0 ** (-np.arange(1, 24) / 2)
+        near = np.concatenate([steps, [0.0], -steps])
         z = np.concatenate([np.linspace(-3, 3, 61) * scale, *(root * (1 + near) for root in real)])
         self.z = np.unique(z.astype(np.float32).astype(float))
 
@@ -364,7 +365,9 @@ def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[floa
     table = Table.of(polynomial)
     boxes, tried = _grid(*box, 8, 4), 0
     for _ in range(_SPLIT):
-        _, high, by_x = bounds(table, boxes)
+        low, high, by_x = bounds(table, boxes)
+        if (low > 0).any():
+            return False
         open_ = ~(high < 0)
         boxes, by_x = tuple(part[open_] for part in boxes), by_x[open_]
         tried += len(open_)

@@ -65,7 +65,7 @@ def nearest_root(reduced: Reduced, q: complex) -> complex | None:
         if not np.isfinite(step[0]):
             return None
         at = at + step
-        if abs(step[0]) < 1e-12 * abs(at[0]):
+        if abs(step[0]) < 1e-9 * abs(at[0]):  # at a root itself the next step is not finite
             return complex(at[0])
     return None
 
