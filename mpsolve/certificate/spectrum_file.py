@@ -46,7 +46,9 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
         "basis": _basis(reduced),
         "bits": 64,
         "start": _dyadic(Fraction(count.start.depth) * unit),
-        "paths": [{"kind": p.kind, "points": [_point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths],
+        "paths": [
+            {"kind": p.kind, "points": [_point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
+        ],
         "theorem": _theorem(reduced, count.beyond.tail) if count.beyond is not None else None,
         "claim": {"region": _region(count.region), "count": count.total, "unstable": unstable},
         "roots": [_root(root) for root in roots],

@@ -69,7 +69,10 @@ def _pivot_arguments(M: list[list[acb]]) -> arb | None:
             return None
         total += pivot.arg()
         rest = [i for i in range(len(M)) if i != k]
-        M = [[M[i][j] - column[i] / pivot * row[j] for j in rest] if column[i] != 0 else [M[i][j] for j in rest] for i in rest]
+        M = [
+            [M[i][j] - column[i] / pivot * row[j] for j in rest] if column[i] != 0 else [M[i][j] for j in rest]
+            for i in rest
+        ]
     return total
 
 

@@ -93,5 +93,7 @@ def open_at_rest(reduced: Reduced) -> str:
         p, omega = found.witness or (0.0, 0.0)
         return f"the track at rest gives energy to a harmonic force, at p = {p:.4g}, Omega = {omega:.4g}"
     if max(j for _, j in guide.N_rest) >= max(j for _, j in guide.D_rest):
-        return "the track's receptance does not fall with the frequency: the loaded field has neither mass nor damping"
+        return (
+            "the track's receptance does not fall with the frequency: the loaded field has neither mass nor damping"
+        )
     return ""

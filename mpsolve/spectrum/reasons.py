@@ -42,7 +42,9 @@ def _at_place(reduced: Reduced, place: complex) -> Reason:
     root = nearest_root(reduced, place)
     if root is not None and abs(root - place) <= _NEAR * abs(place):
         at = f"{root.real * unit:.10g}"
-        message = f"a root at q = {at}, or one closer to the real axis than can be told, lies on the line of the count"
+        message = (
+            f"a root at q = {at}, or one closer to the real axis than can be told, lies on the line of the count"
+        )
         remedy = 'ask for a Rectangle with im_max < 0 below it, or where cuts allow it for ("below", h)'
         return Reason("root-on-line", message, {**numbers, "root": at}, remedy)
     message = f"nothing is proved near q = {place.real * unit:.6g}{place.imag * unit:+.6g}i on the line of the count"
