@@ -74,7 +74,8 @@ class Paths:
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
-            return self._evaluate(kind, a, b, _ROOM)[1]
+            with np.errstate(all="ignore"):  # what is not bounded is ∞ or nan, and passes nothing
+                return self._evaluate(kind, a, b, _ROOM)[1]
 
         return passes
 
@@ -95,7 +96,8 @@ class Paths:
     def prove(self, paths: tuple[Path, ...], effort: Effort) -> Proved:
         """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError."""
         for _ in range(_ROUNDS):
-            proved = self._pass(paths, effort)
+            with np.errstate(all="ignore"):
+                proved = self._pass(paths, effort)
             if isinstance(proved, Proved):
                 return proved
             paths = proved
