@@ -18,12 +18,12 @@ from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.count import AT_REST, Count, count_roots
+from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
 from mpsolve.spectrum.unfelt import unfelt_frequencies
-from mpsolve.tracks.at_rest import Status as Rest
-from mpsolve.tracks.at_rest import at_rest, lowest_cut
+from mpsolve.tracks.at_rest import lowest_cut
 
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
 _EVALUATIONS = 200_000  # about a minute; most problems take some thousands
@@ -51,7 +51,7 @@ def certify_problem(
     budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
-    _require_stable(problem)
+    require_premises(reduced, HalfPlane())
     wanted = _region(reduced, region)
     found = solve(reduced, wanted, checked_digits(digits), budget, tell)
     return _spectrum(reduced, wanted, digits, found, budget, started, check, tell)
@@ -66,14 +66,6 @@ def checked_digits(digits: object) -> int:
     if not MIN_DIGITS <= number <= MAX_DIGITS:
         raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
     return number
-
-
-def _require_stable(problem: Problem) -> None:
-    rest = at_rest(problem.track)
-    if rest.status is Rest.UNSTABLE:
-        raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
-    if rest.status is Rest.UNDAMPED:
-        raise InputError("track", "has vibrations without damping, which is not decided here: give it some damping")
 
 
 def _timed(progress: Progress, budget: Effort) -> Progress:

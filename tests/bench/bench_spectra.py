@@ -101,7 +101,7 @@ def main() -> None:
         half_plane = certify(duel.problem, region="unstable", digits=20)
         ours = median(lambda duel=duel: certify(duel.problem, region="unstable", digits=20, check=False))
         print(
-            f"{duel.name:20} Im q < 0: {half_plane.count} roots   proof {seconds(ours)}, the track's theorem included   "
+            f"{duel.name:20} Im q < 0: {half_plane.count} roots   proof {seconds(ours)}, with the track's theorem   "
             f"verification {seconds(half_plane.cost.verification)}   {half_plane.cost.pieces} pieces"
         )
     try:

@@ -127,7 +127,8 @@ def test_the_splitting_at_the_start_must_be_the_one_told_apart() -> None:
 
 def test_a_wrong_pair_is_not_linked_along_a_path(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where nodes of the two sides are exchanged on some discs, the joins fail."""
-    from mpsolve.characteristic import bordered, paths as module
+    from mpsolve.characteristic import bordered
+    from mpsolve.characteristic import paths as module
 
     whole = some_paths()
     link, turn = chain(whole)
@@ -180,5 +181,3 @@ def test_negative_and_endless_matrices_are_not_positive() -> None:
     zero = np.zeros((1, 2, 2))
     for a in (-np.eye(2), np.zeros((2, 2)), np.full((2, 2), np.nan), np.full((2, 2), np.inf), np.diag([1.0, -1e-9])):
         assert not positive(Jet(a[None] + 0j, 0j * zero, zero, np.zeros(1)), np.ones(1), np.zeros(1))[0]
-
-
