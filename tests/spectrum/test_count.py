@@ -7,17 +7,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import on_arc
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.count import Count, count_roots, scaled_height
+from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.tracks.waveguide import Polynomial, Waveguide
@@ -34,7 +32,7 @@ def count(reduced: Reduced, region: Region) -> Count:
     return count_roots(reduced, region, Effort(evaluations=100_000), lambda *_: None)
 
 
-def winding(reduced: Reduced, corners: list[complex], up: int = 2, steps: int = 3000) -> float:
+def winding(reduced: Reduced, corners: list[complex], up: int = 2, steps: int = 20000) -> float:
     """Turns of Δ̂ round a polygon in the problem's units, in floats."""
     unit = float(reduced.frequency_unit)
     parts = [np.linspace(a, b, steps)[:-1] for a, b in zip(corners, corners[1:] + corners[:1], strict=True)]
@@ -84,45 +82,11 @@ def test_a_half_disc_is_one_also_between_chord_and_arc() -> None:
     assert found.total == 0
 
 
-@pytest.mark.parametrize("radius", [Fraction(1, 3), Fraction(2)])
-def test_a_radius_that_is_no_float_is_stated_as_it_was_proved(radius: Fraction) -> None:
-    reduced = reduce_problem(Problem(WIRE, vehicles.Mass("8.5"), v=200))
-    found = count(reduced, HalfPlane(radius))
-    assert isinstance(found.region, HalfPlane)
-    exact = found.region.radius
-    assert exact is not None
-    assert abs(exact - radius) <= radius / 2**52
-    assert found.paths[1].points[-1].imag * reduced.frequency_unit == -exact
-
-
-@given(st.fractions(min_value=Fraction(1, 10**9), max_value=100), st.sampled_from(["0.5", 1]))
-def test_heights_are_rounded_down(height: Fraction, v: object) -> None:
-    reduced = pair(v)
-    h = Fraction(scaled_height(reduced, height)) * reduced.frequency_unit
-    assert 0 <= height - h <= height / 2**52
-
-
-def test_the_region_says_the_height_that_was_proved() -> None:
-    reduced = pair("0.5")
-    asked = Fraction(1, 30)
-    found = count(reduced, Below(asked))
-    assert isinstance(found.region, Below)
-    assert found.region.height < asked
-    assert asked - found.region.height < Fraction(1, 10**17)
-    top = max(found.paths[1].points.imag)
-    assert Fraction(top) * reduced.frequency_unit == found.region.height
-
-
 @pytest.mark.parametrize("region", [Rectangle(-1, 1, "-1/2", 1), Below(Fraction(1)), Rectangle(-1, 1, "1/2", 1)])
 def test_a_region_that_reaches_a_cut_is_refused(region: Region) -> None:
     assert lowest_cut(BEAM)[1] < 0.06
     with pytest.raises(InputError, match="cut"):
         count(pair("0.5"), region)
-
-
-def test_a_rectangle_whose_sides_are_no_floats_is_refused() -> None:
-    with pytest.raises(PrecisionError, match="floats"):
-        count(pair("0.5"), Rectangle(0, 1, "-1/2", "1/100"))
 
 
 def test_at_rest_nothing_is_counted_only_on_a_passive_track() -> None:
