@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -80,7 +81,7 @@ def test_the_truth_is_held_on_random_tracks(track: Any, v: Fraction, seed: int) 
 
 @pytest.mark.parametrize("name", DAMPED)
 def test_widths(name: str) -> None:
-    """Thin: rounding only. On a disc: a few times what the second derivative leaves, while the disc is small."""
+    """Thin: rounding only. On a disc: of the order of what the second derivative leaves (sides of a sum cancel)."""
     guide = track_guide(DAMPED[name], Fraction(10))
     truth, D, N = Receptance(guide), Table.of(guide.D), Table.of(guide.N)
     m = np.array([0.7 + 0.4j, 1.5 + 2j])
@@ -99,7 +100,7 @@ def test_widths(name: str) -> None:
             values = [truth.value(float(x), truth.mp.mpc(m[k]) + d) for d in (h, -h, 1j * h, -1j * h)]
             a = truth.mp.mpc(wide.jet.a[k, j])
             seconds.append(float(max(abs(values[0] + values[1] - 2 * a), abs(values[2] + values[3] - 2 * a)) / 2))
-        assert wide.jet.e[k].max() <= 100 * max(seconds), (wide.jet.e[k], seconds)
+        assert wide.jet.e[k].max() <= 150 * max(seconds), (wide.jet.e[k], seconds)
 
 
 def test_an_expansion_holds_the_largest_value_and_is_no_wider() -> None:
@@ -135,6 +136,15 @@ def test_two_nodes_of_one_side_at_the_same_root_do_not_count_it_twice(monkeypatc
     assert not receptances(N, D, s, np.array([0.0])).good.any()
 
 
+def test_a_disc_between_two_roots_is_not_taken_for_one_of_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    D = Table.of(polynomial([-1.0, -1.001, 50.0, 60.0]))
+    nodes = np.array([[-1.00025 + 0j, -1.00075 + 0j, 50.0 + 0j, 60.0 + 0j]])
+    monkeypatch.setattr(discs, "_nodes", lambda *_: nodes)
+    s = split(D, np.array([0.01 + 0j]), np.zeros(1), 2)
+    assert s.good.all()
+    assert not discs._roots(D, s)[1].any()
+
+
 def test_a_root_on_the_wrong_side_is_not_linked_nor_found() -> None:
     guide = track_guide(DAMPED["euler-bernoulli"], Fraction(40))
     D = Table.of(guide.D)
@@ -145,6 +155,21 @@ def test_a_root_on_the_wrong_side_is_not_linked_nor_found() -> None:
     assert linked(right, right).all()
     assert not linked(right, wrong).any()
     assert not linked(wrong, right).any()
+
+
+def test_what_is_known_too_roughly_is_neither_linked_nor_told_apart() -> None:
+    guide = track_guide(DAMPED["euler-bernoulli"], Fraction(40))
+    D, N = Table.of(guide.D), Table.of(guide.N)
+    s = split(D, np.array([1.0 + 0.2j]), np.array([1e-3]), 2)
+    thin = split(D, s.m, 0 * s.r, 2)
+    assert linked(s, thin).all()
+    assert receptances(N, D, s, DISTANCES).good.all()
+    for k in range(4):
+        tight = np.where(np.arange(4) == k, 1.0, 0.0)
+        assert not linked(s, replace(thin, tight=thin.tight + tight * s.box)).any()
+        # U or L with coefficients that large may have a root anywhere
+        assert not receptances(N, D, replace(s, tight=s.tight + 9 * tight), DISTANCES).good.any()
+        assert not linked(replace(s, box=s.box * (1 - tight)), thin).any()
 
 
 @pytest.mark.parametrize("name", DAMPED)
