@@ -46,10 +46,10 @@ class Problem:
         return parameters_of(self.track, self.vehicles, self.v)
 
     def changed(self, path: str, value: object) -> Problem:
-        """The same problem with the parameter at `path` set to `value`; InputError lists the paths for an unknown one.
+        """The same problem with the parameter at `path` set to `value`; InputError lists the paths there are.
 
         >>> from mpsolve import tracks, vehicles
-        >>> Problem(tracks.String(T=1, m=1), vehicles.Mass(2), v=0).changed("scale.mass", 3).parameters["vehicles[0].M"]
+        >>> Problem(tracks.String(T=1, m=1), vehicles.Mass(2), v=0).changed("scale.mass", 3).vehicles[0].vehicle.M
         Fraction(6, 1)
         """
         return Problem(*changed(self.track, self.vehicles, self.v, path, value))

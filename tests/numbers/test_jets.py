@@ -44,12 +44,12 @@ def excess(jet: Jet, k: int, f: Function) -> Any:
 
 OPERATIONS: dict[str, tuple[Callable[[Jet, Jet], Jet], Callable[[Function, Function], Function]]] = {
     "sum": (lambda f, g: f + g, lambda f, g: lambda t: f(t) + g(t)),
-    "twice": (lambda f, g: f + f, lambda f, g: lambda t: 2 * f(t)),
-    "number": (lambda f, g: f * 0.7 + (1.5 - 2j), lambda f, g: lambda t: f(t) * MP.mpf(0.7) + (1.5 - 2j)),
+    "twice": (lambda f, _: f + f, lambda f, _: lambda t: 2 * f(t)),
+    "number": (lambda f, _: f * 0.7 + (1.5 - 2j), lambda f, _: lambda t: f(t) * MP.mpf(0.7) + (1.5 - 2j)),
     "product": (lambda f, g: f * g, lambda f, g: lambda t: f(t) * g(t)),
-    "inverse": (lambda f, g: f.inverse(), lambda f, g: lambda t: 1 / f(t)),
-    "exponential": (lambda f, g: f.exp(), lambda f, g: lambda t: MP.exp(f(t))),
-    "minus": (lambda f, g: -f, lambda f, g: lambda t: -f(t)),
+    "inverse": (lambda f, _: f.inverse(), lambda f, _: lambda t: 1 / f(t)),
+    "exponential": (lambda f, _: f.exp(), lambda f, _: lambda t: MP.exp(f(t))),
+    "minus": (lambda f, _: -f, lambda f, _: lambda t: -f(t)),
 }
 
 
@@ -145,7 +145,7 @@ def test_the_nearest_float_is_near(x: Fraction, k: int) -> None:
     assert abs(Fraction(nearest(exact)) - exact) <= Fraction(U) * abs(exact)
 
 
-@pytest.mark.parametrize("x", [Fraction(10) ** 320, Fraction(1, 10**320), -Fraction(10) ** 305])
+@pytest.mark.parametrize("x", [Fraction(10) ** 320, Fraction(1, 10**320), -(Fraction(10) ** 305)])
 def test_a_number_far_from_1_is_refused(x: Fraction) -> None:
     with pytest.raises(PrecisionError, match="units"):
         nearest(x)
