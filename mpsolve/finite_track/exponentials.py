@@ -20,23 +20,17 @@ _FAR = 1e-3
 class Exponentials:
     """w_j(t) = Re Σ weight e^{rate t} after a unit impulse, for the modes j = 1 … J.
 
-    k (J,): wavenumbers. mode, rate, weight (E,): number of the mode from 0, ascending, rate, and weight of each
-    exponential: of two conjugate ones the upper with a double weight.
+    k (J,): wavenumbers. rate, weight (R, J): of each exponential; of two conjugate ones the upper stands for both. Modes
+    with fewer ones than R have some of rate and weight 0.
     """
 
     k: Any
-    mode: Any
     rate: Any
     weight: Any
 
     def waves(self, length: float, velocity: float) -> Waves:
-        """The same with the wavenumber of each exponential, for the tables of a step."""
-        return Waves(self.k[self.mode], self.rate, self.weight, length, velocity)
-
-    @property
-    def starts(self) -> Any:
-        """Where the exponentials of each mode begin."""
-        return np.searchsorted(self.mode, np.arange(len(self.k)))
+        """All in a row, for the tables of a step."""
+        return Waves(np.tile(self.k, len(self.rate)), self.rate.ravel(), self.weight.ravel(), length, velocity)
 
 
 def exponentials(track: Discretization) -> Exponentials:
@@ -45,10 +39,11 @@ def exponentials(track: Discretization) -> Exponentials:
     degree = max(j for _, j in track.dispersion)
     D, N = in_s(track.dispersion, k, degree), in_s(track.numerator, k, degree - 1)
     roots = separated(_roots(D))
-    weight = _residues(D[-1], N, roots)
     kept = roots.imag >= 0
-    weight = np.where(roots.imag > 0, 2, 1) * weight
-    return Exponentials(k, np.nonzero(kept)[0], roots[kept], weight[kept])
+    weight = np.where(kept, np.where(roots.imag > 0, 2, 1) * _residues(D[-1], N, roots), 0)
+    first = np.argsort(~kept, axis=-1, kind="stable")[:, : int(kept.sum(-1).max())]
+    rate = np.where(kept, roots, 0)
+    return Exponentials(k, np.take_along_axis(rate, first, -1).T, np.take_along_axis(weight, first, -1).T)
 
 
 def _roots(coefficients: Any) -> Any:

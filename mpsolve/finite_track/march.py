@@ -46,14 +46,13 @@ class Setting:
 
 @dataclass(frozen=True)
 class Motion:
-    """At the ends of the steps, times (s + 1,): rail and its rate (p, s + 1) in the moving frame, vehicle coordinates.
+    """At the ends of the steps, times (s + 1,): the rail (p, s + 1) under the points that move along.
 
     state (r, s + 1) and state_rate: of the kept coordinates. force (n, 2, s): the contact forces f₀P₀ + f₁P₁.
     """
 
     times: Any
     rail: Any
-    rail_rate: Any
     state: Any
     state_rate: Any
     force: Any
@@ -69,7 +68,7 @@ def march(setting: Setting, steps: int) -> Motion:
     X, compression = vehicle.start, np.zeros(n)
     soft = bool(setting.vehicle.H.any())
     states, forces = np.empty((steps + 1, len(X))), np.empty((steps, n, 2))
-    deflection, rate = np.zeros((2, steps + 1, len(setting.points)))
+    deflection = np.zeros((steps + 1, len(setting.points)))
     states[0] = X
     for step in range(steps):
         past = rail.history() - np.einsum("ain,n->ia", vehicle.history, X)
@@ -82,9 +81,9 @@ def march(setting: Setting, steps: int) -> Motion:
         X = vehicle.advance @ X + np.einsum("nlj,jl->n", vehicle.entry, f)
         rail.advance(f)
         states[step + 1], forces[step] = X, f
-        deflection[step + 1], rate[step + 1] = rail.read()
+        deflection[step + 1] = rail.read()
     slope = _slope(vehicle, states, forces) / h
-    return Motion(h * np.arange(steps + 1), deflection.T, rate.T, states[:, :r].T, slope, np.moveaxis(forces, 0, -1))
+    return Motion(h * np.arange(steps + 1), deflection.T, states[:, :r].T, slope, np.moveaxis(forces, 0, -1))
 
 
 def _slope(vehicle: VehicleTables, states: Any, forces: Any) -> Any:
@@ -97,55 +96,46 @@ class _Rail:
     """The modes of the track as they are moved from step to step."""
 
     def __init__(self, setting: Setting, h: float) -> None:
-        track, n = setting.track, len(setting.contacts)
-        waves = track.waves(setting.length, setting.velocity)
+        track = setting.track
         gaps = setting.contacts - setting.contacts[0]
-        table = wave_tables(waves, gaps, h, 1, 1)
-        starts = track.starts
-        self._track, self._starts, self._h = track, starts, h
-        self._decay, self._entry = table.decay, table.entry
-        self._history = np.stack(table.history)  # (sign, a, E)
-        self._direct = h * table.direct  # (n, n, a, l)
-        self._image = h * np.add.reduceat(table.image.reshape(4, -1), starts, axis=-1).T.copy()  # (J, a l)
+        table = wave_tables(track.waves(setting.length, setting.velocity), gaps, h, 1, 1)
+        shape = track.rate.shape
+        self._h, self._weight, self._direct = h, track.weight, h * table.direct
+        self._decay = table.decay.reshape(shape)
+        self._entry = np.stack(table.entry).reshape(2, 2, *shape)  # (sign, l, R, J)
+        self._history = h * np.stack(table.history).reshape(2, 2, *shape)  # (sign, a, R, J)
+        self._image = h * table.image.reshape(4, *shape).sum(1).T.copy()  # (J, a l)
         self._turn = np.exp(1j * setting.velocity * h * track.k)
         self._shift = np.exp(1j * np.multiply.outer(gaps, track.k))
         places = np.multiply.outer(setting.points - setting.contacts[0], track.k)
         self._sine, self._cosine = np.sin(places), np.cos(places)
-        self._glide = setting.velocity * track.k
         self._carrier = np.exp(1j * (setting.origin + setting.contacts[0]) * track.k)
         self._phase = self._shift * self._carrier
-        self._z = np.zeros(len(track.rate), complex)
-        self._n = n
+        self._z = np.zeros(shape, complex)
 
     def history(self) -> Any:
-        """∫φ_a of the rail's rate under the contacts in θ, as far as it comes from the past, (n, a)."""
-        by_mode = np.add.reduceat(self._history * self._z, self._starts, axis=-1)  # (sign, a, J)
-        return self._h * (self._phase @ by_mode[0].T + self._phase.conj() @ by_mode[1].T).real
+        """∫φ_a of the rail's rate in θ under the contacts, as far as it comes from the past, (n, a)."""
+        ahead, behind = (self._history * self._z).sum(2)  # each (a, J)
+        return (self._phase @ (ahead + behind.conj()).T).real
 
     def gain(self) -> Any:
         """The same per contact force of this step, (contact, test, force, contact)."""
-        n = self._n
+        n = len(self._phase)
         products = (self._phase[:, None] * self._phase).reshape(n * n, -1)
         whole = self._direct + (products @ self._image).real.reshape(n, n, 2, 2)
-        return np.moveaxis(whole, 1, -1)
+        return whole.transpose(0, 2, 3, 1)
 
     def advance(self, f: Any) -> None:
         """To the end of the step under the forces f (n, l)."""
-        mode = self._track.mode
         along = f.T @ self._phase  # (l, J)
-        against = (f.T @ self._phase.conj())[:, mode]
-        self._z = self._decay * self._z
-        self._z += (along[:, mode] * self._entry[0]).sum(0) + (against * self._entry[1]).sum(0)
+        self._z *= self._decay
+        for waves, entry in ((along, self._entry[0]), (along.conj(), self._entry[1])):
+            self._z += waves[0] * entry[0]
+            self._z += waves[1] * entry[1]
         self._carrier = self._carrier * self._turn
         self._phase = self._shift * self._carrier
 
-    def read(self) -> tuple[Any, Any]:
-        """The deflection of the points and its rate in the moving frame, each (p,)."""
-        value = self._track.weight * self._z
-        amplitude = np.add.reduceat(value.real, self._starts)
-        slope = np.add.reduceat((self._track.rate * value).real, self._starts)
-        sin, cos = self._carrier.imag, self._carrier.real
-        # sin(κx₀ + κξ), by the parts of its two angles
-        shape = (sin * amplitude, cos * amplitude)
-        glide = (sin * slope - self._glide * -cos * amplitude, cos * slope - self._glide * sin * amplitude)
-        return self._cosine @ shape[0] + self._sine @ shape[1], self._cosine @ glide[0] + self._sine @ glide[1]
+    def read(self) -> Any:
+        """The deflection of the points, (p,)."""
+        amplitude = (self._weight * self._z).real.sum(0)
+        return self._cosine @ (self._carrier.imag * amplitude) + self._sine @ (self._carrier.real * amplitude)
