@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
-    from mpsolve.finite_track.finite_track import FiniteTrackMotion, finite_track
+    from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -144,8 +144,8 @@ _HOME = {
     "deflection_shape": "motion.study",
     "finite_beam": "motion.beam",
     "BeamResponse": "motion.beam",
-    "finite_track": "finite_track.finite_track",
-    "FiniteTrackMotion": "finite_track.finite_track",
+    "finite_track": "finite.finite_track",
+    "FiniteTrackMotion": "finite.finite_track",
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",

@@ -155,7 +155,9 @@ def _tables(beam: Beam, loading: Loading, h: float) -> _Tables:
         history=table.history,
         direct=table.direct + beam.tail_flexibility(np.abs(gap))[..., None, None] * tail,
         image=table.image.reshape(-1, len(waves.k)),
-        inertia=nested(still, still, h, UNKNOWN, degree).real[..., : UNKNOWN + 1, 0].reshape(UNKNOWN + 1, UNKNOWN + 1),
+        inertia=nested(still, still, h, UNKNOWN, degree)
+        .real[..., : UNKNOWN + 1, 0]
+        .reshape(UNKNOWN + 1, UNKNOWN + 1),
         tail_decay=complex(np.exp(beam.tail_rate * h)),
         tail_entry=h * (mirrored(degree) * (forces @ moments(lone * h, degree)))[:, 0],
         tail_history=tail_weight * beam.tail_rate * (tests @ moments(lone * h, UNKNOWN))[:, 0],

@@ -17,7 +17,7 @@ from mpsolve.motion.beam_integrals import legendre_powers, moments, nested_momen
 
 @dataclass(frozen=True)
 class Waves:
-    """Wavenumber, rate and weight of the exponentials of a track, each (E,); its length; the velocity of the loads."""
+    """Wavenumber, rate and weight of exponentials, each (E,); length of the track; velocity of the loads."""
 
     k: Any
     rate: Any

@@ -74,7 +74,7 @@ def discretized(waveguide: Waveguide, length: float, modes: int) -> Discretizati
     """The track on this length in this number of sines; InputError where no phases make its equations real."""
     kinds = _kinds(waveguide)
     size = range(len(waveguide.matrix))
-    matrix = tuple(tuple(_real(waveguide.matrix[m][n], kinds[m], kinds[n]) for n in size) for m in size)
+    matrix = tuple(tuple(_real(waveguide.matrix[m][n], kinds[n]) for n in size) for m in size)
     if any(power > _HIGHEST for row in matrix for entry in row for _, power in entry):
         raise InputError("track", "has a third derivative in time: split a field in two, so that s² is the highest")
     found = Discretization(matrix, kinds, waveguide.loaded, length, modes)
@@ -120,14 +120,16 @@ def _kinds(waveguide: Waveguide) -> tuple[int, ...]:
 
 def _one_way(where: tuple[int, int]) -> InputError:
     stated = f"has even and odd powers of p in conflict at row {where[0] + 1}, column {where[1] + 1} of its matrix"
-    remedy = "only fields that are sines or cosines each, as of a track that is the same in both directions, are known"
+    remedy = (
+        "only fields that are sines or cosines each, as of a track that is the same in both directions, are known"
+    )
     return InputError("track", f"{stated}, so that it does not expand on a simply supported length: {remedy}")
 
 
-def _real(entry: Polynomial, row: int, column: int) -> Polynomial:
-    """The entry acting on sin κx or cos κx: ∂² = −κ², ∂ sin = κ cos, ∂ cos = −κ sin."""
+def _real(entry: Polynomial, kind: int) -> Polynomial:
+    """The entry that acts on sin κx or cos κx: ∂² = −κ², ∂ sin = κ cos, ∂ cos = −κ sin."""
     out: Polynomial = {}
     for (i, j), value in entry.items():
-        sign = Fraction(-1) ** (i // 2) * (-1 if i % 2 and column == COSINE else 1)
+        sign = Fraction(-1) ** (i // 2) * (-1 if i % 2 and kind == COSINE else 1)
         out[i, j] = sign * value
     return out

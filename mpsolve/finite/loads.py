@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.finite_track.carriage import rigid_bounce
+from mpsolve.finite.carriage import rigid_bounce
 from mpsolve.model.load import GRAVITY, Load
 from mpsolve.vehicles.vehicle import Pencil
 
@@ -32,7 +32,7 @@ class Outer:
 
 
 def outer_forces(pencil: Pencil, loads: Any) -> Outer:
-    """The forces: one `Load` for each contact from rear to front, or by names of coordinates; by default the weights."""
+    """The forces: one `Load` for each contact from rear to front, or by names; by default the weights."""
     if loads is None:
         return _weights(pencil)
     if isinstance(loads, Mapping):
@@ -71,5 +71,7 @@ def _weights(pencil: Pencil) -> Outer:
     if bounce is None:
         stated = "are missing, and the weights are not known: the vehicle has no vertical motion that strains nothing"
         raise InputError("loads", f"{stated}: give one Load for each contact")
-    weight = float(GRAVITY) * np.array([float(sum(m * r for m, r in zip(row, bounce, strict=True))) for row in pencil.M])
+    weight = float(GRAVITY) * np.array(
+        [float(sum(m * r for m, r in zip(row, bounce, strict=True))) for row in pencil.M]
+    )
     return Outer(weight[:, None], np.ones(1), np.zeros(1), np.zeros(1), np.zeros(1))

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.finite_track.carriage import Carriage, carriage
-from mpsolve.finite_track.discretization import discretized
-from mpsolve.finite_track.exponentials import exponentials
-from mpsolve.finite_track.loads import outer_forces
-from mpsolve.finite_track.march import Motion, Setting, march
+from mpsolve.finite.carriage import Carriage, carriage
+from mpsolve.finite.discretization import discretized
+from mpsolve.finite.exponentials import exponentials
+from mpsolve.finite.loads import outer_forces
+from mpsolve.finite.march import Motion, Setting, march
 from mpsolve.motion.beam_figures import hermite
-from mpsolve.motion.grid import checked_times, float_list
+from mpsolve.motion.grid import float_list
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.at_rest import Status, at_rest
@@ -32,9 +32,8 @@ class FiniteTrackError:
     """Estimates of errors, none of them a bound: the largest changes from half as many steps, and half as many modes.
 
     time, modes: of the deflections of the rail, in units of length; vehicle: of the coordinates of the vehicles, the
-    sum of both, each in its own unit; force: of the contact forces, the sum of both. They tell of the finite track: how
-    much its supports are felt shows with another length. The first instants, in which the rail still bends in shorter
-    waves than those of the modes, are in `force` only as far as the times show them.
+    sum of both, each in its own unit; force: of the contact forces, the sum of both. They tell of the finite track:
+    another length shows how much its supports are felt.
     """
 
     time: float
@@ -216,7 +215,9 @@ class _Case:
             try:
                 found = self._read(march(setting, steps))
             except np.linalg.LinAlgError:
-                stated = "have contact forces that are not determined, such as two tight contacts of one body at a place"
+                stated = (
+                    "have contact forces that are not determined, such as two tight contacts of one body at a place"
+                )
                 raise InputError("vehicles", f"{stated}: move a contact, or give k_contact") from None
         if not all(np.isfinite(rows).all() for rows in (found.rail, found.vehicle, found.force)):
             raise InputError("times", f"reaches {self.duration:g}, where the motion overflows: end earlier")
@@ -241,8 +242,9 @@ class _Case:
 
 
 def _slopes(values: Any, h: float) -> Any:
-    """The slopes of equidistant values (rows, nodes), of the fourth order within; the rail's own rates hold waves that
-    turn many times in a step.
+    """The slopes of equidistant values (rows, nodes), of the fourth order within.
+
+    The rail's own rates would not do: they hold waves that turn many times in a step.
     """
     out = np.gradient(values, h, axis=1, edge_order=2)
     out[:, 2:-2] = (8 * (values[:, 3:-1] - values[:, 1:-3]) - (values[:, 4:] - values[:, :-4])) / (12 * h)

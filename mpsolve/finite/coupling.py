@@ -1,19 +1,20 @@
 """What a step does to the vehicle, exactly: its state under contact forces linear in time and its outer forces.
 
-In the time θ = t/h of a step the state X = (kept coordinates, dy/dθ of those with mass, 1, and sin, cos of every outer
-force) obeys X_θ = A X + E f, and the rate of Bᵀy is G X + F f. One exponential of a matrix that holds the state, the
-force and two integrals of the rate gives all tables.
+In the time θ = t/h of a step the state X = (kept coordinates, dy/dθ of those with mass, 1, and sin, cos of every
+outer force) obeys X_θ = A X + E f, and the rate of Bᵀy is G X + F f. One exponential of a matrix that holds the
+state, the force and two integrals of the rate gives all tables.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from mpsolve.finite_track.carriage import Carriage
-from mpsolve.finite_track.loads import Outer
+from mpsolve.finite.carriage import Carriage
+from mpsolve.finite.loads import Outer
 from mpsolve.numbers.float64 import Float64
 
 
@@ -62,7 +63,7 @@ def vehicle_tables(vehicle: Carriage, outer: Outer, h: float) -> VehicleTables:
 
 def _slices(N: int, n: int) -> list[tuple[int, int]]:
     ends = [0, N, N + n, N + 2 * n, N + 3 * n, N + 4 * n]
-    return list(zip(ends, ends[1:], strict=False))
+    return list(pairwise(ends))
 
 
 def _rest(vehicle: Carriage, outer: Outer) -> Any:

@@ -2,8 +2,8 @@
 
 Over a step every contact force is linear in time. Modes and vehicle answer it exactly (motion.wave_tables,
 coupling). The forces are such that rail and vehicle move alike, in the mean over the step and against P₁, or, where
-the contact has a compliance H, that the compression e of Bᵀy − w, of which e_θ is so tested, obeys e = H f in the mean
-and against P₁. Contacts and springs add no energy and take none, at any step. A step costs O(contacts · modes).
+the contact has a compliance H, that the compression e of Bᵀy − w, of which e_θ is so tested, obeys e = H f in the
+mean and against P₁. Contacts and springs add no energy and take none, at any step. A step costs O(contacts · modes).
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.finite_track.carriage import Carriage
-from mpsolve.finite_track.coupling import VehicleTables, vehicle_tables
-from mpsolve.finite_track.exponentials import Exponentials
-from mpsolve.finite_track.loads import Outer
+from mpsolve.finite.carriage import Carriage
+from mpsolve.finite.coupling import VehicleTables, vehicle_tables
+from mpsolve.finite.exponentials import Exponentials
+from mpsolve.finite.loads import Outer
 from mpsolve.motion.wave_tables import wave_tables
 
 _TESTED = np.array([[1 / 2, -1 / 2], [1 / 6, 0]])

@@ -1,4 +1,4 @@
-"""All vehicles as one system of first order under contact forces, with coordinates that have no mass taken out exactly.
+"""All vehicles as one system under contact forces; coordinates that have no mass are taken out exactly.
 
 M ÿ + C ẏ + K y = g(t) − B f, with f the compressions. In a basis [T₂, T₁, T₀], T₀ spanning the kernel of M and C and
 T₁ the rest of that of M, the coordinates of T₀ follow at once (they are eliminated and leave a compliance in the

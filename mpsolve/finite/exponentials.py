@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.finite_track.discretization import Discretization, in_s
+from mpsolve.finite.discretization import Discretization, in_s
 from mpsolve.motion.wave_tables import Waves
 
 _APART = 1e-5
@@ -20,8 +20,8 @@ _FAR = 1e-3
 class Exponentials:
     """w_j(t) = Re Σ weight e^{rate t} after a unit impulse, for the modes j = 1 … J.
 
-    k (J,): wavenumbers. rate, weight (R, J): of each exponential; of two conjugate ones the upper stands for both. Modes
-    with fewer ones than R have some of rate and weight 0.
+    k (J,): wavenumbers. rate, weight (R, J): of each exponential; of two conjugate ones the upper stands for both.
+    Modes with fewer ones than R have some of rate and weight 0.
     """
 
     k: Any
