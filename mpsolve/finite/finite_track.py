@@ -94,7 +94,7 @@ def finite_track(
     >>> beam = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c="2e4")
     >>> found = finite_track(Problem(beam, vehicles.Mass(1000), v=30), length=60, modes=100, times=[0, "0.5"])
     >>> found.rail.round(4)
-    array([[0.    , 0.0022]])
+    array([[0.    , 0.0021]])
     """
     case = _Case(problem, loads, length, times, places, start, tolerance)
     count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
