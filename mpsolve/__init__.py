@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
+    from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -85,6 +86,8 @@ __all__ = [
     "deflection_shape",
     "finite_beam",
     "BeamResponse",
+    "finite_track",
+    "FiniteTrackMotion",
     "study",
     "open_study",
     "Study",
@@ -141,6 +144,8 @@ _HOME = {
     "deflection_shape": "motion.study",
     "finite_beam": "motion.beam",
     "BeamResponse": "motion.beam",
+    "finite_track": "finite.finite_track",
+    "FiniteTrackMotion": "finite.finite_track",
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",
