@@ -1,4 +1,4 @@
-"""Critical velocities of a moving force, all in a range by proof: double real p-roots of the undamped D(ip, i(ω − vp)).
+"""Critical velocities of a moving force, all in a range by proof: double real p-roots of the undamped D on its line.
 
 There a wave runs with the force: its group velocity is v, so that it carries nothing away, and without damping the
 deflection grows without end. The discriminant in p is an exact polynomial in v, whose roots FLINT isolates. A simple
