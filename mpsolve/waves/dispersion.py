@@ -25,8 +25,8 @@ def dispersion(track: Track | Waveguide, p: Any) -> Any:
 
     >>> from mpsolve.tracks import String
     >>> dispersion(String(T=4, m=1, k=9), [0, 2]).real
-    array([[-3., 3.],
-           [-5., 5.]])
+    array([[-3.,  3.],
+           [-5.,  5.]])
     """
     wavenumbers = checked_wavenumbers(p)
     rows = rows_of(track.waveguide)
