@@ -158,7 +158,9 @@ def critical_velocities(
     found = at_rest(guide)
     if found.status is Rest.UNSTABLE:
         raise InputError("track", f"has no critical velocity, for {found.sentence}: change its parameters")
-    names = {as_fmpq(square): name for name, square in wave_speeds(track).items()}
+    names: dict[Any, str] = {}
+    for name, square in wave_speeds(track).items():
+        names[as_fmpq(square)] = " and ".join(filter(None, (names.get(as_fmpq(square)), name)))
     return _Search(line(guide, frequency), frequency, low, high, working_bits(digits), names).answer()
 
 
@@ -279,7 +281,9 @@ class _Search:
     def _over_field(self, place: _Place) -> Iterator[tuple[Any, Kind]]:
         """Every double real root, by exact common divisors."""
         m = fmpq_poly(place.x.m)
-        rest = multiple_roots(self.line.rows, m)
+        _, rest = split(
+            multiple_roots(self.line.rows, m), [fmpq_poly([]), fmpq_poly([1])], m
+        )  # p = 0 is found elsewhere
         meeting, rest = split(rest, self.line.slope, m)
         for y in places(meeting, place.x, self.bits + 64):
             yield y, Kind.MEETING

@@ -151,6 +151,21 @@ def test_strings() -> None:
     assert (one.kind, one.exact, one.wavenumber) == (Kind.EVERY, Exact(2), None)
 
 
+def test_a_standing_force_at_the_cut_off_frequency_of_a_beam_is_listed_once() -> None:
+    """Ω² = 4 p⁴ + 1, ω = 1: p = 0 at v = 0, and v⁴ = 108 where p⁴ = 3/4, Ω = −2."""
+    found = critical_velocities(EulerBernoulli(EI=4, m=1, k=1), 1)
+    assert [(one.kind, one.exact) for one in found] == [
+        (Kind.LONG_WAVES, Exact(0)),
+        (Kind.TOUCHING, Exact.root4(108)),
+    ]
+
+
+def test_wave_speeds_that_coincide_are_named_together() -> None:
+    found = critical_velocities(Timoshenko(EI=4, m=1, S=4, J=1, k=1))
+    assert found.velocities[-1].name == "shear waves, √(S/m) and bending waves, √(EI/J)"
+    assert [one.exact for one in found] == [Exact.root4(Fraction(400, 81)), Exact(2)]
+
+
 def test_long_waves_of_an_ice_road_run_at_the_speed_of_shallow_water() -> None:
     found = critical_velocities(ICE)
     assert [one.kind for one in found] == [Kind.MINIMUM, Kind.LONG_WAVES]
