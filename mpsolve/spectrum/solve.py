@@ -13,6 +13,7 @@ from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
+from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
@@ -35,11 +36,16 @@ class Found:
 
 
 def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
-    """All roots of Δ̂ in the region; never raises for what stays undecided."""
+    """All roots of Δ̂ in the region; never raises for what stays undecided. Matrices are multiplied in one thread."""
+    with one_thread():
+        return _solve(reduced, region, digits, effort, tell)
+
+
+def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
         count = count_roots(reduced, region, effort, tell)
     except EffortError as error:
-        return Found(None, (), Reason("effort", str(error), {}, MORE_EFFORT))
+        return Found(None, (), error.reason)
     except PrecisionError as error:
         return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
     if not count.total:
@@ -48,7 +54,7 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
         tell("roots", 0.5)
         balls = _enclosed(reduced, count, digits, tell)
     except EffortError as error:
-        return Found(count, (), Reason("effort", str(error), {}, MORE_EFFORT))
+        return Found(count, (), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -61,7 +67,7 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     return Found(count, balls, None)
 
 
-MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
+_NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 _COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
 
 
@@ -139,4 +145,4 @@ def _ball(x: Fraction) -> Any:
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
     """A height below the lowest cut, short in scaled units."""
-    return Fraction(float(np.float32(0.75 * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit
+    return Fraction(float(np.float32(_NEAR * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit

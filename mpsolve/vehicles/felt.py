@@ -38,7 +38,9 @@ def split_felt(pencil: Pencil) -> Parts:
     if _definite_at_rest(pencil):
         return Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
     H = [[M[i][j] + C[i][j] + K[i][j] for j in range(n)] for i in range(n)]
-    felt = _closure(H, (M, C, K), [[row[j] for row in B] for j in range(len(pencil.places))])
+    felt = _plain(
+        _closure(H, (M, C, K), [[row[j] for row in B] for j in range(len(pencil.places))])
+    )  # plain vectors: those that the maps made are nearly parallel
     neutral = _kernel([*K, *[[row[j] for row in B] for j in range(len(pencil.places))]], n)
     neutral = _project(neutral, felt, H)
     if len(felt) == n and not neutral:
@@ -76,6 +78,20 @@ def _closure(H: list[Vector], maps: tuple[list[Vector], ...], start: list[Vector
             basis.append(vector)
             queue += [_solve(H, _times(rows, vector)) for rows in maps]
     return basis
+
+
+def _plain(space: list[Vector]) -> list[Vector]:
+    """The reduced echelon basis of a space: each vector has a 1 where the others have 0."""
+    rows: list[Vector] = []
+    for vector in space:
+        _independent(vector, rows)
+    leads = [next(i for i, x in enumerate(row) if x) for row in rows]
+    rows = [[x / row[lead] for x in row] for row, lead in zip(rows, leads, strict=True)]
+    for k in range(len(rows) - 1, -1, -1):
+        for above in range(k):
+            factor = rows[above][leads[k]]
+            rows[above] = [a - factor * b for a, b in zip(rows[above], rows[k], strict=True)]
+    return rows
 
 
 def _independent(vector: Vector, echelon: list[Vector]) -> bool:
