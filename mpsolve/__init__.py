@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.stability.velocities import onset_velocity, unstable_velocities
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
+    from mpsolve.waves.dispersion import dispersion
 
 __version__ = "0.1.0"
 
@@ -52,6 +54,10 @@ __all__ = [
     "Exact",
     "read_case",
     "receptance",
+    "dispersion",
+    "critical_velocities",
+    "CriticalVelocities",
+    "CriticalVelocity",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -110,6 +116,10 @@ _HOME = {
     "Exact": "numbers.exact",
     "read_case": "model.inputfile",
     "receptance": "characteristic.forced",
+    "dispersion": "waves.dispersion",
+    "critical_velocities": "waves.critical",
+    "CriticalVelocities": "waves.critical",
+    "CriticalVelocity": "waves.critical",
     "certify": "certificate.certify",
     "Rectangle": "spectrum.regions",
     "Spectrum": "spectrum.spectrum",
