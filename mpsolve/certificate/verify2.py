@@ -721,7 +721,7 @@ def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = Fa
 
 
 def bent_kernels(waves: Waves, disc: Split, thin: Split, r: Any, by_matrix: bool) -> list[Bent]:
-    """For each gap G over the disc |t| ≤ r as a + b t and a bound of the rest; `thin`: the splitting at its middle."""
+    """For each gap G over |t| ≤ r as a + b t and a bound of the rest; `thin`: the splitting at the middle."""
     out: list[Bent] = [NOTHING] * len(waves.xi)
     for side, here in enumerate(disc.nodes.side):
         chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
@@ -959,7 +959,6 @@ class Bordered:
             return self.C + self.M * (2 * sigma) + waves
         return self.M + waves if k == 2 else waves
 
-
     def rest(self, r: Any, G: list[Bent]) -> Any:
         """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients."""
         entries = [abs(x) * r * r for x in self.M.entries()]
@@ -1130,7 +1129,12 @@ class Walker:
         back = X.conjugate().transpose()
         one = acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
         size = moduli([(X, arb(1))])
-        rest = arb_mat([[(V[g][2] + V[h][2]) / 2 for g, h in zip(row, column, strict=True)] for row, column in zip(where, zip(*where, strict=True), strict=True)])
+        rest = arb_mat(
+            [
+                [(V[g][2] + V[h][2]) / 2 for g, h in zip(row, column, strict=True)]
+                for row, column in zip(where, zip(*where, strict=True), strict=True)
+            ]
+        )
         E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1))]) + size * rest * size.transpose()
         require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
 

@@ -14,7 +14,7 @@ from flint import arb
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
@@ -22,8 +22,11 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
+from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
+from mpsolve.tracks.passive import passivity
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
+_GIVES = "the track gives energy to some forces at rest, so no theorem about passive vehicles holds on it"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
 Tell = Callable[[str, float], None]
 
@@ -51,28 +54,44 @@ class Count:
 def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
-    A half-plane whose theorem fails comes back as the half-disc that was counted. The track is passive at rest: the
-    caller has made sure.
+    A half-plane whose theorem fails comes back as the half-disc that was counted; a height or radius that is no float
+    in scaled units is rounded, heights down. The answer's region is what was proved. InputError where a cut enters
+    the region, for then no path round it tells of its inside.
     """
+    _require_premise(reduced, region)
     arrays = Arrays(reduced)
     first = start(reduced.guide)
-    paths = Paths(arrays, first.up, room)
+    paths = Paths(arrays, first, room)
     if isinstance(region, Rectangle):
         return _box(paths, first, region, effort)
-    height = region.height if isinstance(region, Below) else Fraction(0)
-    if not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None:
+    height = scaled_height(reduced, region.height) if isinstance(region, Below) else 0.0
+    passive = passivity(reduced.problem.track).passive
+    if passive and not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None:
         return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
     tell("passivity", 0.0)
-    beyond = plan_beyond(paths, effort, _LEAST_REACH if height else 0.0)
+    beyond = plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if passive else _GIVES
     tell("contour", 0.3)
     if isinstance(beyond, str):
         return _disc(paths, first, region, height, beyond, effort)
     return _half_plane(paths, first, height, beyond, effort)
 
 
-def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond, effort: Effort) -> Count:
+def _require_premise(reduced: Reduced, region: Region) -> None:
+    """No cut enters the region: no p-root of the track is real there."""
+    track = reduced.problem.track
+    top = region.im_max if isinstance(region, Rectangle) else getattr(region, "height", Fraction(0))
+    if at_rest(track).status is Status.UNSTABLE:
+        raise InputError("track", f"cannot be used: {at_rest(track).sentence}")
+    if top > 0 and top > lowest_cut(track)[0]:
+        low = float(lowest_cut(track)[0])
+        raise InputError(
+            "region", f"reaches up to Im q = {float(top):.6g}, but a cut begins at {low:.6g}: end it below"
+        )
+
+
+def _half_plane(paths: Paths, first: Start, h: float, beyond: Beyond, effort: Effort) -> Count:
     reduced = paths.arrays.reduced
-    rho, h = beyond.rho, scaled_height(reduced, height)
+    rho = beyond.rho
     chain = (
         paths.plan("link", _descent(first, h), effort),
         paths.plan("turn", _along(rho, h), effort),
@@ -87,7 +106,7 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond, ef
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
-    held = Below(height, reach=exact) if height else HalfPlane()
+    held = Below(_unscaled(reduced, h), reach=exact) if h else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
 
 
@@ -100,19 +119,18 @@ def _require_passive(rho: float, middle: Any, radius: Any) -> None:
         raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
 
 
-def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort) -> Count:
+def _disc(paths: Paths, first: Start, region: Region, h: float, why: str, effort: Effort) -> Count:
+    """Δ̂ ≠ 0 in the discs of the arc's pieces, so the half-disc holds as many roots as the polygon that goes round."""
     reduced = paths.arrays.reduced
-    h = scaled_height(reduced, height)
     radius = _radius(reduced, region)
-    arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33))
-    arc = np.concatenate([[radius + 0j], arc[1:-1].astype(np.complex64).astype(complex), [complex(0, -radius)]])
-    turn = np.concatenate([_along(radius, h), arc[1:]])
-    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort))
+    arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33)[1:-1])
+    turn = np.concatenate([_along(radius, h), arc, [complex(0, -radius)]])
+    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
         total = _integer(-_turn(proved) / arb.pi())
     exact = _unscaled(reduced, radius)
-    held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
+    held = Below(_unscaled(reduced, h), reach=exact, radius=exact) if h else HalfPlane(exact)
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
 
@@ -149,8 +167,10 @@ def _turn(proved: Proved) -> arb:
 
 
 def scaled_height(reduced: Reduced, height: Fraction) -> float:
-    """The height in scaled units, exactly: heights are chosen or rounded so that it is a float."""
-    return float(height / reduced.frequency_unit)
+    """The largest float that is not above the height in scaled units."""
+    exact = height / reduced.frequency_unit
+    rounded = float(exact)
+    return rounded if Fraction(rounded) <= exact else float(np.nextafter(rounded, 0))
 
 
 def _unscaled(reduced: Reduced, x: float) -> Fraction:
@@ -180,4 +200,4 @@ def _along(rho: float, h: float) -> Any:
 def _line(a: complex, b: complex, pieces: int) -> Any:
     points = a + (b - a) * np.linspace(0, 1, pieces + 1)
     points[0], points[-1] = a, b
-    return points
+    return points[np.concatenate([[True], points[1:] != points[:-1]])]

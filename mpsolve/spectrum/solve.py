@@ -13,6 +13,7 @@ from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
+from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
@@ -35,7 +36,12 @@ class Found:
 
 
 def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
-    """All roots of Δ̂ in the region; never raises for what stays undecided."""
+    """All roots of Δ̂ in the region; never raises for what stays undecided. Matrices are multiplied in one thread."""
+    with one_thread():
+        return _solve(reduced, region, digits, effort, tell)
+
+
+def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
         count = count_roots(reduced, region, effort, tell)
     except EffortError as error:
