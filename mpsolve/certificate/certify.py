@@ -56,7 +56,7 @@ def certify(
         raise InputError("region", 'is "sheet", which is known for the paper\'s beam with masses only: ' + _OTHERS)
     if paper is not None and _needs_sheet(paper, wanted):
         return certify_on_sheet(problem, paper, wanted, **options)
-    found = certify_problem(as_problem(problem), region=wanted, **options)
+    found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
     if wanted is None and not found.proved:
         other = certify(problem, region="unstable", **options)
         return replace(other, note=other.note or _ABOVE) if other.proved else found
@@ -68,6 +68,13 @@ def certify(
 
 _ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
 _OTHERS = 'give "unstable", ("below", h) or a Rectangle'
+
+
+def _about(given: Given, found: Spectrum) -> Spectrum:
+    """The answer, which speaks of what was given: a Case keeps its units."""
+    if given is found.problem:
+        return found
+    return replace(found, problem=given, roots=tuple(replace(root, problem=given) for root in found.roots))
 
 
 def _default(paper: Case | PhysicalCase | None) -> str | None:

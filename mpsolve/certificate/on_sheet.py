@@ -16,9 +16,8 @@ from mpsolve.numbers.rootball import RootBall
 from mpsolve.outcome import Reason
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import MORE_EFFORT, Effort
 from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Sheet
-from mpsolve.spectrum.solve import MORE_EFFORT
 from mpsolve.spectrum.spectrum import Cost, Root, Spectrum
 
 AnySpectrum: TypeAlias = Spectrum | SheetSpectrum

@@ -18,14 +18,15 @@ from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.count import AT_REST, Count, count_roots
+from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
 from mpsolve.spectrum.unfelt import unfelt_frequencies
-from mpsolve.tracks.at_rest import Status as Rest
-from mpsolve.tracks.at_rest import at_rest, lowest_cut
+from mpsolve.tracks.at_rest import lowest_cut
 
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
+_EVALUATIONS = 200_000  # about a minute; most problems take some thousands
 _ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
 _REMEDY = "report this as a fault, with the input"
 
@@ -47,10 +48,10 @@ def certify_problem(
     Raises InputError for a track that is unstable by itself or has no damping, and for regions without meaning.
     """
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=2_000_000)
+    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
-    _require_stable(problem)
+    require_premises(reduced, HalfPlane())
     wanted = _region(reduced, region)
     found = solve(reduced, wanted, checked_digits(digits), budget, tell)
     return _spectrum(reduced, wanted, digits, found, budget, started, check, tell)
@@ -65,14 +66,6 @@ def checked_digits(digits: object) -> int:
     if not MIN_DIGITS <= number <= MAX_DIGITS:
         raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
     return number
-
-
-def _require_stable(problem: Problem) -> None:
-    rest = at_rest(problem.track)
-    if rest.status is Rest.UNSTABLE:
-        raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
-    if rest.status is Rest.UNDAMPED:
-        raise InputError("track", "has vibrations without damping, which is not decided here: give it some damping")
 
 
 def _timed(progress: Progress, budget: Effort) -> Progress:
@@ -165,16 +158,18 @@ def _spectrum(
     if check:
         tell("verifying", 0.0)
     status, reason, verified, seconds = _checked(certificate, check)
+    pieces = count.pieces
     for room in _ROOMS if reason is not None and "piece" in reason.message else ():
         # the verifier's bounds are wider on some piece: the same proof again, in shorter pieces
         again = _recounted(reduced, wanted, budget, room)
         if again is None or (again.total, again.region) != (count.total, count.region):
             break
         certificate = spectrum_certificate(reduced, again, _entries(found.balls), unstable)
-        status, reason, verified, seconds = _checked(certificate, check)
+        status, reason, verified, more = _checked(certificate, check)
+        pieces, seconds = again.pieces, seconds + more
         if reason is None:
             break
-    cost = Cost(cost.seconds, seconds, cost.evaluations, cost.pieces)
+    cost = Cost(process_time() - started - seconds, seconds, budget.spent, pieces)
     if reason is not None:  # of what the verifier refuses nothing is known
         return Spectrum(problem, count.region, digits, status, reason, certificate=certificate, cost=cost)
     return Spectrum(

@@ -113,12 +113,13 @@ class Paths:
         """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError."""
         _check_chain(paths, self.start.depth)
         for _ in range(_ROUNDS):
-            proved = self._pass(paths, effort)
+            with np.errstate(all="ignore"):
+                proved = self._pass(paths, effort)
             if isinstance(proved, Proved):
                 return proved
             paths = proved
         raise PrecisionError(
-            "pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple"
+            "pieces of the paths cannot be joined to each other: a root lies next to them, or p-roots nearly meet"
         )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
@@ -234,7 +235,8 @@ def positive(V: Jet, way: Any, drift: Any) -> Any:
         x = np.ones((len(E), n))
         for _ in range(12):
             y = np.einsum("bij,bj->bi", E, x)
-            x = y / y.max(1, keepdims=True) + 1e-4
+            y = y + 0.02 * x
+            x = y / y.max(1, keepdims=True)
         return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < _DEFINITE)
 
 

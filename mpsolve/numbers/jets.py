@@ -78,12 +78,14 @@ class Jet:
     def __neg__(self) -> Jet:
         return Jet(-self.a, -self.b, self.e, self.r)
 
+    @np.errstate(all="ignore")
     def __add__(self, other: Any) -> Jet:
         a, b, e = (other.a, other.b, other.e) if isinstance(other, Jet) else (other, 0.0, 0.0)
         a, b = self.a + a, self.b + b
         r = self._r
         return Jet(a, b, (self.e + e + 2 * U * (np.abs(a) + np.abs(b) * r)) * UP + TINY, self.r)
 
+    @np.errstate(all="ignore")
     def __mul__(self, other: Any) -> Jet:
         r = self._r
         if not isinstance(other, Jet):  # a number that is meant exactly up to 2 u
@@ -133,6 +135,7 @@ class Jet:
             e = np.where((y <= _WIDEST) & np.isfinite(size), e, np.inf)
         return Jet(value, value * self.b, e, self.r)
 
+    @np.errstate(all="ignore")
     def sum(self, axis: int) -> Jet:
         """Along an axis after the leading one."""
         terms = self.a.shape[axis]

@@ -8,6 +8,9 @@ from time import process_time
 from typing import Any
 
 from mpsolve.errors import EffortError, InputError
+from mpsolve.outcome import Reason
+
+MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
 
 
 @dataclass
@@ -34,9 +37,13 @@ class Effort:
         """Count evaluations of the characteristic function."""
         self.spent += evaluations
         if self.evaluations is not None and self.spent > self.evaluations:
-            raise EffortError(f"the effort of {self.evaluations} evaluations is spent")
+            self._end(f"{self.evaluations} evaluations", {"evaluations": str(self.evaluations)})
         if self.seconds is not None and process_time() - self.started > self.seconds:
-            raise EffortError(f"the effort of {self.seconds:g} s of processor time is spent")
+            self._end(f"{self.seconds:g} s of processor time", {"seconds": f"{self.seconds:g}"})
+
+    @staticmethod
+    def _end(limit: str, numbers: dict[str, str]) -> None:
+        raise EffortError(Reason("effort", f"the effort of {limit} is spent", numbers, MORE_EFFORT))
 
 
 def _check(name: str, value: Any, kind: Any, wanted: str) -> None:

@@ -21,17 +21,42 @@ from mpsolve.problem.reduced import Reduced
 def closing_argument(reduced: Reduced, rho: float, middle: Any, radius: Any) -> arb:
     """Σ Arg(pivots of M) at q̂ = ρ from G = middle ± radius between the places; PrecisionError where it stays open.
 
-    Both M and M₀, made of the middle, must be accretive. Accretive matrices are a convex set, so their arguments
+    M is accretive where V is passive at ρ, as the caller has proved; that M₀, made of the middle, is so too is proved
+    here. Accretive matrices are a convex set, so their arguments
     differ by arg det(I + M₀⁻¹(M − M₀)) as taken along the segment, at most n ‖M₀⁻¹(M − M₀)‖/(1 − ‖…‖). The pivots of
     M₀ are free of the error of G, and are followed with as many bits as elimination loses.
     """
     spread = _spread(reduced, rho, middle, radius)
+    if not _passive(rho, middle):
+        raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
     for bits in (128, 512, 2048):
         with precision(bits):
             total = _pivot_arguments(_accretive(reduced, acb(0, rho), middle))
             if total is not None:
                 return total + arb(0, spread)
     raise PrecisionError("the mobility at the corner of the contour is singular to within its error")
+
+
+def _passive(rho: float, middle: Any) -> bool:
+    """Whether iρG with the middle of G has a positive definite Hermitian part: its pivots are positive."""
+    for bits in (128, 512, 2048):
+        with precision(bits):
+            G = [[acb(complex(x)) for x in row] for row in middle]
+            n = len(G)
+            H = [[acb(0, rho) * G[i][j] + acb(0, -rho) * G[j][i].conjugate() for j in range(n)] for i in range(n)]
+            if _pivots_positive(H):
+                return True
+    return False
+
+
+def _pivots_positive(H: list[list[acb]]) -> bool:
+    """Whether elimination of a Hermitian matrix meets pivots that are proved positive only."""
+    while H:
+        if not H[0][0].real > 0:
+            return False
+        first, rows = H[0], H[1:]
+        H = [[row[j] - row[0] / first[0].real * first[j] for j in range(1, len(first))] for row in rows]
+    return True
 
 
 def _pivot_arguments(M: list[list[acb]]) -> arb | None:

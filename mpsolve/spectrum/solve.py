@@ -20,6 +20,7 @@ from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.reasons import reason_of
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.spectrum.spectrum import disjoint
 
@@ -44,17 +45,15 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
 def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
         count = count_roots(reduced, region, effort, tell)
-    except EffortError as error:
-        return Found(None, (), Reason("effort", str(error), {}, MORE_EFFORT))
-    except PrecisionError as error:
-        return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
+    except (EffortError, PrecisionError) as error:
+        return Found(None, (), reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
     try:
         tell("roots", 0.5)
         balls = _enclosed(reduced, count, digits, tell)
     except EffortError as error:
-        return Found(count, (), Reason("effort", str(error), {}, MORE_EFFORT))
+        return Found(count, (), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -67,8 +66,7 @@ def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: 
     return Found(count, balls, None)
 
 
-MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
-_COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
+_NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
 def unstable_number(balls: tuple[RootBall, ...]) -> int:
@@ -145,11 +143,12 @@ def _inside(region: Region, ball: RootBall) -> bool:
     if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
         return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
-    below = bool(im < 0) and (region.radius is None or abs(ball.q) < _ball(region.radius))
+    near = region.radius is None or bool(abs(ball.q) < _ball(region.radius))
+    below = bool(im < 0) and near
     if isinstance(region, HalfPlane):
         return below
-    reach = region.reach or Fraction(0)
-    return below or bool(im < _ball(region.height) and abs(re) < _ball(reach) and im > -_ball(region.height))
+    strip = bool(im < _ball(region.height) and abs(re) < _ball(region.reach or Fraction(0)))
+    return below or (strip and (near or bool(im >= 0)))
 
 
 def _ball(x: Fraction) -> Any:
@@ -160,4 +159,4 @@ def _ball(x: Fraction) -> Any:
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
     """A height below the lowest cut, short in scaled units."""
-    return Fraction(float(np.float32(0.75 * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit
+    return Fraction(float(np.float32(_NEAR * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit

@@ -101,7 +101,7 @@ def _split(M_: Rows, C_: Rows, K_: Rows, B_: Rows) -> _Columns | None:
     n, contacts = len(M), len(B[0])
     H = [[M[i][j] + C[i][j] + K[i][j] for j in range(n)] for i in range(n)]
     forces = [[row[j] for row in B] for j in range(contacts)]
-    felt = _closure(H, (M, C, K), forces)
+    felt = _simple(_closure(H, (M, C, K), forces))
     neutral = _project(_kernel([*K, *forces], n), felt, H)
     if len(felt) == n and not neutral:
         return None
@@ -143,6 +143,21 @@ def _closure(H: list[Vector], maps: tuple[list[Vector], ...], start: list[Vector
             basis.append(vector)
             queue += [_solve(H, _times(rows, vector)) for rows in maps]
     return basis
+
+
+def _simple(vectors: list[Vector]) -> list[Vector]:
+    """The basis of the same space with as many zeros as elimination gives: those of a chain are nearly parallel."""
+    out: list[Vector] = []
+    for vector in vectors:
+        rest = list(vector)
+        for row in out:
+            lead = next(i for i, x in enumerate(row) if x)
+            rest = [a - rest[lead] * b for a, b in zip(rest, row, strict=True)]
+        lead = next(i for i, x in enumerate(rest) if x)
+        rest = [x / rest[lead] for x in rest]
+        out = [[a - row[lead] * b for a, b in zip(row, rest, strict=True)] for row in out]
+        out.append(rest)
+    return out
 
 
 def _independent(vector: Vector, echelon: list[Vector]) -> bool:
