@@ -89,7 +89,9 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     if count.beyond is not None:
         width, depth = count.beyond.rho, count.beyond.depth
     else:
-        width = depth = float((region.radius or Fraction(0)) / unit)
+        depth = float((region.radius or Fraction(0)) / unit)
+        reach = region.reach if isinstance(region, Below) else region.radius
+        width = float((reach or Fraction(0)) / unit)  # at rest there is a reach without a radius
     areas = [Area(0.0, width, -depth, 0.0)]
     if isinstance(region, Below):
         areas.insert(0, Area(0.0, width, 0.0, scaled_height(reduced, region.height)))
