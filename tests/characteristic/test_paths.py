@@ -83,6 +83,19 @@ def test_halved_pieces_of_an_arc_stay_on_the_circle() -> None:
     assert np.abs(down) == pytest.approx(np.full(len(down), 3.0), rel=1e-14)
 
 
+def test_a_path_that_cuts_its_arc_short_is_not_proved() -> None:
+    paths = some_paths()
+    link, _ = chain(paths)
+    arc = 3.0 * np.exp(-1j * np.linspace(0, np.pi / 2, 200))
+    arc[0], arc[-1] = 3.0, -3j
+    points = np.concatenate([np.linspace(0, 3, 200)[:-1], arc])
+    assert paths.prove((link, Path("turn", points, 3.0)), Effort()).pieces > 398
+    points[-20] *= 1 - 1e-5
+    with pytest.raises(PrecisionError):
+        paths.prove((link, Path("turn", points, 3.0)), Effort())
+    paths.prove((link, Path("turn", points)), Effort())  # as a polygon it is
+
+
 def chain(paths: Paths) -> tuple[Path, Path]:
     depth = paths.start.depth
     link = paths.plan("link", np.array([-1j * depth, -0.5j * depth, 0]), Effort())
@@ -180,5 +193,3 @@ def test_negative_and_endless_matrices_are_not_positive() -> None:
     zero = np.zeros((1, 2, 2))
     for a in (-np.eye(2), np.zeros((2, 2)), np.full((2, 2), np.nan), np.full((2, 2), np.inf), np.diag([1.0, -1e-9])):
         assert not positive(Jet(a[None] + 0j, 0j * zero, zero, np.zeros(1)), np.ones(1), np.zeros(1))[0]
-
-
