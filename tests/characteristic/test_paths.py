@@ -140,7 +140,8 @@ def test_the_splitting_at_the_start_must_be_the_one_told_apart() -> None:
 
 def test_a_wrong_pair_is_not_linked_along_a_path(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where nodes of the two sides are exchanged on some discs, the joins fail."""
-    from mpsolve.characteristic import bordered, paths as module
+    from mpsolve.characteristic import bordered
+    from mpsolve.characteristic import paths as module
 
     whole = some_paths()
     link, turn = chain(whole)

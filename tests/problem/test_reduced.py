@@ -30,7 +30,7 @@ def number(x: Fraction) -> Any:
 
 def bordered(K: Any, C: Any, M: Any, B: Any, h: Any, places: Any, truth: Receptance, sigma: Any, rows: int) -> Any:
     """det [[S, −B], [Bᵀ, G + h]], the last `rows` rows of bodies divided by σ."""
-    n, c = len(B), len(h)
+    n = len(B)
     S = [[number(K[i][j]) + number(C[i][j]) * sigma + number(M[i][j]) * sigma**2 for j in range(n)] for i in range(n)]
     top = [[*S[i], *(-number(x) for x in B[i])] for i in range(n)]
     top = [[x / sigma for x in row] if i >= n - rows else row for i, row in enumerate(top)]
@@ -94,6 +94,9 @@ UNFELT = vehicles.Vehicle(
     M=[[5, 0, 0], [0, 1, 0], [0, 0, 1]], C=[[0, 0, 0], [0, 0, 0], [0, 0, 0]],
     K=[[6, -3, -3], [-3, 3, 0], [-3, 0, 3]], B=[[1], [0], [0]], places=[0],
 )  # fmt: skip
+SHARED = vehicles.Vehicle(
+    M=[[5000, 0], [0, 1]], C=[[2, 0], [0, 1]], K=[[9, -1], [-1, 3]], B=[[1], [2]], places=[0]
+)  # one contact on two bodies of unlike weight
 NEUTRAL = vehicles.Vehicle(M=[[3, 0], [0, 5]], C=[[2, -2], [-2, 2]], K=[[0, 0], [0, 0]], B=[[1], [0]], places=[0])
 
 
@@ -103,7 +106,9 @@ def test_masses_on_every_track(name: str, v: int) -> None:
     check(Problem(DAMPED[name], [vehicles.Mass(900), vehicles.Mass("0.4").at("2.5")], v=v))
 
 
-@pytest.mark.parametrize("vehicle", [*TYPICAL.values(), UNFELT, NEUTRAL], ids=[*TYPICAL, "unfelt", "neutral"])
+@pytest.mark.parametrize(
+    "vehicle", [*TYPICAL.values(), UNFELT, NEUTRAL, SHARED], ids=[*TYPICAL, "unfelt", "neutral", "shared"]
+)
 def test_every_vehicle(vehicle: vehicles.AnyVehicle) -> None:
     check(Problem(DAMPED["euler-bernoulli"], [vehicle, vehicles.Mass(3).at(50)], v=40))
 
