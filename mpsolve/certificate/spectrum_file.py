@@ -5,7 +5,7 @@ All numbers are exact and in the problem's own units: scaled ones are multiplied
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
@@ -16,7 +16,7 @@ from mpsolve.errors import CertificateError
 from mpsolve.passivity.tail import Tail
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.count import Count
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 VERSION = 2
 KIND = "spectrum"
@@ -37,6 +37,7 @@ class RootEntry:
 def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEntry], unstable: int) -> Certificate:
     """The certificate of a count and of the discs that explain it."""
     unit = reduced.frequency_unit
+    lines = _lines(count.region, unit)
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -44,8 +45,10 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
         "equations": equations(reduced),
         "basis": _basis(reduced),
         "bits": 64,
-        "start": _dyadic(Fraction(count.start.depth) * unit) if count.paths else None,
-        "paths": [{"kind": p.kind, "points": [_point(q, unit) for q in p.points.tolist()]} for p in count.paths],
+        "start": _dyadic(Fraction(count.start.depth) * unit),
+        "paths": [
+            {"kind": p.kind, "points": [_point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
+        ],
         "theorem": _theorem(reduced, count.beyond.tail) if count.beyond is not None else None,
         "claim": {"region": _region(count.region), "count": count.total, "unstable": unstable},
         "roots": [_root(root) for root in roots],
@@ -77,7 +80,7 @@ def _basis(reduced: Reduced) -> dict[str, Any] | None:
 
 
 def _region(region: Region) -> dict[str, Any]:
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         re, im = (region.re_min, region.re_max), (region.im_min, region.im_max)
         return {"kind": "rectangle", "re": list(map(_text, re)), "im": list(map(_text, im))}
     if isinstance(region, HalfPlane):
@@ -140,9 +143,21 @@ def _root(root: RootEntry) -> dict[str, Any]:
     }
 
 
-def _point(q: complex, unit: Fraction) -> list[int]:
-    """[m, n, e]: the point (m + i n)·2^e in the problem's units."""
-    re, im = Fraction(q.real) * unit, Fraction(q.imag) * unit
+def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
+    """The exact coordinate of each side of the region by its nearest float in scaled units."""
+    if isinstance(region, Rectangle):
+        sides = [region.re_min, region.re_max, region.im_min, region.im_max]
+    else:
+        given = (region.radius, getattr(region, "reach", None), getattr(region, "height", None))
+        sides = [sign * x for x in given if x is not None for sign in (1, -1)]
+    return {float(x / unit): x for x in sides}
+
+
+def _point(q: complex, unit: Fraction, lines: Mapping[float, Fraction]) -> list[Any]:
+    """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
+    re, im = (lines.get(x, Fraction(x) * unit) for x in (q.real, q.imag))
+    if any(x.denominator & (x.denominator - 1) for x in (re, im)):
+        return [_text(re), _text(im)]
     down = lcm(re.denominator, im.denominator)  # a power of two
     m, n, e = int(re * down), int(im * down), -(down.bit_length() - 1)
     while (m or n) and m % 2 == 0 and n % 2 == 0:

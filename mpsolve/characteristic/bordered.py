@@ -83,9 +83,9 @@ class Arrays:
         bodies = [d.body for d in self.direct]
         rest = [i for i in range(len(self.B)) if i not in bodies]
         right = self._constant(-self.B, G.r)
-        for d in self.direct:
-            factor = nearest(1 / d.b)
-            right = right + _outer(S[:, :, d.body], G[:, d.contact, :]) * -factor
+        if bodies:
+            factors = np.array([-nearest(1 / d.b) for d in self.direct])  # each rounded: within the 2 u of `*`
+            right = right + (S[:, :, bodies] * factors) @ G[:, [d.contact for d in self.direct], :]
         top = _beside(S[:, :, rest], right)
         indirect = [j for j in range(len(contact)) if j not in [d.contact for d in self.direct]]
         if not indirect:
@@ -116,11 +116,6 @@ def direct_contacts(reduced: Reduced) -> tuple[Direct, ...]:
         if reduced.h[j] == 0 and len(bodies) == 1 and sum(map(bool, reduced.B[bodies[0]])) == 1:
             out.append(Direct(bodies[0], j, reduced.B[bodies[0]][j]))
     return tuple(out)
-
-
-def _outer(column: Jet, row: Jet) -> Jet:
-    left = Jet(column.a[:, :, None], column.b[:, :, None], column.e[:, :, None], column.r)
-    return left * Jet(row.a[:, None, :], row.b[:, None, :], row.e[:, None, :], row.r)
 
 
 def _beside(left: Jet, right: Jet) -> Jet:

@@ -90,9 +90,10 @@ def _nodes(coefficients: Any, up: int) -> Any:
         step = value / slope
         z = np.where(np.isfinite(step) & (np.abs(step) < 0.1 * np.abs(z)), z - step, z)
     z = np.take_along_axis(z, np.argsort(z.real, axis=1), 1)
-    scale = np.abs(z).max(1)
+    size = np.abs(z)
     for i in range(n):
         for k in range(i + 1, n):
+            scale = np.maximum(np.maximum(size[:, i], size[:, k]), 1e-12 * size.max(1))
             near = np.abs(z[:, i] - z[:, k]) < 1e-5 * scale
             z[:, k] = np.where(near, z[:, k] + (1e-3 if k < up else 1e-3j) * scale, z[:, k])
     return z

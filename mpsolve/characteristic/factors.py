@@ -13,7 +13,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import Balls, acb, acb_mat, acb_poly, arb, bits_now, exact_ball, square
 
 _K = Balls()
-_GAPS = (2.0**-8, 2.0**-5, 2.0**-3, 2.0**-2)
+_GAPS = (0.0, 2.0**-20, 2.0**-14, 2.0**-8, 2.0**-5, 2.0**-3, 2.0**-2)
 Factors = tuple[tuple[Any, ...], tuple[Any, ...]]
 
 

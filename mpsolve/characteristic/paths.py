@@ -29,7 +29,8 @@ from mpsolve.proof.turning import Regular, pivot_arguments, regular
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
 _DEFINITE = 0.9
-_ROOM = 1.3  # pieces are planned on discs this much larger, so that a checker with wider bounds passes them too
+ROOM = 1.1
+"""Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
 _WIDER = 1 + 2.0**-12  # of a disc, against half of its piece
 _OFF_ARC = 2.0**-14  # of a piece's length: how far from the circle the points of an arc may lie
 
@@ -69,10 +70,11 @@ class Proved:
 
 @dataclass(frozen=True)
 class Paths:
-    """The tests of a problem whose splitting starts at `start`."""
+    """The tests of a problem whose splitting starts at `start`; pieces are planned on discs larger by `room`."""
 
     arrays: Arrays
     start: Start
+    room: float = ROOM
 
     @property
     def up(self) -> int:
@@ -88,7 +90,8 @@ class Paths:
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
-            return self._evaluate(kind, a, b, _ROOM)[1]
+            with np.errstate(all="ignore"):  # pieces that are far too long overflow: nothing is proved of them
+                return self._evaluate(kind, a, b, self.room)[1]
 
         return passes
 
@@ -110,12 +113,13 @@ class Paths:
         """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError."""
         _check_chain(paths, self.start.depth)
         for _ in range(_ROUNDS):
-            proved = self._pass(paths, effort)
+            with np.errstate(all="ignore"):
+                proved = self._pass(paths, effort)
             if isinstance(proved, Proved):
                 return proved
             paths = proved
         raise PrecisionError(
-            "pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple"
+            "pieces of the paths cannot be joined to each other: a root lies next to them, or p-roots nearly meet"
         )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
@@ -231,7 +235,8 @@ def positive(V: Jet, way: Any, drift: Any) -> Any:
         x = np.ones((len(E), n))
         for _ in range(12):
             y = np.einsum("bij,bj->bi", E, x)
-            x = y / y.max(1, keepdims=True) + 1e-4
+            y = y + 0.02 * x
+            x = y / y.max(1, keepdims=True)
         return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < _DEFINITE)
 
 

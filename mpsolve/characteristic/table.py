@@ -42,7 +42,10 @@ class Table:
         return float(64 * (self.d.shape[0] + self.d.shape[1]) * U)
 
     def in_time(self, sigma: Any) -> tuple[Any, Any]:
-        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error; sigma: (discs,)."""
+        """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error.
+
+        sigma: real or complex, shape (discs,).
+        """
         weights = _binomials(self.d.shape[1])
         powers = _powers(sigma, self.d.shape[1])
         sizes = np.abs(powers)

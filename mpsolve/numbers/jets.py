@@ -97,6 +97,15 @@ class Jet:
         e = e + 8 * U * (a0 * b0 + (a0 * b1 + a1 * b0) * r)
         return Jet(a, b, e * UP + TINY, self.r)
 
+    def __matmul__(self, other: Jet) -> Jet:
+        """Products of matrices: shapes (discs, n, k) and (discs, k, m)."""
+        r = self._r
+        a0, a1, b0, b1 = np.abs(self.a), np.abs(self.b) * r, np.abs(other.a), np.abs(other.b) * r
+        a, b = self.a @ other.a, self.a @ other.b + self.b @ other.a
+        lost = 16 * (self.a.shape[2] + 4) * U
+        e = a1 @ b1 + (a0 + a1) @ other.e + self.e @ (b0 + b1 + other.e) + lost * ((a0 + a1) @ (b0 + b1))
+        return Jet(a, b, e * UP + TINY, self.r)
+
     def inverse(self) -> Jet:
         """1/f; not bounded where f may vanish."""
         r = self._r

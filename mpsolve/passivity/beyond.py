@@ -19,7 +19,7 @@ from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import Tail, prove_tail
 from mpsolve.proof.effort import Effort
 
-_SHARE = 4000  # evaluations that one rectangle may take
+_SHARE = 12000  # evaluations that one rectangle may take
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,8 @@ def _depth(arrays: Arrays, up: int, rho: float) -> float:
 
 def _least(arrays: Arrays, up: int, q: Any) -> Any:
     """Least eigenvalue of V + V* over the largest, in floats; −1 where G is not known."""
-    _, G, good = arrays.evaluate(1j * q, np.zeros(len(q)), up)
+    with np.errstate(all="ignore"):
+        _, G, good = arrays.evaluate(1j * q, np.zeros(len(q)), up)
     V = (1j * q)[:, None, None] * G.a
     H = (V + np.swapaxes(V.conj(), 1, 2)) / 2
     values = np.linalg.eigvalsh(np.where(good[:, None, None], H, -np.eye(H.shape[1])))

@@ -20,15 +20,20 @@ from numpy.polynomial.polynomial import polyval2d
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, U
-from mpsolve.passivity.decay import edges
+from mpsolve.passivity.decay import Edge, edges
 from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial, add, moving, multiply, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
 _SPLIT = 80  # halvings of a box at most
-_MOST_BOXES = 6000  # in one search
-_ROOM = 1.25  # between what floats sample and what is to be proved
+_MOST_BOXES = 6000  # in the search for a block
+_MOST_ENVELOPE = 40000  # and for the envelope
+_TRIES = 6  # of proofs
+_HALVINGS = 4  # of a block that is not proved as it stands
+_PRICE = 0.03  # of a further block, of all that is absorbed
+_ROOM = 1.8  # between what floats sample and what is to be proved
 _OMEGA = 4.0  # where the two charts of the envelope meet
+_UNDERFLOW = 1e-280  # more than powers that underflow can add up to
 
 
 @dataclass(frozen=True)
@@ -84,82 +89,148 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
     Floats propose X and the blocks; what is returned has been proved.
     """
     absorption = Absorption.of(guide)
-    if not absorption.W or not guide.v:
+    if not absorption.W or not guide.v or _overtakes(absorption, guide.v):
         return None
-    X, tries = least, 0
-    while X <= most and tries < 8:  # noqa: SIM300 — X is no constant
-        plan = _plan(absorption, guide, gap, X)
+    searches = [_Search(absorption, guide, edge) for edge in edges(guide.D, guide.N) if 0 <= edge.slope <= 1]
+    X, tries, C = least, 0, None
+    while X <= most and tries < _TRIES:  # noqa: SIM300 — X is no constant
+        plan = _plan(absorption, guide, searches, gap, X, C)
+        if plan is not None and C is None:
+            tries += 1
+            C = _envelope(absorption, guide.v, plan)  # for this X and all larger ones
+            plan = None if C is None else _plan(absorption, guide, searches, gap, X, C)
+            X *= 1 if C is not None else _RATIO
         if plan is not None:
             tries += 1
-            tail = _prove(absorption, guide, plan)
-            if tail is not None and outweighs(tail, guide.v, gap):
+            tail = _prove(absorption, guide.v, gap, plan)
+            if tail is not None:
                 return tail
-        X *= _RATIO if tries == 0 else _RATIO**2
+        X *= _RATIO if plan is None else _RATIO**2
     return None
 
 
-def _plan(absorption: Absorption, guide: Guide, gap: Fraction | None, X: float) -> Tail | None:
-    """The best blocks in floats, with bounds that leave room, or None where none outweighs."""
+def _overtakes(absorption: Absorption, v: Fraction) -> bool:
+    """In floats: some short wave of the track runs at a speed below v, so that no envelope exists."""
+    (_, i2), (_, n2), _ = _orders(absorption)
+    speeds = np.zeros(i2 + 1)
+    for (i, j), c in absorption.D2.items():
+        if i + j == n2:
+            speeds[i] = float(c * (-1) ** j)  # of r^(i2 − i), descending
+    roots = np.roots(speeds)
+    return bool(((np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0) & (roots.real <= float(v))).any())
+
+
+class _Search:
+    """W/|D|² · q^e in floats at p = z q^γ on a grid of z, for one γ."""
+
+    def __init__(self, absorption: Absorption, guide: Guide, edge: Edge) -> None:
+        self.gamma, self.v = edge.slope, float(guide.v)
+        self.e = absorption.exponent(edge.slope)
+        k, self.m = edge.slope.numerator, edge.slope.denominator
+        self.W, self.D2 = (Table.of(in_block(a, k, self.m)).d for a in absorption.moving)
+        roots = np.roots([float(c) for c in reversed(edge.roots)])
+        scale = float(np.abs(roots).max()) if len(roots) else 1.0
+        real = [float(root.real) for root in roots if abs(root.imag) < 1e-9 * scale]
+        steps = 2.0 ** (-np.arange(1, 24) / 2)
+        near = np.concatenate([steps, [0.0], -steps])
+        z = np.concatenate([np.linspace(-3, 3, 61) * scale, *(root * (1 + near) for root in real)])
+        self.z = np.unique(z.astype(np.float32).astype(float))
+
+    def blocks(self, X: float, sieve: float) -> tuple[tuple[float, float, float], ...]:
+        """Intervals between points of the grid, with the least value sampled there, that absorb most for X."""
+        growth = X ** float(self.gamma)
+        z = self.z[self.z * self.v * growth < 0.97 * X]
+        if len(z) < 2:
+            return ()
+        tau = X ** (-1 / self.m) * np.concatenate([np.geomspace(1, 1e-3, 40), [0.0]])
+        with np.errstate(all="ignore"):
+            inner = np.concatenate([z, (z[1:] + z[:-1]) / 2])[:, None]
+            f = _ratio(inner, tau[None, :], self.W, self.D2)
+        least = np.where(np.isfinite(f), f, 0.0).min(1)
+        return _best_blocks(z, least[: len(z)], least[len(z) :], growth, sieve)
+
+
+def _best_blocks(
+    z: Any, ends: Any, middles: Any, growth: float, sieve: float
+) -> tuple[tuple[float, float, float], ...]:
+    """Disjoint intervals with ends in z for which Σ (length·growth − sieve)·least value is largest; few of them."""
+    cells = np.minimum(np.minimum(ends[1:], ends[:-1]), middles)
+    n = len(z)
+    kappa = np.zeros((n, n))
+    for i in range(n - 1):
+        kappa[i, i + 1 :] = np.minimum.accumulate(cells[i:])
+    length = (z[None, :] - z[:, None]) * growth - sieve
+    value = np.where((kappa > 0) & (length > 0), length * kappa, 0.0)
+    price = 0.0
+    for _ in range(2):
+        best, before = np.zeros(n), np.full(n, -1)
+        for j in range(1, n):
+            sums = best[:j] + np.maximum(value[:j, j] - price, 0.0)
+            before[j] = int(np.argmax(sums))
+            best[j] = sums[before[j]]
+        price = _PRICE * float(best[-1])  # of a block, so that few are taken
+    blocks, j = [], n - 1
+    while j > 0:
+        i = int(before[j])
+        if value[i, j] > price:
+            blocks.append((float(z[i]), float(z[j]), float(kappa[i, j])))
+        j = i
+    return tuple(reversed(blocks))
+
+
+def _plan(
+    absorption: Absorption, guide: Guide, searches: list[_Search], gap: Fraction | None, X: float, C: float | None
+) -> Tail | None:
+    """The best blocks in floats with the proved C, or one that floats sample; None where none outweighs."""
     alpha = _orders(absorption)[2]
-    C = _ROOM * _sampled_envelope(guide, X, alpha)
+    bound = _ROOM * _sampled_envelope(absorption, guide.v, X, alpha) if C is None else 1.1 * C
+    sieve = 2 * np.pi / float(gap) if gap is not None else 0.0
     best: tuple[float, Tail] | None = None
-    floats = _floats(guide)
-    for gamma, intervals in _blocks(guide):
-        if max(z2 for _, z2 in intervals) * float(guide.v) * X ** float(gamma - 1) >= 0.99:
-            continue
-        e = absorption.exponent(gamma)
-        kappas = [
-            0.8 * _sampled_block(floats, float(guide.v), X, float(gamma), z1, z2, float(e)) for z1, z2 in intervals
-        ]
-        blocks = tuple(
-            (*z, float(np.float32(kappa))) for z, kappa in zip(intervals, kappas, strict=True) if kappa > 0
-        )
-        tail = Tail(X, gamma, blocks, e, _OMEGA, float(np.float32(C)), alpha)
-        if blocks and np.isfinite(C) and outweighs(tail, guide.v, gap):
-            size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(gamma - e)
-            size = size if len(blocks) == 1 else size * 1e-6  # one block makes the shorter proof
-            if best is None or size > best[0]:
-                best = (size, tail)
+    for search in searches:
+        # less than what is sampled, and less than what is proved, so that a checker need not come as near
+        blocks = tuple((z1, z2, float(np.float32(0.7 * kappa))) for z1, z2, kappa in search.blocks(X, sieve))
+        tail = Tail(X, search.gamma, blocks, search.e, _OMEGA, bound, alpha)
+        if blocks and np.isfinite(bound) and outweighs(tail, guide.v, gap):
+            size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(search.gamma - search.e)
+            if best is None or size / len(blocks) > best[0]:
+                best = (size / len(blocks), tail)
     return None if best is None else best[1]
 
 
-def _prove(absorption: Absorption, guide: Guide, plan: Tail) -> Tail | None:
-    """The plan with a proved C, and κ as planned or half of it, if they are proved."""
-    C = _envelope(absorption, guide.v, plan)
-    if C is None:
-        return None
-    for factor in (1.0, 0.5, 0.1):
-        tail = replace(plan, blocks=tuple((z1, z2, kappa * factor) for z1, z2, kappa in plan.blocks))
-        if block_holds(absorption, guide.v, tail):
-            # less than what is proved, so that a checker need not come as near
-            blocks = tuple((z1, z2, kappa * 0.9) for z1, z2, kappa in tail.blocks)
-            return replace(tail, C=1.1 * max(C, plan.C / _ROOM), blocks=blocks)
-    return None
+def _prove(absorption: Absorption, v: Fraction, gap: Fraction | None, plan: Tail) -> Tail | None:
+    """The plan with those of its blocks, or of their halves, that are proved, if they outweigh."""
+    length = 2 * np.pi / float(gap) / plan.X ** float(plan.gamma) if gap is not None else 0.0
+    proved: list[tuple[float, float, float]] = []
+    waiting = [(block, 0) for block in plan.blocks]
+    while waiting:
+        (z1, z2, kappa), depth = waiting.pop()
+        if block_holds(absorption, v, replace(plan, blocks=((z1, z2, kappa / 0.9),))):
+            proved.append((z1, z2, kappa))
+        elif depth < _HALVINGS:
+            middle = float(np.float32((z1 + z2) / 2))
+            halves = ((z1, middle, kappa), (middle, z2, kappa))
+            waiting += [(half, depth + 1) for half in halves if half[1] - half[0] > length]
+    tail = replace(plan, blocks=tuple(sorted(proved)))
+    return tail if outweighs(tail, v, gap) else None
 
 
-def _power(absorbing: Any, p: Any, omega: Any) -> Any:
-    """W/|D|² in floats."""
-    D, N = absorbing
-    p, omega = np.broadcast_arrays(p, omega)
-    with np.errstate(all="ignore"):
-        return -(polyval2d(1j * p, 1j * omega, N) / polyval2d(1j * p, 1j * omega, D)).imag
+def _ratio(x: Any, y: Any, top: Any, bottom: Any) -> Any:
+    x, y = np.broadcast_arrays(x, y)
+    return polyval2d(x, y, top) / polyval2d(x, y, bottom)
 
 
-def _floats(guide: Guide) -> tuple[Any, Any]:
-    return Table.of(guide.D_rest).d, Table.of(guide.N_rest).d
-
-
-def _sampled_envelope(guide: Guide, X: float, alpha: int) -> float:
-    v = float(guide.v)
-    p = np.geomspace(X / v, 1e4 * X / v, 60)[:, None]
-    omega = -v * p * np.concatenate([[0.0], np.geomspace(1e-7, 1, 120)])[None, :]
-    return float(np.max(np.abs(_power(_floats(guide), p, omega)) * p**alpha))
-
-
-def _sampled_block(floats: Any, v: float, X: float, gamma: float, z1: float, z2: float, e: float) -> float:
-    q = X * np.geomspace(1, 1e6, 13)[None, :]
-    p = np.linspace(z1, z2, 31)[:, None] * q**gamma
-    return float(np.min(_power(floats, p, q - v * p) * q**e))
+def _sampled_envelope(absorption: Absorption, v: Fraction, X: float, alpha: int) -> float:
+    """The largest |W|/|D|² p^α that floats meet where p ≥ X/v."""
+    plan = Tail(X, Fraction(0), (), Fraction(0), _OMEGA, 0.0, alpha)
+    largest = 0.0
+    for top, bottom, (x, y), product in envelope_charts(absorption, v, plan):
+        a = np.concatenate([[0.0], np.geomspace(1e-3, 1, 40)])[:, None] * x[1]
+        b = np.concatenate([[0.0], np.geomspace(1e-3, 1, 40)])[None, :] * y[1]
+        with np.errstate(all="ignore"):
+            values = np.abs(_ratio(a, b, Table.of(top).d, Table.of(bottom).d))
+        values = values[(a * b <= product) & np.isfinite(values)]
+        largest = max(largest, float(values.max(initial=0.0)))
+    return largest
 
 
 def _orders(absorption: Absorption) -> tuple[tuple[int, int], tuple[int, int], int]:
@@ -171,8 +242,10 @@ def _orders(absorption: Absorption) -> tuple[tuple[int, int], tuple[int, int], i
 
 
 def outweighs(tail: Tail, v: Fraction, gap: Fraction | None) -> bool:
-    """(c): absorbed > given at X, and so for all q ≥ X."""
-    if not (tail.alpha > 1 and tail.alpha - 1 >= tail.e - tail.gamma):
+    """(c): absorbed > given at X, and so for all q ≥ X, if each block absorbs; blocks must not overlap."""
+    if any(b > a for (_, b, _), (a, _, _) in pairwise(sorted(tail.blocks))):
+        return False
+    if not (tail.alpha > 1 and tail.gamma >= 0 and tail.alpha - 1 >= tail.e - tail.gamma):
         return False
     with precision(64):
         X, speed = arb(tail.X), _ball(v)
@@ -187,41 +260,8 @@ def outweighs(tail: Tail, v: Fraction, gap: Fraction | None) -> bool:
         return bool(absorbed > given)
 
 
-def _blocks(guide: Guide) -> list[tuple[Fraction, list[tuple[float, float]]]]:
-    """Blocks that may absorb: round 0, beside it, or several side by side, as wide as the p-roots run at infinity."""
-    out: list[tuple[Fraction, list[tuple[float, float]]]] = []
-    for edge in edges(guide.D, guide.N):
-        if not 0 <= edge.slope <= 1:
-            continue
-        roots = np.roots([float(c) for c in reversed(edge.roots)])
-        scale = float(np.abs(roots).max()) if len(roots) else 1.0
-        ends = [(-1.4, 1.4), (-0.9, 0.9), (-0.5, 0.5), (-1.4, -0.6), (-0.8, -0.2), (0.1, 0.4), (-3.0, -2.0)]
-        choices = [[end] for end in ends] + [_side_by_side(-2.0, 1.2, 8), _side_by_side(-2.0, 0.5, 16)]
-        if edge.slope == 1:
-            choices += [_round(root.real / scale, n) for root in roots if abs(root.imag) < 1e-9 * scale for n in (3, 6)]
-        for choice in choices:
-            z = [(float(np.float32(a * scale)), float(np.float32(b * scale))) for a, b in choice]
-            if edge.slope == 1:
-                z = [(a, b) for a, b in z if b * float(guide.v) < 0.95]
-            if z:
-                out.append((edge.slope, z))
-    return out
-
-
-def _side_by_side(low: float, high: float, n: int) -> list[tuple[float, float]]:
-    ends = np.linspace(low, high, n + 1).tolist()
-    return list(pairwise(ends))
-
-
-def _round(z: float, levels: int) -> list[tuple[float, float]]:
-    """Blocks that grow away from z on both sides: next to a wave that runs along, absorption is strongest."""
-    steps = [2.0**-k for k in range(levels + 1)]
-    sides = [[z * (1 + sign * step) for step in steps] for sign in (-1.0, 1.0)]
-    return [(min(a, b), max(a, b)) for side in sides for a, b in pairwise(side)]
-
-
 def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
-    """(a): W/|D|² ≥ κ q^{−e} for p = z q^γ, z₁ ≤ z ≤ z₂, q ≥ X, where q − vp > 0, on disjoint blocks."""
+    """(a): W/|D|² ≥ κ q^{−e} for p = z q^γ, z₁ ≤ z ≤ z₂, q ≥ X, where q − vp > 0, on each block."""
     k, m = tail.gamma.numerator, tail.gamma.denominator
     with precision(64):
         last = max((z2 for _, z2, _ in tail.blocks), default=0.0)
@@ -231,8 +271,6 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
     if tail.e != absorption.exponent(tail.gamma):
         return False
     W, D2 = (in_block(a, k, m) for a in absorption.moving)
-    if any(b > a for (_, b, _), (a, _, _) in pairwise(sorted(tail.blocks))):
-        return False
     rest = scaled(W, Fraction(-1))
     return all(
         _negative(add(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
@@ -251,9 +289,13 @@ def _top(polynomial: Polynomial, k: int, m: int) -> int:
 
 def _envelope(absorption: Absorption, v: Fraction, tail: Tail) -> float | None:
     """(b): C with |W| p^α ≤ C |D|² for p ≥ X/v, −vp ≤ Ω ≤ 0, on two charts; None where it is not bounded."""
-    parts = [_supremum(*chart) for chart in envelope_charts(absorption, v, tail)]
-    bounds_ = [part for part in parts if part is not None]
-    return max(bounds_) * UP if len(bounds_) == len(parts) else None
+    known = 0.0
+    for top, bottom, box, product in envelope_charts(absorption, v, tail):
+        found = _supremum(top, bottom, box, product, known)
+        if found is None:
+            return None
+        known = found
+    return known * UP
 
 
 def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tuple[Any, ...], ...]:
@@ -285,16 +327,21 @@ def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tu
 
 
 def _supremum(
-    top: Polynomial, bottom: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float
+    top: Polynomial,
+    bottom: Polynomial,
+    box: tuple[tuple[float, float], tuple[float, float]],
+    product: float,
+    least_bound: float = 0.0,
 ) -> float | None:
-    """A bound of |top|/bottom on the box where x y ≤ product, by branch and bound; None if bottom may vanish."""
+    """A bound ≥ least_bound of |top|/bottom on the box where x y ≤ product, by branch and bound.
+
+    None if bottom may vanish.
+    """
     above, below = Table.of(top), Table.of(bottom)
     boxes, tried = _grid(*box, 8, 4), 0
-    known, proved = 0.0, 0.0
+    known, proved = least_bound / 1.5, least_bound
     for _ in range(_SPLIT):
-        x, rx, y, ry = boxes
-        inside = (x - rx) * (y - ry) <= product * UP
-        boxes = tuple(part[inside] for part in boxes)
+        boxes = _clipped(boxes, product)
         low, high, _ = bounds(above, boxes)
         least, most, by_x = bounds(below, boxes)
         with np.errstate(all="ignore"):
@@ -308,24 +355,20 @@ def _supremum(
         tried += len(done)
         if not len(by_x):
             return proved
-        if tried > _MOST_BOXES:
+        if tried > _MOST_ENVELOPE:
             return None
         boxes = _halved(boxes, by_x)
     return None
 
 
-def _negative(
-    polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], product: float | None = None
-) -> bool:
-    """True if the polynomial is proved negative on the box (only where x y ≤ product), by halving boxes."""
+def _negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]]) -> bool:
+    """True if the polynomial is proved negative on the box, by halving boxes."""
     table = Table.of(polynomial)
     boxes, tried = _grid(*box, 8, 4), 0
     for _ in range(_SPLIT):
-        if product is not None:
-            x, rx, y, ry = boxes
-            inside = (x - rx) * (y - ry) <= product * UP
-            boxes = tuple(part[inside] for part in boxes)
-        _, high, by_x = bounds(table, boxes)
+        low, high, by_x = bounds(table, boxes)
+        if (low > 0).any():
+            return False
         open_ = ~(high < 0)
         boxes, by_x = tuple(part[open_] for part in boxes), by_x[open_]
         tried += len(open_)
@@ -349,7 +392,7 @@ def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any, Any]:
     across, along = rx[:, None] ** np.arange(size.shape[1]), ry[:, None] ** np.arange(size.shape[2])
     spread = ((size @ along[:, :, None])[:, :, 0] * across).sum(1)
     middle = c[:, 0, 0, 0]
-    radius = (spread - np.abs(c[:, 0, 0, 0]) + 16 * U * spread) * UP
+    radius = (spread - np.abs(c[:, 0, 0, 0]) + 256 * U * spread) * UP + _UNDERFLOW
     by_x = (size[:, 1:, 0] * across[:, 1:]).sum(1) > (size[:, 0, 1:] * along[:, 1:]).sum(1)
     return middle - radius - 8 * U * np.abs(middle), middle + radius + 8 * U * np.abs(middle), by_x
 
@@ -363,6 +406,21 @@ def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> t
     (a, ra), (b, rb) = cells(x, nx), cells(y, ny)
     parts = np.meshgrid(a, b, indexing="ij"), np.meshgrid(ra, rb, indexing="ij")
     return parts[0][0].ravel(), parts[1][0].ravel(), parts[0][1].ravel(), parts[1][1].ravel()
+
+
+def _clipped(boxes: tuple[Any, ...], product: float) -> tuple[Any, ...]:
+    """Boxes in x, y ≥ 0 that hold all points of the given ones with x y ≤ product."""
+    x, rx, y, ry = boxes
+    low, high = np.maximum(x - rx - 4 * U * x, 0.0), (x + rx) * UP
+    below, above = np.maximum(y - ry - 4 * U * y, 0.0), (y + ry) * UP
+    inside = low * below <= product * UP
+    low, high, below, above = (part[inside] for part in (low, high, below, above))
+    with np.errstate(all="ignore"):
+        high = np.minimum(high, np.where(below > 0, product / below * UP, np.inf))
+        above = np.minimum(above, np.where(low > 0, product / low * UP, np.inf))
+    high, above = np.maximum(high, low), np.maximum(above, below)
+    x, y = (low + high) / 2, (below + above) / 2
+    return x, np.maximum(high - x, x - low) * UP + 4 * U * x, y, np.maximum(above - y, y - below) * UP + 4 * U * y
 
 
 def _halved(boxes: tuple[Any, ...], by_x: Any) -> tuple[Any, ...]:

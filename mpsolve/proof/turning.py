@@ -54,7 +54,8 @@ def regular(A: Jet) -> Regular:
         x = np.ones((len(E), n))
         for _ in range(12):
             y = np.einsum("bij,bj->bi", E, x)
-            x = y / y.max(1, keepdims=True) + 1e-4
+            y = y + 0.02 * x  # no floor: each component has a unit of its own
+            x = y / y.max(1, keepdims=True)
         theta = np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP
         return Regular(R, x, theta, finite & (theta < THETA))
 

@@ -57,6 +57,19 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
     return found
 
 
+def nearest_root(reduced: Reduced, q: complex) -> complex | None:
+    """Where Newton's method leads from q̂, or None where it does not settle."""
+    function, at = Floats(reduced), np.array([q])
+    for _ in range(_STEPS):
+        step = _step(function, at, np.zeros(0, complex))
+        if not np.isfinite(step[0]):
+            return None
+        at = at + step
+        if abs(step[0]) < 1e-9 * abs(at[0]):  # at a root itself the next step is not finite
+            return complex(at[0])
+    return None
+
+
 def _number(found: Any, symmetric: bool) -> int:
     if not symmetric:
         return len(found)

@@ -9,30 +9,99 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from flint import acb, arb, fmpq
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.jets import UP, U
 from mpsolve.problem.reduced import Reduced
 
 
 def closing_argument(reduced: Reduced, rho: float, middle: Any, radius: Any) -> arb:
-    """Σ Arg(pivots of M) at q̂ = ρ from G between the places; PrecisionError where a pivot is not told from 0."""
-    with precision(96):
-        M = _accretive(reduced, acb(0, rho), middle, radius)
-        total = arb(0)
-        while M:
-            k = max(range(len(M)), key=lambda i: float(abs(M[i][i]).mid()))
-            pivot = M[k][k]
-            if pivot.contains(0):
-                raise PrecisionError("the mobility at the corner of the contour is singular to within its error")
-            total += pivot.arg()
-            rest = [i for i in range(len(M)) if i != k]
-            M = [[M[i][j] - M[i][k] * M[k][j] / pivot for j in rest] for i in rest]
-        return total
+    """Σ Arg(pivots of M) at q̂ = ρ from G = middle ± radius between the places; PrecisionError where it stays open.
+
+    M is accretive where V is passive at ρ, as the caller has proved; that M₀, made of the middle, is so too is proved
+    here. Accretive matrices are a convex set, so their arguments
+    differ by arg det(I + M₀⁻¹(M − M₀)) as taken along the segment, at most n ‖M₀⁻¹(M − M₀)‖/(1 − ‖…‖). The pivots of
+    M₀ are free of the error of G, and are followed with as many bits as elimination loses.
+    """
+    spread = _spread(reduced, rho, middle, radius)
+    if not _passive(rho, middle):
+        raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
+    for bits in (128, 512, 2048):
+        with precision(bits):
+            total = _pivot_arguments(_accretive(reduced, acb(0, rho), middle))
+            if total is not None:
+                return total + arb(0, spread)
+    raise PrecisionError("the mobility at the corner of the contour is singular to within its error")
 
 
-def _accretive(reduced: Reduced, sigma: acb, middle: Any, radius: Any) -> list[list[acb]]:
+def _passive(rho: float, middle: Any) -> bool:
+    """Whether iρG with the middle of G has a positive definite Hermitian part: its pivots are positive."""
+    for bits in (128, 512, 2048):
+        with precision(bits):
+            G = [[acb(complex(x)) for x in row] for row in middle]
+            n = len(G)
+            H = [[acb(0, rho) * G[i][j] + acb(0, -rho) * G[j][i].conjugate() for j in range(n)] for i in range(n)]
+            if _pivots_positive(H):
+                return True
+    return False
+
+
+def _pivots_positive(H: list[list[acb]]) -> bool:
+    """Whether elimination of a Hermitian matrix meets pivots that are proved positive only."""
+    while H:
+        if not H[0][0].real > 0:
+            return False
+        first, rows = H[0], H[1:]
+        H = [[row[j] - row[0] / first[0].real * first[j] for j in range(1, len(first))] for row in rows]
+    return True
+
+
+def _pivot_arguments(M: list[list[acb]]) -> arb | None:
+    """The sum of the principal arguments of the pivots, largest diagonal entry first; None where one may be 0."""
+    total = arb(0)
+    while M:
+        k = max(range(len(M)), key=lambda i: float(abs(M[i][i]).mid()))
+        pivot, row, column = M[k][k], M[k], [M[i][k] for i in range(len(M))]
+        if pivot.contains(0):
+            return None
+        total += pivot.arg()
+        rest = [i for i in range(len(M)) if i != k]
+        M = [
+            [M[i][j] - column[i] / pivot * row[j] for j in rest] if column[i] != 0 else [M[i][j] for j in rest]
+            for i in rest
+        ]
+    return total
+
+
+def _spread(reduced: Reduced, rho: float, middle: Any, radius: Any) -> float:
+    """A bound of how far the arguments of M and M₀ differ."""
+    with precision(64):
+        exact = _accretive(reduced, acb(0, rho), middle)
+    M0 = np.array([[complex(x) for x in row] for row in exact])
+    n, m = len(M0), reduced.bodies
+    index = np.array(reduced.index)
+    error = np.zeros((n, n))
+    error[m:, m:] = rho * radius[np.ix_(index, index)] * UP
+    with np.errstate(all="ignore"):
+        R = np.linalg.inv(M0)
+        size, lost = np.abs(R), 64 * (n + 4) * U  # of the product, and of the rounding of M₀ to floats
+        defect = np.abs(R @ M0 - np.eye(n)) + lost * (size @ np.abs(M0) + 1)
+        x = np.ones(n)
+        for _ in range(12):
+            y = (defect + size @ error) @ x
+            x = y / y.max() + 1e-4
+        eta = np.max(defect @ x / x) * UP
+        e = np.max(size @ error @ x / x) * UP / (1 - eta)
+    if not (eta < 0.5 and e < 0.1):
+        raise PrecisionError("the mobility at the corner of the contour is singular to within its error")
+    return float(n * e / (1 - e) * UP)
+
+
+def _accretive(reduced: Reduced, sigma: acb, middle: Any) -> list[list[acb]]:
+    """M(σ) with G as given."""
     n, contacts = reduced.bodies, reduced.contacts
     kept = n - reduced.neutral
     out = [[acb(0)] * (n + contacts) for _ in range(n + contacts)]
@@ -47,8 +116,7 @@ def _accretive(reduced: Reduced, sigma: acb, middle: Any, radius: Any) -> list[l
             out[n + j][i] = acb(_ball(reduced.B[i][j]))
     for i, a in enumerate(reduced.index):
         for j, b in enumerate(reduced.index):
-            error = arb(0, float(radius[a, b]))
-            out[n + i][n + j] = sigma * (acb(complex(middle[a, b])) + acb(error, error))
+            out[n + i][n + j] = sigma * acb(complex(middle[a, b]))
         out[n + i][n + i] += sigma * _ball(reduced.h[i])
     return out
 

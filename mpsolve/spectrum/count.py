@@ -12,21 +12,22 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import Path, Paths, Proved
+from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
-from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
-from mpsolve.tracks.passive import passivity
+from mpsolve.spectrum.premises import open_at_rest, require_premises
+from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
-_GIVES = "the track gives energy to some forces at rest, so no theorem about passive vehicles holds on it"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
+_AT_REST_REACH = 8.0  # and how far it goes where nothing moves
 Tell = Callable[[str, float], None]
 
 
@@ -50,62 +51,68 @@ class Count:
         return sum(path.pieces for path in self.paths)
 
 
-def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) -> Count:
+def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
-    A half-plane whose theorem fails comes back as the half-disc that was counted; a height or radius that is no float
-    in scaled units is rounded, heights down. The answer's region is what was proved. InputError where a cut enters
-    the region, for then no path round it tells of its inside.
+    A half-plane whose theorem fails comes back as the half-disc that was counted; a height or radius that is no
+    float in scaled units is rounded, heights down. The answer's region is what was proved. InputError where a premise
+    fails.
     """
-    _require_premise(reduced, region)
+    require_premises(reduced, region)
     arrays = Arrays(reduced)
     first = start(reduced.guide)
-    paths = Paths(arrays, first)
-    if isinstance(region, Box):
+    paths = Paths(arrays, first, room)
+    if isinstance(region, Rectangle):
         return _box(paths, first, region, effort)
+    if waves_meet_at_zero(reduced.guide) and not (_at_rest(reduced, region) and not open_at_rest(reduced)):
+        raise WavesMeetError
     height = scaled_height(reduced, region.height) if isinstance(region, Below) else 0.0
-    passive = passivity(reduced.problem.track).passive
-    if passive and not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None:
-        return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
+    if region.radius is not None:
+        return _disc(paths, first, region, height, "", effort)
     tell("passivity", 0.0)
-    beyond = plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if passive else _GIVES
+    closed = open_at_rest(reduced) or (
+        plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if reduced.guide.v else None
+    )
     tell("contour", 0.3)
-    if isinstance(beyond, str):
-        return _disc(paths, first, region, height, beyond, effort)
-    return _half_plane(paths, first, height, beyond, effort)
+    if isinstance(closed, str):
+        return _disc(paths, first, region, height, closed, effort)
+    if closed is None and not height:
+        return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
+    return _half_plane(paths, first, height, closed, effort)
 
 
-def _require_premise(reduced: Reduced, region: Region) -> None:
-    """No cut enters the region: no p-root of the track is real there."""
-    track = reduced.problem.track
-    top = region.im_max if isinstance(region, Box) else getattr(region, "height", Fraction(0))
-    if at_rest(track).status is Status.UNSTABLE:
-        raise InputError("track", f"cannot be used: {at_rest(track).sentence}")
-    if top > 0 and top > lowest_cut(track)[0]:
-        low = float(lowest_cut(track)[0])
-        raise InputError(
-            "region", f"reaches up to Im q = {float(top):.6g}, but a cut begins at {low:.6g}: end it below"
-        )
+def _at_rest(reduced: Reduced, region: Region) -> bool:
+    return not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None
 
 
-def _half_plane(paths: Paths, first: Start, h: float, beyond: Beyond, effort: Effort) -> Count:
+def _half_plane(paths: Paths, first: Start, h: float, beyond: Beyond | None, effort: Effort) -> Count:
+    """The count that passivity closes: beyond a rectangle, or at rest (None) everywhere in Im q < 0."""
     reduced = paths.arrays.reduced
-    rho = beyond.rho
+    rho = beyond.rho if beyond is not None else _AT_REST_REACH
     chain = (
         paths.plan("link", _descent(first, h), effort),
         paths.plan("turn", _along(rho, h), effort),
-        beyond.walls,
-        beyond.axis,
+        *((beyond.walls, beyond.axis) if beyond is not None else ()),
     )
     proved = paths.prove(chain, effort)
     with precision(64):
         middle, radius = proved.corners[1]
+        _require_passive(rho, middle, radius)
         closing = closing_argument(reduced, rho, middle, radius)
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
     held = Below(_unscaled(reduced, h), reach=exact) if h else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
+
+
+def _require_passive(rho: float, middle: Any, radius: Any) -> None:
+    """V + V* is positive definite for every G in middle ± radius: PrecisionError where that is not proved."""
+    a = 1j * rho * middle
+    e = (rho * radius + 8 * U * np.abs(a)) * UP
+    V = Jet(a[None], np.zeros_like(a[None]), e[None], np.zeros(1))
+    if not positive(V, np.array([1j]), np.zeros(1))[0]:
+        raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
 
 
 def _disc(paths: Paths, first: Start, region: Region, h: float, why: str, effort: Effort) -> Count:
@@ -123,14 +130,10 @@ def _disc(paths: Paths, first: Start, region: Region, h: float, why: str, effort
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
 
-def _box(paths: Paths, first: Start, box: Box, effort: Effort) -> Count:
+def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
     reduced = paths.arrays.reduced
     unit = reduced.frequency_unit
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
-    if any(Fraction(x) * unit != y for x, y in ((a, box.re_min), (b, box.re_max), (c, box.im_min), (d, box.im_max))):
-        raise PrecisionError(
-            "the sides of the rectangle are no floats in the scaled unit: give sides of at most 15 digits in binary"
-        )
     corners = [complex(a, c), complex(b, c), complex(b, d), complex(a, d), complex(a, c)]
     around = np.concatenate([_line(x, y, 12)[:-1] for x, y in pairwise(corners)] + [corners[-1:]])
     below = complex(0, -first.depth)
@@ -167,7 +170,7 @@ def _unscaled(reduced: Reduced, x: float) -> Fraction:
 
 
 def _radius(reduced: Reduced, region: Region) -> float:
-    """The radius of the half-disc: the asked one, or one beyond the vehicle's and the track's own frequencies."""
+    """The radius of the half-disc in scaled units: the asked one to the nearest float, or one of some size."""
     asked = getattr(region, "radius", None)
     return float(asked / reduced.frequency_unit) if asked is not None else 8.0
 

@@ -11,15 +11,17 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
-from mpsolve.spectrum.enclose import RootBall, Symmetry, enclose
+from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.reasons import reason_of
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.spectrum.spectrum import disjoint
 
 Tell = Callable[[str, float], None]
@@ -43,14 +45,15 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
 def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
         count = count_roots(reduced, region, effort, tell)
-    except EffortError as error:
-        return Found(None, (), Reason("effort", str(error), {}, "allow more effort"))
-    except PrecisionError as error:
-        return Found(None, (), Reason("count", str(error), {}, _COUNT_REMEDY))
+    except (EffortError, PrecisionError) as error:
+        return Found(None, (), reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
-    tell("roots", 0.5)
-    balls = _enclosed(reduced, count, digits, tell)
+    try:
+        tell("roots", 0.5)
+        balls = _enclosed(reduced, count, digits, tell)
+    except EffortError as error:
+        return Found(count, (), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -63,7 +66,7 @@ def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: 
     return Found(count, balls, None)
 
 
-_COUNT_REMEDY = "move the parameters a little, or ask for a rectangle that keeps away from the place named"
+_NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
 def unstable_number(balls: tuple[RootBall, ...]) -> int:
@@ -81,7 +84,7 @@ def _sign(ball: RootBall) -> bool | None:
 def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     """Scaled rectangles that hold the right half of all counted roots."""
     region, unit = count.region, reduced.frequency_unit
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         return (Area(*(float(x / unit) for x in (region.re_min, region.re_max, region.im_min, region.im_max))),)
     if count.beyond is not None:
         width, depth = count.beyond.rho, count.beyond.depth
@@ -94,7 +97,7 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
 
 
 def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
-    symmetric = not isinstance(count.region, Box)
+    symmetric = not isinstance(count.region, Rectangle)
     hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
     seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
     proved = Proved(reduced)
@@ -122,14 +125,15 @@ def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
 def _inside(region: Region, ball: RootBall) -> bool:
     """Whether the ball is proved to lie in the region."""
     re, im = ball.q.real, ball.q.imag
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
         return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
-    below = bool(im < 0) and (region.radius is None or abs(ball.q) < _ball(region.radius))
+    near = region.radius is None or bool(abs(ball.q) < _ball(region.radius))
+    below = bool(im < 0) and near
     if isinstance(region, HalfPlane):
         return below
-    reach = region.reach or Fraction(0)
-    return below or bool(im < _ball(region.height) and abs(re) < _ball(reach) and im > -_ball(region.height))
+    strip = bool(im < _ball(region.height) and abs(re) < _ball(region.reach or Fraction(0)))
+    return below or (strip and (near or bool(im >= 0)))
 
 
 def _ball(x: Fraction) -> Any:
@@ -140,4 +144,4 @@ def _ball(x: Fraction) -> Any:
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
     """A height below the lowest cut, short in scaled units."""
-    return Fraction(float(np.float32(0.75 * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit
+    return Fraction(float(np.float32(_NEAR * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit

@@ -38,7 +38,7 @@ def split_felt(pencil: Pencil) -> Parts:
     if _definite_at_rest(pencil):
         return Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
     H = [[M[i][j] + C[i][j] + K[i][j] for j in range(n)] for i in range(n)]
-    felt = _closure(H, (M, C, K), [[row[j] for row in B] for j in range(len(pencil.places))])
+    felt = _simple(_closure(H, (M, C, K), [[row[j] for row in B] for j in range(len(pencil.places))]))
     neutral = _kernel([*K, *[[row[j] for row in B] for j in range(len(pencil.places))]], n)
     neutral = _project(neutral, felt, H)
     if len(felt) == n and not neutral:
@@ -76,6 +76,21 @@ def _closure(H: list[Vector], maps: tuple[list[Vector], ...], start: list[Vector
             basis.append(vector)
             queue += [_solve(H, _times(rows, vector)) for rows in maps]
     return basis
+
+
+def _simple(vectors: list[Vector]) -> list[Vector]:
+    """The basis of the same space with as many zeros as elimination gives: those of a chain are nearly parallel."""
+    out: list[Vector] = []
+    for vector in vectors:
+        rest = list(vector)
+        for row in out:
+            lead = next(i for i, x in enumerate(row) if x)
+            rest = [a - rest[lead] * b for a, b in zip(rest, row, strict=True)]
+        lead = next(i for i, x in enumerate(rest) if x)
+        rest = [x / rest[lead] for x in rest]
+        out = [[a - row[lead] * b for a, b in zip(row, rest, strict=True)] for row in out]
+        out.append(rest)
+    return out
 
 
 def _independent(vector: Vector, echelon: list[Vector]) -> bool:

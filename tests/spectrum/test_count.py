@@ -19,7 +19,7 @@ from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum import count as module
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.tracks.waveguide import Polynomial, Waveguide
 
@@ -63,7 +63,7 @@ def test_half_planes_below_heights_and_rectangles(v: str, number: int) -> None:
     assert above.region.height == height
     assert above.total == pytest.approx(winding(reduced, corners))
     assert above.total > number
-    box = Box("1/8", 1, "-1/2", "1/32")
+    box = Rectangle("1/8", 1, "-1/2", "1/32")
     right = count(reduced, box)
     assert right.region == box
     assert right.total == pytest.approx(winding(reduced, [0.125 - 0.5j, 1 - 0.5j, 1 + 1j / 32, 0.125 + 1j / 32]))
@@ -126,7 +126,7 @@ def test_the_region_says_the_height_that_was_proved() -> None:
     assert Fraction(top) * reduced.frequency_unit == found.region.height
 
 
-@pytest.mark.parametrize("region", [Box(-1, 1, "-1/2", 1), Below(Fraction(1)), Box(-1, 1, "1/2", 1)])
+@pytest.mark.parametrize("region", [Rectangle(-1, 1, "-1/2", 1), Below(Fraction(1)), Rectangle(-1, 1, "1/2", 1)])
 def test_a_region_that_reaches_a_cut_is_refused(region: Region) -> None:
     assert lowest_cut(BEAM)[1] < 0.06
     with pytest.raises(InputError, match="cut"):
@@ -135,7 +135,7 @@ def test_a_region_that_reaches_a_cut_is_refused(region: Region) -> None:
 
 def test_a_rectangle_whose_sides_are_no_floats_is_refused() -> None:
     with pytest.raises(PrecisionError, match="floats"):
-        count(pair("0.5"), Box(0, 1, "-1/2", "1/100"))
+        count(pair("0.5"), Rectangle(0, 1, "-1/2", "1/100"))
 
 
 def test_at_rest_nothing_is_counted_only_on_a_passive_track() -> None:
@@ -173,7 +173,7 @@ def test_a_track_that_is_unstable_by_itself_is_refused() -> None:
 def test_close_contacts_whose_exponents_are_all_small() -> None:
     """|Pξ| < 1/4 at all points: the exponential of a batch of small numbers."""
     close: Any = pair("0.5", "1/50")
-    box = Box("1/8", "1/4", "-1/8", "-1/64")
+    box = Rectangle("1/8", "1/4", "-1/8", "-1/64")
     found = count(close, box)
     assert found.total == pytest.approx(
         winding(close, [0.125 - 0.125j, 0.25 - 0.125j, 0.25 - 1j / 64, 0.125 - 1j / 64])

@@ -1,0 +1,105 @@
+"""What a count presupposes of track, velocity and contacts, decided exactly (SPEC, premises).
+
+Every count needs a receptance that is one analytic function of q in the region: no cut enters it, N/D falls as 1/p²,
+and the velocity is no wave speed, at which a p-root comes from infinity. Passivity in the half-plane needs a track
+that gives no energy at rest, with a receptance that falls with the frequency.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.model import shown
+from mpsolve.problem.reduced import Reduced
+from mpsolve.spectrum.regions import Below, Rectangle, Region
+from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
+from mpsolve.tracks.passive import passivity
+
+
+def require_premises(reduced: Reduced, region: Region) -> None:
+    """InputError where no count in this region has a meaning."""
+    _require_track(reduced)
+    _require_velocity(reduced)
+    _require_no_cut(reduced, region)
+    _require_forces(reduced)
+
+
+def _require_track(reduced: Reduced) -> None:
+    rest = at_rest(reduced.problem.track)
+    if rest.status is Status.UNSTABLE:
+        raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
+    if rest.status is Status.UNDAMPED:
+        raise InputError("track", "has vibrations without damping, which is not decided here: give it some damping")
+
+
+def _require_velocity(reduced: Reduced) -> None:
+    """No power of p is lost at this velocity, and the receptance is continuous under the load."""
+    guide, v = reduced.guide, reduced.problem.v
+    if v and guide.degree < max(i + j for i, j in guide.D_rest):
+        stated = f"is {shown(v)}, exactly a speed at which waves of the track run as they become short"
+        raise InputError("v", f"{stated}, where the equations lose a solution: change it a little")
+    if max(i for i, _ in guide.N) + 2 > guide.degree:
+        stated = "has a receptance that is not continuous under a point load"
+        raise InputError("track", f"{stated}: give the loaded field a bending stiffness or a tension")
+
+
+def _require_no_cut(reduced: Reduced, region: Region) -> None:
+    """A region above the real axis ends below the lowest cut."""
+    height = (
+        region.im_max
+        if isinstance(region, Rectangle)
+        else region.height
+        if isinstance(region, Below)
+        else Fraction(0)
+    )
+    if height <= 0:
+        return
+    low, _ = lowest_cut(reduced.problem.track)
+    if height <= low:
+        return
+    name = "region.im_max" if isinstance(region, Rectangle) else "region"
+    if not low:
+        stated = f"reaches up to {shown(height)}, but cuts of this track come down to the real axis"
+        raise InputError(name, f"{stated}: give an upper side of at most 0")
+    stated = f"reaches up to {shown(height)}, but must end below the lowest cut, at {float(low):.6g}"
+    raise InputError(name, f"{stated}: give a smaller height")
+
+
+def _require_forces(reduced: Reduced) -> None:
+    """No set of contact forces is felt by nobody: B f = 0, h f = 0 and no resultant at any place only for f = 0."""
+    contacts = range(reduced.contacts)
+    rows = [list(row) for row in reduced.B]
+    rows += [[Fraction(int(reduced.index[j] == k)) for j in contacts] for k in range(len(reduced.places))]
+    rows += [[reduced.h[i] if i == j else Fraction(0) for j in contacts] for i in contacts]
+    if _rank(rows) < reduced.contacts:
+        stated = "has two tight contacts of one rigid body at one place, which share a force that nothing determines"
+        raise InputError("vehicles", f"{stated}: leave one of them out, or give them a contact stiffness")
+
+
+def _rank(rows: list[list[Fraction]]) -> int:
+    rank = 0
+    for column in range(len(rows[0])):
+        pivot = next((i for i in range(rank, len(rows)) if rows[i][column]), None)
+        if pivot is None:
+            continue
+        rows[rank], rows[pivot] = rows[pivot], rows[rank]
+        for i in range(rank + 1, len(rows)):
+            factor = rows[i][column] / rows[rank][column]
+            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[rank], strict=True)]
+        rank += 1
+    return rank
+
+
+def open_at_rest(reduced: Reduced) -> str:
+    """Why the track at rest is not known to be passive; "" where σG is proved positive real at v = 0."""
+    guide = reduced.guide
+    found = passivity(reduced.problem.track)
+    if not found.passive:
+        p, omega = found.witness or (0.0, 0.0)
+        return f"the track at rest gives energy to a harmonic force, at p = {p:.4g}, Omega = {omega:.4g}"
+    if max(j for _, j in guide.N_rest) >= max(j for _, j in guide.D_rest):
+        return (
+            "the track's receptance does not fall with the frequency: the loaded field has neither mass nor damping"
+        )
+    return ""

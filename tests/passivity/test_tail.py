@@ -1,0 +1,186 @@
+"""Beyond X the receptance matrix is passive: against residue sums, and each bound against sampled values."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from oracle_general import Floats
+from oracle_general.package import as_problem
+
+from mpsolve.characteristic.table import Table
+from mpsolve.numbers.jets import UP
+from mpsolve.passivity.tail import (
+    Absorption,
+    Tail,
+    _clipped,
+    _envelope,
+    _negative,
+    _supremum,
+    block_holds,
+    bounds,
+    outweighs,
+    prove_tail,
+)
+from mpsolve.problem.reduced import reduce_problem
+
+RAIL = {"model": "euler-bernoulli", "EI": "6.38e6", "m": "60.2", "k": "1e6", "c": "770"}
+TRACKS = {
+    "euler-bernoulli": (RAIL, "150"),
+    "kelvin-voigt": ({**RAIL, "c": "0", "eta": "1e-4"}, "150"),
+    "string": ({"model": "string", "T": "27000", "m": "1.07", "k": "500", "c": "2"}, "140"),
+    "timoshenko": ({**RAIL, "model": "timoshenko", "S": "2.4e8", "J": "0.24"}, "300"),
+    "two-layer": ({"model": "two-layer", "EI": "6.38e6", "m": "60.2", "k_pad": "300e6", "c_pad": "3e4",
+                   "m_sleeper": "250", "k_ballast": "100e6", "c_ballast": "8e4"}, "400"),
+    "ballast damped lightly": ({"model": "two-layer", "EI": "1.78e6", "m": "77.1", "k_pad": "2.39e7", "c_pad": "0",
+                              "m_sleeper": "36.8", "k_ballast": "7.36e6", "c_ballast": "2450"}, "309.5"),
+}  # fmt: skip
+
+
+def plain(name: str, gap: str = "2.5", count: int = 2) -> dict[str, Any]:
+    track, v = TRACKS[name]
+    places = [str(float(gap) * k) for k in range(count)]
+    return {"track": track, "v": v, "vehicles": [{"model": "mass", "M": "900", "at": x} for x in places]}
+
+
+def proved(name: str, gap: str = "2.5") -> tuple[Any, Absorption, Tail]:
+    reduced = reduce_problem(as_problem(plain(name, gap)))
+    tail = prove_tail(reduced.guide, reduced.smallest_gap)
+    assert tail is not None
+    return reduced, Absorption.of(reduced.guide), tail
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_the_matrix_is_passive_beyond(name: str) -> None:
+    reduced, _, tail = proved(name)
+    unit = float(reduced.frequency_unit)
+    for count in (2, 3):
+        floats = Floats(plain(name, count=count))
+        q = tail.X * unit * np.geomspace(1, 30, 60) + 0j
+        G = floats.receptance(q)
+        H = -(G - np.swapaxes(G.conj(), 1, 2)) / 2j
+        values = np.linalg.eigvalsh(H)
+        assert (values[:, 0] > -1e-13 * np.abs(G).max((1, 2))).all()
+        if "ballast" not in name:
+            assert (values[:, 0] > 0).all()
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_each_bound_holds_where_it_is_sampled(name: str) -> None:
+    reduced, _, tail = proved(name)
+    guide, v = reduced.guide, reduced.guide.v
+
+    def power(p: Fraction, omega: Fraction) -> Fraction:
+        """W/|D|², exactly."""
+        (a, b), (c, d) = (parts(polynomial, p, omega) for polynomial in (guide.D_rest, guide.N_rest))
+        return -(d * a - c * b) / (a * a + b * b)
+
+    rng = np.random.default_rng(3)
+    for _ in range(60):
+        q = Fraction(tail.X * 10 ** rng.uniform(0, 3))
+        for z1, z2, kappa in tail.blocks:
+            p = Fraction(rng.uniform(z1, z2) * float(q) ** float(tail.gamma))
+            assert q > v * p
+            assert float(power(p, q - v * p)) > kappa * float(q) ** -float(tail.e) * (1 - 1e-9)
+    for k in range(400):
+        p = Fraction(tail.X / float(v) * 10 ** rng.uniform(0, 2))
+        omega = -v * p * Fraction(rng.uniform() if k % 2 else 10 ** rng.uniform(-6, 0))
+        assert abs(float(power(p, omega))) < tail.C * float(p) ** -tail.alpha * (1 + 1e-9)
+
+
+def parts(polynomial: Any, p: Fraction, omega: Fraction) -> tuple[Fraction, Fraction]:
+    """Real and imaginary part of a polynomial at P = ip, s = iΩ."""
+    sums = [Fraction(0)] * 4
+    for (i, j), c in polynomial.items():
+        sums[(i + j) % 4] += c * p**i * omega**j
+    return sums[0] - sums[2], sums[1] - sums[3]
+
+
+def test_the_frequency_is_not_far() -> None:
+    limits = {"euler-bernoulli": 2, "kelvin-voigt": 8, "string": 30, "timoshenko": 1.3, "two-layer": 2}
+    found = {name: proved(name, "20" if name == "string" else "2.5")[2].X for name in limits}
+    assert all(found[name] <= limit for name, limit in limits.items()), found
+
+
+@pytest.mark.parametrize("name", ["euler-bernoulli", "string"])
+def test_a_bound_that_is_too_good_is_not_proved(name: str) -> None:
+    reduced, absorption, tail = proved(name)
+    v, gap = reduced.guide.v, reduced.smallest_gap
+    assert outweighs(tail, v, gap)
+    assert block_holds(absorption, v, tail)
+    dear = replace(tail, blocks=tuple((a, b, 3 * kappa) for a, b, kappa in tail.blocks))
+    assert not block_holds(absorption, v, dear)
+    far = 1.01 / float(v) * tail.X ** float(1 - tail.gamma)
+    assert not block_holds(absorption, v, replace(tail, blocks=((tail.blocks[0][0], far, 1e-30),)))
+    assert not block_holds(absorption, v, replace(tail, e=tail.e + 1))
+    assert not outweighs(replace(tail, C=1e6 * tail.C), v, gap)
+    assert not outweighs(replace(tail, alpha=1), v, gap)
+    assert not outweighs(replace(tail, e=tail.e + 9), v, gap)
+    assert not outweighs(replace(tail, gamma=-tail.gamma, e=Fraction(0)), v, gap)
+    a, b, kappa = tail.blocks[0]
+    assert not outweighs(replace(tail, blocks=((a, b, kappa), ((a + b) / 2, b + 1, kappa))), v, gap)
+    short = 6.2 / float(gap or 1) / tail.X ** float(tail.gamma)
+    assert not outweighs(replace(tail, blocks=tuple((a, a + short, 1e9) for a, _, _ in tail.blocks)), v, gap)
+
+
+def test_the_envelope_is_near_what_is_given() -> None:
+    for name in ("euler-bernoulli", "timoshenko", "ballast damped lightly"):
+        reduced, absorption, tail = proved(name)
+        C = _envelope(absorption, reduced.guide.v, tail)
+        assert C is not None
+        assert C < tail.C < 2 * C
+
+
+@pytest.mark.parametrize(("name", "v"), [("string", "170"), ("timoshenko", "2100")])
+def test_faster_than_waves_there_is_none(name: str, v: str) -> None:
+    reduced = reduce_problem(as_problem({**plain(name), "v": v}))
+    assert prove_tail(reduced.guide, reduced.smallest_gap) is None
+
+
+def test_where_the_bottom_vanishes_there_is_no_bound() -> None:
+    circle = {(2, 0): Fraction(1), (0, 2): Fraction(1), (0, 0): Fraction(-1)}
+    one = {(0, 0): Fraction(1)}
+    assert _supremum(one, circle, ((0.0, 2.0), (0.0, 2.0)), 9.0) is None
+    assert _supremum(one, circle, ((0.0, 0.5), (0.0, 0.5)), 9.0) is None  # negative there
+    away = {(2, 0): Fraction(1), (0, 2): Fraction(1), (0, 0): Fraction(1, 4)}
+    found = _supremum(one, away, ((0.0, 2.0), (0.0, 2.0)), 1.0)
+    assert found is not None
+    assert 4 <= found < 6.1
+
+
+def test_a_touching_polynomial_is_not_negative() -> None:
+    touching = {(2, 0): Fraction(-1), (1, 1): Fraction(2), (0, 2): Fraction(-1)}
+    assert not _negative(touching, ((0.0, 1.0), (0.0, 1.0)))
+    assert _negative({**touching, (0, 0): Fraction(-1, 1000)}, ((0.0, 1.0), (0.0, 1.0)))
+
+
+SIDE = st.tuples(st.floats(0, 4), st.floats(0, 4)).map(sorted)
+PART = st.fractions(0, 1, max_denominator=50)
+
+
+@given(st.dictionaries(st.tuples(st.integers(0, 5), st.integers(0, 4)), st.fractions(-9, 9, max_denominator=40), min_size=1),
+       SIDE, SIDE, PART, PART)  # fmt: skip
+def test_bounds_hold_exactly(polynomial: Any, x: list[float], y: list[float], s: Fraction, t: Fraction) -> None:
+    boxes = tuple(np.array([value]) for a, b in (x, y) for value in ((a + b) / 2, (b - a) / 2 * UP + 1e-15 * b))
+    low, high, _ = bounds(Table.of(polynomial), boxes)
+    at = [Fraction(a) + part * (Fraction(b) - Fraction(a)) for (a, b), part in ((x, s), (y, t))]
+    value = sum(c * at[0] ** i * at[1] ** j for (i, j), c in polynomial.items())
+    assert Fraction(low[0]) <= value <= Fraction(high[0])
+
+
+@given(SIDE, SIDE, PART, PART, st.floats(1e-3, 9))
+def test_clipping_keeps_what_counts(x: list[float], y: list[float], s: Fraction, t: Fraction, product: float) -> None:
+    boxes = tuple(np.array([value]) for a, b in (x, y) for value in ((a + b) / 2, (b - a) / 2 * UP + 1e-15 * b))
+    at = [Fraction(a) + part * (Fraction(b) - Fraction(a)) for (a, b), part in ((x, s), (y, t))]
+    left = _clipped(boxes, product)
+    if at[0] * at[1] <= Fraction(product):
+        assert len(left[0]) == 1
+        for value, middle, radius in ((at[0], left[0], left[1]), (at[1], left[2], left[3])):
+            assert abs(value - Fraction(middle[0])) <= Fraction(radius[0])
+    for k in range(len(left[0])):
+        assert (left[0][k] - left[1][k]) * (left[2][k] - left[3][k]) <= product * (1 + 1e-9)
