@@ -16,9 +16,13 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import Path, Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.tail import Tail, prove_tail
+from mpsolve.passivity.tail import Absorption, Tail, overtakes, prove_tail
 from mpsolve.proof.effort import Effort
 
+_NO_TAIL = {
+    True: "no passivity beyond a frequency: the contacts run faster than short waves of the track",
+    False: "no passivity beyond a frequency is found: the track is damped too little for contacts so close",
+}
 _SHARE = 12000  # evaluations that one rectangle may take
 
 
@@ -41,9 +45,7 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
         return "the receptance is not proved to vanish at infinity"
     tail = prove_tail(guide, arrays.reduced.smallest_gap)
     if tail is None:
-        return (
-            "no passivity beyond a frequency: the contacts run faster than waves of the track, or it has no damping"
-        )
+        return _NO_TAIL[overtakes(Absorption.of(guide), guide.v)]
     reason = ""
     for ratio in (1e-2, 1e-4, 1.0):
         rho = max(_first_passive(arrays, paths.up, tail.X, ratio), least)

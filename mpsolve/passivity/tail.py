@@ -89,7 +89,7 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
     Floats propose X and the blocks; what is returned has been proved.
     """
     absorption = Absorption.of(guide)
-    if not absorption.W or not guide.v or _overtakes(absorption, guide.v):
+    if not absorption.W or not guide.v or overtakes(absorption, guide.v):
         return None
     searches = [_Search(absorption, guide, edge) for edge in edges(guide.D, guide.N) if 0 <= edge.slope <= 1]
     X, tries, C = least, 0, None
@@ -109,8 +109,8 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
     return None
 
 
-def _overtakes(absorption: Absorption, v: Fraction) -> bool:
-    """In floats: some short wave of the track runs at a speed below v, so that no envelope exists."""
+def overtakes(absorption: Absorption, v: Fraction) -> bool:
+    """In floats: some short wave of the track runs at a speed up to v, so that no envelope exists."""
     (_, i2), (_, n2), _ = _orders(absorption)
     speeds = np.zeros(i2 + 1)
     for (i, j), c in absorption.D2.items():

@@ -27,6 +27,7 @@ from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
+_MOST_REACH = 256.0  # scaled: of a disc whose radius is not given
 _AT_REST_REACH = 8.0  # and how far it goes where nothing moves
 Tell = Callable[[str, float], None]
 
@@ -172,7 +173,25 @@ def _unscaled(reduced: Reduced, x: float) -> Fraction:
 def _radius(reduced: Reduced, region: Region) -> float:
     """The radius of the half-disc in scaled units: the asked one to the nearest float, or one of some size."""
     asked = getattr(region, "radius", None)
-    return float(asked / reduced.frequency_unit) if asked is not None else 8.0
+    if asked is not None:
+        return float(asked / reduced.frequency_unit)
+    return float(min(max(8.0, 2.0 ** np.ceil(np.log2(1.5 * _own_frequency(reduced) + 1e-9))), _MOST_REACH))
+
+
+def _own_frequency(reduced: Reduced) -> float:
+    """In floats: the largest |σ̂| of the vehicle on a rigid rail, as far as its contacts have springs."""
+    K, C, M = (np.array([[float(x) for x in row] for row in rows]) for rows in reduced.S)
+    B = np.array([[float(x) for x in row] for row in reduced.B])
+    soft = [j for j, h in enumerate(reduced.h) if h]
+    K = K + (B[:, soft] / np.array([float(reduced.h[j]) for j in soft])) @ B[:, soft].T if soft else K
+    n = len(M)
+    try:
+        inverse = np.linalg.pinv(M)
+    except np.linalg.LinAlgError:
+        return 0.0
+    top = np.hstack([np.zeros((n, n)), np.eye(n)])
+    values = np.linalg.eigvals(np.vstack([top, np.hstack([-inverse @ K, -inverse @ C])]))
+    return float(np.abs(values).max()) if np.isfinite(values).all() else 0.0
 
 
 def _descent(first: Start, h: float) -> Any:
