@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import on_arc
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.characteristic.paths import discs, on_arc
+from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
@@ -133,9 +133,24 @@ def test_a_region_that_reaches_a_cut_is_refused(region: Region) -> None:
         count(pair("0.5"), region)
 
 
-def test_a_rectangle_whose_sides_are_no_floats_is_refused() -> None:
-    with pytest.raises(PrecisionError, match="floats"):
-        count(pair("0.5"), Rectangle(0, 1, "-1/2", "1/100"))
+def test_a_rectangle_whose_sides_are_no_floats_is_counted_as_it_stands() -> None:
+    """The discs of the pieces hold its exact sides, a rounding away."""
+    box = Rectangle("1/8", 1, "-1/2", "1/33")
+    found = count(pair("0.5"), box)
+    assert found.region == box
+    assert found.total == pytest.approx(winding(pair("0.5"), [0.125 - 0.5j, 1 - 0.5j, 1 + 1j / 33, 0.125 + 1j / 33]))
+    m, r = discs(found.paths[1].points[:-1], found.paths[1].points[1:])
+    at_top = found.paths[1].points[:-1].imag == found.paths[1].points.imag.max()
+    unit = found_unit()
+    for x in found.paths[1].points[:-1][at_top]:
+        exact = (Fraction(x.real), Fraction(1, 33) / unit)
+        inside = [(exact[0] - Fraction(c.imag)) ** 2 + (exact[1] + Fraction(c.real)) ** 2 <= Fraction(s) ** 2
+                  for c, s in zip(m, r, strict=True)]  # fmt: skip
+        assert any(inside)
+
+
+def found_unit() -> Fraction:
+    return pair("0.5").frequency_unit
 
 
 def test_at_rest_nothing_is_counted_only_on_a_passive_track() -> None:
