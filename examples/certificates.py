@@ -7,7 +7,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, certify, read_case
+from mpsolve import (
+    Case,
+    PhysicalCase,
+    Problem,
+    Rectangle,
+    Spectrum,
+    certify,
+    read_case,
+    read_problem,
+    tracks,
+    vehicles,
+)
 from mpsolve.report.figures import save_figure
 from mpsolve.report.figures_plane import q_plane
 
@@ -20,7 +31,12 @@ def pair(alpha: str, eta_b: str, eta_m: str, d: str) -> Case:
     return Case(alpha=alpha, eta_b=eta_b, eta_m=(eta_m, eta_m), positions=("0", d))
 
 
-CASES: dict[str, Case | PhysicalCase] = {
+MASS = vehicles.Mass("10e3")
+TIMOSHENKO = tracks.Timoshenko(EI="6377700", m="60.2", S="243.46e6", J="0.23871", k="1e6", c="770")
+JOINED = vehicles.Vehicle(
+    M=[[10, 0], [0, 10]], C=[[0, 0], [0, 0]], K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=[0, "1.5"]
+)
+CASES: dict[str, Case | PhysicalCase | Problem] = {
     "rail_60e1": read_case(HERE / "rail_60e1.toml"),
     "stable_d1.0_alpha0.96": pair("0.96", "0.05", "70", "1"),  # Section 4.3: unstable from 0.97 on
     "unstable_d1.0_alpha0.97": pair("0.97", "0.05", "70", "1"),
@@ -38,14 +54,29 @@ CASES: dict[str, Case | PhysicalCase] = {
     "rectangle": pair("0.67", "0.05", "70", "1.5"),
     "cluster_d100": pair("0.5", "0.05", "70", "100"),
     "thousand_digits": pair("0.67", "0.05", "70", "1.5"),
+    # certificates of version 2: any track and vehicles
+    "two_layer_bogie": read_problem(HERE / "two_layer_bogie.toml").problem,
+    "contact_wire": Problem(tracks.String(T="27e3", m="1.07", k=500, c=2), [vehicles.Mass("8.5")], v=100),
+    "timoshenko_stable": Problem(TIMOSHENKO, [MASS], v=300),
+    "timoshenko_unstable": Problem(TIMOSHENKO, [MASS], v=320),
+    "kelvin_voigt_pair": Problem(
+        tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770, eta="1e-4"), [MASS.at(0), MASS.at("3.4")], v=198
+    ),
+    "joined_masses": Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1, c=1), [JOINED], v="1.3"),  # an odd count
 }
-REGIONS = {"overdamped_line": "unstable", "rectangle": Rectangle("0.1", "0.2", "-0.1", "0.04")}
+REGIONS: dict[str, object] = {
+    "overdamped_line": "unstable",
+    "rectangle": Rectangle("0.1", "0.2", "-0.1", "0.04"),
+    "timoshenko_stable": "unstable",
+    "timoshenko_unstable": "unstable",
+    "joined_masses": "unstable",
+}
 DIGITS = {"thousand_digits": 1000}
 
 
 def prove(name: str) -> Spectrum:
     """The certified spectrum of one of the cases."""
-    return certify(CASES[name], digits=DIGITS.get(name, 30), region=REGIONS.get(name, "sheet"))  # type: ignore[arg-type]
+    return certify(CASES[name], digits=DIGITS.get(name, 30), region=REGIONS.get(name))
 
 
 def visualize(path: Path | str = "certificate.svg", name: str = "unstable_d1.5_alpha0.67") -> Path:

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
-    from mpsolve.certificate.certify import Spectrum, certify
-    from mpsolve.certificate.verify import Verdict, verify
+    from mpsolve.certificate.certify import certify
+    from mpsolve.certificate.check import verify
+    from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
@@ -20,11 +21,12 @@ if TYPE_CHECKING:
     from mpsolve.motion.solve import harmonic_solution, response
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
-    from mpsolve.numbers.rootball import RootBall
-    from mpsolve.outcome import Status
+    from mpsolve.outcome import Reason, Status
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
-    from mpsolve.sheet.region import Rectangle
+    from mpsolve.proof.effort import Effort
+    from mpsolve.spectrum.regions import Rectangle
+    from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
@@ -53,7 +55,9 @@ __all__ = [
     "Rectangle",
     "Spectrum",
     "Status",
-    "RootBall",
+    "Reason",
+    "Root",
+    "Effort",
     "frequencies",
     "Frequencies",
     "Outcome",
@@ -104,10 +108,12 @@ _HOME = {
     "read_case": "model.inputfile",
     "receptance": "characteristic.forced",
     "certify": "certificate.certify",
-    "Rectangle": "sheet.region",
-    "Spectrum": "certificate.certify",
+    "Rectangle": "spectrum.regions",
+    "Spectrum": "spectrum.spectrum",
     "Status": "outcome",
-    "RootBall": "numbers.rootball",
+    "Reason": "outcome",
+    "Root": "spectrum.spectrum",
+    "Effort": "proof.effort",
     "frequencies": "fast.frequencies",
     "Frequencies": "fast.frequencies",
     "Outcome": "fast.follow",
@@ -138,7 +144,7 @@ _HOME = {
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",
-    "verify": "certificate.verify",
+    "verify": "certificate.check",
     "Verdict": "certificate.verify",
     "MpsolveError": "errors",
     "InputError": "errors",

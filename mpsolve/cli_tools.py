@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 UNDECIDED = 1
 BAD_INPUT = 2
+INTERRUPTED = 130  # as a shell says of a program that ended by Ctrl-C
 
 
 @contextmanager
@@ -30,6 +31,8 @@ def one_sentence() -> Iterator[None]:
         status, message = BAD_INPUT, str(error)
     except MpsolveError as error:
         status, message = UNDECIDED, str(error)
+    except KeyboardInterrupt:
+        status, message = INTERRUPTED, "interrupted"
     else:
         return
     click.echo(f"mpsolve: {message}", err=True)

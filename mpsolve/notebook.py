@@ -11,11 +11,14 @@ from functools import singledispatch
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
+from mpsolve.model.parameters import PhysicalCase
 from mpsolve.motion.solution import Response
 from mpsolve.numbers.decimals import proved_digits
+from mpsolve.problem.cases import as_paper
+from mpsolve.report import spectrum_words as words
 from mpsolve.report.chart import picture
 from mpsolve.report.figures import figure_of
 from mpsolve.report.figures_plane import q_plane
@@ -24,7 +27,8 @@ from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.html_environment import rendered_template
 from mpsolve.report.statement import proved, verdict
 from mpsolve.report.text import in_words, motion_rows
-from mpsolve.report.vibration import vibrations
+from mpsolve.report.vibration import own_vibrations, vibrations
+from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.stability.chart import StabilityChart
 from mpsolve.stability.table import OnsetTable
 from mpsolve.stability.table_text import notes, proved_sentence
@@ -51,7 +55,7 @@ save_picture.register(StabilityChart, picture)
 
 
 @card.register
-def spectrum_card(spectrum: Spectrum) -> str:
+def spectrum_card(spectrum: SheetSpectrum) -> str:
     """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
     motions = vibrations(spectrum)
     rows = [
@@ -68,6 +72,29 @@ def spectrum_card(spectrum: Spectrum) -> str:
         notes=proved(spectrum),
         svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane"),
     )
+
+
+@card.register
+def problem_card(spectrum: Spectrum) -> str:
+    """Verdict and roots with eight digits in the problem's units; the q-plane where it is the paper's."""
+    if spectrum.sheet is not None and not isinstance(as_paper(spectrum.problem), PhysicalCase):
+        return spectrum_card(spectrum.sheet)
+    units, motions = words.units_of(spectrum), own_vibrations(spectrum)
+    rows = [
+        (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, units.time))
+        for motion, row in zip(motions, motion_rows(motions), strict=True)
+    ]
+    return rendered_template(
+        _TEMPLATE,
+        head=words.verdict(spectrum),
+        caption=f"Roots q in {units.q}, {spectrum.region}",
+        headings=(
+            "", "Re q", "Im q", f"frequency [{units.frequency}]", f"growth rate [{units.rate}]", "what it does",
+        ),
+        rows=rows,
+        notes=(*words.proved(spectrum), *filter(None, [words.verified(spectrum)])),
+        svg="",
+    )  # fmt: skip
 
 
 @card.register

@@ -32,8 +32,14 @@ def test_the_library_example(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
     exec(code, names)
-    assert (tmp_path / "case.json").exists()
+    assert (tmp_path / "pair.json").exists()
     assert len(code.strip().splitlines()) <= 12
+    found = names["s"]
+    said = (found.proved, found.stable, found.count, found.unstable, str(found.region), found.reason)
+    shown = re.findall(r"s\.reason\)  # (.*)$", code, flags=re.MULTILINE)[0].split("…")
+    printed = " ".join(map(str, said))
+    assert (printed.startswith(shown[0].strip()), printed.endswith(shown[1].strip())) == (True, True)
+    assert names["G"].shape == (2, 2)
 
 
 def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -48,11 +54,13 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
             assert (ROOT / re.findall(r'"(examples/[^"]*)"', expression)[0]).exists()
             continue
         value = eval(expression, names)
+        if said.startswith("2: "):
+            assert value == 2
         if said.startswith("["):
             digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
             assert value.str(60, radius=False).startswith(digits), expression
             balls += 1
-    assert (len(SHOWN), balls) == (13, 4)
+    assert (len(SHOWN), balls) == (14, 4)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
 
 

@@ -105,7 +105,7 @@ def missed(case: Case) -> float:
 
     The paper's measure (Section 4.1) of the truly transient part, which makes up for it.
     """
-    spectrum = certify(case, DIGITS)
+    spectrum = certify(case, digits=DIGITS)
     start = transient_importance(case, spectrum=spectrum).displacement[0]
     return abs(start) / sum(envelope(case, spectrum=spectrum).amplitudes)
 

@@ -62,7 +62,7 @@ def check() -> None:
 
 def _certified(eta_b: str, eta_m: float, d: float) -> float:
     case = Case(alpha="0.99", eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, float(d)))
-    return min(float(root.q.imag) for root in certify(case, 15).roots)
+    return min(float(root.q.imag) for root in certify(case, digits=15).roots)
 
 
 def visualize(path: Path | str = "figure_10.svg", eta_b: Any = ETA_B, masses: Any = MASSES) -> Path:

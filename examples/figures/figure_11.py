@@ -34,7 +34,9 @@ def check() -> None:
         late = vibration(case, 800 + swing * np.arange(1600) / 200)  # eight swings after the other pair has died out
         crests = np.abs(late.w).reshape(8, 200).max(axis=1)
         agree(np.log(crests[-1] / crests[0]) / (7 * swing), -q.imag, 1e-5)
-    onset = [certify(pair_of_masses(alpha, ETA_M, "1.5", ETA_B), DIGITS).unstable for alpha in ("0.6669", "0.667")]
+    onset = [
+        certify(pair_of_masses(alpha, ETA_M, "1.5", ETA_B), digits=DIGITS).unstable for alpha in ("0.6669", "0.667")
+    ]
     assert onset == [0, 2]
     for d, (heavy, *_) in zip(DISTANCES, found, strict=True):  # after Figure 11, at α = 0.5
         light = vibration(pair_of_masses("0.5", 10, d, ETA_B), [0])

@@ -89,7 +89,9 @@ def check() -> None:
     assert np.all(np.isinf(limit(None, [0.5, 0.9, 1])))  # one mass: above α = 1 only
     # all curves cross α = 1 but, against the caption, that of d = 0.5
     assert [d for d in DISTANCES if np.isinf(limit(d, [1])[0])] == ["0.5"]
-    window = [certify(pair_of_masses(alpha, 50, "1.5", str(ETA_B)), 15).unstable for alpha in ("0.7", "0.9", "0.99")]
+    window = [
+        certify(pair_of_masses(alpha, 50, "1.5", str(ETA_B)), digits=15).unstable for alpha in ("0.7", "0.9", "0.99")
+    ]
     assert window == [2, 0, 2]
     assert (limit("1.5", [0.7, 0.9, 0.99]) < 50).tolist() == [True, False, True]
 

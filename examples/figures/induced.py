@@ -77,7 +77,9 @@ def drawn(found: Sequence[Line], alpha: float) -> Any:
 
 def check_lines(found: Sequence[Line], case: Case) -> None:
     """AssertionError unless the lines at the velocity of the case are all its certified frequencies."""
-    roots = [root.q for root in certify(case, 15).roots if root.q.real > 0 and (case.eta_b or root.q.imag >= 0)]
+    roots = [
+        root.q for root in certify(case, digits=15).roots if root.q.real > 0 and (case.eta_b or root.q.imag >= 0)
+    ]
     agree(drawn(found, float(case.alpha)), np.sort([complex(q) for q in roots]), 1e-12)
 
 

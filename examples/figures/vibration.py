@@ -36,7 +36,7 @@ def pair_of_masses(alpha: str, eta_m: int, d: str, eta_b: str = "0") -> Case:
 
 def vibration(case: Case, tau: Any = TAU, spectrum: Spectrum | None = None) -> Vibration:
     """From one certificate of all induced frequencies, new unless given; errors as for `harmonic_solution`."""
-    spectrum = spectrum or certify(case, DIGITS)
+    spectrum = certify(case, digits=DIGITS) if spectrum is None else spectrum
     found = harmonic_solution(case, None, [0], tau, spectrum)
     q = tuple(pair.q for pair in found.harmonic_pairs)
     return Vibration(case, tau, found.harmonic[0], envelope(case, None, 0, tau, spectrum), q)
@@ -53,7 +53,7 @@ def checked_vibration(case: Case) -> Vibration:
     The curve is the sum of the residues of `image` at the certified frequencies. The envelope is touched and never
     crossed; without damping its extremes over the whole time are |A₁| ± |A₂|, half a beat apart.
     """
-    spectrum = certify(case, DIGITS)
+    spectrum = certify(case, digits=DIGITS)
     q = [complex(root.q) for root in spectrum.roots if root.q.real > 0]
     end = max(TAU[-1], beat(q) if len(q) > 1 else 0)
     found = vibration(case, np.linspace(0.0, end, 4001), spectrum)
@@ -70,7 +70,7 @@ def checked_vibration(case: Case) -> Vibration:
 
 def alone(case: Case) -> float:
     """The certified frequency Re q of one of the masses alone, without damping and below the critical velocity."""
-    spectrum = certify(replace(case, eta_m=case.eta_m[:1], positions=case.positions[:1]), DIGITS)
+    spectrum = certify(replace(case, eta_m=case.eta_m[:1], positions=case.positions[:1]), digits=DIGITS)
     (q,) = (root.q for root in spectrum.roots if root.q.real > 0)
     return float(q.real.mid())
 

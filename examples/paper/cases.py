@@ -8,8 +8,8 @@ from typing import Any
 
 import flint
 
-from mpsolve.certificate.certify import Spectrum, certify
 from mpsolve.certificate.format import Certificate
+from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.claims import Claim
 from mpsolve.errors import PrecisionError
 from mpsolve.model.parameters import Case
@@ -31,9 +31,9 @@ def single(alpha: str, eta_b: str, eta_m: str) -> Case:
 
 
 @lru_cache(maxsize=512)
-def spectrum(case: Case) -> Spectrum:
+def spectrum(case: Case) -> SheetSpectrum:
     """All induced frequencies, proved. PrecisionError if they cannot be."""
-    found = certify(case, digits=DIGITS)
+    found = certify_sheet(case, digits=DIGITS)
     if not found.proved:
         raise PrecisionError(found.reason)
     return found

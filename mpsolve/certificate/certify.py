@@ -1,214 +1,102 @@
-"""Every induced frequency of one case in a region: found, enclosed, counted, and the two held against each other."""
+"""The public verb: every induced frequency of a problem in a region, with proof, whatever the track and vehicles."""
 
 from __future__ import annotations
 
-from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
+from typing import Any
 
-from mpsolve.certificate import verify
-from mpsolve.certificate.format import Certificate, make_certificate
-from mpsolve.display import card
-from mpsolve.errors import InputError, PrecisionError, known
+from mpsolve.certificate.on_sheet import certify_on_sheet
+from mpsolve.certificate.solve import certify_problem, checked_digits
+from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.numbers.rootball import RootBall, Symmetry
-from mpsolve.outcome import Reason, Status
-from mpsolve.progress import Progress, silent
-from mpsolve.sheet import reasons
-from mpsolve.sheet.collect import collect
-from mpsolve.sheet.count import Count, count_roots
-from mpsolve.sheet.region import Rectangle, Region, checked_region
+from mpsolve.problem.cases import Given, as_paper, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.regions import Below, Rectangle, checked_region
+from mpsolve.spectrum.spectrum import Spectrum
 
-MAX_DIGITS = 10_000
-MIN_DIGITS = 15
-_MORE_DIGITS = (2, 4, 8)  # times what was asked for, where a sign of Im q is open
-_ROUNDS = 4  # of looking for roots that the count has and the enclosures lack
-
-
-@dataclass(frozen=True)
-class Spectrum:
-    """The induced frequencies of a case in a region; `proved` only if count and enclosures are both proved.
-
-    roots: disjoint balls `root.q` (flint.acb), each with exactly `root.multiplicity` roots, relative radius
-    below 10^−digits, sorted by (Re q, Im q). count: number of roots in the region with multiplicity.
-    unstable: how many of them have Im q < 0. status: `PROVED` if the certificate also passed the standalone
-    verifier, `UNVERIFIED` if that was left out (check=False). When undecided, `reason` says why and what helps, and
-    `why` has the same in parts; `count` is then the proved number if there is one, and None otherwise.
-    """
-
-    case: Case
-    region: Region
-    digits: int
-    status: Status
-    reason: str
-    count: int | None
-    unstable: int | None
-    roots: tuple[RootBall, ...]
-    radius: float | None = None
-    certificate: Certificate | None = field(default=None, repr=False)
-    evaluations: int = 0
-    why: Reason | None = field(default=None, repr=False)
-
-    @property
-    def proved(self) -> bool:
-        """Whether every root of the region is counted and enclosed."""
-        return self.status.holds
-
-    @property
-    def stable(self) -> bool | None:
-        """True if proved that no root has Im q < 0, False if proved that one has, None when undecided."""
-        if not self.proved or isinstance(self.region, Rectangle):
-            return None
-        return self.unstable == 0
-
-    def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        return card(self)
+FEW = 2
+"""Up to so many masses the whole sheet of the paper's beam is what is asked for by default."""
 
 
 def certify(
-    case: Case | PhysicalCase,
+    problem: Given,
+    *,
+    region: object = None,
     digits: int = 30,
-    region: Region = "sheet",
-    max_pieces: int = 100_000,
+    effort: Effort | None = None,
     progress: Progress | None = None,
     check: bool = True,
 ) -> Spectrum:
-    """Every root of Δ, eq. (26), in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
+    """Every induced frequency of the problem in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
-    digits: certified digits of each root relative to |q|, 15 to 10,000. region: "sheet" (the whole physical
-    sheet), "unstable" (Im q < 0) or a `Rectangle`. max_pieces bounds the effort of the count, by default to about
-    a minute. progress is called with a stage and a fraction from 0 to 1. check: run the standalone verifier on the
-    certificate before "proved" is returned (half as long again); without it the status is "proved, not verified".
-    Raises InputError for a region that has no meaning.
+    problem: a Problem, or a Case or PhysicalCase of the paper; q, rectangles and h are in its units (rad/s in SI).
+    region: "unstable" (Im q < 0), ("below", h) (Im q < h, h below the branch cuts), a `Rectangle`, or "sheet" (the
+    whole physical sheet, of the paper's beam with masses only). Left out, it is "sheet" for the paper's beam with few
+    masses, else ("below", h) for an h near the lowest cut, else "unstable"; the answer's `region` says which.
+    digits: certified digits of each root relative to |q|, 15 to 10,000. effort bounds the work. progress is called
+    with a stage and a fraction from 0 to 1. check: run the standalone verifier on the certificate before "proved" is
+    returned; without it the status is "proved, not verified".
+    Raises InputError for a track that is unstable by itself, and for a region that has no meaning.
 
     >>> from mpsolve import Case, certify
     >>> certify(Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))).unstable
     2
     """
-    if isinstance(case, PhysicalCase):
-        case = case.dimensionless
-    if not (isinstance(digits, int) and MIN_DIGITS <= digits <= MAX_DIGITS):
-        raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
-    region = checked_region(case, region)
-    tell = progress or silent
-    try:
-        count = count_roots(case, region, max_pieces, tell)
-    except PrecisionError as error:
-        return _undecided(case, region, digits, error.reason)
-    found = _explain(case, region, digits, count, tell)
-    if region == "unstable" and not found.proved and count.contour == "edge" and case.eta_b > 0:
-        with suppress(PrecisionError):  # roots elsewhere do not matter: those with Im q < 0 are counted by themselves
-            found = _explain(case, region, digits, count_roots(case, region, max_pieces, tell, line=True), tell)
-    return _checked(found, tell) if check and found.proved else found
+    if not isinstance(problem, (Problem, Case, PhysicalCase)):
+        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem, a Case or a PhysicalCase")
+    if effort is not None and not isinstance(effort, Effort):
+        raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    digits = checked_digits(digits)
+    paper = as_paper(problem)
+    wanted = _default(paper) if region is None else checked_region(region)
+    options: dict[str, Any] = {"digits": digits, "effort": effort, "progress": progress, "check": check}
+    if wanted == "sheet" and paper is None:
+        raise InputError("region", 'is "sheet", which is known for the paper\'s beam with masses only: ' + _OTHERS)
+    if paper is not None and _needs_sheet(paper, wanted):
+        return certify_on_sheet(problem, paper, wanted, **options)
+    found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
+    if wanted is None and not found.proved:
+        other = certify(problem, region="unstable", **options)
+        return replace(other, note=other.note or _ABOVE) if other.proved else found
+    if paper is not None and wanted == "unstable" and not found.proved:
+        other = certify_on_sheet(problem, paper, "unstable", **options)
+        return other if other.proved else found
+    return found
 
 
-def _undecided(case: Case, region: Region, digits: int, why: Reason, count: int | None = None) -> Spectrum:
-    return Spectrum(case, region, digits, Status.UNDECIDED, str(why), count, None, (), why=why)
+_ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
+_OTHERS = 'give "unstable", ("below", h) or a Rectangle'
 
 
-def _checked(found: Spectrum, tell: Progress) -> Spectrum:
-    """The same, proved, if the standalone verifier accepts the certificate as it would stand in a file."""
-    tell("verifying", 0.0)
-    certificate = known(found.certificate, "the certificate")
-    verdict = verify.judge(certificate.text.encode("ascii"))
-    if verdict.valid:
-        return replace(found, status=Status.PROVED)
-    why = Reason(
-        "not-verified",
-        f"the verifier does not confirm the certificate ({verdict.reason})",
-        {"digits": str(found.digits)},
-        "ask for more digits, or change a parameter a little",
-    )
-    return replace(found, status=Status.UNDECIDED, reason=str(why), why=why, count=None, unstable=None)
+def _about(given: Given, found: Spectrum) -> Spectrum:
+    """The answer, which speaks of what was given: a Case keeps its units."""
+    if given is found.problem:
+        return found
+    return replace(found, problem=given, roots=tuple(replace(root, problem=given) for root in found.roots))
 
 
-def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progress) -> Spectrum:
-    """Looks for the counted roots, with more effort each round, and encloses them."""
-    if count.total > verify.MAX_ROOTS:
-        why = reasons.too_many(case, region, count.total, verify.MAX_ROOTS)
-        total = count.total if _counts_region(region, count) else None
-        return _undecided(case, region, digits, why, total)
-    roots: tuple[RootBall, ...] = ()
-    reason: Reason | None = None
-    for effort in range(1, _ROUNDS + 1):
-        try:
-            roots = collect(case, count, digits, 2 ** (effort - 1), tell)
-            reason = None
-        except PrecisionError as error:
-            reason = error.reason
-        if sum(root.multiplicity for root in roots) == count.total:
-            return _verdict(case, region, digits, count, _signed(case, count, roots, digits, 2 ** (effort - 1)))
-    found = sum(root.multiplicity for root in roots)
-    why = reason or Reason(
-        "roots-missing",
-        f"{count.total} roots were counted, but {found} could be enclosed",
-        {"counted": str(count.total), "enclosed": str(found)},
-        reasons.missing_helps(case, region),
-    )
-    total = count.total if _counts_region(region, count) else None
-    rest = total, None, roots, count.radius
-    return Spectrum(case, region, digits, Status.UNDECIDED, str(why), *rest, why=why)
+def _default(paper: Case | PhysicalCase | None) -> str | None:
+    """ "sheet" or None, where the general engine chooses."""
+    if paper is None:
+        return None
+    case = paper if isinstance(paper, Case) else paper.dimensionless
+    if not case.cuts_on_line:
+        return None if _rational(case) or isinstance(paper, PhysicalCase) else "unstable"
+    few = len(set(case.positions)) <= FEW or not case.eta_b
+    return "sheet" if few or isinstance(paper, Case) else None
 
 
-def _signed(case: Case, count: Count, roots: tuple[RootBall, ...], digits: int, effort: int) -> tuple[RootBall, ...]:
-    """The roots with as many more digits as the signs of Im q take, within reason."""
-    for more in _MORE_DIGITS:
-        if all(_below(root) is not None for root in roots):
-            break
-        with suppress(PrecisionError):
-            sharper = collect(case, count, min(more * digits, MAX_DIGITS), effort, lambda _stage, _fraction: None)
-            if sum(root.multiplicity for root in sharper) == count.total:
-                roots = sharper
-    return roots
+def _needs_sheet(paper: Case | PhysicalCase, wanted: str | Below | Rectangle | None) -> bool:
+    """Whether the question is one for the paper's beam alone: cuts, irrational ratios, no damping."""
+    if wanted == "sheet":
+        return True
+    if isinstance(paper, Case):
+        return isinstance(wanted, Rectangle) or (wanted == "unstable" and not (_rational(paper) and paper.eta_b))
+    return wanted == "unstable" and not paper.c
 
 
-def _counts_region(region: Region, count: Count) -> bool:
-    """Whether the count is that of the region itself, not of the sheet around it."""
-    return region != "unstable" or count.contour == "line"
-
-
-def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple[RootBall, ...]) -> Spectrum:
-    signs = [_below(root) for root in roots]
-    certificate = make_certificate(case, count, roots)
-    if any(sign is None for sign in signs):
-        why = Reason(
-            "sign-open",
-            "a root's ball meets the real axis, so that the sign of Im q is open",
-            {"digits": str(digits)},
-            "ask for more digits",
-        )
-        total = count.total if _counts_region(region, count) else None
-        rest = total, None, roots, count.radius, certificate
-        return Spectrum(case, region, digits, Status.UNDECIDED, str(why), *rest, why=why)
-    unstable = tuple(root for root, sign in zip(roots, signs, strict=True) if sign)
-    number = sum(root.multiplicity for root in unstable)
-    if region == "unstable":
-        roots = unstable
-    return Spectrum(
-        case,
-        region,
-        digits,
-        Status.UNVERIFIED,
-        "",
-        sum(root.multiplicity for root in roots),
-        number,
-        roots,
-        count.radius,
-        certificate,
-        count.evaluations,
-    )
-
-
-def _below(root: RootBall) -> bool | None:
-    """True if Im q < 0, False if Im q ≥ 0 (real by symmetry included), None if the ball does not tell."""
-    if root.symmetry is Symmetry.REAL or root.q.imag >= 0:
-        return False
-    return True if root.q.imag < 0 else None
-
-
-def known_count(spectrum: Spectrum) -> int | None:
-    """The proved number of roots in the region, or None.
-
-    An undecided unstable region has none: its roots may have been counted on the whole sheet.
-    """
-    return None if spectrum.region == "unstable" and not spectrum.proved else spectrum.count
+def _rational(case: Case) -> bool:
+    ratios = (case.alpha, case.eta_b, case.eta_n, case.eta_s, *case.eta_m, *case.positions)
+    return all(x.is_rational for x in ratios)

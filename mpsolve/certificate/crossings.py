@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from typing import Any, Protocol
 
 from mpsolve.certificate import verify
-from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.format import FORMAT, VERSION, Certificate, digest, dyadic
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import CertificateError, known
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
@@ -50,7 +50,7 @@ class Base(Protocol):
     @property
     def t(self) -> Exact: ...
     @property
-    def spectrum(self) -> Spectrum: ...
+    def spectrum(self) -> SheetSpectrum: ...
 
 
 class Passages(Protocol):

@@ -13,7 +13,7 @@ from mpsolve.errors import known
 from mpsolve.files import write_whole
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.rootball import RootBall, Symmetry
-from mpsolve.sheet.region import Rectangle
+from mpsolve.spectrum.regions import Rectangle
 
 if TYPE_CHECKING:
     from mpsolve.sheet.count import Count

@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from fractions import Fraction
 from time import process_time
 from typing import Any
 
 from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
-from mpsolve.errors import InputError
-from mpsolve.numbers.model import rational, shown
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.model import shown
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
+from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.enclose import RootBall, Symmetry
+from mpsolve.spectrum.count import AT_REST, Count, count_roots
 from mpsolve.spectrum.premises import require_premises
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
+from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.tracks.at_rest import lowest_cut
 
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
-Progress = Callable[[str, float], None]
+_EVALUATIONS = 200_000  # about a minute; most problems take some thousands
+_ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
+_REMEDY = "report this as a fault, with the input"
 
 
 def certify_problem(
@@ -36,21 +42,19 @@ def certify_problem(
 ) -> Spectrum:
     """Every root of Δ in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
-    region: "unstable" (Im q < 0), ("below", h) (with it Im q < h as far as the answer's region says), a Box, or None:
-    below a height near the lowest cut, else "unstable". check: have the standalone verifier pass the certificate.
+    region: "unstable" (Im q < 0), Below(h) (with it Im q < h as far as the answer's region says), a Rectangle, or
+    None: below a height near the lowest cut, else "unstable". Heights and sides are rounded to floats in the scaled
+    units, a rectangle outward, as the answer's region says. check: have the standalone verifier pass the certificate.
     Raises InputError for a track that is unstable by itself or has no damping, and for regions without meaning.
     """
     started = process_time()
-    tell = progress or (lambda _stage, _fraction: None)
-    budget = effort or Effort(evaluations=2_000_000)
+    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
     require_premises(reduced, HalfPlane())
-    wanted, note = _region(reduced, region)
+    wanted = _region(reduced, region)
     found = solve(reduced, wanted, checked_digits(digits), budget, tell)
-    if found.count is None and region is None and isinstance(wanted, Below):
-        wanted, note = HalfPlane(), "roots above the real axis are left out, as the count below a height stayed open"
-        found = solve(reduced, wanted, digits, budget, tell)
-    return _spectrum(reduced, wanted, digits, found, note, budget, started, check)
+    return _spectrum(reduced, wanted, digits, found, budget, started, check, tell)
 
 
 def checked_digits(digits: object) -> int:
@@ -64,20 +68,61 @@ def checked_digits(digits: object) -> int:
     return number
 
 
-def _region(reduced: Reduced, region: object) -> tuple[Region, str]:
+def _timed(progress: Progress, budget: Effort) -> Progress:
+    """The same progress, which ends the work when its time is over."""
+
+    def tell(stage: str, fraction: float) -> None:
+        if stage != "verifying":
+            budget.spend(0)
+        progress(stage, fraction)
+
+    return tell
+
+
+def _region(reduced: Reduced, region: object) -> Region:
     if region == "unstable":
-        return HalfPlane(), ""
-    if isinstance(region, (Box, HalfPlane)):
-        return region, ""
+        return HalfPlane()
+    low, _ = lowest_cut(reduced.problem.track)
     if region is None:
-        low, _ = lowest_cut(reduced.problem.track)
-        return (Below(default_height(reduced, low)), "") if low > 0 else (HalfPlane(), "")
-    if isinstance(region, tuple) and len(region) == 2 and region[0] == "below":
-        height = rational(region[1], "region")
-        if height <= 0:
-            raise InputError("region", f'is below {shown(height)}: give ("below", h) with h above 0, or "unstable"')
-        return Below(height), ""
+        return Below(default_height(reduced, low)) if low > 0 else HalfPlane()
+    given = checked_region(region)
+    unit = reduced.frequency_unit
+    if isinstance(given, Below):
+        if given.height > low:
+            raise InputError("region", f"is {_below_words(given)}, but {_cut_words(low)}: {_lower('h', low)}")
+        return Below(_rounded(given.height, unit, up=False))
+    if isinstance(given, Rectangle):
+        if given.im_max > max(low, Fraction(0)):
+            stated = f"is {shown(given.im_max)}, but {_cut_words(low)}"
+            raise InputError("region.im_max", f"{stated}: {_lower('im_max', low)}")
+        left, right, bottom, top = (_rounded(x, unit, up=bool(k % 2)) for k, x in enumerate(given.bounds))
+        top = top if top <= max(low, Fraction(0)) else _rounded(given.im_max, unit, up=False)
+        return Rectangle(left, right, bottom, top)
     raise InputError("region", f'is {region!r}: give "unstable", ("below", h) or a Rectangle')
+
+
+def _below_words(region: Below) -> str:
+    return f'("below", {shown(region.height)})'
+
+
+def _cut_words(low: Fraction) -> str:
+    where = f"begin at Im q = {float(low):.6g}" if low > 0 else "come down to Im q = 0"
+    return f"the branch cuts of this track {where}"
+
+
+def _lower(name: str, low: Fraction) -> str:
+    """What to give instead."""
+    if low > 0:
+        return f"give {name} up to {outward(float(_rounded(low, Fraction(1), up=False)), 5, up=False)}"
+    return 'ask for "unstable"' if name == "h" else f"give {name} up to 0"
+
+
+def _rounded(x: Fraction, unit: Fraction, up: bool) -> Fraction:
+    """The float of the scaled unit next to x, not below it (up), or not above it."""
+    near = float(x / unit)
+    if (Fraction(near) * unit < x) if up else (Fraction(near) * unit > x):
+        near = math.nextafter(near, math.inf if up else -math.inf)
+    return Fraction(near) * unit
 
 
 def _spectrum(
@@ -85,10 +130,10 @@ def _spectrum(
     wanted: Region,
     digits: int,
     found: Found,
-    note: str,
     budget: Effort,
     started: float,
     check: bool,
+    tell: Progress,
 ) -> Spectrum:
     problem, count = reduced.problem, found.count
     if count is None:
@@ -100,35 +145,84 @@ def _spectrum(
         "count": count.total,
         "roots": roots,
         "neutral": reduced.neutral,
-        "note": note or count.why,
+        "unfelt": unfelt_frequencies(reduced.parts),
+        "note": "" if count.why == AT_REST else count.why,
+        "closing": _closing(reduced, count),
     }
     if found.reason is not None:
-        known = {"count": count.total}
         return Spectrum(
-            problem, count.region, digits, Status.UNDECIDED, found.reason, known=known, cost=cost, **common
+            problem, count.region, digits, Status.UNDECIDED, found.reason, known=_known(count), cost=cost, **common
         )
     unstable = unstable_number(found.balls)
     certificate = spectrum_certificate(reduced, count, _entries(found.balls), unstable)
-    status, reason, seconds = _checked(certificate, check)
-    cost = Cost(cost.seconds, seconds, cost.evaluations, cost.pieces)
+    if check:
+        tell("verifying", 0.0)
+    status, reason, verified, seconds = _checked(certificate, check)
+    pieces = count.pieces
+    for room in _ROOMS if reason is not None and "piece" in reason.message else ():
+        # the verifier's bounds are wider on some piece: the same proof again, in shorter pieces
+        again = _recounted(reduced, wanted, budget, room)
+        if again is None or (again.total, again.region) != (count.total, count.region):
+            break
+        certificate = spectrum_certificate(reduced, again, _entries(found.balls), unstable)
+        status, reason, verified, more = _checked(certificate, check)
+        pieces, seconds = again.pieces, seconds + more
+        if reason is None:
+            break
+    cost = Cost(process_time() - started - seconds, seconds, budget.spent, pieces)
+    if reason is not None:  # of what the verifier refuses nothing is known
+        return Spectrum(problem, count.region, digits, status, reason, certificate=certificate, cost=cost)
     return Spectrum(
-        problem, count.region, digits, status, reason, unstable=unstable, certificate=certificate, cost=cost, **common
+        problem,
+        count.region,
+        digits,
+        status,
+        unstable=unstable,
+        certificate=certificate,
+        cost=cost,
+        verified=verified,
+        **common,
     )
 
 
-def _checked(certificate: Any, check: bool) -> tuple[Status, Reason | None, float]:
+def _recounted(reduced: Reduced, wanted: Region, budget: Effort, room: float) -> Count | None:
+    """The count with pieces that are planned on discs larger by `room`; None where it stays open."""
+    try:
+        return count_roots(reduced, wanted, budget, silent, room)
+    except PrecisionError:
+        return None
+
+
+def _closing(reduced: Reduced, count: Count) -> str:
+    """What proves that no root is missed."""
+    if count.why == AT_REST:
+        return AT_REST
+    if isinstance(count.region, Rectangle):
+        return "the argument of the characteristic function turns along the sides of the rectangle"
+    if count.beyond is None:
+        return "the argument of the characteristic function turns along the border of the half-disc"
+    rho = outward(float(count.beyond.rho * float(reduced.frequency_unit)), 6, up=True)
+    return f"the track takes up power at all frequencies with |q| ≥ {rho}, so that none with Im q < 0 is there"
+
+
+def _known(count: Count) -> dict[str, Any]:
+    """What is proved where not every root could be enclosed."""
+    return {"count": count.total}
+
+
+def _checked(certificate: Any, check: bool) -> tuple[Status, Reason | None, str, float]:
     """The verifier's word on the certificate that was just made."""
     if not check:
-        return Status.UNVERIFIED, None, 0.0
-    from mpsolve.certificate.verify2 import verify_content
+        return Status.UNVERIFIED, None, "", 0.0
+    from mpsolve.certificate.verify2 import verify_bytes
 
     started = process_time()
-    verdict = verify_content(certificate.content)
+    verdict = verify_bytes(certificate.text.encode("ascii"))
     seconds = process_time() - started
     if verdict.valid:
-        return Status.PROVED, None, seconds
+        return Status.PROVED, None, verdict.claim, seconds
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"
-    return Status.UNDECIDED, Reason("verifier", message, {}, "report this as a fault, with the input"), seconds
+    return Status.UNDECIDED, Reason("verifier", message, {}, _REMEDY), "", seconds
 
 
 def _entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:

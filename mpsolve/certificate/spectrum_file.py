@@ -16,7 +16,7 @@ from mpsolve.errors import CertificateError
 from mpsolve.passivity.tail import Tail
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.count import Count
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 VERSION = 2
 KIND = "spectrum"
@@ -80,7 +80,7 @@ def _basis(reduced: Reduced) -> dict[str, Any] | None:
 
 
 def _region(region: Region) -> dict[str, Any]:
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         re, im = (region.re_min, region.re_max), (region.im_min, region.im_max)
         return {"kind": "rectangle", "re": list(map(_text, re)), "im": list(map(_text, im))}
     if isinstance(region, HalfPlane):
@@ -145,7 +145,7 @@ def _root(root: RootEntry) -> dict[str, Any]:
 
 def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
     """The exact coordinate of each side of the region by its nearest float in scaled units."""
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         sides = [region.re_min, region.re_max, region.im_min, region.im_max]
     else:
         given = (region.radius, getattr(region, "reach", None), getattr(region, "height", None))
@@ -154,7 +154,7 @@ def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
 
 
 def _point(q: complex, unit: Fraction, lines: Mapping[float, Fraction]) -> list[Any]:
-    """[m, n, e]: the point (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
+    """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
     re, im = (lines.get(x, Fraction(x) * unit) for x in (q.real, q.imag))
     if any(x.denominator & (x.denominator - 1) for x in (re, im)):
         return [_text(re), _text(im)]

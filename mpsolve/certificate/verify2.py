@@ -27,7 +27,7 @@ from typing import Any
 import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
-MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 3e8, 2_000, 20_000
+MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 3e8, 1_000, 20_000
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 96, 32, 24, 70_000, 8
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
@@ -79,7 +79,7 @@ def require(condition: Any, message: str) -> None:
         raise Refused(message)
 
 
-_lock = threading.RLock()  # flint's precision is one per process
+_lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's precision is one per process
 
 
 @contextmanager
@@ -107,9 +107,7 @@ def opened(raw: bytes) -> dict[str, Any]:
         require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
         return dict(pairs)
 
-    read = json.loads(
-        raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique
-    )
+    read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
     require(isinstance(read, dict), "the file holds no JSON object")
     require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
     version = read.get("version")
@@ -144,7 +142,7 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
 
 def rational(text: Any, name: str) -> Any:
     """Reads "p" or "p/q"."""
-    match = re.fullmatch(r"(-?[0-9]{1,300})(?:/([0-9]{1,300}))?", text, re.ASCII) if isinstance(text, str) else None
+    match = re.fullmatch(r"(-?[0-9]{1,120})(?:/([0-9]{1,120}))?", text, re.ASCII) if isinstance(text, str) else None
     if match is None:
         raise Refused(f"{name} is not a rational number in text")
     return fmpq(int(match[1]), int(match[2] or 1))
@@ -175,7 +173,7 @@ def matrix(rows: Any, height: int, width: int, name: str) -> Any:
     entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
     numerators, denominator = entries.numer_denom()
     bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
-    require(bits * max(height, width) <= 12_000, f"{name} has too many digits")
+    require(bits * max(height, width) <= 8_000, f"{name} has too many digits")
     return entries
 
 
@@ -184,7 +182,7 @@ def at_q(z: Point) -> Any:
     return acb(-arb(z[1]), arb(z[0]))
 
 
-# --- exact algebra ------------------------------------------------------------------------------------------
+# --- exact algebra ----------------------------------------------------------------------------------------
 
 
 def nonnegative(p: Any, strictly: bool) -> bool:
@@ -193,7 +191,7 @@ def nonnegative(p: Any, strictly: bool) -> bool:
     if not c or c[-1] <= 0 or (strictly and c[0] <= 0):
         return False
     return all(x >= 0 for x in c) or all(
-        k % 2 == 0 and not strictly or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
+        (k % 2 == 0 and not strictly) or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
     )
 
 
@@ -234,7 +232,7 @@ def hurwitz(a: Sequence[Any], strictly: bool) -> bool:
 
 
 def semidefinite(a: Any) -> bool:
-    """All eigenvalues of a symmetric rational matrix are ≥ 0: the signs of its characteristic polynomial alternate."""
+    """Symmetric, with eigenvalues ≥ 0 only: the signs of the characteristic polynomial alternate."""
     n = a.nrows()
     return a == a.transpose() and all(c * (-1) ** (n - k) >= 0 for k, c in enumerate(a.charpoly().coeffs()))
 
@@ -244,7 +242,9 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
     if not rows:
         return RING.constant(1)
     minors = [determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]]) if x else 0 for k, x in enumerate(rows[0])]
-    return sum(((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0))
+    return sum(
+        ((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0)
+    )
 
 
 def terms(p: Any) -> Terms:
@@ -259,7 +259,7 @@ def in_y(t: Terms) -> list[Any]:
     return [fmpq_poly(c) for c in out]
 
 
-# --- the equations ------------------------------------------------------------------------------------------
+# --- the equations ----------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -297,7 +297,10 @@ def read_track(value: Any, velocity: Any) -> Track:
     require(big and cofactor, "the track's determinant or cofactor vanishes")
     for p in (big, cofactor):
         require(sum(p.degrees()) <= MAX_DEGREE, "the track's determinant has too high a degree")
-        require(all(i % 2 == 0 for i, _ in terms(p)), "D or N is not even in P: the track is not the same in both directions")
+        require(
+            all(i % 2 == 0 for i, _ in terms(p)),
+            "D or N is not even in P: the track is not the same in both directions",
+        )
     moved = [terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (big, cofactor)]
     track = Track(rows, loaded, v, big, cofactor, moved[0], moved[1])
     require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
@@ -307,27 +310,34 @@ def read_track(value: Any, velocity: Any) -> Track:
 def entry(value: Any) -> Any:
     """[[i, j, "c"], …] is Σ c P^i s^j."""
     out = RING.constant(0)
-    for term in items(value, 60, "an entry of the track"):
+    for term in items(value, 40, "an entry of the track"):
         i, j, c = items(term, 3, "a term", 3)
-        out += rational(c, "a coefficient") * P_ ** integer(i, 0, 12, "a power of P") * S_ ** integer(j, 0, 6, "a power of s")
+        out += (
+            rational(c, "a coefficient")
+            * P_ ** integer(i, 0, 12, "a power of P")
+            * S_ ** integer(j, 0, 6, "a power of s")
+        )
     return out
 
 
 def check_no_cut(track: Track, height: Any) -> None:
-    """No p-root is real for Im q < 0, or, for height > 0, for Im q ≤ height; the highest coefficient has no zero there."""
+    """No p-root is real, and lead(σ) ≠ 0, for Im q < 0, or, for height > 0, for Im q ≤ height."""
     strictly = height > 0
     shifted = track.D.compose(P_, S_ - height, ctx=RING) if strictly else track.D
     a = in_y(terms(shifted))
     if a[-1].coeffs()[-1] < 0:
         a = [-x for x in a]
-    require(hurwitz(a, strictly), "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this")
+    require(
+        hurwitz(a, strictly),
+        "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this",
+    )
     lead = fmpq_poly(track.lead)(fmpq_poly([-height, 1])).coeffs()
     lead = [-x for x in lead] if lead[-1] < 0 else lead
     require(hurwitz([fmpq_poly([x]) for x in lead], True), "the highest coefficient of D may vanish in the region")
 
 
 def check_passive_track(track: Track) -> None:
-    """Q = (A − A*)/(2i) at P = ip, s = iΩ is positive semidefinite for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
+    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
 
     Sufficient and exact: the coefficient of Ω^j vanishes for even j; for odd j its principal minors are ≥ 0.
     """
@@ -340,15 +350,23 @@ def check_passive_track(track: Track) -> None:
             rows[c][r] += x * (-P_) ** i / 2 * (-1) ** (j + 1)
     for j, rows in parts.items():
         if j % 2 == 0:
-            require(not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive")
+            require(
+                not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive"
+            )
             continue
         sign = 1 if j % 4 == 1 else -1
         for k in range(1, size + 1):
             for kept in combinations(range(size), k):
                 minor = in_y(terms(determinant([[sign * rows[r][c] for c in kept] for r in kept])))[0]
-                require(not minor.coeffs() or nonnegative(minor, False), "the track may give energy at rest: it is not passive")
+                require(
+                    not minor.coeffs() or nonnegative(minor, False),
+                    "the track may give energy at rest: it is not passive",
+                )
     require(terms(absorption(track)[0]), "the track absorbs nothing")
-    require(max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)), "the track's receptance does not decay in frequency")
+    require(
+        max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)),
+        "the track's receptance does not decay in frequency",
+    )
 
 
 def absorption(track: Track) -> tuple[Any, Any]:
@@ -424,7 +442,11 @@ def check_forces(vehicle: Vehicle) -> None:
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
-# --- waves in balls: D and N moved to a point, the splitting D = lead·U·L --------------------------------------
+Bent = tuple[Any, Any, Any]
+NOTHING: Bent = (acb(0), acb(0), arb(0))
+
+
+# --- waves in balls: D and N moved to a point, the splitting D = lead·U·L ---------------------------------
 
 
 def shift(z: Any, size: int, rows: int) -> Any:
@@ -432,7 +454,9 @@ def shift(z: Any, size: int, rows: int) -> Any:
     powers = [acb(1)]
     for _ in range(size - 1):
         powers.append(powers[-1] * z)
-    return acb_mat(rows, size, [powers[k - i] * comb(k, i) if k >= i else 0 for i in range(rows) for k in range(size)])
+    return acb_mat(
+        rows, size, [powers[k - i] * comb(k, i) if k >= i else 0 for i in range(rows) for k in range(size)]
+    )
 
 
 def box(radius: Any) -> Any:
@@ -541,7 +565,7 @@ class Split:
     tight: list[Any]
 
     def links(self, other: Split) -> bool:
-        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |a_k| = |U(z_k)/U₀'(z_k)| < box_k."""
+        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |U(z_k)/U₀'(z_k)| < box_k."""
         z, w, a = self.nodes.z, other.nodes.z, other.values
         for side in self.nodes.side:
             for k in side:
@@ -557,7 +581,9 @@ class Split:
     def values(self) -> list[Any]:
         """Balls of the a_k of a thin splitting, sharpened where nodes are far from the roots."""
         at = self.nodes
-        sharp = all(self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k)
+        sharp = all(
+            self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k
+        )
         return [box(t) for t in self.tight] if sharp else [x[0] for x in factor_series(self, arb(0), 1)]
 
     def isolated(self, side: range) -> list[Any] | None:
@@ -580,9 +606,11 @@ class Split:
 
 
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
-    """Approximate roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
+    """Roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
     c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
-    z = [p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)]  # off the real axis, where roots may meet
+    z = [
+        p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)
+    ]  # off the real axis, where roots may meet
     for _ in range(40):
         change = 0.0
         for k, p in enumerate(z):
@@ -622,7 +650,7 @@ def check_sides(split: Split) -> None:
             require(split.nodes.z[k].real * sign > radius, "a p-root may be real there")
 
 
-# --- kernels: Taylor coefficients of G(ξ) in t ------------------------------------------------------------------
+# --- kernels: Taylor coefficients of G(ξ) in t ------------------------------------------------------------
 
 
 def powers_of_root(f: list[list[Any]], order: int) -> list[list[Any]]:
@@ -646,7 +674,8 @@ def along(f: list[list[Any]], u: list[list[Any]], order: int) -> list[Any]:
     """Σ f_ij u^i t^j as a series."""
     rows = len(f)
     return [
-        sum((f[i][j] * u[i][k - j] for j in range(k + 1) for i in range(min(k - j + 1, rows))), acb(0)) for k in range(order)
+        sum((f[i][j] * u[i][k - j] for j in range(k + 1) for i in range(min(k - j + 1, rows))), acb(0))
+        for k in range(order)
     ]
 
 
@@ -677,18 +706,110 @@ def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = Fa
     out: list[list[Any]] = [[]] * len(waves.xi)
     for side, here in enumerate(split.nodes.side):
         chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
-        if not chosen:
-            continue
-        radii = None if by_matrix else split.isolated(here)
-        one = by_roots if radii is not None else by_matrices
-        found = one(split, side, r, order, [waves.xi[g] for g in chosen], radii or [])
-        for g, series in zip(chosen, found, strict=True):
-            require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
-            out[g] = series
+        if chosen:
+            radii = None if by_matrix else split.isolated(here)
+            gaps = [waves.xi[g] for g in chosen]
+            found = (
+                by_matrices(split, side, r, order, gaps)
+                if radii is None
+                else by_roots(split, side, r, order, gaps, radii)
+            )
+            for g, series in zip(chosen, found, strict=True):
+                require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
+                out[g] = series
     return out
 
 
-def by_roots(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]) -> list[list[Any]]:
+def bent_kernels(waves: Waves, disc: Split, thin: Split, r: Any, by_matrix: bool) -> list[Bent]:
+    """For each gap G over |t| ≤ r as a + b t and a bound of the rest; `thin`: the splitting at the middle."""
+    out: list[Bent] = [NOTHING] * len(waves.xi)
+    for side, here in enumerate(disc.nodes.side):
+        chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
+        if not chosen:
+            continue
+        gaps, radii = [waves.xi[g] for g in chosen], None if by_matrix else disc.isolated(here)
+        if radii is not None:
+            found = bent_by_roots(disc, side, r, gaps, radii)
+        else:
+            middle = by_matrices(thin, side, arb(0), 2, gaps)
+            over = by_matrices(disc, side, r, 3, gaps)
+            found = [(x[0], x[1], abs(y[2]) * r * r) for x, y in zip(middle, over, strict=True)]
+        for g, one in zip(chosen, found, strict=True):
+            require(all(x.is_finite() for x in one), "a kernel is not bounded on a piece")
+            out[g] = one
+    return out
+
+
+# (a, b, rest): a function of t with |f(t) − a − b t| ≤ rest for |t| ≤ r; a and b thin balls, rest ≥ 0 real
+def bent_product(x: Bent, y: Bent, r: Any) -> Bent:
+    (a, b, e), (c, d, f) = x, y
+    rest = abs(b) * abs(d) * r * r + (abs(a) + abs(b) * r) * f + (abs(c) + abs(d) * r + f) * e
+    return a * c, a * d + b * c, rest
+
+
+def bent_inverse(x: Bent, r: Any) -> Bent:
+    """1/f: with f = a(1 + u), |u| ≤ y < 1, the rest of 1/(1 + u) after 1 − u is at most y²/(1 − y)."""
+    a, b, e = x
+    c = 1 / a
+    y = (abs(b) * r + e) * abs(c)
+    require(y < 0.9, "a weight may be infinite on a piece: it is too long")
+    return c, -b * c * c, abs(c) * (y * y / (1 - y) + e * abs(c))
+
+
+def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
+    """e^{f·factor}, factor real: |e^u − 1 − u| ≤ e^y − 1 − y for |u| ≤ y."""
+    a, b, e = x[0] * factor, x[1] * factor, x[2] * abs(factor)
+    y, value = abs(b) * r + e, a.exp()
+    return value, value * b, abs(value) * (e + y.expm1() - y)
+
+
+def bent_polynomial(c: list[list[Any]], root: Bent, e: Any, r: Any) -> Bent:
+    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by moduli."""
+    slope = c[1][0] if len(c) > 1 else acb(0)
+    rest, power = abs(slope) * root[2], arb(1)
+    for i, row in enumerate(c):
+        term = power
+        for j, x in enumerate(row):
+            if i + j > 1:
+                rest += abs(x) * term
+            term = term * r
+        power = power * e
+    time = c[0][1] if len(c[0]) > 1 else acb(0)
+    return c[0][0] + slope * root[0], slope * root[1] + time, rest
+
+
+def bent_by_roots(split: Split, side: int, r: Any, gaps: Sequence[Any], radii: Sequence[Any]) -> list[Bent]:
+    """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
+    nodes, local = split.nodes, split.nodes.local
+    n, rows, total = local.degree + 1, local.n.nrows(), [NOTHING for _ in gaps]
+    for k, e in zip(nodes.side[side], radii, strict=True):
+        z = nodes.z[k]
+        c = (shift(z, n, n) * local.d).tolist()
+        require(not c[1][0].contains(0), "a p-root may be double on a piece")
+        # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
+        higher = bent_polynomial(c, (acb(0), acb(0), arb(0)), e, r)[2]
+        first = c[0][1] if len(c[0]) > 1 else acb(0)
+        root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
+        e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
+        slopes = [[x * i for x in row] for i, row in enumerate(c)][1:]
+        above = bent_polynomial((shift(z, rows, rows) * local.n).tolist(), root, e, r)
+        weight = bent_product(above, bent_inverse(bent_polynomial(slopes, root, e, r), r), r)
+        wave = (z + root[0], root[1], root[2])
+        for g, xi in enumerate(gaps):
+            one = weight if xi == 0 else bent_product(weight, bent_wave(wave, xi, r), r)
+            a, b, rest = total[g]
+            total[g] = (a - one[0], b - one[1], rest + one[2]) if side else (a + one[0], b + one[1], rest + one[2])
+    return total
+
+
+def min_bound(x: Any, y: Any) -> Any:
+    """The smaller of two upper bounds, whichever balls decide; x where they do not."""
+    return y.upper() if y < x else x
+
+
+def by_roots(
+    split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]
+) -> list[list[Any]]:
     """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
     nodes, local = split.nodes, split.nodes.local
     n, total = local.degree + 1, [[acb(0)] * order for _ in gaps]
@@ -716,7 +837,7 @@ def by_roots(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], r
     return total
 
 
-def by_matrices(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]) -> list[list[Any]]:
+def by_matrices(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any]) -> list[list[Any]]:
     """The same where roots of one side may meet: U is the characteristic polynomial of diag(z) − 1·aᵀ =: A, and
     G = ± cᵀ e^{Aξ} N(A) L(A)⁻¹ 1/lead with c_k = 1/Π(z_k − z_i); series in t are block triangular matrices."""
     nodes, local = split.nodes, split.nodes.local
@@ -772,7 +893,9 @@ def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
     nodes, local = split.nodes, split.nodes.local
     n, z, columns = len(nodes.z), nodes.z, local.d.ncols()
     in_t = shift(box(r) if r else acb(0), columns, order).transpose()
-    inverse = acb_mat(n, n, [1 / (z[k] - z[i]) if (i < nodes.up) != (k < nodes.up) else 0 for k in range(n) for i in range(n)])
+    inverse = acb_mat(
+        n, n, [1 / (z[k] - z[i]) if (i < nodes.up) != (k < nodes.up) else 0 for k in range(n) for i in range(n)]
+    )
     lead = (acb_mat(1, columns, local.lead()) * in_t).entries()
     W = []
     for k in range(n):
@@ -795,7 +918,7 @@ def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
     return a
 
 
-# --- the characteristic function ---------------------------------------------------------------------------------
+# --- the characteristic function --------------------------------------------------------------------------
 
 
 class Bordered:
@@ -835,6 +958,14 @@ class Bordered:
         if k == 1:
             return self.C + self.M * (2 * sigma) + waves
         return self.M + waves if k == 2 else waves
+
+    def rest(self, r: Any, G: list[Bent]) -> Any:
+        """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients."""
+        entries = [abs(x) * r * r for x in self.M.entries()]
+        for i, row in enumerate(self.index):
+            for j, g in enumerate(row):
+                entries[(self.nb + i) * self.size + self.nb + j] += G[g][2]
+        return arb_mat(self.size, self.size, entries)
 
 
 def contracting(E: Any) -> bool:
@@ -876,7 +1007,7 @@ def pivots(a: list[list[Any]], in_order: bool = True) -> Any:
     return total
 
 
-# --- walking along the paths ---------------------------------------------------------------------------------------
+# --- walking along the paths ------------------------------------------------------------------------------
 
 
 @dataclass
@@ -941,7 +1072,7 @@ class Walker:
         return total
 
     def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None) -> tuple[Mark, Any]:
-        """From a mark to b: the disc over [a, b], its splitting linked with those at both ends, and what `kind` asks."""
+        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3))
@@ -961,48 +1092,50 @@ class Walker:
         if kind == "link":
             return end, arb(0)
         thin = chosen.split(arb(0))
-        require(all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle")
-        by_matrix = nodes is not None
-        G = kernels(self.waves, thin, arb(0), 2, by_matrix)
-        over = kernels(self.waves, disc, r, 3, by_matrix)
+        require(
+            all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
+        )
+        G = bent_kernels(self.waves, disc, thin, r, nodes is not None)
         if kind == "passive":
-            self.passive(m, half, r, G, over)
+            self.passive(m, half, r, G)
             return end, arb(0)
-        return end, self.turn(mark, end, m, r, G, over)
+        return end, self.turn(mark, end, m, r, G)
 
-    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> Any:
+    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
         """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
-        A = [self.bordered.coefficient(k, m, G) for k in range(2)]
-        rest = self.bordered.coefficient(2, m, over)
+        A = [self.bordered.coefficient(k, m, [list(g[:2]) for g in G]) for k in range(2)]
+        rest = self.bordered.rest(r, G)
         try:
             R = A[0].mid().inv().mid()
         except ZeroDivisionError:
             raise Refused("the matrix is singular in the middle of a piece") from None
         size = self.bordered.size
         one = acb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
-        E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r), (R * rest, r * r)])
+        E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r)]) + moduli([(R, arb(1))]) * rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
         start, stop = ((R * self.matrix(x)).tolist() for x in (mark, end))
         return pivots(stop) - pivots(start)
 
-    def passive(self, m: Any, half: Any, r: Any, G: list[list[Any]], over: list[list[Any]]) -> None:
-        """The Hermitian part of σ(G_ij), over the places, is positive definite on the whole segment."""
+    def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
+        """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
         where = self.bordered.sites
         n = len(where)
-        sigma = m + box(r)
-        series = [
-            [[m * G[g][0] for g in row] for row in where],
-            [[half * (G[g][0] + m * G[g][1]) for g in row] for row in where],
-            [[half * half * (over[g][1] + sigma * over[g][2]) for g in row] for row in where],
-        ]
+        V = [bent_product((m, acb(1), arb(0)), g, r) for g in G]
         H = []
-        for rows in series:
+        for rows in ([[V[g][0] for g in row] for row in where], [[half * V[g][1] for g in row] for row in where]):
             a = acb_mat(rows)
             H.append((a + a.conjugate().transpose()) * acb(0.5))
         X = acb_mat(inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
         back = X.conjugate().transpose()
         one = acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
-        E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1)), (X * H[2] * back, arb(1))])
+        size = moduli([(X, arb(1))])
+        rest = arb_mat(
+            [
+                [(V[g][2] + V[h][2]) / 2 for g, h in zip(row, column, strict=True)]
+                for row, column in zip(where, zip(*where, strict=True), strict=True)
+            ]
+        )
+        E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1))]) + size * rest * size.transpose()
         require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
 
 
@@ -1025,7 +1158,7 @@ def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
     return X
 
 
-# --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------------------
+# --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
 
 
 def bernstein(n: int, a: float, b: float) -> Any:
@@ -1052,7 +1185,9 @@ def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], pro
         b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
         if all(z > 0 for z in b.entries()):
             continue
-        require(not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}")
+        require(
+            not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}"
+        )
         if depth % 2:
             middle = (y0 + y1) / 2
             stack += [((x0, x1), (y0, middle), depth + 1), ((x0, x1), (middle, y1), depth + 1)]
@@ -1068,8 +1203,9 @@ def above(x: Any) -> float:
 
 
 def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
-    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over its highest power q^{top/m}: in z and τ = q^{−1/m}."""
-    top, out = max(k * i + m * j for i, j in t), {}
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z and τ = q^{−1/m}."""
+    top = max(k * i + m * j for i, j in t)
+    out: Terms = {}
     for (i, j), c in t.items():
         for a in range(j + 1):
             at = (i + a, top - k * i - m * j + (m - k) * a)
@@ -1081,7 +1217,9 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
     keys(theorem, "gamma blocks alpha omega envelope")
     k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
-    blocks = [[dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")]
+    blocks = [
+        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")
+    ]
     omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
     alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
     require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
@@ -1096,24 +1234,35 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
     tau = above(x ** arb(fmpq(-1, m)))
     for z1, z2, kappa in blocks:
-        difference = {at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}}
-        check_positive(difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa")
+        difference = {
+            at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}
+        }
+        check_positive(
+            difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa"
+        )
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    near, far = {}, {}
+    near: Terms = {}
+    far: Terms = {}
     for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
         for (i, j), c in source.items():
             for chart, at in ((near, (id_ - less - i, j)), (far, (id_ - less - i, nd - less - i - j))):
                 chart[at] = chart.get(at, fmpq(0)) + factor * c * (-1) ** j
     reach = arb(v / X)
     give = "the giving part may exceed the envelope"
-    check_positive({at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), None, give)
-    check_positive({at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give)
+    check_positive(
+        {at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), arb(v), give
+    )  # −Ω ≤ v p: u·(−Ω) ≤ v
+    check_positive(
+        {at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give
+    )
     absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
     takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
     gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
     require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
-    require((alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given")
+    require(
+        (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
+    )
 
 
 def check_decay(track: Track) -> None:
@@ -1148,7 +1297,7 @@ def check_edges(d: Terms, n: Terms, v: Any, slow: bool) -> None:
         i = max(on)
 
 
-# --- regions ----------------------------------------------------------------------------------------------------------
+# --- regions ----------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -1171,7 +1320,9 @@ class Region:
     def holds(self, z: Point, r: Any) -> bool:
         """Whether the closed disc of radius r round z lies inside."""
         if self.re and self.im:
-            return bool(self.re[0] < z[0] - r and z[0] + r < self.re[1] and self.im[0] < z[1] - r and z[1] + r < self.im[1])
+            return bool(
+                self.re[0] < z[0] - r and z[0] + r < self.re[1] and self.im[0] < z[1] - r and z[1] + r < self.im[1]
+            )
         low = z[1] + r < 0
         within = "disc" not in self.kind or (r < self.reach and z[0] ** 2 + z[1] ** 2 < (self.reach - r) ** 2)
         if low or self.height == 0:
@@ -1182,7 +1333,13 @@ class Region:
 def read_region(value: Any) -> Region:
     require(isinstance(value, dict) and isinstance(value.get("kind"), str), "the region has no kind")
     kind = value["kind"]
-    names = {"unstable": "", "disc": "radius", "below": "height reach", "below disc": "height radius", "rectangle": "re im"}
+    names = {
+        "unstable": "",
+        "disc": "radius",
+        "below": "height reach",
+        "below disc": "height radius",
+        "rectangle": "re im",
+    }
     require(kind in names, "the region's kind is not known to this verifier")
     keys(value, f"kind {names[kind]}")
     if kind == "rectangle":
@@ -1191,7 +1348,9 @@ def read_region(value: Any) -> Region:
         return Region(kind, max(im[1], fmpq(0)), None, (re_[0], re_[1]), (im[0], im[1]))
     height = rational(value["height"], "height") if "height" in value else fmpq(0)
     reach = rational(value.get("radius", value.get("reach")), "radius") if kind != "unstable" else None
-    require((height > 0 or "below" not in kind) and (reach is None or reach > 0), "a height or radius is not positive")
+    require(
+        (height > 0 or "below" not in kind) and (reach is None or reach > 0), "a height or radius is not positive"
+    )
     return Region(kind, height, reach)
 
 
@@ -1237,7 +1396,7 @@ def check_lines(points: Sequence[Point], corners: Sequence[Point]) -> None:
 
 
 def check_arc(points: Sequence[Point], radius: Any) -> None:
-    """Each disc over neighbouring points holds the arc of |q| = radius between their directions, in Re q ≥ 0 ≥ Im q."""
+    """Each disc over neighbouring points holds the arc of |q| = radius between them, in Re q ≥ 0 ≥ Im q."""
     require(points[0] == (radius, 0) and points[-1] == (0, -radius), "the arc does not end on the imaginary axis")
     require(all(x >= 0 >= y and (x, y) != (0, 0) for x, y in points), "a point of the arc is not in its quarter")
     for a, b in pairwise(points):
@@ -1270,7 +1429,9 @@ def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
         require(link[-1] == (a, c), "the first path does not end at the rectangle's corner")
         check_lines(turn, [(a, c), (b, c), (b, d), (a, d), (a, c)])
         return
-    require(link[-1] == (zero, region.height), "the first path does not end on the imaginary axis, at the region's height")
+    require(
+        link[-1] == (zero, region.height), "the first path does not end on the imaginary axis, at the region's height"
+    )
     rho = region.reach if region.reach is not None else turn[-1][0]
     require(rho > 0, "rho is not positive")
     corner = (rho, zero)
@@ -1337,7 +1498,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     return int(n)
 
 
-# --- roots -------------------------------------------------------------------------------------------------------------
+# --- roots ------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -1385,7 +1546,7 @@ def determinant_series(A: Sequence[Any], k: int) -> Any:
 
 
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
-    """Exactly `multiplicity` roots in the disc, by Rouché: Δ̂ = Σ c_k t^k + t^m g(t) against t^m times the middle of g."""
+    """Exactly `multiplicity` roots in the disc, by Rouché: Δ̂ = Σ c_k t^k + t^m g(t) against t^m g₀."""
     m, bits = root.multiplicity, root.bits + 128
     size = walker.bordered.size
     walker.spend((comb(size + m - 1, m) * m * size**3 + 2000) * (1 + bits / 512) ** 1.5 / 4)
@@ -1406,7 +1567,9 @@ def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> No
         rest = abs(g - middle) * e**m
         for k in range(m):
             rest += abs(determinant_series(A[: k + 1], k)) * e**k
-        require(g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed")
+        require(
+            g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed"
+        )
 
 
 def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:
@@ -1421,7 +1584,9 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, wal
             require(x > root.radius and region.holds(mirror, root.radius), f"root {k} is no pair inside the region")
             balls.append((mirror, root.radius))
         else:
-            require(region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis")
+            require(
+                region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis"
+            )
         balls.append((root.z, root.radius))
     balls.sort(key=lambda ball: ball[0][0] - ball[1])
     for k, ((x, y), r) in enumerate(balls):
@@ -1437,7 +1602,7 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, wal
     return roots
 
 
-# --- the certificate -----------------------------------------------------------------------------------------------------
+# --- the certificate --------------------------------------------------------------------------------------
 
 
 def spectrum(content: dict[str, Any]) -> str:
@@ -1470,7 +1635,9 @@ def spectrum(content: dict[str, Any]) -> str:
     require(found == number, f"the file names {found} of {number} roots")
     below = sum(root.number for root in roots if root.z[1] + root.radius < 0)
     require(all(abs(root.z[1]) > root.radius for root in roots), "a root may lie on either side of the real axis")
-    require(below == integer(claim["unstable"], 0, 10_000, "unstable"), f"{below} roots have Im q < 0, not as claimed")
+    require(
+        below == integer(claim["unstable"], 0, 10_000, "unstable"), f"{below} roots have Im q < 0, not as claimed"
+    )
     return words(content, track, vehicle, region, roots, walker.pieces)
 
 
@@ -1481,7 +1648,6 @@ def polynomial_words(p: Any) -> str:
 def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: Sequence[Root], pieces: int) -> str:
     """What has been verified, of which equations."""
     number, below = sum(r.number for r in roots), sum(r.number for r in roots if r.z[1] < 0)
-    plural = "" if number == 1 else "s"
     said = [
         f"exactly {number} induced frequenc{'y' if number == 1 else 'ies'} q with {region.words}"
         + (f", {below} of them with Im q < 0" if region.height > 0 else "")
@@ -1496,8 +1662,12 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     if vehicle.neutral:
         said.append(f"  and {vehicle.neutral} neutral at q = 0 (a coordinate without spring or contact), named apart")
     if vehicle.unfelt:
-        said.append(f"  modes of {vehicle.unfelt} coordinates that no contact feels are named apart; none has Im q < 0")
-    said.append(f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t at rest, row {track.loaded + 1} carries the contacts):")
+        said.append(
+            f"  modes of {vehicle.unfelt} coordinates that no contact feels are named apart; none has Im q < 0"
+        )
+    said.append(
+        f"proved in {pieces} pieces, of these equations (P = ∂/∂x, s = ∂/∂t; row {track.loaded + 1}: contacts):"
+    )
     for k, row in enumerate(track.rows):
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
@@ -1505,7 +1675,6 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     said.append(f"  velocity {track.v}; bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ")
     said += [f"  {name} = {listed(equations[name])}" for name in ("M", "C", "K", "B")]
     said.append(f"  contacts at {listed(equations['places'])}, compliances {listed(equations['compliances'])}")
-    _ = plural
     return "\n".join(said)
 
 

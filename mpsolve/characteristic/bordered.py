@@ -1,7 +1,8 @@
 """The characteristic matrix of a reduced problem on discs: det is Δ̂ up to a constant.
 
 Direct contacts (tight, alone on their body) are eliminated: y_i = −(Gλ)_j/b. Unknowns are the other bodies and λ;
-rows are all bodies, then the contacts that are not direct.
+rows are all bodies, then the contacts that are not direct. In the full matrix (row j, column y_i) holds b, alone in
+its row among the bodies; column operations clear the rest of the row, so the determinants differ by the factor ±b.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import numpy as np
 
 from mpsolve.characteristic.discs import receptances, split
 from mpsolve.characteristic.table import Table
-from mpsolve.numbers.jets import UP, Jet, U
+from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
 
 
@@ -44,15 +45,15 @@ class Arrays:
 
     @cached_property
     def S(self) -> Any:
-        return np.array([[[float(x) for x in row] for row in rows] for rows in self.reduced.S])
+        return np.array([[[nearest(x) for x in row] for row in rows] for rows in self.reduced.S])
 
     @cached_property
     def B(self) -> Any:
-        return np.array([[float(x) for x in row] for row in self.reduced.B])
+        return np.array([[nearest(x) for x in row] for row in self.reduced.B])
 
     @cached_property
     def h(self) -> Any:
-        return np.array([float(x) for x in self.reduced.h])
+        return np.array([nearest(x) for x in self.reduced.h])
 
     @cached_property
     def direct(self) -> tuple[Direct, ...]:
@@ -65,7 +66,7 @@ class Arrays:
         exact = sorted({a - b for a in places for b in places})
         number = {x: k for k, x in enumerate(exact)}
         pairs = np.array([[number[a - b] for b in places] for a in places])
-        return np.array([float(x) for x in exact]), pairs
+        return np.array([nearest(x) for x in exact]), pairs
 
     def evaluate(self, m: Any, r: Any, up: int) -> tuple[Any, Jet, Any]:
         """(splittings, G between the places as jets of shape (discs, places, places), where it is bounded)."""
@@ -83,7 +84,7 @@ class Arrays:
         rest = [i for i in range(len(self.B)) if i not in bodies]
         right = self._constant(-self.B, G.r)
         if bodies:
-            factors = np.array([-float(1 / d.b) for d in self.direct])  # each rounded: within the 2 u of `*`
+            factors = np.array([-nearest(1 / d.b) for d in self.direct])  # each rounded: within the 2 u of `*`
             right = right + (S[:, :, bodies] * factors) @ G[:, [d.contact for d in self.direct], :]
         top = _beside(S[:, :, rest], right)
         indirect = [j for j in range(len(contact)) if j not in [d.contact for d in self.direct]]
@@ -99,7 +100,7 @@ class Arrays:
         z = m[:, None, None]
         radius = r[:, None, None]
         size = np.abs(S0) + np.abs(S1 * z) + np.abs(S2 * z * z) + (np.abs(S1) + 2 * np.abs(S2 * z)) * radius
-        e = (np.abs(S2) * radius * radius + 32 * U * size) * UP
+        e = (np.abs(S2) * radius * radius + 32 * U * size) * UP + TINY
         return Jet(S0 + S1 * z + S2 * z * z, S1 + 2 * S2 * z, e, r)
 
     def _constant(self, matrix: Any, r: Any) -> Jet:

@@ -4,6 +4,10 @@ Nodes z are floats near the p-roots, the first `up` of them for U (the roots wit
 U = U₀(1 + Σ a_k/(P − z_k)) and L likewise, U·L = D/lead is a_k = W_k/(1 + Σ_l b_l/(z_k − z_l)), l over the other
 side, W_k = D(z_k)/(lead Π_{i≠k}(z_k − z_i)): a contraction where those sums stay below 1/2 (SPEC, splitting).
 Any nodes are allowed: nothing rests on them.
+
+Why it is enough: U·L and D/lead are monic of the same degree, so they agree where they agree at n different nodes,
+and that is the equation. Its right sides map the polydisc |a_k| ≤ β_k into a smaller one: one fixed point, the limit
+of iterates that are analytic in σ (Earle and Hamilton), so U and L are analytic on the disc.
 """
 
 from __future__ import annotations
@@ -14,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.table import Table
-from mpsolve.numbers.jets import UP, Jet, U
+from mpsolve.numbers.jets import TINY, UP, Jet, U, powers_up_to
 
 
 @dataclass(frozen=True)
@@ -46,17 +50,18 @@ def split(table: Table, m: Any, r: Any, up: int) -> Splittings:
         c, lost = table.at(z, T, error)
         gap = z[:, :, None] - z[:, None, :]
         gap[:, np.arange(n), np.arange(n)] = 1
-        powers = r[:, None] ** np.arange(T.shape[1])
+        powers = powers_up_to(r, T.shape[1])
         lead, lead_lost = np.abs(T[:, :, n]), error[:, :, n]
         low = lead[:, 0] - lead_lost[:, 0] - ((lead + lead_lost)[:, 1:] * powers[:, 1:]).sum(1) * UP
         size = np.abs(gap)
         W = np.einsum("bkj,bj->bk", np.abs(c[:, :, 0, :]) + lost[:, :, 0, :], powers) * UP
-        W = W / (size.prod(2) * low[:, None]) * (1 + 64 * n * U) * UP
-        W = np.where(low[:, None] > 0, W, np.inf)
+        below = size.prod(2) * low[:, None]
+        W = W / below * (1 + 64 * n * U) * UP + TINY
+        W = np.where((low[:, None] > 0) & (below > TINY), W, np.inf)
         inverse = (1 + 8 * U) / size
         inverse[:, :up, :up] = 0
         inverse[:, up:, up:] = 0
-        box, image = 1.2 * W + 1e-280, W
+        box, image = 1.2 * W, W
         done = np.zeros(len(m), bool)
         for _ in range(10):
             s = np.einsum("bkl,bl->bk", inverse, box) * UP
@@ -109,8 +114,9 @@ def linked(disc: Splittings, thin: Splittings) -> Any:
             value = to.prod(2)
             for i in range(count):
                 value = value + tight[:, i, None] * np.delete(to, i, 2).prod(2)
-            value = value / np.abs(gap).prod(2) * (1 + 128 * count * U) * UP
-            ok = ok & (value < disc.box[:, part]).all(1)
+            below = np.abs(gap).prod(2)
+            value = value / below * (1 + 128 * count * U) * UP + TINY
+            ok = ok & ((value < disc.box[:, part]) & (below > TINY)).all(1)
     return ok
 
 
@@ -156,19 +162,22 @@ class _Roots:
 
 
 def _roots(D: Table, s: Splittings) -> tuple[_Roots, Any]:
-    """A disc |P − z_k| ≤ eps that holds exactly one root for every σ of the disc, and which belongs to its side."""
+    """A disc |P − z_k| ≤ eps that holds exactly one root for every σ of the disc, and whether all is told apart.
+
+    The discs of one side are disjoint, and the other factor has no root in them, so they hold all roots of the side.
+    """
     c, lost = D.at(s.z, s.T, s.error)
-    powers = s.r[:, None] ** np.arange(c.shape[3])
+    powers = powers_up_to(s.r, c.shape[3])
     slope = np.abs(c[:, :, 1, 0]) - lost[:, :, 1, 0]
     E = (np.abs(c) + lost) / slope[:, :, None, None] * UP
     E[:, :, 1, 0] = lost[:, :, 1, 0] / slope * UP
     by_e = np.einsum("bkij,bj->bki", E, powers) * UP
     order = np.arange(c.shape[2])
-    base = by_e[:, :, 0] + 1e-280
+    base = by_e[:, :, 0] + 1e-250
     eps = 1.5 * base
     done = np.zeros(eps.shape, bool)
     for _ in range(6):
-        terms = by_e * order * eps[:, :, None] ** np.maximum(order, 0)
+        terms = by_e * order * powers_up_to(eps, len(order))
         image = (base + terms.sum(2)) * UP
         done |= image < 0.999 * eps  # e → e − D/c₁₀ maps the disc into itself and contracts
         eps = np.where(done, eps, 1.6 * image)
@@ -181,6 +190,8 @@ def _roots(D: Table, s: Splittings) -> tuple[_Roots, Any]:
     other[s.up :, : s.up] = True
     reach = np.where(other, s.tight[:, None, :] / np.where(other, away, 1), 0).sum(2) * UP
     own = np.where(other, away > 0, True).all(2) & (reach < 1)  # no root of the other factor in the disc
+    apart = (away > eps[:, None, :]) | other | np.eye(len(other), dtype=bool)
+    own &= apart.all(2)
     return _Roots(c, lost, eps, powers), (done & own).all(1)
 
 
@@ -192,17 +203,17 @@ def _weights(N: Table, s: Splittings, roots: _Roots) -> tuple[Jet, Jet]:
     low = (np.abs(slope) - lost[:, :, 1, 0]) * (1 - 8 * U)
     e0, e1 = -c[:, :, 0, 0] / slope, -(c[:, :, 0, 1] / slope if c.shape[3] > 1 else 0 * slope)
     orders = _orders(c.shape[2], c.shape[3])
-    grid = eps[:, :, None] ** np.arange(c.shape[2])
+    grid = powers_up_to(eps, c.shape[2])
     high = np.einsum("bkij,bki,bj->bk", np.where(orders >= 2, np.abs(c) + lost, 0), grid, powers)
     first = lost[:, :, 0, 0] + lost[:, :, 1, 0] * eps + (lost[:, :, 0, 1] * r if c.shape[3] > 1 else 0)
     rounding = 16 * U * (np.abs(e0) + np.abs(e1) * r)
-    root = Jet(e0, e1, ((high + first) / low + rounding) * UP, s.r)
-    P = Jet(s.z + root.a, root.b, root.e + 2 * U * (np.abs(s.z) + np.abs(root.a)), s.r)
+    root = Jet(e0, e1, ((high + first + TINY) / low + rounding) * UP, s.r)
+    P = root + s.z
     derivative = _expand(_slopes(c), _slopes(lost), root, grid, powers)
     T, error = N.in_time(s.m)
     n, n_lost = N.at(s.z, T, error)
-    n_grid = eps[:, :, None] ** np.arange(n.shape[2])
-    n_powers = s.r[:, None] ** np.arange(n.shape[3])
+    n_grid = powers_up_to(eps, n.shape[2])
+    n_powers = powers_up_to(s.r, n.shape[3])
     return _expand(n, n_lost, root, n_grid, n_powers) * derivative.inverse(), P
 
 
@@ -230,5 +241,6 @@ def _expand(c: Any, lost: Any, root: Jet, grid: Any, powers: Any) -> Jet:
         e = e + lost[:, :, 0, 1] * r
     high = np.where(_orders(rows, columns) >= 2, np.abs(c) + lost, 0)
     e = e + np.einsum("bkij,bki,bj->bk", high, grid, powers)
+    # |root.a|, |root.b| r and their sum are below eps (see `_roots`), so this covers the terms of a and b r too
     size = np.abs(c[:, :, 0, 0]) + (np.abs(c[:, :, 1, 0]) * grid[:, :, 1] if rows > 1 else 0) + np.abs(b) * r
-    return Jet(a, b, (e + 16 * U * size) * UP, root.r)
+    return Jet(a, b, (e + 16 * U * size) * UP + TINY, root.r)

@@ -3,39 +3,49 @@
 Points are complex floats q̂ (scaled); σ̂ = i q̂. Every piece stands for a disc of σ̂ that holds it. Pieces are chosen
 by halving; then one pass over all paths proves everything at once: each point has one thin splitting, to which all
 pieces that meet there are linked.
+
+A path begins where an earlier one ends, the first at the start, whose thin splitting is linked to the one that
+`start` has told apart. So along every path U is the continuation of that at the start: over a piece it is analytic,
+and at a point two pieces have the pair of the thin splitting there.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import fsum
 from typing import Any, Literal
 
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
+from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.proof.cover import cover, halfway
+from mpsolve.proof.cover import cover, halved, midpoints
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
 _DEFINITE = 0.9
-_ROOM = 1.3  # pieces are planned on discs this much larger, so that a checker with wider bounds passes them too
+ROOM = 1.1
+"""Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
+_WIDER = 1 + 2.0**-12  # of a disc, against half of its piece
+_OFF_ARC = 2.0**-14  # of a piece's length: how far from the circle the points of an arc may lie
 
 
 @dataclass(frozen=True)
 class Path:
     """Break points in order, and what is proved between them.
 
-    radius: of the circle round 0 of which slanted pieces are arcs: their discs hold the arcs. 0: all are straight.
+    arc: the radius of the circle round 0 along which the last part of the path runs, from that point of the real axis
+    on: there points lie on the circle, and discs hold the circle's arcs too. None: all pieces are straight.
     """
 
     kind: Kind
     points: Any
-    radius: float = 0.0
+    arc: float | None = None
 
     @property
     def pieces(self) -> int:
@@ -60,22 +70,28 @@ class Proved:
 
 @dataclass(frozen=True)
 class Paths:
-    """The tests of a problem with `up` p-roots in U."""
+    """The tests of a problem whose splitting starts at `start`; pieces are planned on discs larger by `room`."""
 
     arrays: Arrays
-    up: int
+    start: Start
+    room: float = ROOM
 
-    def plan(self, kind: Kind, points: Any, effort: Effort, radius: float = 0.0) -> Path:
+    @property
+    def up(self) -> int:
+        """The number of p-roots in U."""
+        return self.start.up
+
+    def plan(self, kind: Kind, points: Any, effort: Effort, arc: float | None = None) -> Path:
         """A path through `points` whose pieces pass the test of its kind, links left aside."""
         points = np.asarray(points, complex)
         if len(points) < 2:
-            return Path(kind, points, radius)
-        return Path(kind, cover(points, self._test(kind), effort, radius=radius), radius)
+            return Path(kind, points)
+        return Path(kind, cover(points, self._test(kind), effort, middle=_between(arc)), arc)
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:
-            with np.errstate(all="ignore"):  # what is not bounded is ∞ or nan, and passes nothing
-                return self._evaluate(kind, a, b, _ROOM)[1]
+            with np.errstate(all="ignore"):  # pieces that are far too long overflow: nothing is proved of them
+                return self._evaluate(kind, a, b, self.room)[1]
 
         return passes
 
@@ -90,11 +106,12 @@ class Paths:
             piece = regular(self.arrays.matrix(G, m))
             return s, good & piece.good, piece
         sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
-        drift = 1e-14 * (np.abs(m) + r)  # the piece runs through its rounded middle, along a rounded direction
+        drift = 64 * U * (np.abs(m) + r)  # the piece runs through its rounded middle, along a rounded direction
         return s, good & positive(sigma * G, 1j * (b - a) / np.abs(b - a), drift), None
 
     def prove(self, paths: tuple[Path, ...], effort: Effort) -> Proved:
         """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError."""
+        _check_chain(paths, self.start.depth)
         for _ in range(_ROUNDS):
             with np.errstate(all="ignore"):
                 proved = self._pass(paths, effort)
@@ -102,13 +119,16 @@ class Paths:
                 return proved
             paths = proved
         raise PrecisionError(
-            "pieces of the paths cannot be joined to their neighbours: the p-roots are nearly multiple"
+            "pieces of the paths cannot be joined to each other: a root lies next to them, or p-roots nearly meet"
         )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
         points, index = np.unique(np.concatenate([path.points for path in paths]), return_inverse=True)
         effort.spend(len(points) + sum(path.pieces for path in paths))
         thin, G, good = self.arrays.evaluate(1j * points, np.zeros(len(points)), self.up)
+        first = thin.take(np.array([index[0]]))
+        if not linked(first, self.start.splitting).all():
+            raise PrecisionError("the splitting at the start is not found again to within rounding")
         A = self.arrays.matrix(G, 1j * points)
         turns, refined, whole, at = [], [], True, 0
         for path in paths:
@@ -117,7 +137,8 @@ class Paths:
             passed, turn = self._path(path, here, thin, A, good)
             turns.append(turn)
             whole = whole and bool(passed.all())
-            refined.append(Path(path.kind, _halved(path, passed), path.radius))
+            between = _between(path.arc)(path.points[:-1][~passed], path.points[1:][~passed])
+            refined.append(replace(path, points=halved(path.points, passed, between)[0]))
         if not whole:
             return tuple(refined)
         ends = np.cumsum([len(path.points) for path in paths]) - 1
@@ -132,34 +153,70 @@ class Paths:
         if not len(first):
             return np.ones(0, bool), (0.0, 0.0)
         s, passed, piece = self._evaluate(path.kind, path.points[:-1], path.points[1:])
-        passed = passed & linked(s, thin.take(first)) & linked(s, thin.take(last))
+        passed = passed & linked(s, thin.take(first)) & linked(s, thin.take(last)) & on_arc(path)
         if piece is None:
             return passed, (0.0, 0.0)
         start, lost, fine = pivot_arguments(piece, A.take(first))
         end, lost_too, fine_too = pivot_arguments(piece, A.take(last))
         passed = passed & fine & fine_too & good[first] & good[last]
-        error = float((lost + lost_too).sum()) * UP + 1e-13 * len(first)
-        return passed, (float((end - start).sum()), error)
+        turn = end - start  # each rounded to within U |turn|, their sum to nearest
+        error = fsum(np.concatenate([lost, lost_too, 2 * U * np.abs(turn)])) * UP
+        return passed, (fsum(turn), error + 2 * U * abs(fsum(turn)))
 
 
-def _halved(path: Path, passed: Any) -> Any:
-    points = path.points
-    middles = halfway(points[:-1], points[1:], path.radius)
-    out = [points[:1]]
-    for middle, b, good in zip(middles, points[1:], passed, strict=True):
-        out.append(np.array([b] if good else [middle, b]))
-    return np.concatenate(out)
+def _check_chain(paths: tuple[Path, ...], depth: float) -> None:
+    """Every path begins where an earlier one ends, the first at −i depth; ValueError else."""
+    ends = [complex(0, -depth)]
+    for path in paths:
+        if complex(path.points[0]) not in ends:
+            raise ValueError("a path begins where no earlier one ends")
+        ends.append(complex(path.points[-1]))
 
 
 def discs(a: Any, b: Any) -> tuple[Any, Any]:
-    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, and any whose ends are rounded to a and b."""
+    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, wider than need be by 2⁻¹²."""
     m = (a + b) / 2
-    r = np.maximum(np.abs(a - m), np.abs(b - m)) * UP + 4 * U * (np.abs(a) + np.abs(b))
+    r = np.maximum(np.abs(a - m), np.abs(b - m)) * _WIDER * UP
     return 1j * m, r
 
 
+def _between(arc: float | None) -> Any:
+    """Where pieces are halved: in the middle, on an arc at the middle of the arc."""
+
+    def on_circle(a: Any, b: Any) -> Any:
+        m = (a + b) / 2
+        with np.errstate(all="ignore"):
+            moved = m * (arc / np.abs(m)) if arc else m
+        return np.where(_curved(a, b, arc), moved, m)
+
+    return midpoints if arc is None else on_circle
+
+
+def _curved(a: Any, b: Any, arc: float | None) -> Any:
+    """Which pieces from a to b stand for an arc of the circle: those that run below the real axis."""
+    return (np.minimum(a.imag, b.imag) < 0) & (arc is not None)
+
+
+def on_arc(path: Path) -> Any:
+    """True for straight pieces, and for those whose disc is proved to hold their arc of the circle |q̂| = arc.
+
+    Let both ends be within η = 2⁻¹³ c of the circle, 2c their distance. The arc between the nearest points of the
+    circle is shorter than a half circle, so it lies in the disc that has those points as a diameter; the disc of the
+    piece holds that one, as its middle is within η of the other middle and c(1 + 2⁻¹²) ≥ (c + η) + η.
+    """
+    a, b = path.points[:-1], path.points[1:]
+    if path.arc is None:
+        return np.ones(len(a), bool)
+    off = np.maximum(np.abs(np.abs(a) - path.arc), np.abs(np.abs(b) - path.arc)) + 8 * U * path.arc
+    near = (off <= _OFF_ARC * (1 - 8 * U) * np.abs(b - a)) & (np.abs(b - a) < path.arc)
+    return near | ~_curved(a, b, path.arc)
+
+
 def positive(V: Jet, way: Any, drift: Any) -> Any:
-    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
+    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line.
+
+    X H X* = I + E with |E| x ≤ θ x, θ < 1, has its eigenvalues within θ of 1, so it and H are positive definite.
+    """
     n = V.a.shape[1]
     with np.errstate(all="ignore"):
         H0, H1 = _hermitian(V.a), _hermitian(way[:, None, None] * V.b)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from flint import acb, acb_poly, arb, fmpq
 
-from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
@@ -17,26 +17,28 @@ from mpsolve.problem.reduced import Guide
 
 @dataclass(frozen=True)
 class Start:
-    """At σ̂ = depth the number of roots with Re P < 0 is `up`, and the splitting found there is that pair."""
+    """At σ̂ = depth the number of roots with Re P < 0 is `up`, and `splitting` is a thin one of just these roots."""
 
     depth: float
     up: int
+    splitting: Splittings = field(repr=False, compare=False)
 
 
 def start(guide: Guide, depths: tuple[float, ...] = (1.0, 0.5, 2.0, 4.0)) -> Start:
     """The number of decaying roots; PrecisionError where no depth serves."""
     for depth in depths:
-        up = _count(guide, depth)
-        if up is not None:
-            return Start(depth, up)
+        found = _tell_apart(guide, depth)
+        if found is not None:
+            return found
     raise PrecisionError("the p-roots far below the real axis cannot be told apart into decaying and growing ones")
 
 
-def _count(guide: Guide, depth: float) -> int | None:
+def _tell_apart(guide: Guide, depth: float) -> Start | None:
+    """All n roots isolated, each on a side; U of the splitting is not 0 at the growing ones, L not at the others."""
     with precision(96):
         try:
             roots = dispersion_at(guide, acb(depth)).roots()
-        except ValueError:  # two of them meet at this depth
+        except ValueError:  # a multiple root
             return None
         if not all(root.real < 0 or root.real > 0 for root in roots):
             return None
@@ -48,7 +50,7 @@ def _count(guide: Guide, depth: float) -> int | None:
         decaying = [root for root in roots if root.real < 0]
         mine, other = factors(s, 0)
         apart = all(not mine(z).contains(0) for z in growing) and all(not other(z).contains(0) for z in decaying)
-        return up if apart else None
+        return Start(depth, up, s) if apart else None
 
 
 def dispersion_at(guide: Guide, sigma: acb) -> acb_poly:

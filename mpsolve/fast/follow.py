@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import certify
+from mpsolve.certificate.sheet import certify_sheet
 from mpsolve.errors import MpsolveError
 from mpsolve.fast.cases import Cases
 from mpsolve.fast.count import NODES, Edge, count_roots
@@ -143,7 +143,7 @@ def _followed(cases: Cases) -> tuple[Any, Any]:
 def certified(cases: Cases, place: int) -> list[complex] | None:
     """Every root of one case with Re q ≥ 0, proved and rounded to float64; None if the proof fails."""
     try:
-        spectrum = certify(cases.exact(place), _DIGITS, max_pieces=_PIECES, check=False)
+        spectrum = certify_sheet(cases.exact(place), _DIGITS, max_pieces=_PIECES, check=False)
     except MpsolveError:
         return None
     if not spectrum.proved or any(root.multiplicity > 1 for root in spectrum.roots):

@@ -15,7 +15,7 @@ from typing import Any
 import flint
 import numpy as np
 
-from mpsolve.certificate.certify import certify
+from mpsolve.certificate.sheet import certify_sheet
 from mpsolve.errors import InputError, MpsolveError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.files import write_whole
@@ -170,7 +170,7 @@ def _seeds_of(row: Row) -> Found | None:
     """Every root, a multiple one as often as it counts; None where they are not proved."""
     case = _case(row)
     try:
-        spectrum = certify(case, 30)
+        spectrum = certify_sheet(case, 30)
     except MpsolveError:
         return None
     if not spectrum.proved:

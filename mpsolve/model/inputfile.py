@@ -60,6 +60,11 @@ class InputFile:
     path: Path
     loads: tuple[Load, ...] | None = None
 
+    @property
+    def given(self) -> Case | PhysicalCase:
+        """What the file describes."""
+        return self.case
+
 
 def read_case(path: str | Path) -> Case | PhysicalCase:
     """Return the admissible case in the TOML file at `path`; errors as for `read_input`."""

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from mpsolve.certificate.certify import Spectrum, certify
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
+from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case
 
 
-def proved_spectrum(case: Case, spectrum: Spectrum | None, digits: int = 30) -> Spectrum:
+def proved_spectrum(case: Case, spectrum: AnySpectrum | None, digits: int = 30) -> SheetSpectrum:
     """The given spectrum of the case, or a new one with these digits; PrecisionError if it is undecided."""
-    if spectrum is None:
-        spectrum = certify(case, digits)
-    elif not isinstance(spectrum, Spectrum):
-        raise InputError("spectrum", f"is {type(spectrum).__name__}: pass certify(case), or leave it out")
-    elif spectrum.case != case or spectrum.region != "sheet":
+    found = certify_sheet(case, digits) if spectrum is None else sheet_of(spectrum)
+    if found.case != case or found.region != "sheet":
         raise InputError(
             "spectrum", 'is not that of this case on the whole sheet: pass certify(case, region="sheet")'
         )
-    if not spectrum.proved:
-        raise PrecisionError(f"the induced frequencies are undecided: {spectrum.reason}")
-    return spectrum
+    if not found.proved:
+        raise PrecisionError(f"the induced frequencies are undecided: {found.reason}")
+    return found

@@ -20,7 +20,8 @@ import flint
 import mpmath
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
@@ -75,7 +76,7 @@ def enclose_response(
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
     digits: int = 15,
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
 ) -> Enclosure:
     """The motion in balls proved to hold it, of a beam from rest under moving masses.
 
@@ -130,7 +131,7 @@ def precise_response(
     xi: Iterable[Number] | Number | None,
     tau: Iterable[Number] | Number,
     digits: int,
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
 ) -> PreciseMotion:
     """The middles of the balls of `enclose_response`; PrecisionError if a ball is wider than 10^−digits."""
     _check_digits(digits)
@@ -156,8 +157,8 @@ def _check_digits(digits: Any) -> None:
 
 
 def _sharp(
-    case: Case, loads: tuple[Load, ...], spectrum: Spectrum | None, digits: int, last: float
-) -> tuple[Spectrum, int]:
+    case: Case, loads: tuple[Load, ...], spectrum: AnySpectrum | None, digits: int, last: float
+) -> tuple[SheetSpectrum, int]:
     """Induced frequencies with the digits that the sum of the parts needs, and how many of them it loses."""
     least = max(digits + 8, 20)
     known = proved_spectrum(case, spectrum, least)
@@ -174,7 +175,7 @@ def _sharp(
     return known, max(0, math.ceil(lost))
 
 
-def _lost(spectrum: Spectrum, loads: tuple[Load, ...], last: float) -> float:
+def _lost(spectrum: SheetSpectrum, loads: tuple[Load, ...], last: float) -> float:
     """Decimal digits to which the motion grows, and which cancel near a resonance: twice those of |q − ω|/|q|."""
     nearest = 1.0
     with ball_arithmetic(math.ceil(spectrum.digits * math.log2(10)) + _GUARD_BITS):
@@ -185,7 +186,7 @@ def _lost(spectrum: Spectrum, loads: tuple[Load, ...], last: float) -> float:
     return last * _growth(spectrum) - 2 * math.log10(nearest) if nearest else math.inf
 
 
-def _growth(spectrum: Spectrum) -> float:
+def _growth(spectrum: SheetSpectrum) -> float:
     """Decimal digits a unit of τ by which the motion grows."""
     return max((float(-root.q.imag.mid()) for root in spectrum.roots), default=0.0) / math.log(10)
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum
 from mpsolve.errors import InputError
 from mpsolve.fields import MP
 from mpsolve.model.branch import Track, track
@@ -29,7 +29,7 @@ def precise_harmonic(
     loads: Iterable[Load] | None,
     xi: Iterable[Number] | Number | None,
     tau: Iterable[Number] | Number,
-    spectrum: Spectrum | None,
+    spectrum: AnySpectrum | None,
     digits: int,
 ) -> HarmonicSolution:
     """As `harmonic_solution`, in arrays of mpmath numbers that are rounded to `digits` digits."""

@@ -8,7 +8,7 @@ from typing import Any
 
 import flint
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Pairing, Track, pairing
 from mpsolve.model.characteristic import characteristic_rate
@@ -43,7 +43,7 @@ def steady(track: Track, given: Setting) -> list[BallWave]:
     return found
 
 
-def induced(track: Track, given: Setting, spectrum: Spectrum) -> list[BallWave]:
+def induced(track: Track, given: Setting, spectrum: SheetSpectrum) -> list[BallWave]:
     """One wave for each pair q, −q̄ of induced frequencies of the physical sheet, (36).
 
     Raises PrecisionError for a cluster of roots, and where a root is too wide for the division.

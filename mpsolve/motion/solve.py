@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum
 from mpsolve.errors import InputError, PrecisionError, known
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
@@ -39,7 +39,7 @@ def response(
     loads: Iterable[Load] | None = None,
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
     digits: None = None,
     balls: Literal[False] = False,
 ) -> Response: ...
@@ -49,7 +49,7 @@ def response(
     loads: Iterable[Load] | None = None,
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
     *,
     digits: int,
     balls: Literal[False] = False,
@@ -60,7 +60,7 @@ def response(
     loads: Iterable[Load] | None = None,
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
     digits: int | None = None,
     *,
     balls: Literal[True],
@@ -70,7 +70,7 @@ def response(
     loads: Iterable[Load] | None = None,
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
     digits: int | None = None,
     balls: bool = False,
 ) -> Response | PreciseMotion | Enclosure:
@@ -99,7 +99,7 @@ def harmonic_solution(
     loads: Iterable[Load] | None = None,
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
     digits: int | None = None,
 ) -> HarmonicSolution:
     """The steady and the unsteady harmonic part alone, (36); arguments and errors as for `response`.
@@ -220,7 +220,7 @@ class Problem:
 
 
 def prepare(
-    case: Case | PhysicalCase, loads: Iterable[Load] | None = None, spectrum: Spectrum | None = None
+    case: Case | PhysicalCase, loads: Iterable[Load] | None = None, spectrum: AnySpectrum | None = None
 ) -> Problem:
     """The certified induced frequencies and the residues there; errors as for `response`."""
     forces = loads_of(case, loads)

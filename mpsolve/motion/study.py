@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum
 from mpsolve.errors import InputError
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -41,7 +41,7 @@ def envelope(
     loads: Iterable[Load] | None = None,
     xi: Number | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
 ) -> Envelope:
     """The envelope of the unsteady harmonic part (36) at ξ, by default that of the rear mass, as in Figures 3–8.
 
@@ -113,7 +113,7 @@ class Importance:
 
 
 def transient_importance(
-    case: Case | PhysicalCase, loads: Iterable[Load] | None = None, spectrum: Spectrum | None = None
+    case: Case | PhysicalCase, loads: Iterable[Load] | None = None, spectrum: AnySpectrum | None = None
 ) -> Importance:
     """Displacement and velocity of the steady and harmonic part alone at τ = 0; errors as for `response`."""
     problem = prepare(case, loads, spectrum)
@@ -127,7 +127,7 @@ def deflection_shape(
     loads: Iterable[Load] | None = None,
     xi: Iterable[Number] | None = None,
     tau: Iterable[Number] | Number = (0,),
-    spectrum: Spectrum | None = None,
+    spectrum: AnySpectrum | None = None,
 ) -> Response:
     """The whole shape of the beam at the given times: `response` on a grid of ξ around the masses.
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import MP
 from mpsolve.model.branch import Pairing, Track, pairing, track
@@ -73,7 +73,7 @@ def steady_waves(case: Case, loads: Sequence[Load], bits: int = BITS) -> tuple[W
 
 
 def induced_waves(
-    case: Case, loads: Sequence[Load], spectrum: Spectrum, bits: int = BITS, near: float = _NEAR
+    case: Case, loads: Sequence[Load], spectrum: SheetSpectrum, bits: int = BITS, near: float = _NEAR
 ) -> tuple[Wave, ...]:
     """One wave for each pair q, −q̄ of induced frequencies, (36), sorted by Re q, then Im q.
 

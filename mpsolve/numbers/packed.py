@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from typing import Any
 
-from flint import arb
+from flint import acb, arb
 
 PackedBall = tuple[tuple[int, int], tuple[int, int]]
 """(mantissa, exponent) of the midpoint and of the radius."""
@@ -20,3 +22,44 @@ def pack(ball: Any) -> PackedBall:
 def unpack(packed: PackedBall) -> Any:
     """The flint.arb with the same midpoint, and the same radius up to its rounding upward, at any precision."""
     return arb(*packed)
+
+
+@dataclass(frozen=True)
+class _Ball:
+    """A real ball (one part) or a complex one (two)."""
+
+    parts: tuple[PackedBall, ...]
+
+
+class Portable:
+    """Base of frozen dataclasses that hold balls, so that they can be pickled and copied."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        values = {one.name: _packed(getattr(self, one.name)) for one in fields(self)}  # type: ignore[arg-type]
+        return _restored, (type(self), values)
+
+
+def _restored(kind: type[Any], values: Mapping[str, Any]) -> Any:
+    out = object.__new__(kind)
+    for name, value in values.items():
+        object.__setattr__(out, name, _unpacked(value))
+    return out
+
+
+def _packed(value: Any) -> Any:
+    if isinstance(value, arb):
+        return _Ball((pack(value),))
+    if isinstance(value, acb):
+        return _Ball((pack(value.real), pack(value.imag)))
+    if type(value) is tuple:
+        return tuple(map(_packed, value))
+    return {key: _packed(one) for key, one in value.items()} if type(value) is dict else value
+
+
+def _unpacked(value: Any) -> Any:
+    if isinstance(value, _Ball):
+        parts = [unpack(one) for one in value.parts]
+        return parts[0] if len(parts) == 1 else acb(*parts)
+    if type(value) is tuple:
+        return tuple(map(_unpacked, value))
+    return {key: _unpacked(one) for key, one in value.items()} if type(value) is dict else value

@@ -9,6 +9,7 @@ from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.packed import Portable
 
 
 class Symmetry(Enum):
@@ -20,7 +21,7 @@ class Symmetry(Enum):
 
 
 @dataclass(frozen=True)
-class RootBall:
+class RootBall(Portable):
     """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
 
     A single root is isolated by interval Newton, a cluster (multiplicity > 1) by Pellet's test. The midpoint
@@ -55,6 +56,8 @@ _INNER = 0.4  # how far from its grid point, in units, a coordinate of the root 
 
 def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:
     """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image."""
+    if not image.is_finite():
+        raise PrecisionError("a root was lost while it was sharpened: raise the precision")
     size = float(image.abs_lower())
     first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
     first -= CLUSTER if multiplicity > 1 else 0

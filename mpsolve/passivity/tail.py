@@ -289,12 +289,13 @@ def _top(polynomial: Polynomial, k: int, m: int) -> int:
 
 def _envelope(absorption: Absorption, v: Fraction, tail: Tail) -> float | None:
     """(b): C with |W| p^α ≤ C |D|² for p ≥ X/v, −vp ≤ Ω ≤ 0, on two charts; None where it is not bounded."""
-    found: float | None = 0.0
-    for chart in envelope_charts(absorption, v, tail):
-        found = _supremum(*chart, found)
+    known = 0.0
+    for top, bottom, box, product in envelope_charts(absorption, v, tail):
+        found = _supremum(top, bottom, box, product, known)
         if found is None:
             return None
-    return found * UP
+        known = found
+    return known * UP
 
 
 def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tuple[Any, ...], ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import singledispatch
-from typing import Any
+from typing import Any, TypeAlias
 
 from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -12,6 +12,9 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.vehicles.mass import Mass
+
+Given: TypeAlias = Problem | Case | PhysicalCase
+"""What a question may be about."""
 
 
 @singledispatch
@@ -43,6 +46,22 @@ def _(given: PhysicalCase) -> Problem:
     """The same beam and masses in SI: q is in rad/s."""
     track = EulerBernoulli(given.EI, given.m, given.k, given.c, given.kp, given.N)
     return Problem(track, [Mass(mass.M).at(mass.position) for mass in given.masses], v=given.v)
+
+
+def as_paper(given: Given) -> Case | PhysicalCase | None:
+    """The paper's case that this is, in the same units; None for another track, other vehicles, or no stiffness k."""
+    if isinstance(given, (Case, PhysicalCase)):
+        return given
+    track = given.track
+    if not isinstance(track, EulerBernoulli) or track.eta or not track.k:
+        return None
+    masses = [(one.vehicle.M, one.position) for one in given.vehicles if isinstance(one.vehicle, Mass)]
+    if len(masses) < len(given.vehicles):
+        return None
+    masses.sort(key=lambda mass: mass[1])
+    return PhysicalCase(
+        EI=track.EI, m=track.m, k=track.k, c=track.c, kp=track.kp, N=track.N, v=given.v, masses=masses
+    )
 
 
 def _rational(value: Exact, key: str) -> Fraction:

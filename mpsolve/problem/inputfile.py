@@ -57,6 +57,11 @@ class ProblemFile:
     loads: tuple[Load, ...] | None = None
     case: Case | PhysicalCase | None = None
 
+    @property
+    def given(self) -> Problem | Case | PhysicalCase:
+        """What the file describes."""
+        return self.problem if self.case is None else self.case
+
 
 def read_problem(path: str | Path) -> ProblemFile:
     """The problem in the TOML file at `path`, each number exactly as written (0.1 is 1/10).
@@ -66,10 +71,16 @@ def read_problem(path: str | Path) -> ProblemFile:
     the force at each contact from rear to front, or at none. Or it is a file as for `read_case`.
     InputError names the key at fault, such as track.k_pad or vehicle[2].wheel (counted from 1).
     """
+    source = read_source(path)
+    return source if isinstance(source, ProblemFile) else _of_case(source)
+
+
+def read_source(path: str | Path) -> ProblemFile | InputFile:
+    """The same, but a case of the paper stays the case that it is, whose ratios may be irrational."""
     file = Path(path)
     content = parsed(text_of(file), str(file))
     if not {"track", "vehicle", "v"} & content.keys():
-        return _of_case(_known_case(content, file))
+        return _known_case(content, file)
     for other in ("physical", "dimensionless", "mass"):
         if other in content:
             raise InputError(other, "stands beside [track] and [[vehicle]]: keep only one of the two descriptions")

@@ -9,6 +9,7 @@ from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+from mpsolve.problem.parameters import changed, parameters_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
 
@@ -38,6 +39,20 @@ class Problem:
         if not placed:
             raise InputError("vehicles", "is empty: give at least one vehicle")
         vars(self).update(track=track, vehicles=placed, v=velocity)
+
+    @property
+    def parameters(self) -> dict[str, Fraction]:
+        """Every parameter by its path (mpsolve/problem/parameters.py) with its value."""
+        return parameters_of(self.track, self.vehicles, self.v)
+
+    def changed(self, path: str, value: object) -> Problem:
+        """The same problem with the parameter at `path` set to `value`; InputError lists the paths there are.
+
+        >>> from mpsolve import tracks, vehicles
+        >>> Problem(tracks.String(T=1, m=1), vehicles.Mass(2), v=0).changed("scale.mass", 3).vehicles[0].vehicle.M
+        Fraction(6, 1)
+        """
+        return Problem(*changed(self.track, self.vehicles, self.v, path, value))
 
     @property
     def pencil(self) -> Pencil:

@@ -124,7 +124,7 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
             )
     keys = list(D)
     rows = np.array([[1.0, i, j] for i, j in keys])
-    logs = np.array([log2(abs(c.numerator)) - log2(c.denominator) for c in D.values()])
+    logs = np.array([_log2(c) for c in D.values()])
     fit = np.linalg.lstsq(rows, logs, rcond=None)[0]
     length, time = (
         round(float(fit[1])),
@@ -133,17 +133,25 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     unit_P, unit_s = Fraction(2) ** -length, Fraction(2) ** -time
     rescale = lambda i, j, c: c * unit_P**i * unit_s**j  # noqa: E731
     D, N = mapped(D, rescale), mapped(N, rescale)
-    e, f = (round(log2(float(max(map(abs, a.values()))))) for a in (D, N))
+    e, f = (round(max(map(_log2, a.values()), default=0.0)) for a in (D, N))
     D, N = scaled(D, Fraction(2) ** -e), scaled(N, Fraction(2) ** -f)
     v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
-    moved = moving(D, v)
-    top = max(i for i, _ in moved)
-    return Guide(length, time, D, N, moved, moving(N, v), v, g) if top else _refuse()
+    guide = Guide(length, time, D, N, moving(D, v), moving(N, v), v, g)
+    _require_waves(guide)
+    return guide
 
 
-def _refuse() -> Guide:
-    raise InputError("track", "has no dispersion in p: give a track that carries waves")
+def _require_waves(guide: Guide) -> None:
+    """N/D falls at least as p⁻²: G is given by either kind of p-roots at distance 0, and small at infinity."""
+    if not guide.degree:
+        raise InputError("track", "has no dispersion in p: give a track that carries waves")
+    if max((i for i, _ in guide.N), default=0) + 2 > guide.degree:
+        raise InputError("track", "has a point receptance that does not exist: let D grow with p by p² more than N")
+
+
+def _log2(x: Fraction) -> float:
+    return log2(abs(x.numerator)) - log2(x.denominator)
 
 
 def _times(rows: Rows, factor: Fraction) -> Rows:
@@ -158,5 +166,5 @@ def _conjugate(rows: Rows, scales: tuple[int, ...]) -> Rows:
 
 def _scales(S: list[Rows]) -> tuple[int, ...]:
     """Powers of two that bring the diagonal of S near 1."""
-    sizes = [float(sum(abs(rows[i][i]) for rows in S)) for i in range(len(S[0]))]
-    return tuple(-round(log2(size) / 2) if size else 0 for size in sizes)
+    sizes = [sum((abs(rows[i][i]) for rows in S), Fraction(0)) for i in range(len(S[0]))]
+    return tuple(-round(_log2(size) / 2) if size else 0 for size in sizes)

@@ -12,6 +12,8 @@ from mpsolve.proof.effort import Effort
 
 Test = Callable[[Any, Any], Any]
 """(starts, ends) → which pieces pass."""
+Middle = Callable[[Any, Any], Any]
+"""(starts, ends) → the points at which pieces are halved."""
 
 
 class OpenPieceError(PrecisionError):
@@ -22,37 +24,36 @@ class OpenPieceError(PrecisionError):
         self.place = place
 
 
-def halfway(a: Any, b: Any, radius: float = 0.0) -> Any:
-    """The middles of pieces; that of a slanted one on the circle |q| = radius, if there is one."""
-    middle = (a + b) / 2
-    if not radius:
-        return middle
-    slanted = (a.real != b.real) & (a.imag != b.imag)
-    with np.errstate(all="ignore"):
-        return np.where(slanted, middle * (radius / np.abs(middle)), middle)
+def midpoints(a: Any, b: Any) -> Any:
+    """The middles of straight pieces, rounded."""
+    return (a + b) / 2
 
 
-def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40, radius: float = 0.0) -> Any:
+def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40, middle: Middle = midpoints) -> Any:
     """The break points of a refinement of the polyline through `points` (complex) whose pieces all pass.
 
-    radius: of the circle of which slanted pieces are arcs, 0 for none. `smallest` is relative to the length of the path. Raises OpenPieceError where halving does not help, EffortError
-    where the effort is spent.
+    Pieces stay in order, so the result runs through all `points`. `smallest` is relative to the length of the path.
+    Raises OpenPieceError where halving does not help, EffortError where the effort is spent.
     """
     points = np.asarray(points, complex)
-    a, b = points[:-1], points[1:]
-    length = float(np.abs(b - a).sum())
-    following: dict[complex, complex] = {}
-    while len(a):
+    length = float(np.abs(np.diff(points)).sum())
+    passed = np.zeros(len(points) - 1, bool)
+    while not passed.all():
+        a, b = points[:-1][~passed], points[1:][~passed]
         effort.spend(len(a))
-        passed = test(a, b)
-        following.update(zip(a[passed].tolist(), b[passed].tolist(), strict=True))
-        a, b = a[~passed], b[~passed]
+        found = np.array(test(a, b), bool)
+        passed[~passed] = found
+        a, b = a[~found], b[~found]
         short = np.abs(b - a) < smallest * length
+        between = middle(a, b)
+        short |= (between == a) | (between == b)
         if short.any():
             raise OpenPieceError(complex((a[short][0] + b[short][0]) / 2), smallest * length)
-        middle = halfway(a, b, radius)
-        a, b = np.concatenate([a, middle]), np.concatenate([middle, b])
-    out = [complex(points[0])]
-    while out[-1] in following:
-        out.append(following.pop(out[-1]))
-    return np.array(out)
+        points, passed = halved(points, passed, between)
+    return points
+
+
+def halved(points: Any, passed: Any, between: Any) -> tuple[Any, Any]:
+    """The points with those `between` put into the pieces that have not passed, and which pieces have."""
+    at = np.flatnonzero(~passed) + 1
+    return np.insert(points, at, between), np.insert(passed, at, np.zeros(len(at), bool))

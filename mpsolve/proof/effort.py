@@ -2,25 +2,52 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from time import process_time
+from typing import Any
 
-from mpsolve.errors import EffortError
+from mpsolve.errors import EffortError, InputError
+from mpsolve.outcome import Reason
+
+MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
 
 
 @dataclass
 class Effort:
-    """A budget that proofs spend; EffortError when it is spent. None: no limit."""
+    """How much work an answer may take: seconds of processor time, evaluations of Δ, or both. None: no limit.
+
+    One object may serve any number of questions: each starts from 0.
+    """
 
     seconds: float | None = None
     evaluations: int | None = None
-    spent: int = 0
-    started: float = field(default_factory=process_time)
+    spent: int = field(default=0, init=False, repr=False, compare=False)
+    started: float = field(default_factory=process_time, init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        _check("seconds", self.seconds, (int, float), "number")
+        _check("evaluations", self.evaluations, int, "whole number")
+
+    def anew(self) -> Effort:
+        """The same limits with nothing spent, from now on."""
+        return Effort(self.seconds, self.evaluations)
 
     def spend(self, evaluations: int) -> None:
         """Count evaluations of the characteristic function."""
         self.spent += evaluations
         if self.evaluations is not None and self.spent > self.evaluations:
-            raise EffortError(f"the effort of {self.evaluations} evaluations is spent")
+            self._end(f"{self.evaluations} evaluations", {"evaluations": str(self.evaluations)})
         if self.seconds is not None and process_time() - self.started > self.seconds:
-            raise EffortError(f"the effort of {self.seconds:g} s of processor time is spent")
+            self._end(f"{self.seconds:g} s of processor time", {"seconds": f"{self.seconds:g}"})
+
+    @staticmethod
+    def _end(limit: str, numbers: dict[str, str]) -> None:
+        raise EffortError(Reason("effort", f"the effort of {limit} is spent", numbers, MORE_EFFORT))
+
+
+def _check(name: str, value: Any, kind: Any, wanted: str) -> None:
+    if value is None:
+        return
+    if isinstance(value, bool) or not isinstance(value, kind) or not 0 < value < math.inf:
+        raise InputError(f"effort.{name}", f"is {value!r}: give a {wanted} above 0, or None for no limit")

@@ -1,8 +1,12 @@
 """Regular matrices over discs, and the change of the argument of their determinants: rigorous, batched in float64.
 
 For A over a disc and any float matrix R: if |R A − I| x ≤ θ x with x > 0 and θ < 1, then R A is an H-matrix, so
-det A ≠ 0; its pivots without exchange keep |pivot − 1| < 1, and arg det A changes between two points of the disc by
+det A ≠ 0; its pivots without exchange keep |pivot − 1| ≤ θ, and arg det A changes between two points of the disc by
 the difference of Σ Arg(pivots of R A) there (SPEC, pieces).
+
+Why: in the norm max |y_i|/x_i, I + E with |E| ≤ θ. Let E₁₁ be a leading block and α, β the sums of moduli of a later
+row over it and beyond it, α + β ≤ θ. Each row of E₁₁ and E₁₂ has sums θ₁ + θ₂ ≤ θ, so |(I + E₁₁)⁻¹E₁₂| ≤ (θ − θ₁)/
+(1 − θ₁) ≤ θ, and the row's Schur complement differs from that of I by at most β + αθ ≤ θ.
 """
 
 from __future__ import annotations
@@ -17,11 +21,13 @@ from mpsolve.numbers.jets import UP, Jet, U
 THETA = 0.9
 """Below 1 by a margin, so that a checker that rounds otherwise agrees."""
 _PIVOTS = 0.95
+"""Above θ + φ in `pivot_arguments`."""
+_MOST_PHI = 0.0025
 
 
 @dataclass(frozen=True)
 class Regular:
-    """For each disc the preconditioner R, the vector x and θ; `good` where |R A − I| x ≤ θ x, θ < THETA, is proved."""
+    """For each disc the preconditioner R, the vector x, θ; `good` where |R A − I| x ≤ θ x, θ < THETA, is proved."""
 
     R: Any
     x: Any
@@ -62,7 +68,12 @@ def _inverse(a: Any) -> Any:
 
 
 def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
-    """(Σ Arg pivots of R A, a bound of its error, where it is bounded) at a thin point of each disc."""
+    """(Σ Arg pivots of R A, a bound of its error, where it is bounded) at a thin point of each disc.
+
+    The pivots in floats are those of M + F, M = R A and |F| x ≤ φ x (rounding of the product and backward error of
+    the elimination). Along M + t F a pivot has the derivative (−m M₁₁⁻¹, 1) F (−M₁₁⁻¹ m′, 1)ᵀ, at most φ/(1 − θ′),
+    θ′ = θ + φ, and a modulus of at least 1 − θ′: its argument changes by at most φ/(1 − θ′)².
+    """
     n = A.a.shape[1]
     with np.errstate(all="ignore"):
         lu = piece.R @ A.a
@@ -74,7 +85,7 @@ def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
         lower = np.tril(np.abs(lu), -1) + np.eye(n)
         radius = A.e + np.abs(A.b) * A.r[:, None, None]
         P = size @ radius + 16 * (n + 4) * U * (size @ np.abs(A.a) + lower @ np.triu(np.abs(lu)))
-        e = np.max(np.einsum("bij,bj->bi", P * UP, piece.x) / piece.x, axis=1) * UP / (1 - _PIVOTS)
+        phi = np.max(np.einsum("bij,bj->bi", P * UP, piece.x) / piece.x, axis=1) * UP
         total = np.angle(np.diagonal(lu, axis1=1, axis2=2)).sum(1)
-        good = piece.good & (e < 0.05) & np.isfinite(total)
-        return total, n * (2 * e + 16 * U), good
+        good = piece.good & (phi < _MOST_PHI) & np.isfinite(total)
+        return total, n * (phi / (1 - _PIVOTS) ** 2 + (16 + 2 * n) * U) * UP, good

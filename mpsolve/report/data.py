@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from mpsolve.certificate.certify import Spectrum, known_count
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
+from mpsolve.certificate.sheet import known_count
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import PhysicalCase
@@ -13,7 +14,7 @@ from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.statement import proved, radius_text
 from mpsolve.report.vibration import Trend, Vibration, vibration
-from mpsolve.sheet.region import Rectangle
+from mpsolve.spectrum.regions import Rectangle
 
 FORMAT = "mpsolve report"
 VERSION = 1
@@ -23,7 +24,7 @@ _DIMENSIONLESS_UNITS = {"frequency": "cycles per unit of τ", "growth_rate": "1 
 
 
 def as_data(
-    spectrum: Spectrum,
+    spectrum: AnySpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
@@ -57,6 +58,7 @@ def as_data(
     assumed           what they rest on
     certificate       the path of the certificate, or null
     """
+    spectrum = sheet_of(spectrum)
     return {
         "format": FORMAT,
         "version": VERSION,

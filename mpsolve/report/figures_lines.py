@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -26,7 +27,7 @@ _SAMPLES = 200
 
 
 def line_frequencies(
-    lines: FrequencyLines, ax: Axes, spectrum: Spectrum | None = None, physical: PhysicalCase | None = None,
+    lines: FrequencyLines, ax: Axes, spectrum: AnySpectrum | None = None, physical: PhysicalCase | None = None,
     look: Look = COLOUR,
 ) -> Axes:  # fmt: skip
     """Re q of each line over α, with q_lm dotted; `spectrum`: the case that is marked; `ax`.
@@ -35,6 +36,7 @@ def line_frequencies(
     """
     _lines(lines, ax, look, lambda q: float(q.real.mid()))
     if spectrum is not None:
+        spectrum = sheet_of(spectrum)
         _limit(spectrum.case, lines, ax, look)
         _here(spectrum, ax, look, lambda q: float(q.real.mid()))
     ax.set(ylabel="Re q", ylim=(0, None))
@@ -46,13 +48,14 @@ def line_frequencies(
 
 
 def line_growth(
-    lines: FrequencyLines, ax: Axes, spectrum: Spectrum | None = None, physical: PhysicalCase | None = None,
+    lines: FrequencyLines, ax: Axes, spectrum: AnySpectrum | None = None, physical: PhysicalCase | None = None,
     look: Look = COLOUR,
 ) -> Axes:  # fmt: skip
     """Im q of each line over α, with the level η_b of the cuts dotted and the unstable half shaded; `ax`."""
     _lines(lines, ax, look, lambda q: float(q.imag.mid()))
     ax.axhline(0, color=look.ink, linewidth=0.8)
     if spectrum is not None:
+        spectrum = sheet_of(spectrum)
         if spectrum.case.cuts_on_line:
             ax.axhline(
                 float(spectrum.case.eta_b), color=look.ink, linestyle=":", linewidth=1, label="$η_b$, the cuts"
@@ -87,7 +90,7 @@ def _limit(case: Case, lines: FrequencyLines, ax: Axes, look: Look) -> None:
         ax.plot(*zip(*shown, strict=True), color=look.ink, linestyle=":", linewidth=1, label="$q_{lm}$")
 
 
-def _here(spectrum: Spectrum, ax: Axes, look: Look, part: Any) -> None:
+def _here(spectrum: SheetSpectrum, ax: Axes, look: Look, part: Any) -> None:
     """The case itself: its velocity, and its roots with Re q ≥ 0."""
     alpha = float(spectrum.case.alpha)
     ax.axvline(alpha, color=look.faint, linewidth=0.8, linestyle=(0, (4, 3)))
@@ -96,7 +99,7 @@ def _here(spectrum: Spectrum, ax: Axes, look: Look, part: Any) -> None:
         ax.plot(alpha, part(root.q), **style, markersize=8, zorder=5, gid=f"here-{k}")
 
 
-def _half(spectrum: Spectrum) -> Iterable[Any]:
+def _half(spectrum: SheetSpectrum) -> Iterable[Any]:
     return (root for root in spectrum.roots if not root.q.real < 0)
 
 

@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.decimals import proved_digits
-from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.report.vibration import Trend, Vibration
 
@@ -27,7 +26,7 @@ _GUARD = 0.12  # of the extent, around what is shown
 _CLOSE = 0.25  # of the half width: below it the labels of both branch points would meet
 
 
-def centre(root: RootBall) -> tuple[float, float]:
+def centre(root: Any) -> tuple[float, float]:
     """The midpoint of the ball, in float64."""
     return float(root.q.real.mid()), float(root.q.imag.mid())
 
@@ -37,8 +36,9 @@ def gap_end(case: Case) -> float | None:
     return max(0.0, float(limiting_frequency(case, Float64()))) if case.cuts_on_line else None
 
 
-def q_plane(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def q_plane(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The roots with the cuts, their branch points, the contour along them and the unstable half-plane; `ax`."""
+    spectrum = sheet_of(spectrum)
     start = gap_end(spectrum.case)
     height = float(spectrum.case.eta_b)
     places = [centre(root) for root in spectrum.roots]
@@ -55,8 +55,9 @@ def q_plane(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     return ax
 
 
-def draw_roots(spectrum: Spectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
+def draw_roots(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
     """A mark at the midpoint of each certified ball; a diamond where Im q < 0 is proved."""
+    spectrum = sheet_of(spectrum)
     for k, root in enumerate(spectrum.roots, 1):
         x, y = centre(root)
         ax.plot(x, y, **look.root(root.q.imag < 0), markersize=size, markeredgewidth=0.8, zorder=5, gid=f"root-{k}")
@@ -99,11 +100,12 @@ def root_ball(motion: Vibration, ax: Axes, look: Look = COLOUR) -> Axes:
     return ax
 
 
-def whole_contour(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def whole_contour(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The whole contour of the count to scale: both edges of the cuts and the far circle; `ax`.
 
     Where only Im q < 0 was counted: the real axis and the circle below it.
     """
+    spectrum = sheet_of(spectrum)
     rho = 1.0 if spectrum.radius is None else spectrum.radius
     start = gap_end(spectrum.case)
     on_cuts = start is not None

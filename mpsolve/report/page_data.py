@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve import __version__
-from mpsolve.certificate.certify import Spectrum
 from mpsolve.certificate.format import Certificate
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
 from mpsolve.motion.scale import Scale
@@ -55,7 +55,7 @@ def proofs(parts: Parts, stem: str) -> tuple[Proof, ...]:
     return tuple(found)
 
 
-def _proves(spectrum: Spectrum) -> str:
+def _proves(spectrum: SheetSpectrum) -> str:
     """What the certificate of the roots is about: no more than the region that was searched."""
     if spectrum.region == "sheet":
         return "all induced frequencies"

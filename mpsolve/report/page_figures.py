@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.motion.scale import Scale
@@ -188,7 +188,7 @@ def _picture(
     return Picture(name, inline_svg(figure_of(draw, size), name, title, description), caption)
 
 
-def _roots_said(motions: tuple[Vibration, ...], spectrum: Spectrum) -> str:
+def _roots_said(motions: tuple[Vibration, ...], spectrum: SheetSpectrum) -> str:
     said = "; ".join(_root_said(motions))
     if said:
         return f"Roots: {said}."
@@ -203,7 +203,7 @@ def _root_said(motions: tuple[Vibration, ...]) -> Iterator[str]:
         yield f"q{k}: Re q = {'±' if q.real else ''}{_few(abs(q.real))}, Im q = {_few(q.imag)}"
 
 
-def _contour_said(spectrum: Spectrum) -> str:
+def _contour_said(spectrum: SheetSpectrum) -> str:
     """The contour of the count, as in figures_plane.whole_contour."""
     rho = radius_text(known(spectrum.radius, "the radius"))
     if spectrum.region == "sheet":
@@ -232,7 +232,7 @@ def _place(q: Any) -> str:
     return f"Re q = {_few(q.real)}, Im q = {_few(q.imag)}"
 
 
-def _cuts_said(spectrum: Spectrum) -> str:
+def _cuts_said(spectrum: SheetSpectrum) -> str:
     start, height = gap_end(spectrum.case), spectrum.case.eta_b.short()
     if start is None:
         return "The cuts leave the line Im q = η_b and are not shown."
@@ -241,7 +241,7 @@ def _cuts_said(spectrum: Spectrum) -> str:
     return f"Branch points at ±{start:.6g} + {height} i, with cuts outward from them."
 
 
-def _plane_caption(spectrum: Spectrum) -> str:
+def _plane_caption(spectrum: SheetSpectrum) -> str:
     start = gap_end(spectrum.case)
     contour = (
         ""

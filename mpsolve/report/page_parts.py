@@ -10,7 +10,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from mpsolve.certificate.certify import Spectrum, certify
+from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import MpsolveError
 from mpsolve.model.load import GRAVITY, Load, gives_forces, loads_of
 from mpsolve.model.parameters import Case
@@ -55,7 +55,7 @@ class Parts:
     """
 
     source: Source
-    spectrum: Spectrum
+    spectrum: SheetSpectrum
     margins: tuple[Margin, Margin, Margin]
     lines: Part[FrequencyLines]
     chart: Part[StabilityChart]
@@ -108,7 +108,7 @@ def gather(
     """
     say = tell or silent
     case = source.case
-    spectrum = certify(case, digits, "sheet" if case.cuts_on_line else "unstable", progress=tell)
+    spectrum = certify_sheet(case, digits, "sheet" if case.cuts_on_line else "unstable", progress=tell)
     found = margins(case, tell)
     say("lines", 0.0)
     off_line = cuts_said(case)
@@ -180,7 +180,7 @@ def loads_for(source: Source, loads: tuple[Load, ...] | None) -> tuple[tuple[Loa
     return loads_of(source.physical), said
 
 
-def times(spectrum: Spectrum) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+def times(spectrum: SheetSpectrum) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     """Times τ that show the slowest induced vibration, its growth within bounds, and resolve the fastest."""
     roots = [complex(root.q.mid()) for root in spectrum.roots]
     slow = min((abs(q.real) for q in roots if abs(q.real) > 1e-3), default=0.0)

@@ -25,7 +25,14 @@ ADVICE = {
 _COMMAND = (
     ('ask for the region "unstable"', "try --region unstable"),
     ('only region="unstable", or a rectangle in Im q ≤ 0, can be certified', "try --region unstable"),
-    ("raise max_pieces", "allow more with --max-pieces"),
+    ("allow more effort, with effort=Effort(seconds=…)", "allow more with --effort SECONDS"),
+    ('give "unstable", ("below", h) or a Rectangle', "give unstable, below=H or RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
+    (
+        'give "sheet", "unstable", ("below", h) with a number h, or a Rectangle',
+        "give unstable, below=H, RE_MIN,RE_MAX,IM_MIN,IM_MAX, or sheet",
+    ),
+    ('ask for "unstable"', "try --region unstable"),
+    ("give h up to", "give --region below=H with H up to"),
     ("or for more digits", "or more --digits"),
     ("ask for more digits", "ask for more --digits"),
     ("or for a rectangle", "or for a small --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import decimal
 
-from mpsolve.certificate.certify import Spectrum, known_count
+from mpsolve.certificate.sheet import SheetSpectrum, known_count
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.numbers.decimals import proved_digits
+from mpsolve.numbers.exact import Exact
 from mpsolve.outcome import Status
 from mpsolve.report.vibration import Trend, trend
-from mpsolve.sheet.region import Rectangle
+from mpsolve.spectrum.regions import Rectangle
 
 _LIMIT_BITS = 128
 _LIMIT_DIGITS = 10
 
 
-def verdict(spectrum: Spectrum) -> str:
+def verdict(spectrum: SheetSpectrum) -> str:
     """One sentence that begins with STABLE, UNSTABLE, NO GROWTH (in a rectangle only) or UNDECIDED."""
     if not spectrum.proved:
         return f"UNDECIDED: {spectrum.reason}."
@@ -30,7 +31,7 @@ def verdict(spectrum: Spectrum) -> str:
     return "STABLE: no root with Im q < 0, so every vibration decays."
 
 
-def proved(spectrum: Spectrum) -> tuple[str, ...]:
+def proved(spectrum: SheetSpectrum) -> tuple[str, ...]:
     """The sentences that are proved of the count, the far field and the balls; empty if nothing is."""
     return tuple(sentence for sentence in (_count(spectrum), _balls(spectrum), _verified(spectrum)) if sentence)
 
@@ -40,7 +41,7 @@ def radius_text(radius: float) -> str:
     return f"{decimal.Decimal(radius).normalize():f}"
 
 
-def limits(spectrum: Spectrum) -> dict[str, str]:
+def limits(spectrum: SheetSpectrum) -> dict[str, str]:
     """Proved digits of q_lm and α_C, under these names; empty where the cuts leave the line Im q = η_b.
 
     q_lm is left out where the cuts are joined.
@@ -59,7 +60,7 @@ def _induced(number: int) -> str:
     return "one induced frequency" if number == 1 else f"{number} induced frequencies"
 
 
-def _count(spectrum: Spectrum) -> str:
+def _count(spectrum: SheetSpectrum) -> str:
     number = known_count(spectrum)
     if number is None:
         return ""
@@ -72,10 +73,10 @@ def _count(spectrum: Spectrum) -> str:
     return f"{name} has {zeros}{counted} {_scope(spectrum)}{far}."
 
 
-def _scope(spectrum: Spectrum) -> str:
+def _scope(spectrum: SheetSpectrum) -> str:
     region = spectrum.region
     if isinstance(region, Rectangle):
-        bounds = [x.short(12) for x in (region.re_min, region.re_max, region.im_min, region.im_max)]
+        bounds = [Exact.parse(x).short(12) for x in region.bounds]
         return f"in the rectangle {bounds[0]} < Re q < {bounds[1]}, {bounds[2]} < Im q < {bounds[3]}"
     if region == "unstable":
         return "in the unstable half-plane Im q < 0"
@@ -84,12 +85,12 @@ def _scope(spectrum: Spectrum) -> str:
     return "on the whole physical sheet (the q-plane without the joined cuts, the line Im q = η_b)"
 
 
-def _verified(spectrum: Spectrum) -> str:
+def _verified(spectrum: SheetSpectrum) -> str:
     """Nothing where the verifier has confirmed it."""
     return "Proved, not verified: the certificate was not checked." if spectrum.status is Status.UNVERIFIED else ""
 
 
-def _balls(spectrum: Spectrum) -> str:
+def _balls(spectrum: SheetSpectrum) -> str:
     """What the printed roots are; a multiplicity above 1 is the number of roots in a cluster's ball."""
     if not spectrum.roots:
         return ""

@@ -14,7 +14,8 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
+from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.model.parameters import Case, PhysicalCase
@@ -31,7 +32,7 @@ _COLOUR = {"UNSTABLE": "bold red", "STABLE": "bold green", "UNDECIDED": "bold ye
 
 
 def render(
-    spectrum: Spectrum,
+    spectrum: AnySpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
@@ -54,12 +55,13 @@ def plain(report: Group) -> str:
 
 
 def document(
-    spectrum: Spectrum,
+    spectrum: AnySpectrum,
     physical: PhysicalCase | None = None,
     title: str = "",
     certificate: str | os.PathLike[str] | None = None,
 ) -> Group:
     """The same report for a rich console, with the verdict in colour."""
+    spectrum = sheet_of(spectrum)
     stated = verdict(spectrum)
     parts: list[Any] = [Text(title, style="bold"), Text("")] if title else []
     parts += [Text(stated, style=_COLOUR.get(stated.partition(":")[0], "bold")), Text("")]
@@ -88,7 +90,7 @@ def columns_of(columns: int) -> Table:
     return table
 
 
-def _case(spectrum: Spectrum, physical: PhysicalCase | None) -> Table:
+def _case(spectrum: SheetSpectrum, physical: PhysicalCase | None) -> Table:
     table = columns_of(3)
     for row in [*(beam_rows(physical) if physical else ()), *ratio_rows(spectrum.case), *_limits(spectrum)]:
         table.add_row(*(Text(cell) for cell in row))
@@ -132,7 +134,7 @@ def ratio_rows(case: Case) -> Iterator[tuple[str, str, str]]:
         yield f"η_M{j}", shown(ratio), f"mass ratio M χ/m, at ξ {_equals(place)}"
 
 
-def _limits(spectrum: Spectrum) -> Iterator[tuple[str, str, str]]:
+def _limits(spectrum: SheetSpectrum) -> Iterator[tuple[str, str, str]]:
     meaning = {"α_C": "velocity ratio at which the cuts join", "q_lm": "limiting frequency, where the cuts begin"}
     for name, value in limits(spectrum).items():
         yield name, value, meaning[name]
@@ -190,12 +192,13 @@ def _roots(motions: tuple[Vibration, ...], digits: int) -> Table:
     table = columns_of(2)
     with ball_arithmetic(working_bits(digits)):
         for j, motion in enumerate(motions, 1):
-            for label, number in _root(j, motion, digits):
+            for label, number in root_rows(j, motion, digits):
                 table.add_row(Text(label), Text(number))
     return table
 
 
-def _root(j: int, motion: Vibration, digits: int) -> list[tuple[str, str]]:
+def root_rows(j: int, motion: Vibration, digits: int) -> list[tuple[str, str]]:
+    """Label and digits of a root, at the precision that is set: one row, or two where one would be too long."""
     q = motion.root.q
     real, imag = decimal(abs(q.real), digits + 2).text, decimal(q.imag, digits + 2).text
     pair = "±" if q.real else ""

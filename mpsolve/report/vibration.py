@@ -8,12 +8,13 @@ from typing import Any
 
 from flint import arb
 
-from mpsolve.certificate.certify import Spectrum
+from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.spectrum.spectrum import Root, Spectrum
 
 
 class Trend(Enum):
@@ -34,14 +35,14 @@ class Vibration:
     1/s and s, or ω = 1, so that they are in the unit of the dimensionless time τ.
     """
 
-    root: RootBall
+    root: RootBall | Root
     frequency: Any
     rate: Any
     time: Any
     trend: Trend
 
 
-def vibration(root: RootBall, physical: PhysicalCase | None, digits: int) -> Vibration:
+def vibration(root: RootBall | Root, physical: PhysicalCase | None, digits: int) -> Vibration:
     """The vibration of `root`, with no more than 10^−digits lost to rounding, relative to each value."""
     with ball_arithmetic(working_bits(digits)) as field:
         omega = arb(1) if physical is None else physical.time_scale.ball()
@@ -51,18 +52,30 @@ def vibration(root: RootBall, physical: PhysicalCase | None, digits: int) -> Vib
         return Vibration(root, abs(root.q.real) * omega / (2 * field.pi), rate, time, state)
 
 
-def vibrations(spectrum: Spectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
+def vibrations(spectrum: AnySpectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
     """Every root of the spectrum once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency.
 
     Raises InputError if `physical` is not the case of the spectrum.
     """
+    spectrum = sheet_of(spectrum)
     if physical is not None and physical.dimensionless != spectrum.case:
         raise InputError("physical", "is not the case of this spectrum: give the case that was certified")
     ordered = sorted(_once(spectrum), key=lambda root: abs(float(root.q.real.mid())))
     return tuple(vibration(root, physical, spectrum.digits) for root in ordered)
 
 
-def _once(spectrum: Spectrum) -> list[RootBall]:
+def own_vibration(root: Root, digits: int) -> Vibration:
+    """The vibration of a root in the units of its problem."""
+    return vibration(root, None, digits)
+
+
+def own_vibrations(spectrum: Spectrum) -> tuple[Vibration, ...]:
+    """Every root of any spectrum once, in the units of its problem; by ascending frequency."""
+    ordered = sorted(_once(spectrum), key=lambda root: abs(float(root.q.real.mid())))
+    return tuple(own_vibration(root, spectrum.digits) for root in ordered)
+
+
+def _once(spectrum: Any) -> list[Any]:
     """The roots without those whose mirror image with Re q > 0 is there too."""
     right = [root for root in spectrum.roots if not root.q.real < 0]
     with ball_arithmetic(working_bits(spectrum.digits)):
@@ -74,7 +87,7 @@ def _once(spectrum: Spectrum) -> list[RootBall]:
     return lone + right
 
 
-def trend(root: RootBall) -> Trend:
+def trend(root: RootBall | Root) -> Trend:
     """What is proved of the sign of Im q."""
     if root.symmetry is Symmetry.REAL:
         return Trend.STEADY

@@ -10,13 +10,14 @@ import flint
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.progress import Progress
 from mpsolve.sheet.cluster import separate
 from mpsolve.sheet.count import BITS, Count
 from mpsolve.sheet.enclose import BASE_BITS, Box, isolate, refine
-from mpsolve.sheet.region import Rectangle
 from mpsolve.sheet.seek import seek
+from mpsolve.spectrum.regions import Rectangle
 
 _RECTANGLE_RADIUS = 200.0
 
@@ -93,10 +94,10 @@ def inside(ball: RootBall, count: Count) -> bool:
         if isinstance(count.contour, Rectangle):
             box = count.contour
             tests: list[Any] = [
-                q.real - box.re_min.ball(),
-                box.re_max.ball() - q.real,
-                q.imag - box.im_min.ball(),
-                box.im_max.ball() - q.imag,
+                q.real - rational_ball(box.re_min),
+                rational_ball(box.re_max) - q.real,
+                q.imag - rational_ball(box.im_min),
+                rational_ball(box.im_max) - q.imag,
             ]
         else:
             tests = [-q.imag]

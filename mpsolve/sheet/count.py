@@ -17,9 +17,10 @@ from mpsolve.progress import Progress
 from mpsolve.sheet import reasons
 from mpsolve.sheet.contour import Path
 from mpsolve.sheet.far import far_radius
-from mpsolve.sheet.region import Rectangle, Region
+from mpsolve.sheet.region import Region
 from mpsolve.sheet.rest import resting_start
 from mpsolve.sheet.winding import count_rectangle, count_sheet, count_unstable
+from mpsolve.spectrum.regions import Rectangle
 
 BITS = 64
 _BESIDE = 1e-6  # a rectangle this close to the line of the cuts fails because of it

@@ -8,8 +8,10 @@ from __future__ import annotations
 from mpsolve.fields import Float64
 from mpsolve.model.limits import branch_points, critical_velocity_ratio
 from mpsolve.model.parameters import Case
+from mpsolve.numbers.exact import Exact
 from mpsolve.outcome import Reason
-from mpsolve.sheet.region import Rectangle, Region
+from mpsolve.sheet.region import Region
+from mpsolve.spectrum.regions import Rectangle
 
 _UNSTABLE = 'ask for the region "unstable"'
 _BESIDE = 0.02  # of its distance from 0: so near to a branch point it is the branch point that stops a contour
@@ -66,9 +68,10 @@ def beside_cut(case: Case, box: Rectangle) -> Reason:
     """A side of a rectangle nearly touches the line of the cuts."""
     sides = {"im_max": box.im_max, "im_min": box.im_min}
     name, side = min(sides.items(), key=lambda item: abs(float(item[1]) - float(case.eta_b)))
+    shown = Exact.parse(side).short(20)
     return Reason(
         "beside-cut",
-        f"{name} = {side.short(20)} is so close to the cut line Im q = eta_b = {case.eta_b.short()} that the sides "
+        f"{name} = {shown} is so close to the cut line Im q = eta_b = {case.eta_b.short()} that the sides "
         "of p-roots cannot be told apart there",
         {name: str(side), "eta_b": str(case.eta_b)},
         f"take {name} further from eta_b",

@@ -2,41 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import limiting_frequency, require_cuts_on_line
 from mpsolve.model.parameters import Case
-from mpsolve.numbers.exact import Exact, Number
-
-
-@dataclass(frozen=True, init=False)
-class Rectangle:
-    """The open rectangle re_min < Re q < re_max, im_min < Im q < im_max; the bounds are exact rationals."""
-
-    re_min: Exact
-    re_max: Exact
-    im_min: Exact
-    im_max: Exact
-
-    def __init__(self, re_min: Number, re_max: Number, im_min: Number, im_max: Number) -> None:
-        bounds = {"re_min": re_min, "re_max": re_max, "im_min": im_min, "im_max": im_max}
-        vars(self).update({name: Exact.parse(value, f"region.{name}") for name, value in bounds.items()})
-        for name, value in vars(self).items():
-            if not value.is_rational:
-                raise InputError(f"region.{name}", "is irrational: give a decimal or a ratio p/q")
-        for axis in ("re", "im"):
-            low, high = getattr(self, f"{axis}_min"), getattr(self, f"{axis}_max")
-            if not low < high:
-                stated = f"is {high.short()}, not above {axis}_min = {low.short()}"
-                raise InputError(f"region.{axis}_max", f"{stated}: give the bounds in order")
-
-    def as_dict(self) -> dict[str, str]:
-        """The bounds by name as exact texts."""
-        return {name: str(value) for name, value in vars(self).items()}
-
+from mpsolve.numbers.balls import rational_ball
+from mpsolve.spectrum.regions import Rectangle
 
 Region: TypeAlias = Literal["sheet", "unstable"] | Rectangle
 
@@ -75,4 +48,4 @@ def _in_gap(case: Case, box: Rectangle) -> bool:
             limit = limiting_frequency(case, field)
         except PrecisionError:
             return False
-        return bool(box.re_max.ball() < limit and -box.re_min.ball() < limit)
+        return bool(rational_ball(box.re_max) < limit and rational_ball(-box.re_min) < limit)

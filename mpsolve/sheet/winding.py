@@ -21,9 +21,10 @@ from mpsolve.errors import PrecisionError
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic
 from mpsolve.model.edge import edge_roots, edge_value, resting_edge_value
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.sheet.contour import Accept, Path, cover, turning
-from mpsolve.sheet.region import Rectangle
 from mpsolve.sheet.scatter import far_argument, paired_roots
+from mpsolve.spectrum.regions import Rectangle
 
 acb, arb = flint.acb, flint.arb
 Meter = Callable[[float], None]
@@ -143,5 +144,5 @@ def _cover_side(track: Track, start: Any, end: Any, limit: int, accept: Accept |
 
 def rectangle_corners(box: Rectangle) -> list[Any]:
     """Counterclockwise from the lower left corner."""
-    lo, hi, bottom, top = (x.ball() for x in (box.re_min, box.re_max, box.im_min, box.im_max))
+    lo, hi, bottom, top = (rational_ball(x) for x in box.bounds)
     return [acb(lo, bottom), acb(hi, bottom), acb(hi, top), acb(lo, top)]

@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import Path, Paths, Proved, positive
+from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
@@ -23,7 +23,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
@@ -52,20 +52,22 @@ class Count:
         return sum(path.pieces for path in self.paths)
 
 
-def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell) -> Count:
+def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
-    A half-plane whose theorem fails comes back as the half-disc that was counted. InputError where a premise fails.
+    A half-plane whose theorem fails comes back as the half-disc that was counted; a height or radius that is no
+    float in scaled units is rounded, heights down. The answer's region is what was proved. InputError where a premise
+    fails.
     """
     require_premises(reduced, region)
     arrays = Arrays(reduced)
     first = start(reduced.guide)
-    paths = Paths(arrays, first.up)
-    if isinstance(region, Box):
+    paths = Paths(arrays, first, room)
+    if isinstance(region, Rectangle):
         return _box(paths, first, region, effort)
     if waves_meet_at_zero(reduced.guide) and not (_at_rest(reduced, region) and not open_at_rest(reduced)):
         raise WavesMeetError
-    height = region.height if isinstance(region, Below) else Fraction(0)
+    height = scaled_height(reduced, region.height) if isinstance(region, Below) else 0.0
     if region.radius is not None:
         return _disc(paths, first, region, height, "", effort)
     tell("passivity", 0.0)
@@ -84,10 +86,10 @@ def _at_rest(reduced: Reduced, region: Region) -> bool:
     return not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None
 
 
-def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | None, effort: Effort) -> Count:
+def _half_plane(paths: Paths, first: Start, h: float, beyond: Beyond | None, effort: Effort) -> Count:
     """The count that passivity closes: beyond a rectangle, or at rest (None) everywhere in Im q < 0."""
     reduced = paths.arrays.reduced
-    rho, h = beyond.rho if beyond is not None else _AT_REST_REACH, scaled_height(reduced, height)
+    rho = beyond.rho if beyond is not None else _AT_REST_REACH
     chain = (
         paths.plan("link", _descent(first, h), effort),
         paths.plan("turn", _along(rho, h), effort),
@@ -101,7 +103,7 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
-    held = Below(height, reach=exact) if height else HalfPlane()
+    held = Below(_unscaled(reduced, h), reach=exact) if h else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
 
 
@@ -114,24 +116,22 @@ def _require_passive(rho: float, middle: Any, radius: Any) -> None:
         raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
 
 
-def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort) -> Count:
+def _disc(paths: Paths, first: Start, region: Region, h: float, why: str, effort: Effort) -> Count:
+    """Δ̂ ≠ 0 in the discs of the arc's pieces, so the half-disc holds as many roots as the polygon that goes round."""
     reduced = paths.arrays.reduced
-    h = scaled_height(reduced, height)
     radius = _radius(reduced, region)
-    arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33))
-    arc[0], arc[-1] = radius, complex(0, -radius)
-    turn = np.concatenate([_along(radius, h), arc[1:]])
-    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, radius))
+    arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33)[1:-1])
+    turn = np.concatenate([_along(radius, h), arc, [complex(0, -radius)]])
+    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
         total = _integer(-_turn(proved) / arb.pi())
-    asked = getattr(region, "radius", None)
-    exact = asked if asked is not None else _unscaled(reduced, radius)
-    held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
+    exact = _unscaled(reduced, radius)
+    held = Below(_unscaled(reduced, h), reach=exact, radius=exact) if h else HalfPlane(exact)
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
 
-def _box(paths: Paths, first: Start, box: Box, effort: Effort) -> Count:
+def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
     reduced = paths.arrays.reduced
     unit = reduced.frequency_unit
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
@@ -160,8 +160,10 @@ def _turn(proved: Proved) -> arb:
 
 
 def scaled_height(reduced: Reduced, height: Fraction) -> float:
-    """The float nearest to the height in scaled units: the discs of the pieces hold the exact line too."""
-    return float(height / reduced.frequency_unit)
+    """The largest float that is not above the height in scaled units."""
+    exact = height / reduced.frequency_unit
+    rounded = float(exact)
+    return rounded if Fraction(rounded) <= exact else float(np.nextafter(rounded, 0))
 
 
 def _unscaled(reduced: Reduced, x: float) -> Fraction:
@@ -209,4 +211,4 @@ def _along(rho: float, h: float) -> Any:
 def _line(a: complex, b: complex, pieces: int) -> Any:
     points = a + (b - a) * np.linspace(0, 1, pieces + 1)
     points[0], points[-1] = a, b
-    return points
+    return points[np.concatenate([[True], points[1:] != points[:-1]])]

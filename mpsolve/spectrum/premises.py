@@ -12,7 +12,7 @@ from fractions import Fraction
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import shown
 from mpsolve.problem.reduced import Reduced
-from mpsolve.spectrum.regions import Below, Box, Region
+from mpsolve.spectrum.regions import Below, Rectangle, Region
 from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
 from mpsolve.tracks.passive import passivity
 
@@ -46,13 +46,19 @@ def _require_velocity(reduced: Reduced) -> None:
 
 def _require_no_cut(reduced: Reduced, region: Region) -> None:
     """A region above the real axis ends below the lowest cut."""
-    height = region.im_max if isinstance(region, Box) else region.height if isinstance(region, Below) else Fraction(0)
+    height = (
+        region.im_max
+        if isinstance(region, Rectangle)
+        else region.height
+        if isinstance(region, Below)
+        else Fraction(0)
+    )
     if height <= 0:
         return
     low, _ = lowest_cut(reduced.problem.track)
     if height <= low:
         return
-    name = "region.im_max" if isinstance(region, Box) else "region"
+    name = "region.im_max" if isinstance(region, Rectangle) else "region"
     if not low:
         stated = f"reaches up to {shown(height)}, but cuts of this track come down to the real axis"
         raise InputError(name, f"{stated}: give an upper side of at most 0")

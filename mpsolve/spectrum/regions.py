@@ -1,12 +1,24 @@
-"""The region in which roots are counted, in the problem's own units."""
+"""The region in which roots are counted, in the problem's own units.
+
+What a user gives is "sheet", "unstable", ("below", h) or a `Rectangle`; what an answer holds is one of these classes.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Literal
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """The whole physical sheet: the q-plane without the branch cuts."""
+
+    def __str__(self) -> str:
+        return "the whole physical sheet"
 
 
 @dataclass(frozen=True)
@@ -34,7 +46,7 @@ class Below:
 
 
 @dataclass(frozen=True, init=False)
-class Box:
+class Rectangle:
     """The open rectangle re_min < Re q < re_max, im_min < Im q < im_max; the bounds are exact rationals."""
 
     re_min: Fraction
@@ -51,9 +63,34 @@ class Box:
                 stated = f"is {shown(high)}, not above {axis}_min = {shown(low)}"
                 raise InputError(f"region.{axis}_max", f"{stated}: give the bounds in order")
 
+    @property
+    def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """re_min, re_max, im_min, im_max."""
+        return self.re_min, self.re_max, self.im_min, self.im_max
+
+    def as_dict(self) -> dict[str, str]:
+        """The bounds by name as exact texts."""
+        return {name: str(value) for name, value in vars(self).items()}
+
     def __str__(self) -> str:
-        a, b, c, d = (f"{float(x):.6g}" for x in (self.re_min, self.re_max, self.im_min, self.im_max))
+        a, b, c, d = (f"{float(x):.6g}" for x in self.bounds)
         return f"{a} < Re q < {b}, {c} < Im q < {d}"
 
 
-Region = HalfPlane | Below | Box
+Region = HalfPlane | Below | Rectangle
+"""What the general engine counts in."""
+Answered = Region | Sheet
+"""What an answer may speak of."""
+
+
+def checked_region(given: object) -> Literal["sheet", "unstable"] | Below | Rectangle:
+    """A region as a user gives it, ("below", h) as `Below`; InputError where it is none."""
+    if isinstance(given, (Below, Rectangle)) or (isinstance(given, str) and given in ("sheet", "unstable")):
+        return given  # type: ignore[return-value]
+    if isinstance(given, tuple) and len(given) == 2 and isinstance(given[0], str) and given[0] == "below":
+        height = rational(given[1], "region")
+        if height <= 0:
+            raise InputError("region", f'is ("below", {shown(height)}), but h must be above 0: "unstable" ends at 0')
+        return Below(height)
+    stated = f"is {str(given)[:60]!r}"
+    raise InputError("region", f'{stated}: give "sheet", "unstable", ("below", h) with a number h, or a Rectangle')

@@ -15,6 +15,7 @@ from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.model import rational
+from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
@@ -23,7 +24,7 @@ _GUARD = 40
 
 
 @dataclass(frozen=True)
-class Shape:
+class Shape(Portable):
     """Balls of complex amplitudes: `bodies` by the names of their coordinates, the largest 1; `rail` at the `places`.
 
     A coordinate that is an angle is in radians per metre of the largest motion. places: in the problem's units.

@@ -11,15 +11,17 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
+from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
-from mpsolve.spectrum.enclose import RootBall, Symmetry, enclose
+from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
 from mpsolve.spectrum.reasons import reason_of
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.spectrum.spectrum import disjoint
 
 Tell = Callable[[str, float], None]
@@ -35,15 +37,23 @@ class Found:
 
 
 def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
-    """All roots of Δ̂ in the region; never raises for what stays undecided."""
+    """All roots of Δ̂ in the region; never raises for what stays undecided. Matrices are multiplied in one thread."""
+    with one_thread():
+        return _solve(reduced, region, digits, effort, tell)
+
+
+def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
         count = count_roots(reduced, region, effort, tell)
     except (EffortError, PrecisionError) as error:
         return Found(None, (), reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
-    tell("roots", 0.5)
-    balls = _enclosed(reduced, count, digits, tell)
+    try:
+        tell("roots", 0.5)
+        balls = _enclosed(reduced, count, digits, tell)
+    except EffortError as error:
+        return Found(count, (), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -54,6 +64,9 @@ def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: T
     if any(_sign(ball) is None for ball in balls):
         return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
     return Found(count, balls, None)
+
+
+_NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
 def unstable_number(balls: tuple[RootBall, ...]) -> int:
@@ -71,7 +84,7 @@ def _sign(ball: RootBall) -> bool | None:
 def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     """Scaled rectangles that hold the right half of all counted roots."""
     region, unit = count.region, reduced.frequency_unit
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         return (Area(*(float(x / unit) for x in (region.re_min, region.re_max, region.im_min, region.im_max))),)
     if count.beyond is not None:
         width, depth = count.beyond.rho, count.beyond.depth
@@ -84,7 +97,7 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
 
 
 def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
-    symmetric = not isinstance(count.region, Box)
+    symmetric = not isinstance(count.region, Rectangle)
     hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
     seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
     proved = Proved(reduced)
@@ -112,7 +125,7 @@ def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
 def _inside(region: Region, ball: RootBall) -> bool:
     """Whether the ball is proved to lie in the region."""
     re, im = ball.q.real, ball.q.imag
-    if isinstance(region, Box):
+    if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
         return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
     near = region.radius is None or bool(abs(ball.q) < _ball(region.radius))
@@ -131,4 +144,4 @@ def _ball(x: Fraction) -> Any:
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
     """A height below the lowest cut, short in scaled units."""
-    return Fraction(float(np.float32(0.75 * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit
+    return Fraction(float(np.float32(_NEAR * float(lowest / reduced.frequency_unit)))) * reduced.frequency_unit

@@ -8,27 +8,29 @@ from typing import Any
 
 from flint import arb
 
-from mpsolve.numbers.balls import acb, precision
+from mpsolve.display import card
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
-from mpsolve.problem.problem import Problem
-from mpsolve.spectrum.enclose import RootBall, Symmetry
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.shape import Shape, root_shape
 
 _GUARD = 32
 
 
 @dataclass(frozen=True)
-class Root:
+class Root(Portable):
     """One induced frequency q, or a cluster, in the problem's units: e^{iqt} grows where Im q < 0.
 
-    q: a ball (flint.acb) that holds exactly `multiplicity` roots.
+    q: a ball (flint.acb) that holds exactly `multiplicity` roots. symmetry: the axis on which it is proved to lie.
     """
 
     q: Any
     multiplicity: int
     symmetry: Symmetry
-    problem: Problem = field(repr=False)
+    problem: Given = field(repr=False)
 
     @property
     def frequency(self) -> Any:
@@ -43,14 +45,14 @@ class Root:
 
     @property
     def doubling_time(self) -> Any:
-        """ln 2/|Im q|: the time in which the vibration doubles, or halves where it decays."""
+        """ln 2/|Im q|: the time in which the vibration doubles, or halves where it decays; infinite for Im q = 0."""
         with precision(self._bits):
             return arb(2).log() / abs(self.q.imag)
 
     @property
     def shape(self) -> Shape:
         """The motion of the rail under the contacts and of every body in this root."""
-        return root_shape(self.problem, self.q, self.multiplicity)
+        return root_shape(as_problem(self.problem), self.q, self.multiplicity)
 
     @property
     def _bits(self) -> int:
@@ -68,17 +70,21 @@ class Cost:
 
 
 @dataclass(frozen=True)
-class Spectrum:
+class Spectrum(Portable):
     """The induced frequencies of a problem in `region`; a region may be smaller than the one that was asked for.
 
+    problem: what was given; q is in its units (rad/s in SI, the paper's for a `Case`).
     roots: disjoint balls, sorted by (Re q, Im q), whose multiplicities add up to `count` where this is proved.
     unstable: how many of them have Im q < 0. neutral: how often q = 0 is a root by construction (bodies on dampers
     alone); unfelt: frequencies of the vehicle that no contact feels. Both are left out of `roots`.
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    note: why the region is not all that was asked for. closing: what proves that the count misses nothing.
+    verified: what the standalone verifier has confirmed, in its own words.
+    sheet: the answer on the paper's beam that this one was made of, in dimensionless terms, or None.
     """
 
-    problem: Problem
-    region: Region
+    problem: Given
+    region: Answered
     digits: int
     status: Status
     reason: Reason | None = None
@@ -88,9 +94,12 @@ class Spectrum:
     neutral: int = 0
     unfelt: tuple[Any, ...] = ()
     note: str = ""
+    closing: str = ""
+    verified: str = ""
     known: Mapping[str, Any] = field(default_factory=dict)
     certificate: Any = field(default=None, repr=False)
     cost: Cost = field(default_factory=lambda: Cost(0.0))
+    sheet: Any = field(default=None, repr=False)
 
     @property
     def proved(self) -> bool:
@@ -105,14 +114,20 @@ class Spectrum:
         """
         if self.unstable:
             return False
-        whole = isinstance(self.region, (HalfPlane, Below)) and self.region.radius is None
+        whole = isinstance(self.region, Sheet) or (
+            isinstance(self.region, (HalfPlane, Below)) and self.region.radius is None
+        )
         return True if self.proved and whole and self.unstable == 0 else None
 
     def __bool__(self) -> bool:
         raise TypeError("a spectrum has no truth value: ask for .proved or .stable")
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return card(self)
 
-def sorted_roots(problem: Problem, balls: Sequence[RootBall]) -> tuple[Root, ...]:
+
+def sorted_roots(problem: Given, balls: Sequence[RootBall]) -> tuple[Root, ...]:
     """The balls as roots, by (Re q, Im q) of their middles."""
     roots = [Root(ball.q, ball.multiplicity, ball.symmetry, problem) for ball in balls]
     return tuple(sorted(roots, key=lambda root: (float(root.q.real.mid()), float(root.q.imag.mid()))))
@@ -123,8 +138,4 @@ def disjoint(balls: Sequence[RootBall]) -> bool:
     return not any(a.q.overlaps(b.q) for k, a in enumerate(balls) for b in balls[:k])
 
 
-def is_zero(q: Any) -> bool:
-    return bool(acb(q).contains(0))
-
-
-__all__ = ["Below", "Box", "Cost", "HalfPlane", "Root", "Spectrum", "disjoint", "sorted_roots"]
+__all__ = ["Below", "Rectangle", "Cost", "HalfPlane", "Root", "Sheet", "Spectrum", "disjoint", "sorted_roots"]

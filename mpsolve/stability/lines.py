@@ -13,7 +13,7 @@ from typing import Any, overload
 
 import flint
 
-from mpsolve.certificate.certify import Spectrum, certify
+from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import Case
@@ -97,7 +97,7 @@ def frequency_lines(
     places = list(positions) if isinstance(positions, Iterable) and not isinstance(positions, str) else positions
     rest: dict[str, Any] = {"eta_b": eta_b, "eta_m": masses, "positions": places, "eta_n": eta_n, "eta_s": eta_s}
     cases = [Case(alpha=a, **rest) for a in grid]
-    found = [certify(case, digits) for case in cases]
+    found = [certify_sheet(case, digits) for case in cases]
     levels = [_half(spectrum) for spectrum in found]
     followed = iter(_followed(cases[0], grid, levels))
     complete = [spectrum.certificate is not None for spectrum in found]  # no root is missing, even if a sign is open
@@ -125,7 +125,7 @@ def _checked(alpha: Iterable[Number]) -> list[Exact]:
     return grid
 
 
-def _half(spectrum: Spectrum) -> list[RootBall]:
+def _half(spectrum: SheetSpectrum) -> list[RootBall]:
     """One of q and −q̄: the roots with Re q ≥ 0."""
     return [root for root in spectrum.roots if not root.q.real < 0]
 

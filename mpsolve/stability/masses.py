@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, overload
 
-from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS
 from mpsolve.certificate.crossings import crossings_certificate
 from mpsolve.certificate.format import Certificate
+from mpsolve.certificate.sheet import MAX_DIGITS, MIN_DIGITS
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio

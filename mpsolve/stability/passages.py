@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import flint
 
-from mpsolve.certificate.certify import Spectrum, certify
+from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import ContradictionError, PrecisionError, known
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
@@ -39,7 +39,7 @@ class Base:
 
     t: Exact
     below: int
-    spectrum: Spectrum
+    spectrum: SheetSpectrum
 
 
 @dataclass(frozen=True)
@@ -281,7 +281,7 @@ def _direction(event: Zero | Strip) -> int:
 def _count_in(family: Family, low: Fraction, high: Fraction) -> Base | None:
     for share in _TRIES:
         t = Exact.parse(_simple(low + (high - low) * share, high - low), "t")
-        spectrum = certify(family.case_at(t), digits=15, region="unstable" if not family.height else "sheet")
+        spectrum = certify_sheet(family.case_at(t), digits=15, region="unstable" if not family.height else "sheet")
         below = _below(spectrum, family.height)
         if below is not None:
             return Base(t, below, spectrum)
@@ -294,7 +294,7 @@ def _simple(x: Fraction, width: Fraction) -> Fraction:
     return Fraction(round(x * 10**places), 10**places)
 
 
-def _below(spectrum: Spectrum, height: Exact) -> int | None:
+def _below(spectrum: SheetSpectrum, height: Exact) -> int | None:
     """How many roots lie below the line, if that is proved."""
     if not spectrum.proved:
         return None

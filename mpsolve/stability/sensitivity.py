@@ -17,7 +17,7 @@ from typing import Any, overload
 
 import flint
 
-from mpsolve.certificate.certify import certify
+from mpsolve.certificate.sheet import certify_sheet
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import ALONG_DAMPING, ALONG_Q, track
@@ -82,7 +82,7 @@ def damping_sensitivity(case: Case, digits: int = 30) -> DampingSensitivity:
     """
     digits = checked_digits(digits)
     _require_gap(case)
-    spectrum = certify(case, digits)
+    spectrum = certify_sheet(case, digits)
     items, reason = [], spectrum.reason
     for root in spectrum.roots:
         if root.symmetry is not Symmetry.REAL or root.multiplicity != 1:

@@ -149,10 +149,10 @@ def _certified(spec: Spec, cases: Sequence[dict[str, Value]]) -> list[Result]:
 
 
 def _certify(spec: Spec, values: dict[str, Value]) -> Result:
-    from mpsolve.certificate.certify import certify, known_count
+    from mpsolve.certificate.sheet import certify_sheet, known_count
 
     try:
-        found = certify(case_of(values, spec.masses), spec.digits, spec.region)
+        found = certify_sheet(case_of(values, spec.masses), spec.digits, spec.region)
     except InputError as error:
         return Result("refused", str(error), None, None, ())
     except MpsolveError as error:

@@ -13,11 +13,12 @@ from functools import cached_property, lru_cache
 from math import prod
 from typing import Any
 
-from mpsolve.certificate.certify import MAX_DIGITS, MIN_DIGITS
+from mpsolve.certificate.sheet import MAX_DIGITS, MIN_DIGITS
 from mpsolve.errors import ContradictionError, InputError
 from mpsolve.model import specs
 from mpsolve.numbers.exact import Exact
-from mpsolve.sheet.region import Rectangle, Region
+from mpsolve.sheet.region import Region
+from mpsolve.spectrum.regions import Rectangle
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
 
 KINDS = ("certified", "float64")

@@ -1,317 +1,318 @@
-"""The whole proof on the paper's cases: count, roots, stability, each root against (26), (37) by mpmath."""
+"""The public verb: which engine answers, in which units and region, what it refuses, and how it ends early."""
 
 from __future__ import annotations
 
-import itertools
-import random
+import pickle
+from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
+import flint
 import pytest
-from oracle import Truth, holds
 
-from mpsolve import Case, InputError, Rectangle, Spectrum, Status, certify
-from mpsolve.certificate import verify
-from mpsolve.model.edge import edge_value
-from mpsolve.numbers.rootball import Symmetry
-from mpsolve.report.data import as_data
-from mpsolve.report.text import render
-
-
-def pair(alpha: Any, d: Any, eta_m: Any = 70, eta_b: Any = "0.05", **rest: Any) -> Case:
-    return Case(alpha=alpha, eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, d), **rest)
-
-
-def single(alpha: Any, eta_m: Any = 70, eta_b: Any = "0.05") -> Case:
-    return Case(alpha=alpha, eta_b=eta_b, eta_m=eta_m)
-
-
-def checked(case: Case, **options: Any) -> Spectrum:
-    """Certified; every root cross-checked, and the answers of the Spectrum held against each other."""
-    found = certify(case, **options)
-    assert found.proved, found.reason
-    truth = Truth(case, 2 * found.digits + 10)
-    for k, root in enumerate(found.roots):
-        assert (root.q - root.q.mid()).abs_upper() <= 10.0**-found.digits * root.q.abs_upper()
-        assert not any(root.q.overlaps(other.q) for other in found.roots[:k])
-        if root.multiplicity == 1:
-            exact = truth.root(truth.middle(root.q), 1e-12)
-            assert holds(root.q, exact.real if root.symmetry is Symmetry.REAL else exact)
-    assert found.count == sum(root.multiplicity for root in found.roots)
-    assert found.unstable == sum(root.multiplicity for root in found.roots if root.q.imag < 0)
-    keys = [(complex(r.q.mid()).real, complex(r.q.mid()).imag) for r in found.roots]
-    assert keys == sorted(keys)
-    return found
-
-
-def positive(found: Spectrum) -> list[complex]:
-    return [complex(root.q.mid()) for root in found.roots if root.q.real > 0]
-
-
-# --- the paper's damped cases ------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("d", "below", "above"), [("1", "0.96", "0.97"), ("1.5", "0.66", "0.67")])
-def test_onset_of_instability_of_damped_pairs(d: str, below: str, above: str) -> None:
-    """Section 4.3, η_M = 70, η_b = 0.05: proximate masses lose stability below the critical velocity."""
-    assert checked(pair(below, d)).stable is True
-    unstable = checked(pair(above, d))
-    assert unstable.stable is False
-    assert unstable.unstable == 2
-    assert checked(pair(above, d), region="unstable").count == 2
-    assert checked(pair(below, d), region="unstable").count == 0
-
-
-@pytest.mark.parametrize("alpha", ["0.1", "0.5", "0.9"])
-def test_the_single_mass_is_stable_below_the_critical_velocity(alpha: str) -> None:
-    """Section 3: with damping a single mass is unstable in the supercritical range only."""
-    assert checked(single(alpha)).stable is True
-
-
-@pytest.mark.parametrize("eta_b", ["0", "0.05"])
-def test_distance_zero_is_the_doubled_mass(eta_b: str) -> None:
-    """(26): for d = 0 exactly; for a small d closely, and in number."""
-    doubled = checked(single("0.5", 140, eta_b))
-    merged = checked(pair("0.5", 0, eta_b=eta_b))
-    near = checked(pair("0.5", "0.001", eta_b=eta_b), digits=15)
-    assert [root.q.str(20) for root in merged.roots] == [root.q.str(20) for root in doubled.roots]
-    assert merged.count == near.count == doubled.count == 2
-    assert abs(positive(near)[0] - positive(doubled)[0]) < 1e-4
-
-
-def test_a_large_distance_is_the_single_mass_twice() -> None:
-    far, alone = checked(pair("0.5", 30)), checked(single("0.5"))
-    (root,) = positive(alone)
-    assert far.count == 2 * alone.count == 4
-    assert all(abs(q - root) < 1e-6 for q in positive(far))
-
-
-@pytest.mark.parametrize("d", [20, 40, 60, 100])
-def test_the_count_is_explained_by_clusters(d: int) -> None:
-    """At d = 100 a further pair has come down the cut, and 15 digits do not tell the close roots apart."""
-    found = checked(pair("0.5", d), digits=15)
-    assert found.count == (6 if d == 100 else 4)
-    assert found.stable is True
-
-
-@pytest.mark.parametrize(
-    ("alpha", "eta_m", "axial"), [("0.9284", ("1.844",), "0.16"), ("1.0079", ("0.922", "5.147"), 0)]
+from mpsolve import (
+    Case,
+    Effort,
+    InputError,
+    PhysicalCase,
+    Problem,
+    Rectangle,
+    Spectrum,
+    Status,
+    certify,
+    read_problem,
 )
-def test_roots_on_both_sides_next_to_the_cut(alpha: str, eta_m: tuple[str, ...], axial: Any) -> None:
-    """Just above α_C without damping q and q̄ differ by 1e-10 of their size, with the cut between them."""
-    case = Case(alpha=alpha, eta_b=0, eta_m=eta_m, positions=(0, "0.142")[: len(eta_m)], eta_n=axial)
-    found = checked(case)
-    assert (found.count, found.unstable) == (4, 2)
-    assert all(0 < abs(float(root.q.imag.mid())) < 1e-8 * float(abs(root.q).mid()) for root in found.roots)
+from mpsolve.certificate import verify2
+from mpsolve.certificate.sheet import certify_sheet
+from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
+from mpsolve.tracks import EulerBernoulli, Rayleigh, String, Timoshenko, TwoLayer
+from mpsolve.vehicles import Bogie, Mass, Oscillator
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CASE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+BEAM = {"EI": "6.4e6", "m": 60, "k": "1e6", "c": 770}
+RAIL = PhysicalCase(**BEAM, v=100, masses=[(10_000, 0), (10_000, "3.4")])
+AS_PROBLEM = Problem(EulerBernoulli(**BEAM), [Mass(10_000).at("3.4"), Mass(10_000).at(0)], v=100)
+WIRE = Problem(String(T=27_000, m="1.07", k=500, c=2), [Mass("8.5")], v=100)
+SPRUNG = Problem(EulerBernoulli(**BEAM), [Oscillator(wheel=1000, body=5000, k="1e6", c="1e4")], v=60)
 
 
-FAR_APART = [
-    ("0.31", "0.4", 3, 30, 18),
-    ("0.31", "0.4", 3, 60, 32),
-    ("0.1", "0.6", 3, 100, 22),
-    ("0.179", 0, "2.42", 50, 4),
-]
+def roots(found: Spectrum) -> list[complex]:
+    return [complex(root.q.mid()) for root in found.roots]
 
 
-@pytest.mark.parametrize(("alpha", "eta_b", "eta_m", "d", "roots"), FAR_APART)
-def test_damped_masses_far_apart_have_roots_along_the_cut(
-    alpha: str, eta_b: Any, eta_m: Any, d: int, roots: int
-) -> None:
-    """Waves run to and fro between them: a root close to the cut for each half wave, and two that nearly meet."""
-    found = checked(pair(alpha, d, eta_m, eta_b), digits=15)
-    assert found.count == roots
-    singles = checked(Case(alpha=alpha, eta_b=eta_b, eta_m=eta_m)).roots
-    for one in singles:
-        near = [root for root in found.roots if abs(complex(root.q.mid()) - complex(one.q.mid())) < 1e-4]
-        assert sum(root.multiplicity for root in near) == 2
+# --- the engines -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("alpha", "d"), [*itertools.product(["0.1", "0.5"], ["0.5", "1.5"])])
-def test_the_pairs_lower_frequency_is_between_single_and_double(alpha: str, d: str) -> None:
-    """Section 4.2, undamped, subcritical."""
-    (alone,) = positive(checked(single(alpha, eta_b=0)))
-    (double,) = positive(checked(single(alpha, 140, eta_b=0)))
-    assert double.real < min(q.real for q in positive(checked(pair(alpha, d, eta_b=0)))) < alone.real
+@pytest.mark.parametrize("region", [None, "sheet"])
+def test_a_case_is_answered_on_its_whole_sheet(region: str | None) -> None:
+    found, old = certify(CASE, region=region, digits=20), certify_sheet(CASE, digits=20)
+    assert (found.status, found.count, found.unstable, found.stable) == (Status.PROVED, 4, 2, False)
+    assert found.region == Sheet()
+    assert [root.q.str(25) for root in found.roots] == [root.q.str(25) for root in old.roots]
+    assert found.certificate.text == old.certificate.text
+    assert found.problem is CASE
+    assert found.verified.startswith("exactly 4 induced frequencies")
 
 
-# --- the paper's undamped cases ----------------------------------------------------------------------------
+@pytest.mark.parametrize("given", [RAIL, AS_PROBLEM], ids=["case", "problem"])
+def test_si_is_answered_in_radians_per_second(given: Any) -> None:
+    """q = √(k/m) times the paper's; and e^{iqt} in seconds: √(10⁶/60) = 129.0994…"""
+    found, ratios = certify(given, digits=20), certify(RAIL.dimensionless, digits=30)
+    assert found.proved
+    assert found.region == Sheet()
+    unit = (1e6 / 60) ** 0.5
+    for root, ratio in zip(found.roots, ratios.roots, strict=True):
+        assert abs(complex(root.q.mid()) - unit * complex(ratio.q.mid())) < 1e-13 * unit
+        assert (root.q - root.q.mid()).abs_upper() <= 1e-20 * root.q.abs_upper()
+    slow = found.roots[2]
+    assert abs(float(slow.frequency) - 2.93926598) < 1e-8
+    assert abs(float(slow.doubling_time) - 4.26466395) < 1e-8
+    assert slow.growth < 0
 
-UNDAMPED = list(
-    itertools.product(
-        ("0.1", "0.5", "0.9", "1.2", "1.4"), ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5"), (10, 40, 70)
+
+def test_the_general_engine_finds_what_the_sheet_has() -> None:
+    """Two engines that share no count and no kernel, below a height and in a rectangle."""
+    sheet = certify(RAIL, digits=20)
+    below = certify(RAIL, digits=20, region=("below", 6), check=False)
+    assert (below.status, below.sheet) == (Status.UNVERIFIED, None)
+    assert isinstance(below.region, Below)
+    assert below.problem is RAIL
+    for one, other in zip(sheet.roots, below.roots, strict=True):
+        assert one.q.overlaps(other.q)
+        assert one.symmetry is other.symmetry
+    box = certify(RAIL, digits=20, region=Rectangle(10, 20, "-0.1", "0.2"), check=False)
+    assert roots(box) == pytest.approx([q for q in roots(sheet) if 10 < q.real < 20], abs=1e-15)
+    assert box.stable is None
+
+
+@pytest.mark.parametrize("alpha", ["0.66", "0.67"])
+def test_both_engines_agree_on_stability(alpha: str) -> None:
+    case = Case(alpha=alpha, eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+    found = certify(case, region="unstable", digits=15, check=False)
+    assert found.sheet is None
+    assert (found.region, found.unstable) == (HalfPlane(), certify_sheet(case, 15).unstable)
+
+
+def test_an_irrational_case_is_answered_all_the_same() -> None:
+    case = RAIL.dimensionless
+    found = certify(case, region="unstable", digits=15)
+    assert (found.proved, found.stable) == (True, True)
+    with pytest.raises(InputError, match="irrational: give the PhysicalCase"):
+        certify(case, region=("below", "0.01"))
+    with pytest.raises(InputError, match="irrational"):
+        _ = certify(case, digits=15).roots[0].shape
+
+
+def test_undamped_beams_are_left_to_the_sheet() -> None:
+    case = Case(alpha="0.5", eta_b=0, eta_m=(20, 20), positions=(0, 1))
+    assert certify(case, digits=15).stable is True
+    assert certify(case, digits=15, region="unstable").count == 0
+    undamped = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=100, masses=[(10_000, 0)])
+    assert certify(undamped, digits=15).region == Sheet()
+    with pytest.raises(InputError, match="without damping"):
+        certify(Problem(String(T=27_000, m=1, k=500), [Mass(8)], v=100))
+
+
+# --- regions -----------------------------------------------------------------------------------------------
+
+
+def test_a_stable_track_is_not_answered_with_an_empty_table() -> None:
+    """The contact wire's root as an independent program has it."""
+    found = certify(WIRE, digits=15, check=False)
+    assert isinstance(found.region, Below)
+    assert found.stable is True
+    assert roots(found) == pytest.approx(
+        [-15.641876611743 + 0.715988110564j, 15.641876611743 + 0.715988110564j], abs=1e-11
     )
-)
-SAMPLE = random.Random(4).sample(UNDAMPED, 6)
 
 
-def check_undamped(alpha: str, d: str, eta_m: int) -> None:
-    """Section 4.2: stable exactly below α = 1; real roots, or complex ones in their four."""
-    found = checked(pair(alpha, d, eta_m, eta_b=0), digits=15)
-    assert found.stable is (float(alpha) < 1)
-    assert found.count is not None
-    balls = [root.q for root in found.roots]
-    for root in found.roots:
-        if root.symmetry is Symmetry.REAL:
-            assert root.q.imag == 0
-            assert float(alpha) < 1
-        images = (-root.q, root.q.conjugate(), -root.q.conjugate())
-        assert all(sum(image.overlaps(q) for q in balls) == 1 for image in images)
-    if float(alpha) < 1:
-        assert all(root.symmetry is Symmetry.REAL for root in found.roots)
-        assert found.count in (2, 4)  # Section 3: two pairs at low velocities, one at higher ones
-    else:
-        assert found.count <= 8  # Section 3: at most four pairs until α = 1.4
+def test_the_default_region() -> None:
+    assert isinstance(certify(SPRUNG, digits=15, check=False).region, Below)
+    three = [(5_000, x) for x in ("0", "3", "7")]
+    assert isinstance(certify(PhysicalCase(**BEAM, v=50, masses=three), digits=15, check=False).region, Below)
+    over = PhysicalCase(**(BEAM | {"c": "1.2e5"}), v=100, masses=[(10_000, 0)])  # its cuts are not on a line
+    assert isinstance(certify(over, digits=15, check=False).region, Below)
+    touching = ONSETS["timoshenko"][0]  # without damping of the rotation its cuts come down to the real axis
+    assert certify(Problem(touching, [Mass(1000)], v=60), digits=15, check=False).region == HalfPlane()
 
 
-@pytest.mark.parametrize(("alpha", "d", "eta_m"), SAMPLE)
-def test_a_sample_of_the_undamped_cases(alpha: str, d: str, eta_m: int) -> None:
-    check_undamped(alpha, d, eta_m)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("alpha", "d", "eta_m"), UNDAMPED)
-def test_all_undamped_cases(alpha: str, d: str, eta_m: int) -> None:
-    check_undamped(alpha, d, eta_m)
-
-
-# --- standing loads, heavy damping, more masses ------------------------------------------------------------
-
-
-@pytest.mark.parametrize("eta_b", ["0", "0.05"])
-@pytest.mark.parametrize("axial", ["-0.3", "0", "0.2"])
-@pytest.mark.parametrize(("eta_m", "positions"), [((70,), (0,)), ((70, 70), (0, "1.5"))])
-def test_standing_loads(eta_b: str, axial: str, eta_m: tuple[int, ...], positions: tuple[Any, ...]) -> None:
-    """α = 0: every mass on a beam at rest is stable, and has one pair of frequencies."""
-    found = checked(Case(alpha=0, eta_b=eta_b, eta_n=axial, eta_m=eta_m, positions=positions), digits=15)
-    assert found.stable is True
-    assert found.count == 2 * len(eta_m)
-
-
-OFF_THE_LINE = [
-    {"alpha": "0.5", "eta_b": "1"},
-    {"alpha": "1.5", "eta_b": "1.5"},
-    {"alpha": "0.5", "eta_b": "1.5"},  # two lower p-roots are equal at q = 0
-    {"alpha": "0.9", "eta_b": "0.6", "eta_n": "0.82"},
-]
-
-
-@pytest.mark.parametrize("values", OFF_THE_LINE)
-def test_cuts_off_the_line_leave_the_unstable_region(values: dict[str, str]) -> None:
-    """η_b ≥ 1, or η_N − η_S ≥ β."""
-    case = Case(**values, eta_m=(70, 70), positions=(0, "1.5"))
-    with pytest.raises(InputError, match='region="unstable"'):
-        certify(case)
-    found = checked(case, region="unstable", digits=15)
-    assert found.count == found.unstable == 2
-    truth = [q for q in Truth(case, 15).search(50.0) if q.imag < 0]
-    assert 2 * len(truth) == found.count
-
-
-def test_three_unequal_masses() -> None:
-    case = Case(alpha="0.3", eta_b="0.2", eta_m=(10, 30, 5), positions=(0, 2, 5))
-    assert checked(case, digits=15).count == 2 * len(Truth(case, 15).search(60.0))
-
-
-def test_a_rectangle() -> None:
-    case = pair("0.67", "1.5")
-    found = checked(case, region=Rectangle("0.1", "0.2", "-0.1", "0"))
-    assert found.count == 1
-    assert found.stable is None
-
-
-@pytest.mark.parametrize("digits", [15, 100])
-def test_digits(digits: int) -> None:
-    assert checked(pair("0.67", "1.5"), digits=digits).count == 4
-
-
-# --- undecided, refused ------------------------------------------------------------------------------------
+def test_without_a_proof_below_a_height_the_unstable_half_plane_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    real = verify2.verify_bytes
+    refused = verify2.Verdict(False, "no")
+    monkeypatch.setattr(verify2, "verify_bytes", lambda raw: refused if b'"below"' in raw else verify2.Verdict(True))
+    found = certify(WIRE, digits=15)
+    assert (found.proved, found.region, found.stable) == (True, HalfPlane(), True)
+    assert "above the real axis" in found.note
+    assert real is not verify2.verify_bytes
 
 
 @pytest.mark.parametrize(
-    "values",
+    ("given", "region", "key", "words"),
     [
-        {"alpha": 1, "eta_b": 0},
-        {"alpha": "0.5", "eta_b": "0.6", "eta_n": "0.55"},
-        {"alpha": "0.8", "eta_b": 0, "eta_n": "0.36"},
+        (WIRE, "sheet", "region", "for the paper's beam with masses only"),
+        (WIRE, ("below", 1), "region", "begin at Im q = 0.9345"),
+        (WIRE, ("below", 0), "region", "must be above 0"),
+        (WIRE, ("below", "x"), "region", "x"),
+        (WIRE, ("above", 1), "region", 'give "sheet"'),
+        (WIRE, "half", "region", "is 'half'"),
+        (WIRE, 3, "region", "is '3'"),
+        (WIRE, Rectangle(0, 20, -1, 1), "region.im_max", "give im_max up to 0.934"),
+        (CASE, Rectangle(0, 1, -1, 1), "region.im_max", "cut line"),
+        ("case.toml", None, "problem", "type str"),
     ],
 )
-def test_alpha_c_is_undecided(values: dict[str, str]) -> None:
-    """α² = β − N exactly: the cuts touch in one point."""
-    found = certify(Case(**values, eta_m=70))
-    assert found.status is Status.UNDECIDED
-    assert not found.proved
-    assert found.count is found.unstable is found.stable is None
-    assert "alpha_C" in found.reason
-    assert "change alpha" in found.reason
+def test_what_is_refused(given: Any, region: Any, key: str, words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        certify(given, region=region)
+    assert caught.value.key == key
+    assert words in str(caught.value)
 
 
-@pytest.mark.parametrize("region", ["sheet", Rectangle("0.1", "0.2", "-0.1", "0.03")])
-def test_the_effort_is_bounded(region: Any) -> None:
-    found = certify(pair("0.67", "1.5"), max_pieces=3, region=region)
-    assert found.status is Status.UNDECIDED
-    assert "more than 3 pieces" in found.reason
+def test_remedies_of_refused_regions_help() -> None:
+    assert certify(WIRE, region=("below", "0.934"), digits=15, check=False).count == 2
+    assert certify(WIRE, region=Rectangle(0, 20, -1, "0.934"), digits=15, check=False).count == 1
 
 
-@pytest.mark.parametrize(("eta_b", "eta_n"), [("0.9999999999999999", "0"), ("0", "0.9999999999999999")])
-def test_effort_that_is_spent_is_not_spent_again(eta_b: str, eta_n: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Neither more bits nor another start would help: undecided after so many pieces, with what would."""
-    pieces = [0]
-
-    def value(track: Any, r: Any) -> Any:
-        pieces[0] += 1
-        return edge_value(track, r)
-
-    monkeypatch.setattr("mpsolve.sheet.winding.edge_value", value)
-    found = certify(Case(alpha="0.5", eta_b=eta_b, eta_n=eta_n, eta_m=(10, 10), positions=(0, 1)), max_pieces=300)
-    assert found.status is Status.UNDECIDED
-    helps = 'ask for the region "unstable", or raise max_pieces' if found.case.eta_b else "raise max_pieces"
-    assert found.reason == f"the contour needs more than 300 pieces: {helps}"
-    assert pieces[0] <= 302
-    assert "raise" in found.reason
-    assert found.roots == ()
+def test_old_positional_arguments_are_gone() -> None:
+    with pytest.raises(TypeError):
+        certify(CASE, 20)  # type: ignore[misc]
 
 
-def test_a_rectangle_over_the_cut_line_is_refused() -> None:
-    """Beyond the gap |Re q| < q_lm only: within it there is no cut."""
-    case = pair("0.5", "1.5", eta_b=0)
-    with pytest.raises(InputError, match="cut line"):
-        certify(case, region=Rectangle("0.1", 2, "-0.1", "0.1"))
-    assert checked(case, region=Rectangle("0.1", "0.2", "-0.1", "0.1")).count == 2
+# --- results -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("digits", [14, 0, -1, 10_001, 30.0, "30"])
-def test_digits_out_of_range_are_refused(digits: Any) -> None:
-    with pytest.raises(InputError, match="digits"):
-        certify(single("0.5"), digits=digits)
+@pytest.mark.parametrize("given", [CASE, RAIL, WIRE, SPRUNG], ids=["case", "si", "wire", "sprung"])
+def test_a_result_travels_and_has_no_truth_value(given: Any) -> None:
+    found = certify(given, digits=30, check=False)
+    again = pickle.loads(pickle.dumps(found))
+    for name in ("status", "region", "count", "unstable", "cost", "problem", "verified"):
+        assert getattr(again, name) == getattr(found, name)
+    for one, other in zip(found.roots, again.roots, strict=True):
+        assert other.q.contains(one.q)
+        assert other.q.mid().real.man_exp() == one.q.mid().real.man_exp()
+        assert (other.q - other.q.mid()).abs_upper() <= 1.00001 * (one.q - one.q.mid()).abs_upper()
+        assert other.shape.bodies.keys() == one.shape.bodies.keys()
+    assert again.certificate.text == found.certificate.text
+    with pytest.raises(TypeError, match="truth value"):
+        bool(again)
 
 
-@pytest.mark.parametrize("region", ["everything", None, (0, 1, 0, 1)])
-def test_unknown_regions_are_refused(region: Any) -> None:
-    with pytest.raises(InputError, match="region"):
-        certify(single("0.5"), region=region)
+def test_the_shape_of_a_root() -> None:
+    found = certify(SPRUNG, digits=20, check=False)
+    shape = found.roots[-1].shape
+    assert {"wheel", "body"} == {name.split(" ")[0] for name in shape.bodies}
+    assert max(abs(complex(x.mid())) for x in shape.bodies.values()) == pytest.approx(1)
 
 
-CHECKED = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+def test_what_the_verifier_refuses_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(verify2, "verify_bytes", lambda _raw: verify2.Verdict(False, "piece 3 is too long"))
+    found = certify(WIRE, region="unstable", digits=15)
+    assert (found.status, found.count, found.unstable, found.stable) == (Status.UNDECIDED, None, None, None)
+    assert found.reason is not None
+    assert found.reason.code == "verifier"
+    assert "piece 3 is too long" in str(found.reason)
+    kept = certify(WIRE, region="unstable", digits=15, check=False)
+    assert (kept.status, kept.count) == (Status.UNVERIFIED, 0)
 
 
-def test_proved_means_that_the_verifier_was_asked() -> None:
-    found, quick = certify(CHECKED, digits=15), certify(CHECKED, digits=15, check=False)
-    assert (found.status, found.status.value) == (Status.PROVED, "proved")
-    assert (quick.status, quick.status.value) == (Status.UNVERIFIED, "proved, not verified")
-    assert found.proved
-    assert quick.proved
-    assert (found.count, found.unstable) == (quick.count, quick.unstable) == (4, 2)
-    assert "Proved, not verified" in render(quick)
-    assert "not verified" not in render(found)
-    assert as_data(quick)["status"] == "proved, not verified"
+def test_proved_means_verified() -> None:
+    bogie = read_problem(EXAMPLES / "two_layer_bogie.toml").problem
+    for given in (WIRE, SPRUNG, bogie):
+        for region in (None, "unstable"):
+            found = certify(given, region=region, digits=15)
+            assert found.status is Status.PROVED, found.reason
+            assert found.verified
+            assert found.stable is True
+            assert found.cost.verification > 0
 
 
-def test_what_the_verifier_refuses_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A proof that miscounts makes a certificate that the verifier, which counts by itself, does not take."""
-    monkeypatch.setattr(verify, "count_on_edge", lambda *_: 6)
-    found = certify(CHECKED, digits=15)
-    assert not found.proved
-    assert (found.count, found.unstable, found.stable) == (None, None, None)
-    assert found.why is not None
-    assert found.why.code == "not-verified"
-    assert "the winding number is 6, but 4 roots are enclosed" in found.reason
-    assert as_data(found)["why"]["code"] == "not-verified"
+# --- effort, progress, interruption ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("given", [CASE, WIRE], ids=["sheet", "general"])
+def test_effort_ends_the_work_and_more_of_it_helps(given: Any) -> None:
+    options: dict[str, Any] = {"digits": 15, "region": None if given is CASE else ("below", "0.9"), "check": False}
+    for effort in (Effort(evaluations=5), Effort(seconds=1e-6)):
+        found = certify(given, effort=effort, **options)
+        assert found.status is Status.UNDECIDED
+        assert "effort=Effort(seconds=…)" in str(found.reason)
+    spare = Effort(seconds=100)
+    assert certify(given, effort=spare, **options).proved
+    assert certify(given, effort=spare, **options).proved
+    with pytest.raises(InputError, match="effort: is of type int"):
+        certify(given, effort=3)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("given", [CASE, WIRE], ids=["sheet", "general"])
+def test_progress_is_told_and_an_interruption_leaves_nothing_behind(given: Any) -> None:
+    stages: list[str] = []
+
+    def tell(stage: str, fraction: float) -> None:
+        assert 0 <= fraction <= 1
+        stages.append(stage)
+
+    whole = certify(given, digits=15, progress=tell, check=given is CASE)
+    assert whole.proved
+    before = flint.ctx.prec
+    for stage in dict.fromkeys(stages):
+
+        def stop(now: str, _fraction: float, stage: str = stage) -> None:
+            if now == stage:
+                raise KeyboardInterrupt
+
+        with pytest.raises(KeyboardInterrupt):
+            certify(given, digits=15, progress=stop, check=given is CASE)
+        assert flint.ctx.prec == before
+    assert roots(certify(given, digits=15, check=given is CASE)) == roots(whole)
+
+
+# --- numbers that others made ------------------------------------------------------------------------------
+
+SHEAR = Fraction("0.393") * Fraction("80.769e9") * Fraction("76.70e-4")
+INERTIA = Fraction("3.037e-5")
+BALLAST = {"k_pad": "300e6", "c_pad": "3e4", "m_sleeper": 250, "k_ballast": "100e6", "c_ballast": "8e4"}
+TIGHT = Bogie(
+    wheel=1500, frame=3000, inertia=155, wheelbase="2.5", k="4.8e6", c=250, body=12500, k2="2.708e6", c2="64e3"
+)
+PAIR = [Mass(10_000).at(0), Mass(10_000).at("3.4")]
+ONSETS = {
+    "timoshenko": (
+        Timoshenko(EI=210 * 10**9 * INERTIA, m="60.2", S=SHEAR, J=7860 * INERTIA, k="1e6", c=770),
+        [Mass(10_000)],
+        "309.445688",
+        "309.4456867",
+    ),
+    "two-layer": (
+        TwoLayer(EI=210 * 10**9 * Fraction("3038.30e-8"), m="60.2", **BALLAST),
+        [Mass(900)],
+        "1413.817865",
+        "1413.8178654",
+    ),
+    "kelvin-voigt pair": (EulerBernoulli(**BEAM, eta="1e-4"), PAIR, "197.878094", "197.8780954"),
+    "tight bogie": (EulerBernoulli(**BEAM), [TIGHT], "334.590808", "334.5908074"),
+}
+
+
+@pytest.mark.parametrize("name", ONSETS)
+def test_onset_velocities_that_two_independent_programs_found(name: str) -> None:
+    """Proved stable 1e-6 below, proved unstable 1e-6 above; a second program has a digit more, within 1e-7."""
+    track, vehicles, first, second = ONSETS[name]
+    for published, part in ((first, Fraction(1, 10**6)), (second, Fraction(1, 10**7))):
+        for side in (-1, 1):
+            v = Fraction(published) * (1 + side * part)
+            found = certify(Problem(track, vehicles, v), region="unstable", digits=15)
+            assert found.status is Status.PROVED, found.reason
+            assert (found.region, found.stable) == (HalfPlane(), side < 0)
+            assert found.unstable == (0 if side < 0 else 2)
+
+
+def test_a_rayleigh_beam_with_two_contacts_faster_than_its_waves_says_so() -> None:
+    """Where no theorem closes the half-plane the region carries a radius, and stability stays open."""
+    track = Rayleigh(EI="6.4e6", m=60, J=60, k="1e6", c=770)  # waves of at most √(EI/J) = 327 m/s
+    found = certify(Problem(track, PAIR, v=400), region="unstable", digits=15, check=False)
+    assert found.proved, found.reason
+    assert isinstance(found.region, HalfPlane)
+    assert found.region.radius is not None
+    assert found.stable is not True
+    assert found.note

@@ -14,8 +14,9 @@ import pytest
 from flint import acb, arb
 from oracle import Truth
 
-from mpsolve import Case, certify
+from mpsolve import Case
 from mpsolve.certificate.format import digest
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.certificate.verify import (
     Beside,
     Box,

@@ -10,9 +10,10 @@ from typing import Any
 
 import pytest
 
-from mpsolve import Case, certify
+from mpsolve import Case
 from mpsolve.certificate import verify
 from mpsolve.certificate.format import digest
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.certificate.verify import MAX_WORK, judge, work
 
 Content = dict[str, Any]
@@ -22,7 +23,9 @@ LONG = "0x1" + "3" * 29_000
 
 @cache
 def sheet() -> str:
-    certificate = certify(Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5")), 15).certificate
+    certificate = certify(
+        Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5")), digits=15
+    ).certificate
     assert certificate is not None
     return json.dumps(certificate.content)
 

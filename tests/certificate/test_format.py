@@ -11,9 +11,10 @@ from pathlib import Path
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mpsolve import Case, certify
-from mpsolve.certificate.certify import Spectrum
+from mpsolve import Case
 from mpsolve.certificate.format import Certificate, digest, dyadic
+from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.certificate.verify import precision, read, root
 
 CASE = Case(alpha="0.9", eta_b="0.05", eta_m="root4(24010000)")

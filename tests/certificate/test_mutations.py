@@ -16,8 +16,9 @@ from typing import Any
 
 import pytest
 
-from mpsolve import Case, Rectangle, certify
+from mpsolve import Case, Rectangle
 from mpsolve.certificate.format import digest
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.certificate.verify import Verdict, verify
 
 Content = dict[str, Any]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from mpsolve import Case, certify
+from mpsolve import Case
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.claims import Finding, Verdict
 
 

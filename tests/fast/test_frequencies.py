@@ -35,7 +35,7 @@ def rows(result: Frequencies) -> list[list[complex]]:
 
 
 def proved(case: Case) -> list[complex]:
-    spectrum = certify(case, 17)
+    spectrum = certify(case, digits=17)
     assert spectrum.proved, spectrum.reason
     return [complex(root.q.mid()) for root in spectrum.roots]
 
@@ -101,7 +101,7 @@ def test_roots_are_those_of_the_residue_sums(
     k = 2
     assert result.outcome[k] == Outcome.TRACKED
     half = [q for q in rows(result)[k] if q.real >= 0]
-    assert len(rows(result)[k]) == certify(case, 15).count
+    assert len(rows(result)[k]) == certify(case, digits=15).count
     assert all(min(abs(q - found) for found in half) < 1e-8 * abs(q) for q in truth.search(40.0))
     assert_same(half, [complex(truth.root(q)) for q in half])
 

@@ -35,7 +35,7 @@ def test_every_root_of_every_case_has_a_row(table: Seeds) -> None:
     rows = sorted(set(table.cases))
     assert len(rows) == 8
     for row in rows:
-        expected = [complex(root.q.mid()) for root in certify(case_of(row), 30).roots]
+        expected = [complex(root.q.mid()) for root in certify(case_of(row), digits=30).roots]
         assert [q for q, other in zip(table.q.tolist(), table.cases, strict=True) if other == row] == expected
 
 

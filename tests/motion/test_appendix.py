@@ -38,7 +38,7 @@ def agree_with_the_inverse_transform(case: Case, loads: Any, times: tuple[float,
     """At contact points, between, behind and ahead of them; inversion along a second line tells its own error."""
     last = float(case.positions[-1])
     xi = (0.0, last, 0.25, -2.5, last + 2)
-    found = response(case, loads, xi, times, certify(case, 20))
+    found = response(case, loads, xi, times, certify(case, digits=20))
     for w, tau in zip(found.w.T, times, strict=True):
         truth = Inversion(case, loads, GROWTH)(xi, tau)
         again = Inversion(case, loads, 2 * GROWTH, 20, SECOND)(xi, tau)

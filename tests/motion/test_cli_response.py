@@ -149,7 +149,7 @@ def test_places_that_differ_in_their_last_digits_are_two_columns(file: Path, tmp
 
 def test_a_curve_that_cannot_be_computed_is_left_out_of_the_comparison(tmp_path: Path) -> None:
     """The force meets the induced frequency of the doubled mass, not one of the pair."""
-    doubled = certify(Case(alpha="0.5", eta_b=0, eta_m=140), 30).roots[-1].q.real.str(12, radius=False)
+    doubled = certify(Case(alpha="0.5", eta_b=0, eta_m=140), digits=30).roots[-1].q.real.str(12, radius=False)
     text = TEXT.replace("0.67", "0.5").replace("0.05", "0").replace("0.3", doubled)
     file, table = tmp_path / "case.toml", tmp_path / "out.csv"
     file.write_text(text, encoding="utf-8")

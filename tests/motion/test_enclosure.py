@@ -13,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Truth, grid
 
-from mpsolve import Case, certify, response
+from mpsolve import Case, response
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic

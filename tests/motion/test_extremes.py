@@ -15,7 +15,7 @@ from mpsolve.motion import response
 
 
 def agrees(case: Case, loads: Any, xi: Any, times: Any) -> None:
-    spectrum = certify(case, 20)
+    spectrum = certify(case, digits=20)
     found = response(case, loads, xi, times, spectrum)
     growth = max((-float(root.q.imag.mid()) for root in spectrum.roots), default=0.0)
     for k, tau in enumerate(times):

@@ -43,7 +43,7 @@ def test_digits_that_the_tail_does_not_allow_are_refused() -> None:
 def test_a_force_next_to_an_induced_frequency() -> None:
     """The steady and the unsteady part grow without bound there, and cancel: the motion itself is smooth in ω."""
     case, tau = Case(alpha="0.5", eta_b=0, eta_m=70), (3, 200)
-    (q,) = (root.q.real for root in certify(case, 40).roots if root.q.real > 0)
+    (q,) = (root.q.real for root in certify(case, digits=40).roots if root.q.real > 0)
     around = [response(case, [Load(1, 1, float(q) + shift)], tau=tau).w for shift in (-2e-5, 2e-5)]
     for digits in (8, 12, 30):
         near = response(case, [Load(1, 1, q.str(digits, radius=False))], tau=tau, digits=15)
@@ -67,7 +67,7 @@ def test_a_growing_motion_gets_the_digits_that_it_needs() -> None:
 
 def test_frequencies_given_with_too_few_digits_are_the_reason_that_is_said() -> None:
     with pytest.raises(PrecisionError, match="leave `spectrum` out"):
-        response(LONE, tau=50, spectrum=certify(LONE, 20), digits=30)
+        response(LONE, tau=50, spectrum=certify(LONE, digits=20), digits=30)
 
 
 def test_a_force_too_fast_for_the_path_is_refused() -> None:

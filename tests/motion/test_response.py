@@ -86,7 +86,7 @@ def test_unequal_masses_at_three_places_and_far_positions() -> None:
     case = Case(alpha="0.5", eta_b="0.1", eta_m=(70, 40, 30), positions=(0, 1, "2.5"))
     loads = (Load(1, "0.5", "0.3"), Load(0, 1, "0.9", "0.4"), Load(2))
     xi = (0, 1, 2.5, -12.0)
-    found = response(case, loads, xi, (30,), certify(case, 20))
+    found = response(case, loads, xi, (30,), certify(case, digits=20))
     assert np.allclose(found.w[:, 0], Inversion(case, loads)(xi, 30.0), rtol=0, atol=1e-10)
 
 

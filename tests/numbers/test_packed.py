@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from flint import arb
+import copy
+import pickle
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb
 
 from mpsolve.fields import ball_arithmetic
-from mpsolve.numbers.packed import pack, unpack
+from mpsolve.numbers.packed import Portable, pack, unpack
 
 
 def test_balls_travel_exactly() -> None:
@@ -16,3 +21,27 @@ def test_balls_travel_exactly() -> None:
         assert same.mid().man_exp() == ball.mid().man_exp()
         assert same.rad() >= ball.rad()
         assert same.rad() <= ball.rad() * arb("1.000001")
+
+
+@dataclass(frozen=True)
+class Held(Portable):
+    """What results look like: balls in tuples and dictionaries, beside other values."""
+
+    q: Any
+    parts: tuple[Any, ...]
+    named: dict[str, Any]
+    text: str = "x"
+
+
+def test_what_holds_balls_can_be_pickled_and_copied() -> None:
+    with ball_arithmetic(300):
+        held = Held(acb(arb.pi(), -arb(2).sqrt()), (arb(3).log(), 5, None), {"a": acb(1, arb(2).sqrt())})
+    for same in (pickle.loads(pickle.dumps(held)), copy.deepcopy(held)):
+        assert type(same) is Held
+        assert same.q.contains(held.q)
+        assert same.q.real.mid().man_exp() == held.q.real.mid().man_exp()
+        assert same.parts[0].contains(held.parts[0])
+        assert same.parts[0].rel_accuracy_bits() >= 290
+        assert same.parts[1:] == (5, None)
+        assert same.named["a"].contains(held.named["a"])
+        assert same.text == "x"

@@ -51,3 +51,8 @@ def test_a_cluster_is_wider_than_its_grid() -> None:
 def test_an_image_that_is_too_wide() -> None:
     with precision(100), pytest.raises(PrecisionError, match="too wide"):
         on_grid(acb(1, 1) + square(arb((1, -10))), 60, 1, Symmetry.NONE)
+
+
+def test_a_ball_that_is_not_finite_is_refused() -> None:
+    with pytest.raises(PrecisionError, match="was lost"):
+        on_grid(acb("nan"), 60, 1, Symmetry.NONE)

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from flint import arb, fmpq
 
-from mpsolve import Case, PhysicalCase, Rectangle, certify, read_case
+from mpsolve import Case, PhysicalCase, Rectangle, read_case
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.model.parameters import Mass
 from mpsolve.report.data import as_data, physical_data
 

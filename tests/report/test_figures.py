@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import Case, PhysicalCase, certify, frequency_lines
+from mpsolve import Case, PhysicalCase, frequency_lines
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.errors import CertificateError, InputError
 from mpsolve.model.specs import ONE_MASS, Grid
 from mpsolve.motion.solve import response

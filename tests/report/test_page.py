@@ -15,7 +15,8 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from mpsolve import Case, PhysicalCase, certify, verify
+from mpsolve import Case, PhysicalCase, verify
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.cli import cli
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.load import Load

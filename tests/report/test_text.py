@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 from flint import acb, arb
 
-from mpsolve import Case, PhysicalCase, Rectangle, Spectrum, Status, certify, read_case
+from mpsolve import Case, PhysicalCase, Rectangle, Status, read_case
+from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.rootball import RootBall
 from mpsolve.report.statement import proved, verdict

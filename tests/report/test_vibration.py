@@ -8,7 +8,8 @@ from typing import Any
 import mpmath
 import pytest
 
-from mpsolve import Case, PhysicalCase, certify, read_case
+from mpsolve import Case, PhysicalCase, read_case
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.errors import InputError
 from mpsolve.numbers.decimals import decimal
 from mpsolve.report.vibration import Trend, vibrations

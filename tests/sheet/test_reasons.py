@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 from oracle import Truth
 
-from mpsolve import Case, PhysicalCase, Rectangle, certify
-from mpsolve.certificate.certify import Spectrum
+from mpsolve import Case, PhysicalCase, Rectangle
+from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
+from mpsolve.certificate.sheet import certify_sheet as certify
 
 
 def pair(alpha: Any, eta_b: Any, eta_m: Any = 10, d: Any = 1, **rest: Any) -> Case:

@@ -1,4 +1,4 @@
-"""The closing argument is that of det M, as it is continued from the imaginary axis far below."""
+"""The argument at which counts close, against eigenvalues: for accretive matrices both sums of arguments are one."""
 
 from __future__ import annotations
 
@@ -6,62 +6,76 @@ from typing import Any
 
 import numpy as np
 import pytest
-from oracle_general import Floats
-from oracle_general.named import at, masses
-from oracle_general.package import as_problem
+from track_models import DAMPED
+from vehicle_models import TYPICAL
 
+from mpsolve import vehicles
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.start import start
 from mpsolve.errors import PrecisionError
+from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.spectrum.closing import closing_argument
 
-RAIL = {"model": "euler-bernoulli", "EI": "6.38e6", "m": "60.2", "k": "1e6", "c": "770"}
-OSCILLATOR = {"model": "oscillator", "wheel": "900", "body": "6000", "k": "5e5", "c": "2e3"}
-CASES = {
-    "one mass": masses("900", "0"),
-    "three masses": masses("900", "0", "2.5", "7"),
-    "oscillators": at(OSCILLATOR, OSCILLATOR),
-    "two at one place": [*masses("900", "0"), {**OSCILLATOR, "at": "0"}],
+BEAM = DAMPED["euler-bernoulli"]
+PLACED = {
+    "masses": [vehicles.Mass(900), vehicles.Mass(400).at("2.5")],
+    "one place": [vehicles.Mass(900), vehicles.Oscillator(wheel=900, body=5000, k="1e6", c=10)],
+    "sprung contacts": [TYPICAL["oscillator"], TYPICAL["bogie"].at(9)],
+    "on a damper": vehicles.Vehicle(
+        M=[[3, 0], [0, 5]], C=[[20, -20], [-20, 20]], K=[[0, 0], [0, 0]], B=[[1], [0]], places=[0]
+    ),
 }
 
 
-def at_rho(name: str, v: str = "150", rho: float = 4.0) -> tuple[dict[str, Any], Reduced, float, Any]:
-    row = {"track": RAIL, "vehicles": CASES[name], "v": v}
-    reduced = reduce_problem(as_problem(row))
-    _, G, good = Arrays(reduced).evaluate(np.array([1j * rho]), np.zeros(1), start(reduced.guide).up)
-    assert good[0]
-    return row, reduced, rho, G
+def corner(reduced: Reduced, rho: float) -> tuple[Any, Any]:
+    _, G, good = Arrays(reduced).evaluate(np.array([1j * rho]), np.zeros(1), 2)
+    assert good.all()
+    V = 1j * rho * G.a[0]
+    assert np.linalg.eigvalsh(V + V.conj().T)[0] > 0
+    return G.a[0], G.e[0]
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_the_argument_along_the_walls(name: str) -> None:
-    row, reduced, rho, G = at_rho(name)
-    floats, unit = Floats(row), float(reduced.frequency_unit)
-    way = np.concatenate([-1j * np.linspace(2 * rho, 1e-9, 4000)[:1], np.linspace(-2j * rho, rho - 2j * rho, 4000),
-                          rho - 1j * np.linspace(2 * rho, 0, 4000)]) * unit  # fmt: skip
-    delta = floats.log_delta(way).imag
-    steps = np.angle(np.exp(1j * np.diff(delta)))
-    assert np.abs(steps).max() < 0.3
-    turn = steps.sum() + (reduced.contacts - reduced.bodies) * np.pi / 2  # det M = σ^(nc − nb) Δ
-    closing = closing_argument(reduced, rho, G.a[0], G.e[0])
-    assert closing.contains(turn) or abs(float(closing.mid()) - turn) < 1e-6
-    assert float(closing.rad()) < 1e-6
+def accretive(reduced: Reduced, sigma: complex, G: Any) -> Any:
+    """[[S/σ, −B], [Bᵀ, σ(G + h)]], rows of neutral modes undivided."""
+    n, c = reduced.bodies, reduced.contacts
+    S = np.array([[[float(x) for x in row] for row in rows] for rows in reduced.S])
+    S = S[0] / sigma + S[1] + S[2] * sigma
+    S[n - reduced.neutral :] *= sigma
+    B = np.array([[float(x) for x in row] for row in reduced.B]).reshape(n, c)
+    index = np.array(reduced.index)
+    low = sigma * (G[np.ix_(index, index)] + np.diag([float(x) for x in reduced.h]))
+    return np.block([[S, -B], [B.T, low]])
 
 
-def test_where_the_middle_is_not_passive_it_stays_open() -> None:
-    _, reduced, rho, G = at_rho("three masses")
-    a = G.a[0].copy()
-    a[0, 0] = a[0, 0].conjugate()
-    with pytest.raises(PrecisionError, match="not passive"):
-        closing_argument(reduced, rho, a, G.e[0])
+@pytest.mark.parametrize("name", PLACED)
+@pytest.mark.parametrize("rho", [1.5, 3.0])
+def test_it_is_the_sum_of_the_arguments_of_eigenvalues(name: str, rho: float) -> None:
+    reduced = reduce_problem(Problem(BEAM, PLACED[name], v=40))
+    assert reduced.neutral == (name == "on a damper")
+    G, e = corner(reduced, rho)
+    found = closing_argument(reduced, rho, G, e)
+    values = np.linalg.eigvals(accretive(reduced, 1j * rho, G))
+    assert float(found.mid()) == pytest.approx(float(np.angle(values).sum()), abs=1e-7)
+    assert float(found.rad()) < 1e-6
 
 
-def test_a_wide_receptance_stays_open() -> None:
-    _, reduced, rho, G = at_rho("three masses")
-    with pytest.raises(PrecisionError):
-        closing_argument(reduced, rho, G.a[0], np.abs(G.a[0]))
-    wide = closing_argument(reduced, rho, G.a[0], 1e-4 * np.abs(G.a[0]))
-    sharp = closing_argument(reduced, rho, G.a[0], G.e[0])
-    assert wide.contains(sharp)
-    assert float(wide.rad()) > 1e-5
+def test_wider_receptances_give_a_wider_sum_that_holds_the_others() -> None:
+    reduced = reduce_problem(Problem(BEAM, PLACED["masses"], v=40))
+    G, e = corner(reduced, 1.5)
+    wide = closing_argument(reduced, 1.5, G, e + 1e-4)
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        moved = G + 1e-4 * np.exp(2j * np.pi * rng.uniform(size=G.shape))
+        assert wide.contains(closing_argument(reduced, 1.5, moved, e))
+    assert float(wide.rad()) < 0.1
+
+
+def test_what_may_be_singular_is_not_closed() -> None:
+    reduced = reduce_problem(Problem(BEAM, PLACED["masses"], v=40))
+    G, e = corner(reduced, 1.5)
+    with pytest.raises(PrecisionError, match="singular"):
+        closing_argument(reduced, 1.5, G, e + 1e9)
+    try:
+        assert closing_argument(reduced, 1.5, G, e + np.inf).unique_fmpz() is None
+    except PrecisionError:
+        return

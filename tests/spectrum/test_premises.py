@@ -13,7 +13,7 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.premises import open_at_rest, require_premises
-from mpsolve.spectrum.regions import Below, Box, HalfPlane, Region
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks import Rayleigh, String, Timoshenko
 from mpsolve.tracks.waveguide import Polynomial, Waveguide
 from mpsolve.vehicles import Mass, Vehicle
@@ -94,12 +94,12 @@ def test_a_wave_speed_is_refused(track: object, v: int) -> None:
 
 def test_a_region_ends_below_the_cuts() -> None:
     problem = Problem(PLAIN, [Mass(1).at(0)], v="0.3")
-    for region in (Box(-1, 1, "-0.5", "0.2"), Below(Fraction(1, 5))):
+    for region in (Rectangle(-1, 1, "-0.5", "0.2"), Below(Fraction(1, 5))):
         with pytest.raises(InputError, match="below the lowest cut, at 0.1"):
             counted(problem, region)
     touching = Problem(Timoshenko(EI=1, m=1, S=9, J=1, k=1, c="1/5"), [Mass(1).at(0)], v="0.3")
     with pytest.raises(InputError, match="come down to the real axis"):
-        counted(touching, Box(-1, 1, "-0.5", "0.01"))
+        counted(touching, Rectangle(-1, 1, "-0.5", "0.01"))
 
 
 def rigid(places: list[str], **more: object) -> Problem:

@@ -68,7 +68,7 @@ def test_the_gap_is_searched_up_to_its_closure():
 def test_a_root_leaves_the_gap_where_the_count_drops():
     (first, second) = found = cut_points(0, (40, 20, 30), (0, 1, "2.5"), alpha=("0.3", "0.95"))
     assert found.proved
-    before, between, after = (certify(_case(a), 15).count for a in ("0.7", "0.83", "0.9"))
+    before, between, after = (certify(_case(a), digits=15).count for a in ("0.7", "0.83", "0.9"))
     assert (before - between, between - after) == (2, 2)
     assert 0.7 < float(first.alpha) < 0.83 < float(second.alpha) < 0.9
     assert not any(point.appears for point in found)

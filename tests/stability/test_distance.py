@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from oracle import Truth
 
-from mpsolve import Case, InputError, certify
+from mpsolve import Case, InputError
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.stability.curvature import convex_branch, motion_with_distance

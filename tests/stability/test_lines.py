@@ -15,7 +15,7 @@ REST = {"eta_b": "0.05", "eta_m": (70, 70), "positions": (0, "1.5")}
 
 def test_a_root_is_followed_to_itself():
     """Each ball that the chain ends in meets exactly one certified root of the later velocity."""
-    early, late = (certify(Case(alpha=a, **REST), 15) for a in ("0.6", "0.7"))
+    early, late = (certify(Case(alpha=a, **REST), digits=15) for a in ("0.6", "0.7"))
     roots = [root.q for root in early.roots if root.q.real > 0]
     ends = follow(early.case, [Exact("0.6")] * 2, [Exact("0.7")] * 2, roots)
     met = [[k for k, root in enumerate(late.roots) if root.q.overlaps(end)] for end in ends]

@@ -9,7 +9,8 @@ import flint
 import pytest
 from oracle import Truth
 
-from mpsolve import Case, certify
+from mpsolve import Case
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.stability.masses import CrossingMasses, crossing_masses

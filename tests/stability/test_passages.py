@@ -9,7 +9,8 @@ import flint
 import numpy as np
 import pytest
 
-from mpsolve import Case, certify
+from mpsolve import Case
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
 from mpsolve.sheet.far import prove_far

@@ -6,7 +6,8 @@ import flint
 import pytest
 from oracle import Truth
 
-from mpsolve import Case, InputError, certify
+from mpsolve import Case, InputError
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.stability.sensitivity import damping_sensitivity
 
 CASES = [("0.5", "1", ("40", "40"), 0), ("0.8", "1.5", ("70", "70"), 0), ("0.6", "2", ("30", "10"), "0.2")]

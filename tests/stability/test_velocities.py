@@ -9,7 +9,8 @@ import flint
 import pytest
 from oracle import Truth
 
-from mpsolve import Case, Exact, certify
+from mpsolve import Case, Exact
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.stability.velocities import onset_velocity, unstable_velocities

@@ -36,7 +36,7 @@ def around(value: str, radius: str) -> Any:
 
 def test_certified_results_are_those_of_certify(tmp_path: Path) -> None:
     (found,) = results("certified", PAIR | {"mass_ratio": "1/2"}, digits=20, certificates=True)
-    direct = certify(Case(alpha="0.67", eta_b="0.05", eta_m=(70, 35), positions=(0, "1.5")), 20)
+    direct = certify(Case(alpha="0.67", eta_b="0.05", eta_m=(70, 35), positions=(0, "1.5")), digits=20)
     assert (found.status, found.count, found.unstable) == ("proved", direct.count, direct.unstable)
     for root, ball in zip(found.roots, direct.roots, strict=True):
         with ball_arithmetic(200):

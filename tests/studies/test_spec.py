@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from mpsolve.errors import InputError
-from mpsolve.sheet.region import Rectangle
+from mpsolve.spectrum.regions import Rectangle
 from mpsolve.studies.spec import differences, read_spec, spec_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

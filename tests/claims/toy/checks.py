@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mpsolve import Case, certify
+from mpsolve import Case
+from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.errors import PrecisionError
 

@@ -50,7 +50,7 @@ def test_the_rate_is_the_slope_of_q() -> None:
 def test_a_strip_is_proved_and_its_root_is_there(eta_m: str, d: str | None) -> None:
     assert justabove.unstable_up_to("1.02", eta_m, d)
     case = single("1.015", "0", eta_m) if d is None else pair("1.015", "0", eta_m, d)
-    assert certify(case, 15).unstable == 2
+    assert certify(case, digits=15).unstable == 2
 
 
 def test_too_wide_a_strip_is_not_proved() -> None:

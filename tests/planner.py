@@ -7,17 +7,18 @@ Numbers come in and go out in the problem's own units.
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 from fractions import Fraction
-from math import comb, pi
+from math import pi
 
 import numpy as np
-from flint import acb, acb_mat, acb_poly, arb, fmpq
+from flint import acb, arb, fmpq
 
 from mpsolve.certificate import verify2 as v2
 
 
-class NotPlanned(Exception):
+class NotPlanned(Exception):  # noqa: N818
     pass
 
 
@@ -35,7 +36,12 @@ def F(x):
 
 def beam(EI, m, k, c, kp=0, N=0, eta=0):
     EI, eta = F(EI), F(eta)
-    return {"matrix": [[poly((4, 0, EI), (4, 1, EI * eta), (2, 0, F(N) - F(kp)), (0, 2, F(m)), (0, 1, F(c)), (0, 0, F(k)))]], "loaded": 0}
+    return {
+        "matrix": [
+            [poly((4, 0, EI), (4, 1, EI * eta), (2, 0, F(N) - F(kp)), (0, 2, F(m)), (0, 1, F(c)), (0, 0, F(k)))]
+        ],
+        "loaded": 0,
+    }
 
 
 def string(T, m, k, c):
@@ -44,7 +50,10 @@ def string(T, m, k, c):
 
 def timoshenko(EI, m, J, S, k, c):
     a = poly((2, 0, -F(S)), (0, 2, F(m)), (0, 1, F(c)), (0, 0, F(k)))
-    return {"matrix": [[a, poly((1, 0, F(S)))], [poly((1, 0, -F(S))), poly((2, 0, -F(EI)), (0, 2, F(J)), (0, 0, F(S)))]], "loaded": 0}
+    return {
+        "matrix": [[a, poly((1, 0, F(S)))], [poly((1, 0, -F(S))), poly((2, 0, -F(EI)), (0, 2, F(J)), (0, 0, F(S)))]],
+        "loaded": 0,
+    }
 
 
 def two_layer(EI, m, kpad, cpad, ms, kb, cb):
@@ -59,24 +68,42 @@ def exact(a):
 
 
 def vehicle(M, C, K, B, places, h):
-    return {"M": exact(M), "C": exact(C), "K": exact(K), "B": exact(B), "places": [str(F(x)) for x in places], "compliances": [str(Fraction(x)) for x in h]}
+    return {
+        "M": exact(M),
+        "C": exact(C),
+        "K": exact(K),
+        "B": exact(B),
+        "places": [str(F(x)) for x in places],
+        "compliances": [str(Fraction(x)) for x in h],
+    }
 
 
 def masses(values, places):
     n = len(values)
     zero = [[0] * n for _ in range(n)]
     one = [[int(i == j) for j in range(n)] for i in range(n)]
-    return vehicle([[values[i] if i == j else 0 for j in range(n)] for i in range(n)], zero, zero, one, places, [0] * n)
+    return vehicle(
+        [[values[i] if i == j else 0 for j in range(n)] for i in range(n)], zero, zero, one, places, [0] * n
+    )
 
 
 def joined(mass, spring, distance):
     zero = [[0, 0], [0, 0]]
-    return vehicle([[mass, 0], [0, mass]], zero, [[spring, -F(spring)], [-F(spring), spring]], [[1, 0], [0, 1]], [0, distance], [0, 0])
+    return vehicle(
+        [[mass, 0], [0, mass]],
+        zero,
+        [[spring, -F(spring)], [-F(spring), spring]],
+        [[1, 0], [0, 1]],
+        [0, distance],
+        [0, 0],
+    )
 
 
 def bogie(frame, pitch, wheelset, k1, c1, kH, base):
     arm, n = F(base) / 2, 4
-    M = [[F(x) if i == j else Fraction(0) for j in range(n)] for i, x in enumerate((frame, pitch, wheelset, wheelset))]
+    M = [
+        [F(x) if i == j else Fraction(0) for j in range(n)] for i, x in enumerate((frame, pitch, wheelset, wheelset))
+    ]
     C, K = ([[Fraction(0)] * n for _ in range(n)] for _ in range(2))
     for side, w in ((-arm, 2), (arm, 3)):
         g = [Fraction(1), side, Fraction(0), Fraction(0)]
@@ -127,7 +154,7 @@ def seal(content):
 
 
 class Floats:
-    """G and Δ in floats by residues over the roots of largest imaginary part; independent of the verifier's splitting."""
+    """G and Δ in floats by residues over the roots of largest imaginary part."""
 
     def __init__(self, content):
         eq = content["equations"]
@@ -141,7 +168,10 @@ class Floats:
             for (i, j), c in t.items():
                 a[i, j] = c
             self.tables.append(a)
-        self.M, self.C, self.K, self.B = (np.array([[float(arb(x)) for x in r] for r in a.tolist()]) for a in (self.car.M, self.car.C, self.car.K, self.car.B))
+        self.M, self.C, self.K, self.B = (
+            np.array([[float(arb(x)) for x in r] for r in a.tolist()])
+            for a in (self.car.M, self.car.C, self.car.K, self.car.B)
+        )
         self.h = np.diag([float(arb(x)) for x in self.car.h])
         self.x = np.array([float(arb(x)) for x in self.car.places])
         self.sites = np.array([float(arb(x)) for x in self.car.sites])
@@ -178,7 +208,7 @@ class Floats:
     def turn(self, points, step=0.3):
         """Change of arg Δ along a polygon, by steps below `step`."""
         total = 0.0
-        for a, b in zip(points, points[1:]):
+        for a, b in itertools.pairwise(points):
             t, h, f = 0.0, 1 / 64, self.det(a)
             while t < 1:
                 h = min(h, 1 - t)
@@ -195,9 +225,13 @@ class Floats:
         return np.linalg.eigvalsh((V + V.conj().T) / 2)[0] > 0
 
     def full_count(self, radius, height=0.0):
-        """Roots in the lower half disc by the argument principle: nothing but Δ along its boundary."""
+        """Roots in the half disc Im q < 0 and the strip below `height`, by the argument principle: Δ along the boundary."""  # noqa: E501
         arc = [radius * np.exp(-1j * t) for t in np.linspace(0, pi / 2, 40)]
-        return -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 0j), *arc[1:]]) / pi
+        side = np.linspace(height, 0, 10)[:-1] if height else []
+        return (
+            -self.turn([*(radius * np.geomspace(1e-6, 1, 60) + 1j * height), *(radius + 1j * np.array(side)), *arc])
+            / pi
+        )
 
 
 def newton(f, q, steps=40):
@@ -225,7 +259,7 @@ def plan_tail(track, sites, X):
     """Numbers of the theorem for q ≥ X, or None: sampled, with a margin."""
     w, d = (v2.terms(x) for x in v2.absorption(track))
     v = float(arb(track.v))
-    between = 2 * pi / float(min(b - a for a, b in zip(sites, sites[1:]))) if len(sites) > 1 else 0.0
+    between = 2 * pi / float(min(b - a for a, b in itertools.pairwise(sites))) if len(sites) > 1 else 0.0
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
     alpha = min(id_ - iw, nd - nw)
     if alpha < 2:
@@ -255,22 +289,32 @@ def plan_tail(track, sites, X):
             continue
         growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
         tau = np.linspace(0, X ** (-1 / m), 12)
-        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bw, bd, most)):
-            edges = np.array(sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)}))
+        for cells in ([-3.0, -1.0, 0.0, 0.2, 0.5, 0.95], resonances(bd, most)):
+            edges = np.array(
+                sorted({float(arb(q_(x))) for x in (np.array(cells) * (most / 0.95) if len(cells) == 6 else cells)})
+            )
             kept = []
-            for z1, z2 in zip(edges, edges[1:]):
+            for z1, z2 in itertools.pairwise(edges):
                 with np.errstate(all="ignore"):
                     z = np.linspace(z1, z2, 60)
                     kappa = 0.8 * np.min(value(bw, z, tau) / value(bd, z, tau))
-                if kappa > 0 and np.isfinite(kappa) and (z2 - z1) * growth > 1.01 * between and absorbs(bw, bd, z1, z2, kappa, tau[-1]):
+                if (
+                    kappa > 0
+                    and np.isfinite(kappa)
+                    and (z2 - z1) * growth > 1.01 * between
+                    and absorbs(bw, bd, z1, z2, kappa, tau[-1])
+                ):
                     kept.append((z1, z2, kappa))
             takes = sum(((b - a) * growth - between) * kappa for a, b, kappa in kept) * X ** ((tw - td) / m)
             Cf = float(arb(C))
             gives = Cf * ((v / X) ** (alpha - 1) / (alpha - 1) + between * (v / X) ** alpha)
             if takes > 1.02 * gives:
                 return {
-                    "gamma": [k, m], "blocks": [[as_dyadic(q_(x)) for x in one] for one in kept],
-                    "alpha": int(alpha), "omega": as_dyadic(q_(omega)), "envelope": as_dyadic(C),
+                    "gamma": [k, m],
+                    "blocks": [[as_dyadic(q_(x)) for x in one] for one in kept],
+                    "alpha": int(alpha),
+                    "omega": as_dyadic(q_(omega)),
+                    "envelope": as_dyadic(C),
                 }
     return None
 
@@ -286,34 +330,40 @@ def absorbs(bw, bd, z1, z2, kappa, tau):
     return True
 
 
-def resonances(bw, bd, most):
+def resonances(bd, most):
     """Edges of cells, geometrically spaced round the least values of |D|² at infinite q."""
     z = np.concatenate([-np.geomspace(1e-3, 20, 3000)[::-1], np.geomspace(1e-3, 1, 3000)]) * most
     d = value(bd, z, np.zeros(1))[:, 0]
     least = [z[i] for i in range(1, len(z) - 1) if d[i] < d[i - 1] and d[i] < d[i + 1]]
-    return [x for x in [r + s * abs(r) * g for r in least for s in (-1, 1) for g in np.geomspace(2e-3, 0.5, 12)] if x < most]
+    return [
+        x
+        for x in [r + s * abs(r) * g for r in least for s in (-1, 1) for g in np.geomspace(2e-3, 0.5, 12)]
+        if x < most
+    ]
 
 
-# --- paths -----------------------------------------------------------------------------------------------------------
+# --- paths -----------------------------------------------------------------------------------------------------------  # noqa: E501
 
 
-def walk(walker, kind, corners, special=None):
+def walk(walker, kind, corners):
     """Points along the polygon; each piece passes the verifier's tests."""
     at = corners[0]
     mark, points, total = walker.marks[at], [at], arb(0)
     for b in corners[1:]:
-        length = float(arb(sum(abs(x - y) for x, y in zip(mark.q, b))))
+        length = float(arb(sum(abs(x - y) for x, y in zip(mark.q, b, strict=False))))
         h, t, a = 1 / 16, 0.0, mark.q
         while mark.q != b:
             to = min(1.0, t + h)
             to = to if to < 1 else 1.0
-            where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b))
+            where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b, strict=False))
             try:
                 end, turned = walker.piece(kind, mark, where, None)
             except v2.Refused as no:
                 h /= 2
                 if h < 1e-7:
-                    raise NotPlanned(f"{kind} at {float(arb(mark.q[0]))}, {float(arb(mark.q[1]))} of {length}: {no}") from None
+                    raise NotPlanned(
+                        f"{kind} at {float(arb(mark.q[0]))}, {float(arb(mark.q[1]))} of {length}: {no}"
+                    ) from None
                 continue
             mark, t, total, h = end, to, total + turned, h * 1.3
             points.append(mark.q)
@@ -327,7 +377,11 @@ def arc(walker, radius):
     R = float(arb(radius))
     while t < 1:
         to = min(1.0, t + h)
-        where = (fmpq(0), -radius) if to == 1.0 else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
+        where = (
+            (fmpq(0), -radius)
+            if to == 1.0
+            else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
+        )
         try:
             end, turned = walker.piece("turn", mark, where, None)
         except v2.Refused as no:
@@ -348,9 +402,16 @@ def plan_rho(floats, X):
     return float(max([*bad, X / 30])) * 1.05
 
 
-def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):
+def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, depth=None):  # noqa: C901
     """A sealed certificate of the region, its roots found by Newton's method from the float determinant."""
-    content = {"format": "mpsolve certificate", "version": 2, "kind": "spectrum", "equations": eq, "basis": basis, "bits": bits}
+    content = {
+        "format": "mpsolve certificate",
+        "version": 2,
+        "kind": "spectrum",
+        "equations": eq,
+        "basis": basis,
+        "bits": bits,
+    }
     floats = Floats(content)
     track, car = floats.track, floats.car
     reg = v2.read_region(region)
@@ -381,7 +442,16 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             rho_ = q_(rho or (plan_rho(floats, X) if X else 1))
         y0 = q_(start or float(arb(rho_)))
         if reg.kind == "unstable" and track.v == 0:
-            return seal(content | {"start": [1, 0], "paths": [], "theorem": None, "claim": {"region": region, "count": 0, "unstable": 0}, "roots": []})
+            return seal(
+                content
+                | {
+                    "start": [1, 0],
+                    "paths": [],
+                    "theorem": None,
+                    "claim": {"region": region, "count": 0, "unstable": 0},
+                    "roots": [],
+                }
+            )
         walker.begin(y0)
         zero = fmpq(0)
         X = max(q_(X), rho_) if X else None
@@ -399,13 +469,17 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             turn, T = walk(walker, "turn", up)
             paths = [("link", link), ("turn", turn)]
             if passive and track.v == 0:
-                number = (v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T) / arb.pi()
+                number = (
+                    v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
+                ) / arb.pi()
             elif passive:
                 d = q_(depth or float(arb(rho_)))
                 walls = walk(walker, "passive", [(rho_, zero), (rho_, -d), (zero, -d)])[0]
-                axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if X > rho_ else [(rho_, zero)]
+                axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if rho_ < X else [(rho_, zero)]
                 paths += [("passive", walls), ("passive", axis)]
-                number = (v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T) / arb.pi()
+                number = (
+                    v2.closing(walker, rho_) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
+                ) / arb.pi()
             else:
                 more, U = arc(walker, rho_)
                 paths[1] = ("turn", turn + more[1:])
@@ -434,7 +508,7 @@ def start_x(floats):
 
 
 def find_roots(content, floats, reg, rho):
-    """Newton from a grid of starts until as many as counted are found; balls of 1e-9 relative, refined at 128 bits."""
+    """Newton from a grid of starts until as many as counted are found; balls of 1e-9 relative, refined at 128 bits."""  # noqa: E501
     n = content["claim"]["count"]
     found = []
     rng = np.random.default_rng(1)
@@ -446,7 +520,9 @@ def find_roots(content, floats, reg, rho):
         if tries % 3 == 0 and not reg.re:
             guess = 1j * rng.uniform(low, high)
         else:
-            guess = rng.uniform(0 if not reg.re else -rho, rho) * (1 if tries % 2 else rng.uniform(0, 0.3)) + 1j * (rng.uniform(low, high) if tries % 2 else rng.uniform(0.1 * low, high))
+            guess = rng.uniform(0 if not reg.re else -rho, rho) * (1 if tries % 2 else rng.uniform(0, 0.3)) + 1j * (
+                rng.uniform(low, high) if tries % 2 else rng.uniform(0.1 * low, high)
+            )
         try:
             with np.errstate(all="ignore"):
                 q = newton(floats.det, complex(guess))
@@ -482,8 +558,43 @@ def total(found, reg):
 def as_root(q, pair, relative):
     e = int(np.floor(np.log2(abs(q)))) - 52
     re, im = (round(x * 2.0**-e) for x in (q.real, q.imag))
-    return {"re": hex(re), "im": hex(im), "exponent": e, "radius": [1, e + 52 + int(np.log2(relative))], "multiplicity": 1, "pair": pair}
+    return {
+        "re": hex(re),
+        "im": hex(im),
+        "exponent": e,
+        "radius": [1, e + 52 + int(np.log2(relative))],
+        "multiplicity": 1,
+        "pair": pair,
+    }
 
 
 def save(content, path):
     path.write_text(json.dumps(content, indent=None) + "\n")
+
+
+def refine(content, digits):
+    """The same certificate with every root to so many digits, by Newton's method on the verifier's own function."""
+    bits = int(digits * 3.33) + 40
+    car = v2.read_vehicle(content["equations"]["vehicle"], content["basis"])
+    track = v2.read_track(content["equations"]["track"], content["equations"]["velocity"])
+    roots = []
+    for value in content["roots"]:
+        root = v2.read_root(value)
+        with v2.precision(bits + 64):
+            waves = v2.Waves(track, car.sites)
+            bordered = v2.Bordered(car, waves)
+            sigma = v2.at_q(root.z)
+            for _ in range(bits.bit_length()):
+                local = waves.near(sigma)
+                z = sorted(v2.roots_of(local), key=lambda p: bool(p.real > 0))
+                thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
+                G = v2.kernels(waves, thin, arb(0), 2)
+                A = [bordered.coefficient(k, sigma, G) for k in range(2)]
+                sigma = (sigma - v2.determinant_series(A, 0) / v2.determinant_series(A, 1)).mid()
+                if not root.pair and root.z[0] == 0:
+                    sigma = acb(sigma.real)
+            q = sigma / acb(0, 1)
+            e = value["exponent"] + 52 - bits
+            re, im = (int((x * arb(2) ** -e).mid().floor().unique_fmpz()) for x in (q.real, q.imag))
+        roots.append(value | {"re": hex(re), "im": hex(im), "exponent": e, "radius": [64, e]})
+    return seal(content | {"roots": roots})

@@ -1,0 +1,33 @@
+"""Certificates of every version, each by the standalone verifier that knows it."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from mpsolve.certificate.verify import Verdict
+
+_MOST = 64_000_001
+_VERSION_2 = re.compile(rb'"version"\s*:\s*2\b')
+
+
+def verify(path: Any) -> Verdict:
+    """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
+    try:
+        with open(path, "rb") as file:
+            raw = file.read(_MOST)
+    except (OSError, ValueError) as error:
+        return Verdict(False, f"the file cannot be read: {getattr(error, 'strerror', None) or error}")
+    return verify_bytes(raw)
+
+
+def verify_bytes(raw: bytes) -> Verdict:
+    """The verdict on a certificate's bytes. Never raises for what they hold."""
+    if _VERSION_2.search(raw):
+        from mpsolve.certificate.verify2 import verify_bytes as second
+
+        found = second(raw)
+        return Verdict(found.valid, found.reason, found.claim)
+    from mpsolve.certificate.verify import judge
+
+    return judge(raw)

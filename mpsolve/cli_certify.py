@@ -1,0 +1,142 @@
+"""The command `certify`: every induced frequency of the problem in a file, with a report and a certificate."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
+
+if TYPE_CHECKING:
+    from mpsolve.proof.effort import Effort
+    from mpsolve.spectrum.spectrum import Spectrum
+
+_REFUSED = ("verifier", "not-verified")
+
+
+@click.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
+@click.option(
+    "--region",
+    metavar="REGION",
+    help="unstable (Im q < 0); below=H (Im q < H, below the branch cuts); the rectangle RE_MIN,RE_MAX,IM_MIN,IM_MAX; "
+    "sheet (everything, for masses alone on a beam). In the units of FILE: rad/s in SI.  [default: the one of sheet, "
+    "below and unstable that tells most]",
+)
+@click.option("--effort", type=float, metavar="SECONDS", help="Processor time that the proof may take.")
+@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Path of the certificate.  [default: NAME.certificate.json in the working directory]",
+)
+def certify(
+    file: Path, digits: int, region: str | None, effort: float | None, as_json: bool, output: Path | None
+) -> None:
+    """Find, count and prove the induced frequencies of the problem in FILE (TOML), and write a certificate.
+
+    FILE holds any track and vehicles, or a case of the paper. The forces in it have no part in this.
+
+    Exit status 0: proved, stable or not. 1: undecided, with the reason and what helps, or the certificate
+    could not be written. 2: the input cannot be used.
+    """
+    with one_sentence():
+        from mpsolve.certificate.certify import certify as prove
+        from mpsolve.problem.inputfile import read_source
+
+        source = read_source(file)
+        path = certificate_path(source.path, output)
+        options = {"region": region_of(region), "digits": digits, "effort": _effort(effort)}
+        with progress() as tell:
+            spectrum = _told(lambda: prove(source.given, progress=tell, **options))
+        _report(spectrum, source.title, path, as_json)
+    sys.exit(0 if spectrum.proved else UNDECIDED)
+
+
+def region_of(text: str | None) -> Any:
+    """The region that an option names, as `certify` takes it; InputError where it names none."""
+    from mpsolve.errors import InputError
+    from mpsolve.spectrum.regions import Rectangle
+
+    if text in (None, "sheet", "unstable"):
+        return text
+    word, equals, height = str(text).partition("=")
+    if equals and word.strip() == "below":
+        return ("below", height.strip())
+    bounds = str(text).split(",")
+    if len(bounds) != 4:
+        raise InputError("region", f"is {text!r}: give unstable, below=H, RE_MIN,RE_MAX,IM_MIN,IM_MAX, or sheet")
+    return Rectangle(*bounds)
+
+
+def _effort(seconds: float | None) -> Effort | None:
+    from mpsolve.errors import InputError
+    from mpsolve.proof.effort import Effort
+
+    if seconds is None:
+        return None
+    if not seconds > 0:
+        raise InputError("effort", f"is {seconds:g}: give a number of seconds above 0")
+    return Effort(seconds=seconds)
+
+
+def _told(prove: Any) -> Spectrum:
+    """The result, with remedies that name options; InputError likewise."""
+    from mpsolve.errors import InputError
+    from mpsolve.report.remedies import on_command_line
+
+    try:
+        found: Spectrum = prove()
+    except InputError as error:
+        raise InputError(error.key, on_command_line(str(error).removeprefix(f"{error.key}: "))) from None
+    if found.reason is None:
+        return found
+    reason = replace(found.reason, remedy=on_command_line(found.reason.remedy))
+    sheet = None if found.sheet is None else replace(found.sheet, reason=str(reason), why=reason)
+    return replace(found, reason=reason, sheet=sheet)
+
+
+def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool) -> None:
+    """Saves the certificate, and prints the report even if that fails; CertificateError then."""
+    from mpsolve.errors import CertificateError
+
+    saved, failure = None, None
+    refused = spectrum.reason is not None and spectrum.reason.code in _REFUSED
+    if spectrum.certificate is not None and not refused:
+        try:
+            saved = spectrum.certificate.save(path)
+        except CertificateError as error:
+            failure = error
+    if as_json:
+        import json
+
+        from mpsolve.report.spectrum_data import spectrum_data
+
+        click.echo(json.dumps(spectrum_data(spectrum, title, saved), indent=1, ensure_ascii=False))
+    else:
+        show(_document(spectrum, title, saved))
+    if failure is not None:
+        raise failure
+
+
+def _document(spectrum: Spectrum, title: str, saved: Path | None) -> Any:
+    """The report on the paper's beam, in its ratios too, or on any other problem."""
+    if spectrum.sheet is None:
+        from mpsolve.report.spectrum_text import spectrum_document
+
+        return spectrum_document(spectrum, title, saved)
+    from mpsolve.model.parameters import PhysicalCase
+    from mpsolve.problem.cases import as_paper
+    from mpsolve.report.text import document
+
+    paper = as_paper(spectrum.problem)
+    return document(spectrum, paper if isinstance(paper, PhysicalCase) else None, title, saved)
+
+
+COMMANDS = (certify,)

@@ -1,0 +1,147 @@
+"""The parameters of a problem by path: what they are, and the same problem with one of them changed.
+
+Paths: `v`; `track.k`; `vehicles[0].wheel` and `vehicles[0].bogie.k`, vehicles counted from 0 in ascending order of
+position; `vehicles.wheel`, all vehicles at once; `gap[0]`, the distance between the middles of vehicles 0 and 1;
+`scale.mass` and `scale.gap`, factors on all masses and on all gaps (bodies stay rigid). All values are exact.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from difflib import get_close_matches
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import msgspec
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.model import Entries, Model, Part, Quantity, positive, quantities, rational, shown
+from mpsolve.vehicles.vehicle import Placed
+
+_MASSES = ("kg", "kg m²")
+_INDEXED = re.compile(r"(vehicles|gap)\[(\d+)\](?:\.(.+))?")
+
+
+def parameters_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction) -> dict[str, Fraction]:
+    """Every path with its value; `vehicles.…` where all vehicles have the parameter with one value."""
+    placed = _ascending(vehicles)
+    out = {"v": v}
+    if isinstance(track, Model):
+        out |= {f"track.{path}": value for path, value in _numbers(track)}
+    own = [dict(_numbers(one.vehicle)) for one in placed]
+    shared = [path for path in own[0] if all(values.get(path) == own[0][path] for values in own)]
+    out |= {f"vehicles.{path}": own[0][path] for path in shared} if len(own) > 1 else {}
+    out |= {f"vehicles[{k}].{path}": value for k, values in enumerate(own) for path, value in values.items()}
+    out |= {f"gap[{k}]": b.position - a.position for k, (a, b) in enumerate(pairwise(placed))}
+    out["scale.mass"] = Fraction(1)
+    return out | ({"scale.gap": Fraction(1)} if len(placed) > 1 else {})
+
+
+def changed(
+    track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str, value: object
+) -> tuple[Any, tuple[Placed, ...], Fraction]:
+    """(track, vehicles, v) with the parameter at `path` set to `value`; InputError names a path that there is not."""
+    placed, number = _ascending(vehicles), rational(value, path)
+    if path == "v":
+        return track, vehicles, number
+    if path.startswith("track.") and isinstance(track, Model):
+        return _with(track, path.removeprefix("track."), number, path), vehicles, v
+    moved = _vehicle_changed(placed, path, number)
+    if moved is None:
+        raise _unknown(path, parameters_of(track, vehicles, v))
+    return track, moved, v
+
+
+def _vehicle_changed(placed: tuple[Placed, ...], path: str, number: Fraction) -> tuple[Placed, ...] | None:
+    """The vehicles with the parameter changed; None where the path names none of theirs."""
+    if path.startswith("scale."):
+        return _rescaled(placed, path, number)
+    if path.startswith("vehicles."):
+        inner = path.removeprefix("vehicles.")
+        return tuple(Placed(_with(p.vehicle, inner, number, path), p.position) for p in placed)
+    indexed = _INDEXED.fullmatch(path)
+    if (
+        not indexed
+        or not int(indexed[2]) < len(placed) - (indexed[1] == "gap")
+        or (indexed[1] == "gap") == bool(indexed[3])
+    ):
+        return None
+    k = int(indexed[2])
+    if indexed[1] == "gap":
+        shift = _checked(number, path) - (placed[k + 1].position - placed[k].position)
+        return (*placed[: k + 1], *(Placed(p.vehicle, p.position + shift) for p in placed[k + 1 :]))
+    one = Placed(_with(placed[k].vehicle, indexed[3], number, path), placed[k].position)
+    return (*placed[:k], one, *placed[k + 1 :])
+
+
+def _rescaled(placed: tuple[Placed, ...], path: str, number: Fraction) -> tuple[Placed, ...] | None:
+    if path == "scale.mass":
+        factor = _checked(number, path)
+        return tuple(Placed(_heavier(p.vehicle, factor), p.position) for p in placed)
+    if path == "scale.gap" and len(placed) > 1:
+        factor, first = _checked(number, path), placed[0].position
+        return tuple(Placed(p.vehicle, first + factor * (p.position - first)) for p in placed)
+    return None
+
+
+def _ascending(vehicles: tuple[Placed, ...]) -> tuple[Placed, ...]:
+    return tuple(sorted(vehicles, key=lambda one: one.position))
+
+
+def _described(model: Any) -> dict[str, Quantity]:
+    kind: Any = type(model)
+    return quantities(kind)
+
+
+def _numbers(model: Any) -> Iterator[tuple[str, Fraction]]:
+    """The numeric parameters of a model, those of its parts after a dot."""
+    for name, quantity in _described(model).items():
+        value = getattr(model, name)
+        if isinstance(quantity, Part) and value is not None:
+            yield from ((f"{name}.{path}", inner) for path, inner in _numbers(value))
+        elif isinstance(value, Fraction):
+            yield name, value
+
+
+def _with(model: Any, path: str, value: Fraction, key: str) -> Any:
+    """The model with one of its numeric parameters changed; what it refuses is told under `key`."""
+    known = dict(_numbers(model))
+    if path not in known:
+        near = get_close_matches(path, known, n=1, cutoff=0.5)
+        raise InputError(
+            key, f"is unknown: {f'did you mean {near[0]}?' if near else 'there are ' + ', '.join(known)}"
+        )
+    name, _, inner = path.partition(".")
+    try:
+        new = _with(getattr(model, name), inner, value, key) if inner else value
+        return msgspec.structs.replace(model, **{name: new})
+    except InputError as error:
+        raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
+
+
+def _heavier(model: Any, factor: Fraction) -> Any:
+    """The model with all its masses and inertias multiplied."""
+    new: dict[str, Any] = {}
+    for name, quantity in _described(model).items():
+        value = getattr(model, name)
+        if isinstance(quantity, Part) and value is not None:
+            new[name] = _heavier(value, factor)
+        elif quantity.unit in _MASSES and value is not None:
+            new[name] = _scaled(value, lambda x: x * factor) if isinstance(quantity, Entries) else value * factor
+    return msgspec.structs.replace(model, **new)
+
+
+def _scaled(value: Any, change: Callable[[Fraction], Fraction]) -> Any:
+    return tuple(_scaled(entry, change) for entry in value) if isinstance(value, tuple) else change(value)
+
+
+def _checked(number: Fraction, path: str) -> Fraction:
+    return positive("", "factor" if path.startswith("scale") else "distance in m").checked(number, path)
+
+
+def _unknown(path: str, known: dict[str, Fraction]) -> InputError:
+    near = get_close_matches(path, known, n=1, cutoff=0.6)
+    listed = ", ".join(f"{name} = {shown(value)}" for name, value in known.items())
+    return InputError(path, f"is unknown: {f'did you mean {near[0]}? ' if near else ''}the parameters are {listed}")

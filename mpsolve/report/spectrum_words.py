@@ -1,0 +1,143 @@
+"""The verdict on any track and vehicle, and the sentences that say exactly what is proved and what is assumed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mpsolve.model.parameters import Case
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.decimals import outward, proved_digits
+from mpsolve.outcome import Status
+from mpsolve.report.vibration import Trend, trend
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet
+from mpsolve.spectrum.spectrum import Spectrum
+
+ASSUMED = (
+    "The model: an endless track that is the same everywhere, small motions, vehicles that move at a constant "
+    "velocity and never leave it. The software: Python, and FLINT's ball arithmetic."
+)
+_PLACES = 8
+
+
+@dataclass(frozen=True)
+class Units:
+    """What q, frequency, growth rate and time are measured in."""
+
+    q: str
+    frequency: str
+    rate: str
+    time: str
+
+
+SI = Units("rad/s", "Hz", "1/s", "s")
+DIMENSIONLESS = Units("√(k/m)", "1/τ", "1/τ", "τ")
+
+
+def units_of(spectrum: Spectrum) -> Units:
+    """SI, as far as the problem is given in it; a Case has the paper's units."""
+    return DIMENSIONLESS if isinstance(spectrum.problem, Case) else SI
+
+
+def verdict(spectrum: Spectrum) -> str:
+    """One sentence that begins with STABLE, UNSTABLE, NO GROWTH (in a part of the half-plane) or UNDECIDED."""
+    if not spectrum.proved:
+        return f"UNDECIDED: {spectrum.reason}."
+    if spectrum.unstable:
+        growing = "roots grow" if spectrum.unstable > 1 else "root grows"
+        return f"UNSTABLE: {spectrum.unstable} {growing} (Im q < 0), {_vibrations(spectrum)}, without bound."
+    if spectrum.stable:
+        return f"STABLE: no root with Im q < 0, so {_all_decay(spectrum)}."
+    if isinstance(spectrum.region, Rectangle):
+        return "NO GROWTH in this rectangle: no root with Im q < 0 there; outside it, none was looked for."
+    radius = getattr(spectrum.region, "radius", None)
+    shown = outward(float(radius), 6, up=False) if radius is not None else "its radius"
+    return f"NO GROWTH where |q| < {shown}: no root with Im q < 0 there; beyond it, the question is open."
+
+
+def proved(spectrum: Spectrum) -> tuple[str, ...]:
+    """The sentences that are proved; where the answer is undecided, what is known all the same."""
+    if not spectrum.proved:
+        count = spectrum.known.get("count")
+        return () if count is None else (f"{_roots(count)} {_where(spectrum)}.",)
+    number = spectrum.count or 0
+    said = [f"{_roots(number)}{', counted with multiplicity,' if number > 1 else ''} {_where(spectrum)}."]
+    if spectrum.note:
+        said.append(f"The region is not all that was asked for: {spectrum.note}.")
+    if spectrum.closing:
+        said.append(f"None is missed: {spectrum.closing}.")
+    return (*said, *_apart(spectrum), *_balls(spectrum))
+
+
+def verified(spectrum: Spectrum) -> str:
+    """What the standalone verifier has confirmed."""
+    if spectrum.status is Status.UNVERIFIED:
+        return "Proved, not verified: the certificate was not checked."
+    return f"The standalone verifier confirms: {spectrum.verified}." if spectrum.verified else ""
+
+
+def _vibrations(spectrum: Spectrum) -> str:
+    """The unstable roots as vibrations: a pair q, −q̄ is one."""
+    growing = [root for root in spectrum.roots if root.q.imag < 0 and not root.q.real < 0]
+    number = len(growing)
+    if number == 1:
+        (root,) = growing
+        if root.q.real == 0:
+            return "one motion without oscillation"
+        unit = units_of(spectrum).frequency
+        with precision(max(64, root.q.bits() + 32)):
+            return f"one vibration at {proved_digits(root.frequency, 6)} {unit}"
+    return f"{number} vibrations"
+
+
+def _all_decay(spectrum: Spectrum) -> str:
+    if any(trend(root) is Trend.STEADY for root in spectrum.roots):
+        return "no vibration grows; some neither grow nor decay"
+    case = spectrum.problem
+    if isinstance(case, Case) and not case.eta_b:
+        return "nothing grows; without damping nothing decays by itself either"
+    return "every vibration decays"
+
+
+def _roots(number: int) -> str:
+    zeros = {0: "no zero", 1: "exactly one zero"}.get(number, f"exactly {number} zeros")
+    return f"The characteristic function Δ(q) has {zeros}"
+
+
+def _where(spectrum: Spectrum) -> str:
+    region = spectrum.region
+    if isinstance(region, Sheet):
+        return "on the whole physical sheet (the q-plane without the branch cuts)"
+    if isinstance(region, HalfPlane) and region.radius is None:
+        return "in the whole unstable half-plane Im q < 0"
+    if isinstance(region, Below):
+        return f"in the region below the branch cuts {region}"
+    return f"in the region {region}"
+
+
+def _apart(spectrum: Spectrum) -> tuple[str, ...]:
+    """What is left out of the count."""
+    said = []
+    if spectrum.neutral:
+        times = "once" if spectrum.neutral == 1 else f"{spectrum.neutral} times"
+        said.append(
+            f"Besides, q = 0 is a root {times} by construction: bodies that dampers alone hold may stay anywhere."
+        )
+    if spectrum.unfelt:
+        number = len(spectrum.unfelt)
+        said.append(
+            f"Besides, the vehicle has {number} roots of motions that no contact feels, which are listed apart."
+        )
+    return tuple(said)
+
+
+def _balls(spectrum: Spectrum) -> tuple[str, ...]:
+    if not spectrum.roots:
+        return ()
+    single = all(root.multiplicity == 1 for root in spectrum.roots)
+    held = "exactly one zero" if single else "exactly as many zeros as its line says"
+    said = (
+        f"Each q stands for a ball of relative radius below 1e-{spectrum.digits} that holds {held}; the last digit "
+        "of every number is right to one unit. The balls are disjoint."
+    )
+    mirrored = any(root.q.real > 0 or root.q.real < 0 for root in spectrum.roots)
+    return (f"{said} Where Re q ≠ 0, −q̄ is a zero too, and both are one vibration." if mirrored else said,)

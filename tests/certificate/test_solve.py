@@ -1,0 +1,66 @@
+"""The verb of the general engine: bounds rounded to floats of the scaled unit, words on what closes the count."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from mpsolve.certificate.solve import certify_problem, checked_digits
+from mpsolve.errors import InputError
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import reduce_problem
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle
+from mpsolve.tracks import EulerBernoulli, String
+from mpsolve.vehicles import Mass, Vehicle
+
+WIRE = Problem(String(T=27_000, m="1.07", k=500, c=2), [Mass("8.5")], v=100)
+
+
+def is_float(x: Fraction) -> bool:
+    scaled = x / reduce_problem(WIRE).frequency_unit
+    return Fraction(float(scaled)) == scaled
+
+
+def test_sides_are_rounded_outward_and_heights_downward() -> None:
+    asked = Rectangle("14.1", "16.7", "-0.1", "0.9")
+    found = certify_problem(WIRE, region=asked, digits=15, check=False)
+    assert found.count == 1
+    a, b, c, d = found.region.bounds
+    assert all(map(is_float, (a, b, c, d)))
+    for got, wanted, side in zip((a, b, c, d), asked.bounds, (-1, 1, -1, 1), strict=True):
+        assert 0 <= side * (got - wanted) < Fraction(1, 10**13)
+    below = certify_problem(WIRE, region=("below", "0.9"), digits=15, check=False).region
+    assert isinstance(below, Below)
+    assert is_float(below.height)
+    assert 0 <= Fraction("0.9") - below.height < Fraction(1, 10**13)
+
+
+def test_what_closes_the_count_is_said() -> None:
+    assert "takes up power" in certify_problem(WIRE, region="unstable", check=False).closing
+    assert "sides of the rectangle" in certify_problem(WIRE, region=Rectangle(1, 2, -1, 0), check=False).closing
+    rest = Problem(WIRE.track, [Mass(1)], v=0)
+    found = certify_problem(rest, region="unstable", check=False)
+    assert found.closing.startswith("nothing moves")
+    assert (found.note, found.count, found.region) == ("", 0, HalfPlane())
+
+
+def test_a_divergence_is_one_root_on_the_axis() -> None:
+    """Two masses of 10 joined by a spring of 10 on the paper's beam at α = 1.3, η_b = 0.5: f(0) = −0.699."""
+    track = EulerBernoulli(EI="1/4", m=1, k=1, c=1)
+    joined = Vehicle(
+        M=[[10, 0], [0, 10]], C=[[0, 0], [0, 0]], K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=[0, "1.5"]
+    )
+    found = certify_problem(Problem(track, [joined], v="1.3"), region="unstable", digits=20, check=False)
+    assert found.proved, found.reason
+    odd = [root for root in found.roots if root.q.real == 0]
+    assert len(odd) == 1
+    assert abs(complex(odd[0].q.mid()) + 0.0852j) < 1e-4
+    assert found.unstable is not None
+    assert found.unstable % 2 == 1
+
+
+@pytest.mark.parametrize("digits", [14, 10_001, 20.0, "20", None, True])
+def test_digits_that_are_none(digits: object) -> None:
+    with pytest.raises(InputError, match="digits"):
+        checked_digits(digits)

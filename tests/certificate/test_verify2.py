@@ -1,0 +1,542 @@
+"""The verifier of version 2: counts against a float count, kernels against their integrals, forgeries refused."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+import json
+import time
+from fractions import Fraction
+from functools import cache
+from math import pi
+
+import flint
+import numpy as np
+import planner as p
+import pytest
+from flint import acb, arb, fmpq, fmpq_mat, fmpq_poly
+
+from mpsolve.certificate import verify2 as v2
+
+LAYERS = p.two_layer(6380430, "60.2", 3 * 10**8, 3 * 10**4, 250, 10**8, 8 * 10**4)
+PAPER = p.beam("1/4", 1, 1, "1/10")
+RAIL = p.beam("6.4e6", 60, 10**6, 770, 0, 0, "1e-4")
+WIRE = p.string(27000, "1.07", 500, 2)
+J, S = Fraction(7860) * Fraction("3.037e-5"), Fraction("0.393") * Fraction("80.769e9") * Fraction("76.70e-4")
+TIMOSHENKO = p.timoshenko(6377700, "60.2", J, S, 10**6, 770)
+BOGIE = (2615, 1476, 1813, "2.4e6", "3e4")
+UNSTABLE = {"kind": "unstable"}
+
+
+def row(n, gap="3/2"):
+    return [i * Fraction(gap) for i in range(n)]
+
+
+# name: track, velocity, vehicle, region, choices of the planner, known count
+CASES = {
+    "two-layer 600": (LAYERS, 600, p.masses([900, 900], [0, "5/2"]), UNSTABLE, {}, 0),
+    "two-layer 680": (LAYERS, 680, p.masses([900, 900], [0, "5/2"]), UNSTABLE, {}, 2),
+    "paper 1": (PAPER, "1/2", p.masses([40], [0]), UNSTABLE, {}, 0),
+    "paper 2": (PAPER, "1/2", p.masses([40] * 2, row(2)), UNSTABLE, {}, 0),
+    "paper 4": (PAPER, "1/2", p.masses([40] * 4, row(4)), UNSTABLE, {}, 0),
+    "joined masses": (PAPER, "13/10", p.joined(2, 3, 1), UNSTABLE, {"rho": 3}, 1),  # one root has passed q = 0
+    "joined masses, damped": (p.beam("1/4", 1, 1, 1), "13/10", p.joined(10, 10, "3/2"), UNSTABLE, {}, 1),
+    "bogie, contact springs": (LAYERS, 600, p.bogie(*BOGIE, "1.5e9", "2.5"), UNSTABLE, {}, 0),
+    "bogie, contact springs, 800": (LAYERS, 800, p.bogie(*BOGIE, "1.5e9", "2.5"), UNSTABLE, {}, 2),
+    "bogie, tight": (LAYERS, 600, p.bogie(*BOGIE, None, "2.5"), UNSTABLE, {}, 0),
+    "wire": (WIRE, 100, p.masses(["8.5"], [0]), {"kind": "disc", "radius": "40"}, {}, 0),
+    "wire, faster than its waves": (WIRE, 200, p.masses(["8.5"], [0]), {"kind": "disc", "radius": "40"}, {}, 0),
+    "Timoshenko 180": (TIMOSHENKO, 180, p.masses([10000] * 2, [0, "3.4"]), UNSTABLE, {}, 0),
+    "Timoshenko 200": (TIMOSHENKO, 200, p.masses([10000] * 2, [0, "3.4"]), UNSTABLE, {}, 2),
+    "Kelvin–Voigt 150": (RAIL, 150, p.masses([10000] * 2, [0, "3.4"]), UNSTABLE, {}, 0),  # onset 197.878
+    "Kelvin–Voigt 220": (RAIL, 220, p.masses([10000] * 2, [0, "3.4"]), UNSTABLE, {}, 2),
+    "below": (PAPER, "13/10", p.masses([40] * 2, row(2)), {"kind": "below", "height": "1/50", "reach": "3/2"}, {}, 2),
+    "below, two-layer": (
+        LAYERS,
+        680,
+        p.masses([900] * 2, [0, "5/2"]),
+        {"kind": "below", "height": "20", "reach": "900"},
+        {},
+        2,
+    ),
+    "below disc": (
+        PAPER,
+        "13/10",
+        p.masses([40] * 2, row(2)),
+        {"kind": "below disc", "height": "1/50", "radius": "1"},
+        {},
+        2,
+    ),
+    "below, at rest": (
+        PAPER,
+        0,
+        p.masses([40] * 2, row(2)),
+        {"kind": "below", "height": "1/50", "reach": "3/2"},
+        {},
+        4,
+    ),
+    "rectangle": (
+        PAPER,
+        "13/10",
+        p.masses([40] * 2, row(2)),
+        {"kind": "rectangle", "re": ["-1/10", "3/5"], "im": ["-1/3", "1/50"]},
+        {},
+        1,
+    ),
+    "at rest": (LAYERS, 0, p.masses([900, 900], [0, "5/2"]), UNSTABLE, {}, 0),
+}
+
+
+@cache
+def made(name):
+    track, velocity, car, region, choices, _ = CASES[name]
+    return json.dumps(p.plan(p.equations(track, velocity, car), region, **choices))
+
+
+def content(name):
+    return json.loads(made(name))
+
+
+def verdict(value):
+    return v2.verify_bytes(json.dumps(p.seal(value)).encode())
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_count_is_that_of_an_independent_float_contour(name):
+    value, known = content(name), CASES[name][-1]
+    said = verdict(value)
+    assert said.valid, said.reason
+    assert value["claim"]["count"] == known
+    region, floats = v2.read_region(value["claim"]["region"]), p.Floats(value)
+    if region.re:
+        (a, b), (c, d) = ([float(arb(x)) for x in side] for side in (region.re, region.im))
+        corners = [a + 1j * c, b + 1j * c, b + 1j * d, a + 1j * d, a + 1j * c]
+        number = floats.turn([z for x, y in itertools.pairwise(corners) for z in np.linspace(x, y, 40)]) / (2 * pi)
+    else:
+        rho = float(arb(region.reach)) if region.reach is not None else 1.3 * last_real(value)
+        number = floats.full_count(rho, float(arb(region.height)))
+    assert abs(number - known) < 0.02
+
+
+def last_real(value):
+    return max(
+        (abs(complex(v2.at_q(v2.point(z)))) for path in value["paths"] for z in path["points"]), default=1000.0
+    )
+
+
+def test_known_roots_and_words():
+    said = verdict(content("two-layer 680")).claim
+    assert "exactly 2 induced frequencies q with Im q < 0" in said
+    assert "6380430 P^4" in said
+    assert "velocity 680" in said
+    odd = content("joined masses, damped")["roots"]
+    assert len(odd) == 1
+    assert not odd[0]["pair"]
+    assert int(odd[0]["im"], 16) * 2.0 ** odd[0]["exponent"] == pytest.approx(-0.0852, abs=5e-5)
+
+
+# --- forgeries ------------------------------------------------------------------------------------------------
+
+
+def moved_digit(c):
+    c["roots"][0]["re"] = hex(int(c["roots"][0]["re"], 16) + 2**24)
+
+
+def dropped_root(c):
+    c["roots"].pop()
+
+
+def twice(c):
+    c["roots"].append(c["roots"][0])
+
+
+def wrong_count(c):
+    c["claim"]["count"] += 2
+
+
+def no_count(c):
+    c["claim"]["count"], c["claim"]["unstable"], c["roots"] = 0, 0, []
+
+
+def wrong_unstable(c):
+    c["claim"]["unstable"] -= 2
+
+
+def other_stiffness(c):
+    c["equations"]["track"]["matrix"][1][1][0][2] = "200000000"
+
+
+def other_velocity(c):
+    c["equations"]["velocity"] = "600"
+
+
+def other_mass(c):
+    c["equations"]["vehicle"]["M"][0][0] = "700"
+
+
+def other_place(c):
+    c["equations"]["vehicle"]["places"][1] = "3"
+
+
+def undamped(c):
+    for line in c["equations"]["track"]["matrix"]:
+        for entry in line:
+            entry[:] = [t for t in entry if t[1] != 1]
+
+
+def gap_in_path(c):
+    del c["paths"][1]["points"][5:15]
+
+
+def no_start(c):
+    del c["paths"][0]["points"][0]
+
+
+def jump(c):
+    c["paths"][2]["points"] = c["paths"][2]["points"][1:]
+
+
+def off_the_line(c):
+    c["paths"][1]["points"][3] = ["50", "-1/2"]
+
+
+def too_long(c):
+    c["paths"][2]["points"] = [z for z in c["paths"][2]["points"] if v2.point(z)[0] == 0 or v2.point(z)[1] != 0][
+        :1
+    ] + c["paths"][2]["points"][-1:]
+
+
+def backwards(c):
+    c["paths"][1]["points"][4:6] = reversed(c["paths"][1]["points"][4:6])
+
+
+def less_x(c):
+    c["paths"][3]["points"] = c["paths"][3]["points"][:3]
+
+
+def swapped_nodes(c):
+    floats = p.Floats(c)
+    a, b = (v2.point(z) for z in c["paths"][1]["points"][5:7])
+    q = float(arb(a[0] + b[0])) / 2
+    z = sorted(floats.roots(q)[0], key=lambda x: x.real)
+    z[floats.upper - 1], z[floats.upper] = z[floats.upper], z[floats.upper - 1]
+    c["paths"][1]["special"] = [{"piece": 5, "nodes": [p.as_point((p.q_(x.real), p.q_(x.imag))) for x in z]}]
+
+
+def few_nodes(c):
+    c["paths"][1]["special"] = [{"piece": 5, "nodes": [[1, 0, 0], [2, 0, 0]]}]
+
+
+def more_absorption(c):
+    c["theorem"]["blocks"][0][2][1] += 3
+
+
+def less_envelope(c):
+    c["theorem"]["envelope"][1] -= 3
+
+
+def wider_block(c):
+    c["theorem"]["blocks"][-1][1] = [1, 10]
+
+
+def larger_alpha(c):
+    c["theorem"]["alpha"] += 1
+
+
+def other_region(c):
+    c["claim"]["region"] = {"kind": "disc", "radius": "1000"}
+
+
+def below_region(c):
+    c["claim"]["region"] = {"kind": "below", "height": "1", "reach": "500"}
+
+
+def alone(c):
+    c["roots"][0]["pair"] = False
+
+
+def double(c):
+    c["roots"][0]["multiplicity"] = 2
+
+
+def negative_damper(c):
+    c["equations"]["vehicle"]["C"][0][0] = "-1"
+
+
+def turned_into_links(c):
+    c["paths"][2]["kind"] = "link"
+
+
+FORGERIES = [
+    moved_digit, dropped_root, twice, wrong_count, no_count, wrong_unstable, other_stiffness, other_velocity, other_mass, other_place,  # noqa: E501
+    undamped, gap_in_path, no_start, jump, off_the_line, too_long, backwards, less_x, swapped_nodes, few_nodes, more_absorption,  # noqa: E501
+    less_envelope, wider_block, larger_alpha, other_region, below_region, alone, double, negative_damper, turned_into_links,  # noqa: E501
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("change", FORGERIES, ids=lambda f: f.__name__)
+def test_a_forgery_is_refused(change):
+    value = content("two-layer 680")
+    before = copy.deepcopy(value)
+    change(value)
+    assert value != before
+    said = verdict(value)
+    assert not said.valid
+    assert said.reason
+    assert "Error" not in said.reason
+    unsealed = v2.verify_bytes(json.dumps(value).encode())
+    assert unsealed.reason == "the digest does not fit the content"
+
+
+@pytest.mark.parametrize("name", ["below", "rectangle", "below disc"])
+def test_a_region_larger_than_proved_is_refused(name):
+    value = content(name)
+    region = value["claim"]["region"]
+    if name == "rectangle":
+        region["im"][1] = "1/25"
+    else:
+        region["height"] = "1/25"
+    assert not verdict(value).valid
+
+
+def test_a_height_above_the_lowest_cut_is_refused():
+    value = content("below disc")
+    value["claim"]["region"]["height"] = "1/10"  # the cuts lie at Im q = 0.05
+    assert "cut" in verdict(value).reason
+
+
+HOSTILE = {
+    "empty": b"",
+    "text": b"hello",
+    "not ASCII": '{"a": "é"}'.encode(),
+    "list": b"[]",
+    "deep": b"[" * 100_000,
+    "float": b'{"format": 1.5}',
+    "infinite": b'{"format": Infinity}',
+    "long number": b'{"format": ' + b"9" * 100_000 + b"}",
+    "twice": b'{"format": 1, "format": 1}',
+    "version 1": b'{"format": "mpsolve certificate", "version": 1}',
+    "large": b" " * (v2.MAX_BYTES + 1),
+}
+
+
+@pytest.mark.parametrize("raw", HOSTILE.values(), ids=HOSTILE)
+def test_hostile_bytes_are_refused_quickly(raw):
+    start = time.process_time()
+    said = v2.verify_bytes(raw)
+    assert not said.valid
+    assert time.process_time() - start < 1
+
+
+def set_at(path, value):
+    def change(c):
+        for key in path[:-1]:
+            c = c[key]
+        c[path[-1]] = value
+
+    return change
+
+
+PLACES = [
+    ("bits",), ("start",), ("paths",), ("roots",), ("theorem",), ("basis",), ("claim",), ("equations",), ("claim", "count"), ("claim", "region"),  # noqa: E501
+    ("paths", 0, "points"), ("paths", 1, "points", 2), ("paths", 1, "kind"), ("theorem", "gamma"), ("theorem", "blocks"), ("theorem", "blocks", 0),  # noqa: E501
+    ("roots", 0), ("roots", 0, "re"), ("roots", 0, "radius"), ("roots", 0, "exponent"), ("equations", "track"), ("equations", "track", "matrix"),  # noqa: E501
+    ("equations", "track", "matrix", 0, 0), ("equations", "track", "loaded"), ("equations", "velocity"), ("equations", "vehicle", "M"),  # noqa: E501
+    ("equations", "vehicle", "places"), ("equations", "vehicle", "compliances"), ("equations", "vehicle", "B", 0),
+]  # fmt: skip
+VALUES = [
+    None, True, 0, -1, 10**400, "", "1/0", "0x1", "9" * 400, [], [[]], {}, [0] * 30_000, [["1", 0]], {"kind": []}, [1, 10**6], [0, 0, 10**9],  # noqa: E501
+    [2**300, 0], "nan",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("place", PLACES, ids=lambda x: ".".join(map(str, x)))
+def test_odd_values_never_raise_and_are_refused_quickly(place):
+    for new in VALUES:
+        value = content("joined masses, damped")
+        set_at(place, new)(value)
+        if value == content("joined masses, damped"):
+            continue
+        start = time.process_time()
+        said = verdict(value)
+        assert not said.valid or place == ("basis",), new
+        assert time.process_time() - start < 1
+
+
+# --- parts -----------------------------------------------------------------------------------------------------
+
+
+def test_the_precision_is_put_back():
+    before = flint.ctx.prec
+    flint.ctx.prec = 77
+    try:
+        assert verdict(content("paper 1")).valid
+        assert not v2.verify_bytes(b"{}").valid
+        assert flint.ctx.prec == 77
+    finally:
+        flint.ctx.prec = before
+
+
+def test_signs_on_the_half_line():
+    x = fmpq_poly([0, 1])
+    assert v2.nonnegative((x - 1) ** 2, False)
+    assert not v2.nonnegative((x - 1) ** 2, True)
+    assert not v2.nonnegative((x - 1) * (x - 2), False)
+    assert v2.nonnegative(x**2 - x + 1, True)
+    assert not v2.nonnegative(fmpq_poly([]), False)
+    assert not v2.nonnegative(-x, False)
+    assert v2.nonnegative(x * (x - 3) ** 4 * (x**2 + 1), False)
+    assert not v2.nonnegative(x * (x - 3) ** 3 * (x**2 + 1), False)
+
+
+def test_hurwitz_agrees_with_roots():
+    rng = np.random.default_rng(5)
+    seen = set()
+    for _ in range(300):
+        c = [int(k) for k in rng.integers(-2, 9, rng.integers(2, 6))]
+        c[-1] = abs(c[-1]) + 1
+        stable = bool(np.all(np.roots(c[::-1]).real < -1e-9))
+        near = np.any(np.abs(np.roots(c[::-1]).real) < 1e-6)
+        if not near:
+            assert v2.hurwitz([fmpq_poly([k]) for k in c], True) == stable
+            seen.add(stable)
+    assert seen == {True, False}
+
+
+def test_semidefinite_agrees_with_eigenvalues():
+    rng = np.random.default_rng(6)
+    for _ in range(60):
+        a = rng.integers(-3, 4, (4, rng.integers(2, 6)))
+        square = a @ a.T - int(rng.integers(0, 2)) * np.diag(rng.integers(0, 2, 4))
+        least = np.linalg.eigvalsh(square)[0]
+        assert v2.semidefinite(fmpq_mat([[int(x) for x in r] for r in square])) == (least > -1e-9)
+
+
+@pytest.mark.parametrize(
+    ("track", "velocity", "q"),
+    [(LAYERS, 600, 300 - 40j), (PAPER, "1/2", 0.7 - 0.2j), (TIMOSHENKO, 180, 200 - 50j), (RAIL, 150, 90 - 9j)],
+)
+def test_kernels_hold_the_integral_and_both_ways_agree(track, velocity, q):
+    t = v2.read_track(track, str(velocity))
+    unit = abs(np.sqrt(abs(q) / float(arb(t.v))) if t.v else 1.0)
+    gaps = [fmpq(0), fmpq(3, 2)]
+    with v2.precision(64):
+        waves = v2.Waves(t, gaps)
+        local = waves.near(acb(1j * q))
+        z = sorted(v2.roots_of(local), key=lambda x: float(x.real))
+        nodes = v2.Nodes([x.mid() for x in z], sum(bool(x.real < 0) for x in z), local)
+        r = arb(abs(q) * 2e-3)
+        thin, disc = nodes.split(arb(0)), nodes.split(r)
+        one, two = v2.kernels(waves, thin, arb(0), 3), v2.kernels(waves, thin, arb(0), 3, by_matrix=True)
+        over = [v2.kernels(waves, disc, r, 3, by_matrix=m) for m in (False, True)]
+        assert [float(x) for x in waves.xi] == [-1.5, 0.0, 1.5]
+        for a, b in zip(one, two, strict=True):
+            for x, y in zip(a, b, strict=True):
+                assert x.overlaps(y)
+                assert float(x.rad()) < 1e-9 * abs(complex(x))
+        for found in over:
+            for a, b in zip(one, found, strict=True):
+                for x, y in zip(a, b, strict=True):
+                    assert y.contains(x.mid())
+    D, N = t.d, t.n
+    for xi, ball in zip((-1.5, 0.0, 1.5), one, strict=True):
+        P = np.linspace(-4000, 4000, 4_000_001) * unit / 40
+        values = sum(float(arb(c)) * (1j * P) ** i * (1j * q) ** j for (i, j), c in N.items()) / sum(
+            float(arb(c)) * (1j * P) ** i * (1j * q) ** j for (i, j), c in D.items()
+        )
+        truth = np.trapezoid(values * np.exp(1j * P * xi), P) / (2 * pi)
+        assert abs(truth - complex(ball[0])) < 2e-3 * max(abs(complex(b[0])) for b in one)
+
+
+def test_a_piece_by_matrices_across_a_meeting_of_p_roots():
+    """On the imaginary axis two p-roots of one side meet; a disc over that point has finite kernels by matrices."""
+    t = v2.read_track(WIRE, "200")
+    with v2.precision(64):
+        waves = v2.Waves(t, [fmpq(0)])
+        local = waves.near(acb(15.5863))
+        nodes = v2.Nodes([acb(0.1), acb(0.35)], 0, local)
+        split = nodes.split(arb(0.5))
+        by_matrix = v2.kernels(v2.Waves(t, [fmpq(0), fmpq(1)]), split, arb(0.5), 3, by_matrix=True)
+        assert all(x.is_finite() for series in by_matrix for x in series)
+        there = waves.near(acb(15.9))
+        z = v2.roots_of(there)
+        thin = v2.Nodes(z, 0, there).split(arb(0))
+        exact = v2.kernels(v2.Waves(t, [fmpq(0), fmpq(1)]), thin, arb(0), 1)
+        for a, b in zip(by_matrix, exact, strict=True):
+            assert a[0].contains(b[0].mid())
+
+
+def test_a_special_piece_is_verified():
+    value, floats = content("two-layer 680"), p.Floats(content("two-layer 680"))
+    a, b = (v2.point(z) for z in value["paths"][1]["points"][5:7])
+    parts = [(a[0] + k * (b[0] - a[0]) / 8, fmpq(0)) for k in range(9)]
+    value["paths"][1]["points"][5:7] = [p.as_point(z) for z in parts]
+    z = sorted(floats.roots(float(arb(parts[0][0] + parts[1][0])) / 2)[0], key=lambda x: x.real)
+    value["paths"][1]["special"] = [{"piece": 5, "nodes": [p.as_point((p.q_(x.real), p.q_(x.imag))) for x in z]}]
+    said = verdict(value)
+    assert said.valid, said.reason
+
+
+def test_many_digits():
+    value = p.refine(content("two-layer 680"), 1000)
+    said = verdict(value)
+    assert said.valid, said.reason
+    value["roots"][0]["im"] = hex(int(value["roots"][0]["im"], 16) + 256)
+    assert not verdict(value).valid
+
+
+def test_two_roots_in_one_ball():
+    """Two masses far apart at rest have two nearly equal frequencies: one ball of multiplicity two holds both."""
+    car = p.masses([40, 40], [0, 12])
+    value = p.plan(p.equations(PAPER, 0, car), {"kind": "below", "height": "1/50", "reach": "3/2"})
+    roots = value["roots"]
+    assert [r["pair"] for r in roots] == [True, True]
+    a, b = (complex(int(r["re"], 16), int(r["im"], 16)) * 2.0 ** r["exponent"] for r in roots)
+    middle = p.as_root((a + b) / 2, True, 2.0**-30)
+    radius = abs(a - b)
+    e = int(np.ceil(np.log2(radius)))
+    for multiplicity, valid in ((2, True), (1, False), (3, False)):
+        value["roots"] = [middle | {"radius": [1, e], "multiplicity": multiplicity}]
+        value["claim"]["count"] = 4
+        assert verdict(value).valid == valid
+
+
+def test_neutral_and_unfelt_coordinates_are_named():
+    """A body that hangs on a damper is neutral; two equal oscillators in opposite motion are not felt by their wheel."""  # noqa: E501
+    damped = p.vehicle(
+        [[10, 0], [0, 5]], [[0, 0], [0, 1]], [[0, 0], [0, 0]], [[1], [0]], [0], [0]
+    )  # the second: m ÿ + ẏ = 0
+    basis = {"matrix": [["1", "0"], ["0", "1"]], "neutral": 1, "unfelt": 0}
+    value = p.plan(p.equations(PAPER, "1/2", damped), UNSTABLE, basis=basis)
+    said = verdict(value)
+    assert said.valid, said.reason
+    assert "1 neutral at q = 0" in said.claim
+    value["basis"]["neutral"] = 0  # then the determinant is 0 at q = 0, where the contour begins
+    assert not verdict(value).valid
+    three = p.vehicle(
+        [[10, 0, 0], [0, 5, 0], [0, 0, 5]],
+        [[0] * 3] * 3,
+        [[6, -3, -3], [-3, 3, 0], [-3, 0, 3]],
+        [[1], [0], [0]],
+        [0],
+        [0],
+    )
+    basis = {"matrix": [["1", "0", "0"], ["0", "1", "1"], ["0", "1", "-1"]], "neutral": 0, "unfelt": 1}
+    value = p.plan(p.equations(PAPER, "1/2", three), UNSTABLE, basis=basis)
+    said = verdict(value)
+    assert said.valid, said.reason
+    assert "no contact feels" in said.claim
+    value["basis"]["matrix"][2][2] = "-2"
+    assert "coupled" in verdict(value).reason
+
+
+def test_the_command(tmp_path, capsys):
+    good, bad = tmp_path / "good.json", tmp_path / "bad.json"
+    good.write_text(made("paper 1"))
+    bad.write_text("{}")
+    assert v2.main([str(good)]) == 0
+    assert v2.main([str(good), str(bad), str(tmp_path / "none")]) == 1
+    assert v2.main([]) == 1
+    out = capsys.readouterr().out
+    assert "valid: exactly 0 induced frequencies" in out
+    assert "INVALID" in out

@@ -1,0 +1,57 @@
+"""A budget ends the work when it is spent, says what helps, and starts anew for each question."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from mpsolve.errors import EffortError, InputError
+from mpsolve.proof.effort import Effort
+
+
+def test_evaluations_are_counted() -> None:
+    effort = Effort(evaluations=10)
+    effort.spend(10)
+    with pytest.raises(EffortError, match="10 evaluations is spent: allow more effort") as caught:
+        effort.spend(1)
+    assert caught.value.reason.code == "effort"
+    assert caught.value.reason.numbers == {"evaluations": "10"}
+    again = effort.anew()
+    assert (again, again.spent) == (effort, 0)
+    again.spend(10)
+
+
+def test_seconds_are_those_of_the_processor(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr("mpsolve.proof.effort.process_time", lambda: clock[0])
+    effort = Effort(seconds=2)
+    effort.started = 100.0
+    clock[0] = 101.9
+    effort.spend(10**9)
+    clock[0] = 102.1
+    with pytest.raises(EffortError, match="2 s of processor time is spent"):
+        effort.spend(0)
+
+
+def test_no_limit() -> None:
+    Effort().spend(10**12)
+
+
+@pytest.mark.parametrize(
+    ("given", "key"),
+    [
+        ({"seconds": 0}, "effort.seconds"),
+        ({"seconds": -1.5}, "effort.seconds"),
+        ({"seconds": float("nan")}, "effort.seconds"),
+        ({"seconds": float("inf")}, "effort.seconds"),
+        ({"seconds": "3"}, "effort.seconds"),
+        ({"seconds": True}, "effort.seconds"),
+        ({"evaluations": 0}, "effort.evaluations"),
+        ({"evaluations": 2.5}, "effort.evaluations"),
+    ],
+)
+def test_limits_that_are_none(given: dict[str, Any], key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        Effort(**given)
+    assert caught.value.key == key

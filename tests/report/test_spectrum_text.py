@@ -1,0 +1,75 @@
+"""The report on any problem: verdict first, vibrations in Hz, the problem by its models, cost and certificate."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from flint import acb
+from reported import SPRUNG, WIRE, fast, wire
+
+from mpsolve import Case, Problem, certify
+from mpsolve.problem.problem import Problem as Asked
+from mpsolve.report.spectrum_text import cost_words, problem_rows, spectrum_document
+from mpsolve.report.text import plain
+from mpsolve.spectrum.spectrum import Cost
+from mpsolve.tracks import Slab
+from mpsolve.vehicles import Vehicle
+
+
+def test_the_whole_report() -> None:
+    text = plain(spectrum_document(wire(), "A wire", "a b.json"))
+    lines = text.splitlines()
+    assert lines[:3] == ["A wire", "", "STABLE: no root with Im q < 0, so every vibration decays."]
+    assert max(map(len, lines)) <= 88
+    (row,) = (line.split() for line in lines if "decays, halves" in line)
+    assert row == ["q1", "2.4894820", "-0.71598811", "0.96809873", "decays,", "halves"]
+    assert "q1 =  ±15.641876611743" in text
+    assert ["T", "27000", "N"] in [line.split()[:3] for line in lines]
+    assert "at x = 0 m" in text
+    assert "mpsolve verify 'a b.json'" in text
+    assert text.index("Vibrations") < text.index("Problem") < text.index("Proved") < text.index("Cost")
+
+
+def test_growing() -> None:
+    text = plain(spectrum_document(fast()))
+    assert text.startswith("UNSTABLE: 2 roots grow")
+    assert "GROWS, doubles" in text
+
+
+def test_undecided_without_roots_has_no_table() -> None:
+    empty = replace(wire(), roots=(), count=0)
+    assert "Vibrations" not in plain(spectrum_document(empty))
+
+
+def test_motions_that_no_contact_feels() -> None:
+    text = plain(spectrum_document(replace(wire(), unfelt=(acb(-2, 1), acb(2, 1), acb(0, 3)))))
+    assert "±2 + 1 i" in text
+    assert "0 + 3 i" in text
+
+
+def test_a_case_is_shown_by_its_ratios() -> None:
+    found = certify(Case(alpha="0.5", eta_b="0.05", eta_m=20), region="unstable", digits=15, check=False)
+    assert "velocity ratio v/v_cr" in plain(spectrum_document(found))
+
+
+def test_rows_name_models_units_and_places_and_leave_out_what_is_not_given() -> None:
+    rows = list(problem_rows(SPRUNG))
+    assert ("v", "60 m/s", "velocity") in rows
+    assert ("track", "euler-bernoulli", "") in rows
+    assert ("vehicle", "oscillator", "at x = 0 m") in rows
+    assert any(row[0] == "  EI" and row[1] == "6400000 N m²" for row in rows)
+    assert not any(row[0].strip() in ("kp", "N", "eta", "k_contact") for row in rows)
+    own = Vehicle(M=[[1]], C=[[0]], K=[[0]], B=[[1]], places=[0])
+    named = list(problem_rows(Problem(SPRUNG.track.waveguide, [own.at(2)], v=0)))
+    assert ("track", "1 × 1 matrix of one's own", "") in named
+    assert ("  M", "as given") in [row[:2] for row in named]
+    slab = Slab(EI="6.4e6", m=60, k_pad="4e7", c_pad="3e4", EI_slab="5e7", m_slab=1500, k="5e7", c="1e5")
+    assert isinstance(WIRE, Asked)
+    assert ("track", "slab", "") in list(problem_rows(Problem(slab, WIRE.vehicles, v=0)))
+
+
+def test_cost() -> None:
+    assert cost_words(replace(wire(), cost=Cost(1.234, 0.5, 70, 12))) == (
+        "1.23 s of processor time, 0.50 s to verify, 70 evaluations, 12 pieces of paths"
+    )
+    assert cost_words(replace(wire(), cost=Cost(0.1))) == "0.10 s of processor time"

@@ -1,0 +1,79 @@
+"""The verdict and the proved sentences say what the spectrum holds, and no more."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from flint import acb
+from reported import SPRUNG, fast, wire, without_theorem
+
+from mpsolve import Case, Rectangle, Status, certify
+from mpsolve.outcome import Reason
+from mpsolve.report.spectrum_words import DIMENSIONLESS, SI, proved, units_of, verdict, verified
+from mpsolve.spectrum.regions import HalfPlane
+
+
+def test_stable() -> None:
+    assert verdict(wire()) == "STABLE: no root with Im q < 0, so every vibration decays."
+    said = " ".join(proved(wire()))
+    assert "has exactly 2 zeros, counted with multiplicity, in the region below the branch cuts Im q < 0.876" in said
+    assert "None is missed: the track takes up power at all frequencies with |q| ≥ 32" in said
+    assert "relative radius below 1e-20 that holds exactly one zero" in said
+
+
+def test_unstable_counts_vibrations_too() -> None:
+    """Two roots q and −q̄ are one vibration, near the onset's 673.4/2π = 107.2 Hz."""
+    assert verdict(fast()).startswith("UNSTABLE: 2 roots grow (Im q < 0), one vibration at 108.1")
+    assert "in the whole unstable half-plane Im q < 0" in proved(fast())[0]
+
+
+def test_a_motion_without_oscillation() -> None:
+    (root, *_) = fast().roots
+    alone = replace(root, q=acb(0, -1))
+    assert "1 root grows (Im q < 0), one motion without oscillation," in verdict(
+        replace(fast(), roots=(alone,), unstable=1, count=1)
+    )
+
+
+def test_a_half_disc_proves_no_stability() -> None:
+    assert verdict(without_theorem()).startswith("NO GROWTH where |q| < 1000: ")
+    assert "not all that was asked for: no passivity beyond a frequency." in " ".join(proved(without_theorem()))
+    assert verdict(replace(without_theorem(), region=Rectangle(0, 1, -1, 0))).startswith(
+        "NO GROWTH in this rectangle"
+    )
+
+
+def test_undecided() -> None:
+    reason = Reason("roots", "3 roots are counted, but 2 could be enclosed", {}, "ask for more digits")
+    open_ = replace(wire(), status=Status.UNDECIDED, reason=reason, count=None, unstable=None, known={"count": 3})
+    assert verdict(open_) == f"UNDECIDED: {reason}."
+    assert proved(open_) == (
+        f"The characteristic function Δ(q) has exactly 3 zeros in the region below the branch cuts {wire().region}.",
+    )
+    assert proved(replace(open_, known={})) == ()
+
+
+def test_what_is_left_out_of_the_count_is_said() -> None:
+    apart = " ".join(proved(replace(wire(), neutral=1, unfelt=(acb(1, 1), acb(-1, 1)))))
+    assert "q = 0 is a root once by construction" in apart
+    assert "2 roots of motions that no contact feels" in apart
+    assert "Besides" not in " ".join(proved(wire()))
+
+
+def test_the_verifiers_word() -> None:
+    assert verified(wire()).startswith("Proved, not verified")
+    assert verified(replace(wire(), status=Status.PROVED, verified="all of it")).endswith("confirms: all of it.")
+    assert verified(replace(wire(), status=Status.UNDECIDED)) == ""
+
+
+@pytest.mark.parametrize(("eta_b", "words"), [("0.05", "every vibration decays"), (0, "without damping")])
+def test_a_case_has_the_papers_units(eta_b: object, words: str) -> None:
+    found = certify(Case(alpha="0.5", eta_b=eta_b, eta_m=20), region="unstable", digits=15, check=False)
+    assert (units_of(found), units_of(wire())) == (DIMENSIONLESS, SI)
+    assert found.region == HalfPlane()
+    assert words in verdict(found)
+
+
+def test_a_vehicle_that_moves_by_itself() -> None:
+    assert units_of(certify(SPRUNG, region="unstable", digits=15, check=False)) == SI

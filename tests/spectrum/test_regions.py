@@ -1,0 +1,57 @@
+"""Regions: what a user may give, exact bounds, words."""
+
+from __future__ import annotations
+
+import pickle
+from fractions import Fraction
+
+import pytest
+
+from mpsolve.errors import InputError
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet, checked_region
+
+
+def test_bounds_are_exact() -> None:
+    box = Rectangle("0.1", "1/3", -1, 0.2)
+    assert box.bounds == (Fraction(1, 10), Fraction(1, 3), -1, Fraction(1, 5))
+    assert box.as_dict() == {"re_min": "1/10", "re_max": "1/3", "im_min": "-1", "im_max": "1/5"}
+    assert box == Rectangle("1/10", "1/3", "-1", "0.2")
+    assert len({box, Rectangle("0.10", "1/3", -1, "0.2")}) == 1
+    assert pickle.loads(pickle.dumps(box)) == box
+    assert str(box) == "0.1 < Re q < 0.333333, -1 < Im q < 0.2"
+
+
+@pytest.mark.parametrize(
+    ("bounds", "key"),
+    [
+        ((1, 1, 0, 1), "region.re_max"),
+        ((0, 1, 2, 1), "region.im_max"),
+        (("x", 1, 0, 1), "region.re_min"),
+        ((0, "root4(2)", 0, 1), "region.re_max"),
+        ((0, 1, float("nan"), 1), "region.im_min"),
+    ],
+)
+def test_no_rectangle(bounds: tuple[object, ...], key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        Rectangle(*bounds)
+    assert caught.value.key == key
+
+
+def test_what_a_user_gives() -> None:
+    box = Rectangle(0, 1, 0, 1)
+    assert checked_region("sheet") == "sheet"
+    assert checked_region("unstable") == "unstable"
+    assert checked_region(("below", "0.5")) == Below(Fraction(1, 2))
+    assert checked_region(box) is box
+    assert checked_region(Below(Fraction(2))) == Below(Fraction(2))
+    for wrong in ("lower", ("below",), ("below", 1, 2), ("above", 1), None, 5, ["below", 1], ("below", -1)):
+        with pytest.raises(InputError) as caught:
+            checked_region(wrong)
+        assert caught.value.key == "region"
+
+
+def test_words() -> None:
+    assert str(Sheet()) == "the whole physical sheet"
+    assert (str(HalfPlane()), str(HalfPlane(Fraction(3)))) == ("Im q < 0", "Im q < 0, |q| < 3")
+    assert str(Below(Fraction(1, 2), Fraction(8))) == "Im q < 0.5 where |Re q| < 8, and Im q < 0"
+    assert str(Below(Fraction(1), Fraction(8), Fraction(8))) == "Im q < 1 where |Re q| < 8, and Im q < 0, |q| < 8"
