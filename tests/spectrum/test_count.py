@@ -162,3 +162,13 @@ def test_close_contacts_whose_exponents_are_all_small() -> None:
     assert found.total == pytest.approx(
         winding(close, [0.125 - 0.125j, 0.25 - 0.125j, 0.25 - 1j / 64, 0.125 - 1j / 64])
     )
+
+
+@pytest.mark.parametrize("gap", ["0.01", "1e-4"])
+def test_close_contacts_are_not_left_out(gap: str) -> None:
+    """Two masses that all but touch are one of their sum: both far below and above where that grows."""
+    for v, number in (("0.5", 0), ("1.3", 2)):
+        close = count(pair(v, gap), HalfPlane())
+        one = count(reduce_problem(Problem(BEAM, [vehicles.Mass(80)], v=v)), HalfPlane())
+        assert close.region == one.region == HalfPlane()
+        assert close.total == one.total == number
