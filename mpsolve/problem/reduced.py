@@ -14,6 +14,7 @@ from math import log2
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped, moving, scaled
 from mpsolve.vehicles.felt import Parts, split_felt
@@ -138,14 +139,17 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
     guide = Guide(length, time, D, N, moving(D, v), moving(N, v), v, g)
-    _require_waves(guide)
+    _require_waves(guide, velocity)
     return guide
 
 
-def _require_waves(guide: Guide) -> None:
+def _require_waves(guide: Guide, velocity: Fraction) -> None:
     """N/D falls at least as p⁻²: G is given by either kind of p-roots at distance 0, and small at infinity."""
     if not guide.degree:
         raise InputError("track", "has no dispersion in p: give a track that carries waves")
+    if guide.v and guide.degree < max(i + j for i, j in guide.D_rest):
+        stated = f"is {shown(velocity)}, exactly a speed at which waves of the track run as they become short"
+        raise InputError("v", f"{stated}, where the equations lose a solution: change it a little")
     if max((i for i, _ in guide.N), default=0) + 2 > guide.degree:
         raise InputError("track", "has a point receptance that does not exist: let D grow with p by p² more than N")
 

@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic.bordered import Arrays
@@ -18,7 +16,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum import count as module
-from mpsolve.spectrum.count import Count, count_roots, scaled_height
+from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.tracks.waveguide import Polynomial, Waveguide
@@ -35,7 +33,7 @@ def count(reduced: Reduced, region: Region) -> Count:
     return count_roots(reduced, region, Effort(evaluations=100_000), lambda *_: None)
 
 
-def winding(reduced: Reduced, corners: list[complex], up: int = 2, steps: int = 3000) -> float:
+def winding(reduced: Reduced, corners: list[complex], up: int = 2, steps: int = 20000) -> float:
     """Turns of Δ̂ round a polygon in the problem's units, in floats."""
     unit = float(reduced.frequency_unit)
     parts = [np.linspace(a, b, steps)[:-1] for a, b in zip(corners, corners[1:] + corners[:1], strict=True)]
@@ -95,35 +93,6 @@ def test_without_the_theorem_a_half_disc_counts_the_same(monkeypatch: pytest.Mon
     other = count(reduced, Below(Fraction(1, 64), radius=Fraction(3)))
     assert other.region == Below(Fraction(1, 64), reach=Fraction(3), radius=Fraction(3))
     assert other.total == above.total
-
-
-@pytest.mark.parametrize("radius", [Fraction(1, 3), Fraction(2)])
-def test_a_radius_that_is_no_float_is_stated_as_it_was_proved(radius: Fraction) -> None:
-    reduced = reduce_problem(Problem(WIRE, vehicles.Mass("8.5"), v=200))
-    found = count(reduced, HalfPlane(radius))
-    assert isinstance(found.region, HalfPlane)
-    exact = found.region.radius
-    assert exact is not None
-    assert abs(exact - radius) <= radius / 2**52
-    assert found.paths[1].points[-1].imag * reduced.frequency_unit == -exact
-
-
-@given(st.fractions(min_value=Fraction(1, 10**9), max_value=100), st.sampled_from(["0.5", 1]))
-def test_heights_are_rounded_down(height: Fraction, v: object) -> None:
-    reduced = pair(v)
-    h = Fraction(scaled_height(reduced, height)) * reduced.frequency_unit
-    assert 0 <= height - h <= height / 2**52
-
-
-def test_the_region_says_the_height_that_was_proved() -> None:
-    reduced = pair("0.5")
-    asked = Fraction(1, 30)
-    found = count(reduced, Below(asked))
-    assert isinstance(found.region, Below)
-    assert found.region.height < asked
-    assert asked - found.region.height < Fraction(1, 10**17)
-    top = max(found.paths[1].points.imag)
-    assert Fraction(top) * reduced.frequency_unit == found.region.height
 
 
 @pytest.mark.parametrize("region", [Rectangle(-1, 1, "-1/2", 1), Below(Fraction(1)), Rectangle(-1, 1, "1/2", 1)])

@@ -1,4 +1,4 @@
-"""What a count presupposes is decided before anything is counted, and a track that gives energy closes no half-plane."""
+"""What a count presupposes is decided before it, and a track that gives energy closes no half-plane."""
 
 from __future__ import annotations
 
@@ -85,9 +85,8 @@ def test_a_rail_without_mass_closes_no_half_plane() -> None:
     ],
 )
 def test_a_wave_speed_is_refused(track: object, v: int) -> None:
-    reduced = reduce_problem(Problem(track, [Mass(1).at(0)], v=v))
     with pytest.raises(InputError, match="exactly a speed at which waves"):
-        require_premises(reduced, HalfPlane())
+        reduce_problem(Problem(track, [Mass(1).at(0)], v=v))
     near = reduce_problem(Problem(track, [Mass(1).at(0)], v=f"{v}.001"))
     require_premises(near, HalfPlane())
 
@@ -95,7 +94,7 @@ def test_a_wave_speed_is_refused(track: object, v: int) -> None:
 def test_a_region_ends_below_the_cuts() -> None:
     problem = Problem(PLAIN, [Mass(1).at(0)], v="0.3")
     for region in (Rectangle(-1, 1, "-0.5", "0.2"), Below(Fraction(1, 5))):
-        with pytest.raises(InputError, match="below the lowest cut, at 0.1"):
+        with pytest.raises(InputError, match=r"below the lowest cut, at 0\.1"):
             counted(problem, region)
     touching = Problem(Timoshenko(EI=1, m=1, S=9, J=1, k=1, c="1/5"), [Mass(1).at(0)], v="0.3")
     with pytest.raises(InputError, match="come down to the real axis"):
@@ -117,5 +116,5 @@ def test_indeterminate_contacts_are_refused() -> None:
 
 def test_a_force_without_stiffness_beside_it_is_refused() -> None:
     rod = Waveguide((({(1, 1): Fraction(0), (0, 2): Fraction(1), (0, 1): Fraction(1), (0, 0): Fraction(1)},),))
-    with pytest.raises(InputError, match="not continuous under a point load|carries waves"):
+    with pytest.raises(InputError, match=r"not continuous under a point load|carries waves|does not exist"):
         require_premises(reduce_problem(Problem(rod, [Mass(1).at(0)], v=0)), HalfPlane())
