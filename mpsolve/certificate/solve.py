@@ -110,16 +110,8 @@ def _cut_words(low: Fraction) -> str:
 def _lower(name: str, low: Fraction) -> str:
     """What to give instead."""
     if low > 0:
-        return f"give {name} up to {outward(float(_rounded(low, Fraction(1), up=False)), 5, up=False)}"
+        return f"give {name} up to {outward(math.nextafter(float(low), 0), 5, up=False)}"
     return 'ask for "unstable"' if name == "h" else f"give {name} up to 0"
-
-
-def _rounded(x: Fraction, unit: Fraction, up: bool) -> Fraction:
-    """The float of the scaled unit next to x, not below it (up), or not above it."""
-    near = float(x / unit)
-    if (Fraction(near) * unit < x) if up else (Fraction(near) * unit > x):
-        near = math.nextafter(near, math.inf if up else -math.inf)
-    return Fraction(near) * unit
 
 
 def _spectrum(

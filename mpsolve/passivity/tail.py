@@ -29,6 +29,7 @@ _SPLIT = 80  # halvings of a box at most
 _MOST_BOXES = 6000  # in the search for a block
 _MOST_ENVELOPE = 40000  # and for the envelope
 _TRIES = 6  # of proofs
+_SHARES = (1.0, 0.2)  # of a planned κ that are tried
 _HALVINGS = 4  # of a block that is not proved as it stands
 _PRICE = 0.03  # of a further block, of all that is absorbed
 _ROOM = 1.8  # between what floats sample and what is to be proved
@@ -91,9 +92,11 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
     absorption = Absorption.of(guide)
     if not absorption.W or not guide.v or overtakes(absorption, guide.v):
         return None
-    searches = [_Search(absorption, guide, edge) for edge in edges(guide.D, guide.N) if 0 <= edge.slope <= 1]
+    slopes = [edge for edge in edges(guide.D, guide.N) if 0 <= edge.slope <= 1]
+    wide, narrow = ([_Search(absorption, guide, edge, width) for edge in slopes] for width in (3.0, 1.3))
     X, tries, C = least, 0, None
     while X <= most and tries < _TRIES:  # noqa: SIM300 — X is no constant
+        searches = narrow if tries % 2 else wide  # wide blocks absorb more, narrow ones are proved more easily
         plan = _plan(absorption, guide, searches, gap, X, C)
         if plan is not None and C is None:
             tries += 1
@@ -123,7 +126,7 @@ def overtakes(absorption: Absorption, v: Fraction) -> bool:
 class _Search:
     """W/|D|² · q^e in floats at p = z q^γ on a grid of z, for one γ."""
 
-    def __init__(self, absorption: Absorption, guide: Guide, edge: Edge) -> None:
+    def __init__(self, absorption: Absorption, guide: Guide, edge: Edge, width: float) -> None:
         self.gamma, self.v = edge.slope, float(guide.v)
         self.e = absorption.exponent(edge.slope)
         k, self.m = edge.slope.numerator, edge.slope.denominator
@@ -131,9 +134,9 @@ class _Search:
         roots = np.roots([float(c) for c in reversed(edge.roots)])
         scale = float(np.abs(roots).max()) if len(roots) else 1.0
         real = [float(root.real) for root in roots if abs(root.imag) < 1e-9 * scale]
-        steps = 2.0 ** (-np.arange(1, 24) / 2)
+        steps = 2.0 ** (-np.arange(1, 40) / 2)
         near = np.concatenate([steps, [0.0], -steps])
-        z = np.concatenate([np.linspace(-3, 3, 61) * scale, *(root * (1 + near) for root in real)])
+        z = np.concatenate([np.linspace(-width, width, 61) * scale, *(root * (1 + near) for root in real)])
         self.z = np.unique(z.astype(np.float32).astype(float))
 
     def blocks(self, X: float, sieve: float) -> tuple[tuple[float, float, float], ...]:
@@ -204,14 +207,20 @@ def _prove(absorption: Absorption, v: Fraction, gap: Fraction | None, plan: Tail
     waiting = [(block, 0) for block in plan.blocks]
     while waiting:
         (z1, z2, kappa), depth = waiting.pop()
-        if block_holds(absorption, v, replace(plan, blocks=((z1, z2, kappa / 0.9),))):
-            proved.append((z1, z2, kappa))
+        held = next((x for x in _SHARES if block_holds(absorption, v, _with(plan, z1, z2, x * kappa / 0.9))), None)
+        if held is not None:
+            proved.append((z1, z2, held * kappa))
         elif depth < _HALVINGS:
             middle = float(np.float32((z1 + z2) / 2))
             halves = ((z1, middle, kappa), (middle, z2, kappa))
             waiting += [(half, depth + 1) for half in halves if half[1] - half[0] > length]
     tail = replace(plan, blocks=tuple(sorted(proved)))
     return tail if outweighs(tail, v, gap) else None
+
+
+def _with(plan: Tail, z1: float, z2: float, kappa: float) -> Tail:
+    """The plan with this block alone."""
+    return replace(plan, blocks=((z1, z2, kappa),))
 
 
 def _ratio(x: Any, y: Any, top: Any, bottom: Any) -> Any:

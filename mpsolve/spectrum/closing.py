@@ -23,8 +23,9 @@ def closing_argument(reduced: Reduced, rho: float, middle: Any, radius: Any) -> 
 
     M is accretive where V is passive at ρ, as the caller has proved; that M₀, made of the middle, is so too is proved
     here. Accretive matrices are a convex set, so their arguments differ by arg det(I + M₀⁻¹(M − M₀)) as taken along
-    the segment, at most n ‖M₀⁻¹(M − M₀)‖/(1 − ‖…‖). For regular accretive matrices the sum of the arguments of pivots
-    is that of the eigenvalues (both are continuous, and the same for I), so a pivot that is 0 on the way does no harm.
+    the segment, at most n ‖M₀⁻¹(M − M₀)‖/(1 − ‖…‖). For regular accretive matrices the sum of the arguments of
+    pivots is that of the eigenvalues (both are continuous, and the same for I), so a pivot that is 0 on the way does
+    no harm.
     The pivots of M₀ are free of the error of G, and are followed with as many bits as elimination loses.
     """
     spread = _spread(reduced, rho, middle, radius)

@@ -163,15 +163,11 @@ SIDE = st.tuples(st.floats(0, 4), st.floats(0, 4)).map(sorted)
 PART = st.fractions(0, 1, max_denominator=50)
 
 
-@given(
-    st.dictionaries(
-        st.tuples(st.integers(0, 5), st.integers(0, 4)), st.fractions(-9, 9, max_denominator=40), min_size=1
-    ),
-    SIDE,
-    SIDE,
-    PART,
-    PART,
-)
+POWERS = st.tuples(st.integers(0, 5), st.integers(0, 4))
+POLYNOMIALS = st.dictionaries(POWERS, st.fractions(-9, 9, max_denominator=40), min_size=1)
+
+
+@given(POLYNOMIALS, SIDE, SIDE, PART, PART)
 def test_bounds_hold_exactly(polynomial: Any, x: list[float], y: list[float], s: Fraction, t: Fraction) -> None:
     boxes = tuple(np.array([value]) for a, b in (x, y) for value in ((a + b) / 2, (b - a) / 2 * UP + 1e-15 * b))
     low, high, _ = bounds(Table.of(polynomial), boxes)
