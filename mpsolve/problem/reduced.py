@@ -14,6 +14,7 @@ from math import log2
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped, moving, scaled
 from mpsolve.vehicles.felt import Parts, split_felt
@@ -138,8 +139,16 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
     guide = Guide(length, time, D, N, moving(D, v), moving(N, v), v, g)
+    _require_no_wave_speed(guide, velocity)
     _require_waves(guide)
     return guide
+
+
+def _require_no_wave_speed(guide: Guide, velocity: Fraction) -> None:
+    """No power of p is lost: the highest coefficient of D in P is then constant, so that no p-root is infinite."""
+    if velocity and guide.degree < max(i + j for i, j in guide.D_rest):
+        stated = f"is {shown(velocity)}, exactly a speed at which waves of the track run as they become short"
+        raise InputError("v", f"{stated}, where the equations lose a solution: change it a little")
 
 
 def _require_waves(guide: Guide) -> None:

@@ -1,8 +1,8 @@
 """What a count presupposes of track, velocity and contacts, decided exactly (SPEC, premises).
 
-Every count needs a receptance that is one analytic function of q in the region: no cut enters it, N/D falls as 1/p²,
-and the velocity is no wave speed, at which a p-root comes from infinity. Passivity in the half-plane needs a track
-that gives no energy at rest, with a receptance that falls with the frequency.
+Every count needs a receptance that is one analytic function of q in the region: no cut enters it. (That N/D falls as
+1/p², and that the velocity is no wave speed, the reduced problem has made sure of.) Passivity in the half-plane
+needs a track that gives no energy at rest, with a receptance that falls with the frequency.
 """
 
 from __future__ import annotations
@@ -20,7 +20,6 @@ from mpsolve.tracks.passive import passivity
 def require_premises(reduced: Reduced, region: Region) -> None:
     """InputError where no count in this region has a meaning."""
     _require_track(reduced)
-    _require_velocity(reduced)
     _require_no_cut(reduced, region)
     _require_forces(reduced)
 
@@ -31,17 +30,6 @@ def _require_track(reduced: Reduced) -> None:
         raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
     if rest.status is Status.UNDAMPED:
         raise InputError("track", "has vibrations without damping, which is not decided here: give it some damping")
-
-
-def _require_velocity(reduced: Reduced) -> None:
-    """No power of p is lost at this velocity, and the receptance is continuous under the load."""
-    guide, v = reduced.guide, reduced.problem.v
-    if v and guide.degree < max(i + j for i, j in guide.D_rest):
-        stated = f"is {shown(v)}, exactly a speed at which waves of the track run as they become short"
-        raise InputError("v", f"{stated}, where the equations lose a solution: change it a little")
-    if max(i for i, _ in guide.N) + 2 > guide.degree:
-        stated = "has a receptance that is not continuous under a point load"
-        raise InputError("track", f"{stated}: give the loaded field a bending stiffness or a tension")
 
 
 def _require_no_cut(reduced: Reduced, region: Region) -> None:
