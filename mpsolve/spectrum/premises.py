@@ -1,8 +1,8 @@
 """What a count presupposes of track, velocity and contacts, decided exactly (SPEC, premises).
 
-Every count needs a receptance that is one analytic function of q in the region: no cut enters it, N/D falls as 1/p²,
-and the velocity is no wave speed, at which a p-root comes from infinity. Passivity in the half-plane needs a track
-that gives no energy at rest, with a receptance that falls with the frequency.
+Every count needs a receptance that is one analytic function of q in the region: no cut enters it. (That N/D falls as
+1/p², and that the velocity is no wave speed, the reduced problem has made sure of.) Passivity in the half-plane
+needs a track that gives no energy at rest, with a receptance that falls with the frequency.
 """
 
 from __future__ import annotations

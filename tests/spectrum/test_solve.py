@@ -19,7 +19,7 @@ from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots, nearest_root
 from mpsolve.spectrum.reasons import reason_of
-from mpsolve.spectrum.regions import Below, Box, HalfPlane
+from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle
 from mpsolve.spectrum.solve import Found, _inside, solve
 
 TABLE = json.loads((Path(__file__).parents[1] / "data" / "general_counts.json").read_text())
@@ -69,7 +69,7 @@ def test_a_root_on_the_line_is_named_and_the_rectangle_below_it_is_counted() -> 
     assert found.reason.code == "root-on-line"
     root = float(found.reason.numbers["root"])
     assert min(abs(root - x) for x in (0.04654297305, 8.268013)) < 1e-6  # the oscillator's own, on its contact spring
-    below = found_in("16", Box(0, 9, -2, "-0.0001"))
+    below = found_in("16", Rectangle(0, 9, -2, "-0.0001"))
     assert below.reason is None
     assert below.count is not None
     assert below.count.total == 0
@@ -82,7 +82,7 @@ def test_waves_that_meet_at_zero_are_named_and_the_rectangle_beside_it_is_counte
     assert found.reason.code == "waves-meet"
     roots = [(float(re), float(im)) for re, im in ROWS["79"]["roots"]]
     low, high = min(re for re, _ in roots), max(re for re, _ in roots)
-    box = Box(low / 2, 2 * high, 2 * min(im for _, im in roots), 0)
+    box = Rectangle(low / 2, 2 * high, 2 * min(im for _, im in roots), 0)
     beside = found_in("79", box)
     assert beside.reason is None
     assert len(beside.balls) == len(roots) == ROWS["79"]["count"] / 2
@@ -135,4 +135,4 @@ def test_inside_is_the_region_and_no_more() -> None:
     assert _inside(whole, ball(50, -1))
     assert not _inside(whole, ball(50, 0.01))
     assert not _inside(HalfPlane(Fraction(2)), ball(1.5, -1.5))
-    assert not _inside(Box(0, 1, -1, 0), ball(1, -0.5))
+    assert not _inside(Rectangle(0, 1, -1, 0), ball(1, -0.5))
