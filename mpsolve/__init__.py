@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
+    from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.stability.velocities import onset_velocity, unstable_velocities
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
+    from mpsolve.waves.dispersion import dispersion
 
 __version__ = "0.1.0"
 
@@ -51,6 +54,10 @@ __all__ = [
     "Exact",
     "read_case",
     "receptance",
+    "dispersion",
+    "critical_velocities",
+    "CriticalVelocities",
+    "CriticalVelocity",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -85,6 +92,8 @@ __all__ = [
     "deflection_shape",
     "finite_beam",
     "BeamResponse",
+    "finite_track",
+    "FiniteTrackMotion",
     "study",
     "open_study",
     "Study",
@@ -107,6 +116,10 @@ _HOME = {
     "Exact": "numbers.exact",
     "read_case": "model.inputfile",
     "receptance": "characteristic.forced",
+    "dispersion": "waves.dispersion",
+    "critical_velocities": "waves.critical",
+    "CriticalVelocities": "waves.critical",
+    "CriticalVelocity": "waves.critical",
     "certify": "certificate.certify",
     "Rectangle": "spectrum.regions",
     "Spectrum": "spectrum.spectrum",
@@ -141,6 +154,8 @@ _HOME = {
     "deflection_shape": "motion.study",
     "finite_beam": "motion.beam",
     "BeamResponse": "motion.beam",
+    "finite_track": "finite.finite_track",
+    "FiniteTrackMotion": "finite.finite_track",
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",

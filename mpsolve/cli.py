@@ -39,7 +39,9 @@ def cli() -> None:
 @cli.command()
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
 def verify(files: tuple[Path, ...]) -> None:
-    """Check certificates, by other formulas than those that proved them; a line for each FILE.
+    """Check certificates, by other formulas than those that proved them: a line for each FILE.
+
+    Where a certificate carries its equations, those that were verified follow, indented.
 
     Exit status 0: all are valid. 1: one is not, or cannot be read.
     """
@@ -50,7 +52,7 @@ def verify(files: tuple[Path, ...]) -> None:
         result = check(file)
         valid = valid and result.valid
         verdict = f"valid: {file}: {result.claim}" if result.valid else f"invalid: {file}: {result.reason}"
-        click.echo(verdict)
+        click.echo("\n  ".join(verdict.splitlines()))
     sys.exit(0 if valid else 1)
 
 

@@ -17,6 +17,7 @@ from mpsolve.model import derivation
 from mpsolve.model.steps import equation_of_motion
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
+CERTS = EXAMPLES.parent / "certs"
 RAIL, PLAIN = EXAMPLES / "rail_60e1.toml", EXAMPLES / "dimensionless.toml"
 TOUCHING = "[dimensionless]\nalpha = 1\neta_b = 0\neta_m = [20]\npositions = [0]\n"
 
@@ -42,6 +43,16 @@ def test_verify_says_a_line_for_each_file(run: Run) -> None:
     result = run("verify", "broken.json", "good.json", "missing.json")
     assert result.exit_code == 1
     assert [line.split(":")[0] for line in result.stdout.splitlines()] == ["invalid", "valid", "invalid"]
+
+
+def test_verify_shows_the_equations_of_version_2(run: Run) -> None:
+    result = run("verify", CERTS / "contact_wire.json", CERTS / "single_mass.json")
+    assert result.exit_code == 0
+    first, *rest, last = result.stdout.splitlines()
+    assert first.startswith(f"valid: {CERTS / 'contact_wire.json'}: exactly 2 induced frequencies")
+    assert all(line.startswith("  ") for line in rest)
+    assert "(-27000 P^2 + 107/100 s^2 + 2 s + 500) u1 = load" in " ".join(line.strip() for line in rest)
+    assert last.startswith("valid: ")
 
 
 def test_derive(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

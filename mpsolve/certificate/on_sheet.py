@@ -71,7 +71,7 @@ def sheet_of(spectrum: AnySpectrum) -> SheetSpectrum:
     """The answer on the paper's beam, in dimensionless terms; InputError where there is none."""
     found = spectrum.sheet if isinstance(spectrum, Spectrum) else spectrum
     if not isinstance(found, SheetSpectrum):
-        given = "one of another region or track" if found is None else f"a {type(found).__name__}"
+        given = "one of another region or track" if found is None else f"of type {type(found).__name__}"
         raise InputError("spectrum", f'is {given}: pass certify(case, region="sheet") of the paper\'s beam')
     return found
 

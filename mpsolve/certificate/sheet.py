@@ -93,15 +93,30 @@ def certify_sheet(
         raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
     region = checked_region(case, region)
     tell = progress or silent
+    found = _found(case, region, digits, max_pieces, tell)
+    if not (check and found.proved):
+        return found
+    checked = _checked(found, tell)
+    if checked.proved:
+        return checked
+    again = _found(case, region, digits, max_pieces, tell, strict=True)
+    return _checked(again, tell) if again.proved else again
+
+
+def _found(
+    case: Case, region: Region, digits: int, max_pieces: int, tell: Progress, strict: bool = False
+) -> SheetSpectrum:
+    """What is proved before the verifier is asked of the whole."""
     try:
-        count = count_roots(case, region, max_pieces, tell)
+        count = count_roots(case, region, max_pieces, tell, strict=strict)
     except PrecisionError as error:
         return _undecided(case, region, digits, error.reason)
     found = _explain(case, region, digits, count, tell)
     if region == "unstable" and not found.proved and count.contour == "edge" and case.eta_b > 0:
         with suppress(PrecisionError):  # roots elsewhere do not matter: those with Im q < 0 are counted by themselves
-            found = _explain(case, region, digits, count_roots(case, region, max_pieces, tell, line=True), tell)
-    return _checked(found, tell) if check and found.proved else found
+            line = count_roots(case, region, max_pieces, tell, line=True, strict=strict)
+            found = _explain(case, region, digits, line, tell)
+    return found
 
 
 def _undecided(case: Case, region: Region, digits: int, why: Reason, count: int | None = None) -> SheetSpectrum:

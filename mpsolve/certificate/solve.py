@@ -43,9 +43,9 @@ def certify_problem(
     """Every root of Δ in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
     region: "unstable" (Im q < 0), Below(h) (with it Im q < h as far as the answer's region says), a Rectangle, or
-    None: below a height near the lowest cut, else "unstable". Heights and sides are rounded to floats in the scaled
-    units, a rectangle outward, as the answer's region says. check: have the standalone verifier pass the certificate.
-    Raises InputError for a track that is unstable by itself or has no damping, and for regions without meaning.
+    None: below a height near the lowest cut, else "unstable". Heights and sides are kept exactly. check: have the
+    standalone verifier pass the certificate. Raises InputError for a track that is unstable by itself or has no
+    damping, and for regions without meaning.
     """
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
@@ -85,19 +85,16 @@ def _region(reduced: Reduced, region: object) -> Region:
     low, _ = lowest_cut(reduced.problem.track)
     if region is None:
         return Below(default_height(reduced, low)) if low > 0 else HalfPlane()
+    if isinstance(region, HalfPlane):
+        return region
     given = checked_region(region)
-    unit = reduced.frequency_unit
-    if isinstance(given, Below):
-        if given.height > low:
-            raise InputError("region", f"is {_below_words(given)}, but {_cut_words(low)}: {_lower('h', low)}")
-        return Below(_rounded(given.height, unit, up=False))
-    if isinstance(given, Rectangle):
-        if given.im_max > max(low, Fraction(0)):
-            stated = f"is {shown(given.im_max)}, but {_cut_words(low)}"
-            raise InputError("region.im_max", f"{stated}: {_lower('im_max', low)}")
-        left, right, bottom, top = (_rounded(x, unit, up=bool(k % 2)) for k, x in enumerate(given.bounds))
-        top = top if top <= max(low, Fraction(0)) else _rounded(given.im_max, unit, up=False)
-        return Rectangle(left, right, bottom, top)
+    if isinstance(given, Below) and given.height > low:
+        raise InputError("region", f"is {_below_words(given)}, but {_cut_words(low)}: {_lower('h', low)}")
+    if isinstance(given, Rectangle) and given.im_max > max(low, Fraction(0)):
+        stated = f"is {shown(given.im_max)}, but {_cut_words(low)}"
+        raise InputError("region.im_max", f"{stated}: {_lower('im_max', low)}")
+    if isinstance(given, (Below, Rectangle)):
+        return given
     raise InputError("region", f'is {region!r}: give "unstable", ("below", h) or a Rectangle')
 
 
@@ -113,16 +110,8 @@ def _cut_words(low: Fraction) -> str:
 def _lower(name: str, low: Fraction) -> str:
     """What to give instead."""
     if low > 0:
-        return f"give {name} up to {outward(float(_rounded(low, Fraction(1), up=False)), 5, up=False)}"
+        return f"give {name} up to {outward(math.nextafter(float(low), 0), 5, up=False)}"
     return 'ask for "unstable"' if name == "h" else f"give {name} up to 0"
-
-
-def _rounded(x: Fraction, unit: Fraction, up: bool) -> Fraction:
-    """The float of the scaled unit next to x, not below it (up), or not above it."""
-    near = float(x / unit)
-    if (Fraction(near) * unit < x) if up else (Fraction(near) * unit > x):
-        near = math.nextafter(near, math.inf if up else -math.inf)
-    return Fraction(near) * unit
 
 
 def _spectrum(

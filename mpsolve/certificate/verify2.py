@@ -27,8 +27,9 @@ from typing import Any
 import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
-MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 3e8, 1_000, 20_000
-MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 96, 32, 24, 70_000, 8
+MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 1e9, 1_000, 20_000
+MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
+SMALL = 8  # matrices up to this size are eliminated entry by entry
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
 
@@ -490,6 +491,7 @@ class Waves:
     """The track in balls at the present precision, and the gaps between places that its kernels are needed for."""
 
     def __init__(self, track: Track, sites: Sequence[Any]) -> None:
+        self.track, self.sites = track, list(sites)
         self.d, self.n = table(track.d), table(track.n)
         self.gaps = sorted({a - b for a in sites for b in sites})
         self.xi = [arb(gap) for gap in self.gaps]
@@ -922,50 +924,101 @@ def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
 
 
 class Bordered:
-    """Δ̂ = det [[S, −B], [Bᵀ, G + h]] with the rows of neutral coordinates divided by σ, in balls."""
+    """Δ̂ = det [[S, −B], [Bᵀ, G + h]] with the rows of neutral coordinates divided by σ, in balls, up to a constant.
+
+    Contacts that are tight and alone on a body with no other contact are direct: their bodies y = −(Gλ)/b are
+    eliminated. Rows: all bodies, then the contacts that are not direct; columns: the bodies that are left, then λ.
+    """
 
     def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
         nb, nc = vehicle.B.nrows(), len(vehicle.h)
-        self.vehicle, self.nb, self.nc, self.size = vehicle, nb, nc, nb + nc
+        self.vehicle, self.nb, self.nc = vehicle, nb, nc
+        direct = direct_contacts(vehicle)
+        kept = [i for i in range(nb) if i not in direct.values()]
+        self.indirect = [j for j in range(nc) if j not in direct]
+        self.size = nb + len(self.indirect)
+        entry = [[self.powers(i, j) for j in range(nb)] for i in range(nb)]
         full = []
         for power in range(3):
-            rows = [[fmpq(0)] * self.size for _ in range(self.size)]
-            for i in range(nb):
-                source = [vehicle.K, vehicle.C, vehicle.M][power + (i >= nb - vehicle.neutral) :]
-                for j in range(nb):
-                    rows[i][j] = source[0][i, j] if source else fmpq(0)
+            rows = [[entry[i][j][power] for j in kept] + [fmpq(0)] * nc for i in range(nb)]
+            rows += [[fmpq(0)] * self.size for _ in self.indirect]
             if power == 0:
                 for i, j in product(range(nb), range(nc)):
-                    rows[i][nb + j], rows[nb + j][i] = -vehicle.B[i, j], vehicle.B[i, j]
-                for j, h in enumerate(vehicle.h):
-                    rows[nb + j][nb + j] = h
+                    rows[i][len(kept) + j] = -vehicle.B[i, j]
+                for i, j in enumerate(self.indirect):
+                    rows[nb + i][: len(kept)] = [vehicle.B[k, j] for k in kept]
+                    rows[nb + i][len(kept) + j] = vehicle.h[j]
             full.append(acb_mat(fmpq_mat(rows)))
         self.K, self.C, self.M = full
+        # what takes part in the columns of λ: for each body (contact, its number among `factors`)
+        factors: dict[tuple[Any, ...], int] = {}
+        self.links: list[list[tuple[int, int]]] = []
+        for i in range(nb):
+            row = [(j, tuple(-x / vehicle.B[body, j] for x in entry[i][body])) for j, body in direct.items()]
+            self.links.append([(j, factors.setdefault(key, len(factors))) for j, key in row if any(key)])
+        self.factors = [tuple(arb(x) for x in key) for key in factors]
         where = {gap: g for g, gap in enumerate(waves.gaps)}
         self.index = [[where[a - b] for b in vehicle.places] for a in vehicle.places]
         self.sites = [[where[a - b] for b in vehicle.sites] for a in vehicle.sites]
 
+    def powers(self, i: int, j: int) -> list[Any]:
+        """The coefficients of S_ij in σ."""
+        v = self.vehicle
+        parts = [v.K[i, j], v.C[i, j], v.M[i, j]][i >= self.nb - v.neutral :]
+        return parts + [fmpq(0)] * (3 - len(parts))
+
+    def filled(self, lines: Sequence[Sequence[Any]], zero: Any) -> list[Any]:
+        """The entries of a matrix that has these lines in the columns of λ."""
+        left = [zero] * (self.size - self.nc)
+        return [x for line in lines for x in (*left, *line)]
+
+    def lines(self, of: Sequence[Sequence[Any]], own: Sequence[Any], zero: Any) -> list[list[Any]]:
+        """For each row what the kernels contribute: of[factor][gap] for direct contacts, own[gap] for the others."""
+        out = []
+        for row in self.links:
+            line: list[Any] = [zero] * self.nc
+            for k, (j, f) in enumerate(row):
+                here = of[f]
+                line = [x + here[g] if k else here[g] for x, g in zip(line, self.index[j], strict=True)]
+            out.append(line)
+        return out + [[own[g] for g in self.index[j]] for j in self.indirect]
+
     def coefficient(self, k: int, sigma: Any, G: list[list[Any]]) -> Any:
         """The k-th Taylor coefficient of the matrix at σ."""
-        zeros = [acb(0)] * self.nb
-        entries = [acb(0)] * (self.nb * self.size)
-        for row in self.index:
-            entries += zeros
-            entries += [G[g][k] for g in row]
-        waves = acb_mat(self.size, self.size, entries)
+        of = []
+        for c, b, a in self.factors:
+            s = [c + b * sigma + a * (sigma * sigma), b + 2 * a * sigma, a][: k + 1]
+            of.append([sum((x * g[k - p] for p, x in enumerate(s)), acb(0)) for g in G])
+        waves = acb_mat(self.size, self.size, self.filled(self.lines(of, [g[k] for g in G], acb(0)), acb(0)))
         if k == 0:
             return self.K + self.C * sigma + self.M * (sigma * sigma) + waves
         if k == 1:
             return self.C + self.M * (2 * sigma) + waves
         return self.M + waves if k == 2 else waves
 
-    def rest(self, r: Any, G: list[Bent]) -> Any:
-        """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients."""
-        entries = [abs(x) * r * r for x in self.M.entries()]
-        for i, row in enumerate(self.index):
-            for j, g in enumerate(row):
-                entries[(self.nb + i) * self.size + self.nb + j] += G[g][2]
-        return arb_mat(self.size, self.size, entries)
+    def rest(self, sigma: Any, r: Any, G: list[Bent]) -> Any:
+        """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients at σ."""
+        sizes = [(abs(x), abs(y), e) for x, y, e in G]
+        of = []
+        for c, b, a in self.factors:
+            s0, s1, s2 = abs(c + b * sigma + a * (sigma * sigma)), abs(b + 2 * a * sigma), abs(a)
+            whole, once, twice = s0 + s1 * r + s2 * r * r, s1 * r * r + s2 * r**3, s2 * r * r
+            of.append([twice * x + once * y + whole * e for x, y, e in sizes])
+        lines = self.lines(of, [e for _, _, e in G], arb(0))
+        waves = arb_mat(self.size, self.size, self.filled(lines, arb(0)))
+        return waves + arb_mat(self.size, self.size, [abs(x) * r * r for x in self.M.entries()])
+
+
+def direct_contacts(vehicle: Vehicle) -> dict[int, int]:
+    """Each contact that is tight and alone on a body with no other contact, and that body."""
+    nb, nc = vehicle.B.nrows(), len(vehicle.h)
+    touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
+    out = {}
+    for j in range(nc):
+        bodies = [i for i in range(nb) if j in touched[i]]
+        if vehicle.h[j] == 0 and len(bodies) == 1 and touched[bodies[0]] == [j]:
+            out[j] = bodies[0]
+    return out
 
 
 def contracting(E: Any) -> bool:
@@ -981,30 +1034,67 @@ def contracting(E: Any) -> bool:
     return False
 
 
-def moduli(parts: Sequence[tuple[Any, Any]]) -> Any:
-    """Σ |matrix|·factor, entry by entry."""
-    n = parts[0][0].nrows()
-    total = [arb(0)] * (n * n)
-    for a, factor in parts:
-        total = [t + abs(x) * factor for t, x in zip(total, a.entries(), strict=True)]
-    return arb_mat(n, n, total)
+def moduli(a: Any) -> Any:
+    """The matrix of the moduli of the entries."""
+    return arb_mat(a.nrows(), a.ncols(), [abs(x) for x in a.entries()])
 
 
-def pivots(a: list[list[Any]], in_order: bool = True) -> Any:
-    """Σ Arg of the pivots of an elimination on the diagonal: in order, or the relatively greatest one first."""
-    a, left, total = [list(row) for row in a], list(range(len(a))), arb(0)
-    while left:
-        if in_order:
-            k = left.pop(0)
-        else:
-            k = max(left, key=lambda i: float(abs(a[i][i].mid()) / (1e-300 + sum(abs(a[i][j].mid()) for j in left))))
-            left.remove(k)
-        total += a[k][k].arg()
-        for i in left:
-            factor = a[i][k] / a[k][k]
-            for j in left:
-                a[i][j] = a[i][j] - factor * a[k][j]
+def identity(n: int) -> Any:
+    return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
+
+
+def near_inverse(a: Any) -> Any:
+    """About the inverse, exact numbers: nothing rests on it."""
+    a = a.mid()
+    try:
+        found = a.solve(identity(a.nrows()), algorithm="approx").mid()
+    except ZeroDivisionError:
+        raise Refused("the matrix is singular in the middle of a piece") from None
+    require(all(x.is_finite() for x in found.entries()), "the matrix is singular in the middle of a piece")
+    return found
+
+
+def pivots(a: Any) -> Any:
+    """Σ Arg of the pivots of an elimination on the diagonal, in order: of a leading block, then of its rest.
+
+    The Schur complement of a leading block has the pivots that elimination finds after those of the block.
+    """
+    n = a.nrows()
+    rows = a.tolist()
+    if n > SMALL:
+        k = n // 2
+        one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
+        three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
+        block = acb_mat(one)
+        try:
+            left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
+        except ZeroDivisionError:
+            raise Refused("a pivot may vanish") from None
+        return pivots(block) + pivots(left)
+    total = arb(0)
+    for k in range(n):
+        total += rows[k][k].arg()
+        for row in rows[k + 1 :]:
+            factor = row[k] / rows[k][k]
+            for j in range(k + 1, n):
+                row[j] = row[j] - factor * rows[k][j]
     return total
+
+
+def greatest_first(a: list[list[Any]]) -> list[int]:
+    """An order of elimination on the diagonal, the greatest pivot first, in floats: nothing rests on it."""
+    b, left, order = [[complex(x) for x in row] for row in a], list(range(len(a))), []
+    while left:
+        k = max(left, key=lambda i: abs(b[i][i]) / (1e-300 + sum(abs(b[i][j]) for j in left)))
+        left.remove(k)
+        order.append(k)
+        for i in left:
+            factor = b[i][k] / (b[k][k] or 1e-300)
+            if factor:
+                row, source = b[i], b[k]
+                for j in left:
+                    row[j] -= factor * source[j]
+    return order
 
 
 # --- walking along the paths ------------------------------------------------------------------------------
@@ -1075,7 +1165,7 @@ class Walker:
         """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
-        self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3))
+        self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
         a = mark.q
         require(a != b, "two points of a path are the same")
         m = at_q(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
@@ -1104,16 +1194,11 @@ class Walker:
     def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
         """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
         A = [self.bordered.coefficient(k, m, [list(g[:2]) for g in G]) for k in range(2)]
-        rest = self.bordered.rest(r, G)
-        try:
-            R = A[0].mid().inv().mid()
-        except ZeroDivisionError:
-            raise Refused("the matrix is singular in the middle of a piece") from None
-        size = self.bordered.size
-        one = acb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
-        E = moduli([(R * A[0] - one, arb(1)), (R * A[1], r)]) + moduli([(R, arb(1))]) * rest
+        rest = self.bordered.rest(m, r, G)
+        R = near_inverse(A[0])
+        E = moduli(R * A[0] - identity(self.bordered.size)) + moduli(R * A[1]) * r + moduli(R) * rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
-        start, stop = ((R * self.matrix(x)).tolist() for x in (mark, end))
+        start, stop = (R * self.matrix(x) for x in (mark, end))
         return pivots(stop) - pivots(start)
 
     def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
@@ -1127,15 +1212,9 @@ class Walker:
             H.append((a + a.conjugate().transpose()) * acb(0.5))
         X = acb_mat(inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
         back = X.conjugate().transpose()
-        one = acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
-        size = moduli([(X, arb(1))])
-        rest = arb_mat(
-            [
-                [(V[g][2] + V[h][2]) / 2 for g, h in zip(row, column, strict=True)]
-                for row, column in zip(where, zip(*where, strict=True), strict=True)
-            ]
-        )
-        E = moduli([(X * H[0] * back - one, arb(1)), (X * H[1] * back, arb(1))]) + size * rest * size.transpose()
+        size = moduli(X)
+        lost = [[(V[where[i][j]][2] + V[where[j][i]][2]) / 2 for j in range(n)] for i in range(n)]
+        E = moduli(X * H[0] * back - identity(n)) + moduli(X * H[1] * back) + size * arb_mat(lost) * size.transpose()
         require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
 
 
@@ -1457,12 +1536,9 @@ def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
         require(axis[-1][1] == 0 and axis[-1][0] > rho, "the path beyond the corner leaves the real axis")
 
 
-def closing(walker: Walker, rho: Any) -> Any:
-    """Σ Arg of the pivots of [[S/σ, −B], [Bᵀ, σ(G + h)]] at σ = iρ: an accretive matrix."""
-    b, sigma = walker.bordered, acb(0, arb(rho))
-    mark = walker.marks[rho, fmpq(0)]
-    G = kernels(walker.waves, mark.split, arb(0), 1)
-    v, nb, size = b.vehicle, b.nb, b.size
+def accretive(b: Bordered, sigma: Any, G: list[list[Any]]) -> list[list[Any]]:
+    """[[S/σ, −B], [Bᵀ, σ(G + h)]], the rows of neutral coordinates undivided."""
+    v, nb, size = b.vehicle, b.nb, b.nb + b.nc
     a = [[acb(0)] * size for _ in range(size)]
     for i in range(nb):
         for j in range(nb):
@@ -1472,7 +1548,41 @@ def closing(walker: Walker, rho: Any) -> Any:
     for i, row in enumerate(b.index):
         for j, g in enumerate(row):
             a[nb + i][nb + j] = sigma * (G[g][0] + (arb(v.h[i]) if i == j else 0))
-    return pivots(a, in_order=False)
+    return a
+
+
+def closing(walker: Walker, rho: Any) -> Any:
+    """Σ Arg of the pivots of M = [[S/σ, −B], [Bᵀ, σ(G + h)]] at σ = iρ: an accretive matrix.
+
+    The more contacts, the more digits elimination loses: G is taken with as many as leave the sum sharp.
+    """
+    b, mark = walker.bordered, walker.marks[rho, fmpq(0)]
+    split, bits, order = mark.split, flint.ctx.prec, None
+    for more in (1, 2, 4, 8, 16):
+        with precision(bits * more):
+            waves = Waves(walker.waves.track, walker.waves.sites)
+            try:
+                split = mark.split if more == 1 else sharper(waves, mark)
+                a = accretive(b, acb(0, arb(rho)), kernels(waves, split, arb(0), 1))
+                order = order or greatest_first(a)
+                total = pivots(acb_mat([[a[i][j] for j in order] for i in order]))
+            except Refused:
+                continue
+            if total.is_finite() and total.rad() < 0.1:
+                return total
+    raise Refused("a pivot may vanish where the path comes to its corner")
+
+
+def sharper(waves: Waves, mark: Mark) -> Split:
+    """The pair of a mark from nodes with as many digits as are computed with."""
+    local = waves.near(at_q(mark.q))
+    D = acb_poly([local.d[i, 0].mid() for i in range(local.degree + 1)])
+    slope, z = D.derivative(), [acb(x) for x in mark.z]
+    for _ in range(flint.ctx.prec.bit_length()):
+        z = [(x - D(x) / slope(x)).mid() for x in z]
+    split = Nodes(z, mark.split.nodes.up, local).split(arb(0))
+    require(mark.split.links(split), "sharper p-roots are not those of the mark")
+    return split
 
 
 def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:
@@ -1545,11 +1655,66 @@ def determinant_series(A: Sequence[Any], k: int) -> Any:
     return total
 
 
+def left_over(a: Any, m: int) -> tuple[list[int], list[int]]:
+    """m rows and m columns, without which the matrix is well away from singular, in floats: nothing rests on them."""
+    b = [[complex(x) for x in row] for row in a.tolist()]
+    rows, columns = list(range(len(b))), list(range(len(b)))
+    for _ in range(2):
+        b = [[x / (max(map(abs, row)) or 1) for x in row] for row in b]
+        tops = [max(abs(row[j]) for row in b) or 1 for j in columns]
+        b = [[x / top for x, top in zip(row, tops, strict=True)] for row in b]
+    while len(rows) > m:
+        i, j = max(((i, j) for i in rows for j in columns), key=lambda at: abs(b[at[0]][at[1]]))
+        rows.remove(i)
+        columns.remove(j)
+        for k in rows:
+            factor = b[k][j] / (b[i][j] or 1e-300)
+            if factor:
+                row, source = b[k], b[i]
+                for c in columns:
+                    row[c] -= factor * source[c]
+    return rows, columns
+
+
+def schur(A: Sequence[Any], rows: list[int], columns: list[int]) -> list[Any]:
+    """The series of the Schur complement on these rows and columns; the rest of A is proved regular on the way."""
+    n = A[0].nrows()
+    if len(rows) == n:
+        return list(A)
+    others = [[i for i in range(n) if i not in kept] for kept in (rows, columns)]
+
+    def part(a: list[list[Any]], i: list[int], j: list[int]) -> Any:
+        return acb_mat([[a[x][y] for y in j] for x in i])
+
+    lists = [a.tolist() for a in A]
+    inner, right = ([part(a, others[0], c) for a in lists] for c in (others[1], columns))
+    below, corner = ([part(a, rows, c) for a in lists] for c in (others[1], columns))
+    try:
+        inverse = inner[0].inv()
+    except ZeroDivisionError:
+        raise Refused("the matrix without its kernel may be singular on the disc") from None
+    Y: list[Any] = []
+    out = []
+    for k in range(len(A)):
+        rest = right[k]
+        for j in range(1, k + 1):
+            rest = rest - inner[j] * Y[k - j]
+        Y.append(inverse * rest)
+        s = corner[k]
+        for j in range(k + 1):
+            s = s - below[j] * Y[k - j]
+        out.append(s)
+    return out
+
+
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
-    """Exactly `multiplicity` roots in the disc, by Rouché: Δ̂ = Σ c_k t^k + t^m g(t) against t^m g₀."""
+    """Exactly `multiplicity` roots in the disc, by Rouché: δ = Σ c_k t^k + t^m g(t) against t^m g₀, δ·const = Δ̂.
+
+    δ is the determinant of an m × m Schur complement of the matrix; the rest of the matrix is regular on the disc.
+    """
     m, bits = root.multiplicity, root.bits + 128
     size = walker.bordered.size
-    walker.spend((comb(size + m - 1, m) * m * size**3 + 2000) * (1 + bits / 512) ** 1.5 / 4)
+    walker.spend(((m + 1) * size**3 + comb(2 * m - 1, m) * m**4 + 2000) * (1 + bits / 512) ** 1.5)
     with precision(bits):
         waves = Waves(track, vehicle.sites)
         bordered = Bordered(vehicle, waves)
@@ -1562,11 +1727,13 @@ def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> No
         G, over = kernels(waves, thin, arb(0), m), kernels(waves, disc, e, m + 1)
         A = [bordered.coefficient(k, center, G) for k in range(m)]
         all_over = [bordered.coefficient(k, center + box(e), over) for k in range(m + 1)]
-        g = determinant_series(all_over, m)
+        kept = left_over(A[0], min(m, size))
+        s, s_over = schur(A, *kept), schur(all_over, *kept)
+        g = determinant_series(s_over, m)
         middle = g.mid()
         rest = abs(g - middle) * e**m
         for k in range(m):
-            rest += abs(determinant_series(A[: k + 1], k)) * e**k
+            rest += abs(determinant_series(s[: k + 1], k)) * e**k
         require(
             g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed"
         )

@@ -174,9 +174,12 @@ def _check_chain(paths: tuple[Path, ...], depth: float) -> None:
 
 
 def discs(a: Any, b: Any) -> tuple[Any, Any]:
-    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, wider than need be by 2⁻¹²."""
+    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, and any whose ends are rounded to a and b.
+
+    They are wider than need be by 2⁻¹².
+    """
     m = (a + b) / 2
-    r = np.maximum(np.abs(a - m), np.abs(b - m)) * _WIDER * UP
+    r = np.maximum(np.abs(a - m), np.abs(b - m)) * _WIDER * UP + 4 * U * (np.abs(a) + np.abs(b))
     return 1j * m, r
 
 

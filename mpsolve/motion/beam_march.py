@@ -19,8 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.motion.beam_integrals import gauss, legendre_powers, moments, nested_moments
+from mpsolve.motion.beam_integrals import gauss, legendre_powers, moments
 from mpsolve.motion.beam_modes import Beam
+from mpsolve.motion.wave_tables import Waves, mirrored, nested, wave_tables
 
 UNKNOWN = 1
 """Degree of the acceleration in a step."""
@@ -139,45 +140,25 @@ def _projection(degree: int) -> tuple[Any, Any]:
 
 
 def _tables(beam: Beam, loading: Loading, h: float) -> _Tables:
-    k, rate, weight = beam.exponentials
-    turn, degree = 1j * beam.alpha * k, loading.degree
+    degree = loading.degree
+    waves = Waves(*beam.exponentials, beam.length, beam.alpha)
+    table = wave_tables(waves, loading.places, h, UNKNOWN, degree)
     tests, forces = legendre_powers(UNKNOWN), legendre_powers(degree)
-    share = 2 / beam.length
-    mirror = (-1.0) ** np.arange(degree + 1)[:, None]  # P_l read from the end of the step
-
-    def nested(p: Any, q: Any) -> Any:
-        return h * np.einsum("am,lj,mj...->al...", tests, forces, nested_moments(p * h, q * h, UNKNOWN, degree))
-
-    def entry(sign: int) -> Any:  # ∫ e^{rate(h − t)} P_l(t) of sin = Σ sign e^{sign ikx}/2i
-        backward = forces @ moments((rate - sign * turn) * h, degree)
-        return share * sign / 2j * h * np.exp(sign * turn * h) * mirror * backward
-
-    def history(sign: int) -> Any:
-        return weight * (rate + sign * turn) * sign / 2j * (tests @ moments((rate + sign * turn) * h, UNKNOWN))
-
-    def answer(out: int, entering: int) -> Any:  # the velocity along e^{out ikx} to a force along e^{entering ikx}
-        strength = -out * entering / 4 * share * weight * (rate + out * turn)
-        return strength * nested(rate + out * turn, entering * turn - rate)
-
-    gap = loading.places[:, None] - loading.places
-    wave = np.exp(1j * np.multiply.outer(gap, k))
-    direct = np.einsum("ije,ale->ijal", wave, answer(1, -1)) + np.einsum("ije,ale->ijal", wave.conj(), answer(-1, 1))
-    image = answer(1, 1) + answer(-1, -1).conj()
-
     lone = np.array([beam.tail_rate])
     tail_weight, stiffness = 1 / (1j * beam.tail_rate.imag), abs(beam.tail_rate) ** 2
-    tail = (stiffness * tail_weight * lone * nested(lone, -lone)).real[..., 0]
-    direct = direct.real + beam.tail_flexibility(np.abs(gap))[..., None, None] * tail
-
+    tail = (stiffness * tail_weight * lone * nested(lone, -lone, h, UNKNOWN, degree)).real[..., 0]
+    gap = loading.places[:, None] - loading.places
     still = np.zeros(1)
     return _Tables(
-        decay=np.exp(rate * h),
-        entry=(entry(1), entry(-1)),
-        history=(history(1), history(-1)),
-        direct=direct,
-        image=image.reshape(-1, len(k)),
-        inertia=nested(still, still).real[..., : UNKNOWN + 1, 0].reshape(UNKNOWN + 1, UNKNOWN + 1),
+        decay=table.decay,
+        entry=table.entry,
+        history=table.history,
+        direct=table.direct + beam.tail_flexibility(np.abs(gap))[..., None, None] * tail,
+        image=table.image.reshape(-1, len(waves.k)),
+        inertia=nested(still, still, h, UNKNOWN, degree)
+        .real[..., : UNKNOWN + 1, 0]
+        .reshape(UNKNOWN + 1, UNKNOWN + 1),
         tail_decay=complex(np.exp(beam.tail_rate * h)),
-        tail_entry=h * (mirror * (forces @ moments(lone * h, degree)))[:, 0],
+        tail_entry=h * (mirrored(degree) * (forces @ moments(lone * h, degree)))[:, 0],
         tail_history=tail_weight * beam.tail_rate * (tests @ moments(lone * h, UNKNOWN))[:, 0],
     )

@@ -25,6 +25,7 @@ UP = 1 + 2.0**-40
 TINY = 1e-290
 """Covers underflow: far above the least normal float, so that what is above it keeps its relative precision."""
 _RANGE = 2.0**800
+_WIDEST = 64.0
 _TERMS = 16  # of the exponential series on |z| ≤ 1/2: the rest is below 2^−60
 
 
@@ -97,6 +98,7 @@ class Jet:
         e = e + 8 * U * (a0 * b0 + (a0 * b1 + a1 * b0) * r)
         return Jet(a, b, e * UP + TINY, self.r)
 
+    @np.errstate(all="ignore")
     def __matmul__(self, other: Jet) -> Jet:
         """Products of matrices: shapes (discs, n, k) and (discs, k, m)."""
         r = self._r
@@ -119,16 +121,19 @@ class Jet:
         return Jet(c, b, e, self.r)
 
     def exp(self) -> Jet:
-        """e^f; not bounded where f varies by more than 1 over the disc."""
+        """e^f; not bounded where f varies by more than _WIDEST over the disc."""
         r = self._r
         with np.errstate(all="ignore"):
             value, relative = exponential(self.a)
             size = np.abs(value)
             y = (np.abs(self.b) * r + self.e) * UP
-            # e^y − 1 − y ≤ y²/2 + 0.22 y³ for y ≤ 1. `relative` is eight times too large, so that it covers also
-            # that `size` stands for |e^a| in the other terms
-            e = size * (self.e + y * y * (0.5 + 0.22 * y) + (relative + 8 * U) * (1 + y)) * UP + TINY
-            e = np.where((y <= 1) & np.isfinite(size), e, np.inf)
+            beyond = y * y * (0.5 + 0.22 * y)  # e^y − 1 − y ≤ y²/2 + 0.22 y³ for y ≤ 1
+            wide = y > 1
+            if wide.any():  # a wave from far away: it may be weak all the same
+                power, lost = exponential(np.where(wide & (y <= _WIDEST), y, 0.0))
+                beyond = np.where(wide, power * (1 + lost), beyond)
+            e = size * (self.e + beyond + (relative + 8 * U) * (1 + y)) * UP + TINY
+            e = np.where((y <= _WIDEST) & np.isfinite(size), e, np.inf)
         return Jet(value, value * self.b, e, self.r)
 
     @np.errstate(all="ignore")

@@ -94,7 +94,9 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
         return None
     slopes = [edge for edge in edges(guide.D, guide.N) if 0 <= edge.slope <= 1]
     wide, narrow = ([_Search(absorption, guide, edge, width) for edge in slopes] for width in (3.0, 1.3))
-    X, tries, C = least, 0, None
+    sieve = 2 * np.pi / float(gap) if gap is not None else 0.0
+    X, tries, C = max(least, min((search.shortest(sieve) for search in wide), default=least)), 0, None
+    most = max(most, 1e6 * X)
     while X <= most and tries < _TRIES:  # noqa: SIM300 — X is no constant
         searches = narrow if tries % 2 else wide  # wide blocks absorb more, narrow ones are proved more easily
         plan = _plan(absorption, guide, searches, gap, X, C)
@@ -138,6 +140,12 @@ class _Search:
         near = np.concatenate([steps, [0.0], -steps])
         z = np.concatenate([np.linspace(-width, width, 61) * scale, *(root * (1 + near) for root in real)])
         self.z = np.unique(z.astype(np.float32).astype(float))
+
+    def shortest(self, sieve: float) -> float:
+        """The X below which no block is as long as the sieve's loss."""
+        if not self.gamma:
+            return 1.0 if sieve < self.z[-1] - self.z[0] else np.inf
+        return float((sieve / (self.z[-1] - self.z[0])) ** (1 / float(self.gamma)))
 
     def blocks(self, X: float, sieve: float) -> tuple[tuple[float, float, float], ...]:
         """Intervals between points of the grid, with the least value sampled there, that absorb most for X."""

@@ -139,22 +139,17 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
     guide = Guide(length, time, D, N, moving(D, v), moving(N, v), v, g)
-    _require_no_wave_speed(guide, velocity)
-    _require_waves(guide)
+    _require_waves(guide, velocity)
     return guide
 
 
-def _require_no_wave_speed(guide: Guide, velocity: Fraction) -> None:
-    """No power of p is lost: the highest coefficient of D in P is then constant, so that no p-root is infinite."""
-    if velocity and guide.degree < max(i + j for i, j in guide.D_rest):
-        stated = f"is {shown(velocity)}, exactly a speed at which waves of the track run as they become short"
-        raise InputError("v", f"{stated}, where the equations lose a solution: change it a little")
-
-
-def _require_waves(guide: Guide) -> None:
+def _require_waves(guide: Guide, velocity: Fraction) -> None:
     """N/D falls at least as p⁻²: G is given by either kind of p-roots at distance 0, and small at infinity."""
     if not guide.degree:
         raise InputError("track", "has no dispersion in p: give a track that carries waves")
+    if guide.v and guide.degree < max(i + j for i, j in guide.D_rest):
+        stated = f"is {shown(velocity)}, exactly a speed at which waves of the track run as they become short"
+        raise InputError("v", f"{stated}, where the equations lose a solution: change it a little")
     if max((i for i, _ in guide.N), default=0) + 2 > guide.degree:
         raise InputError("track", "has a point receptance that does not exist: let D grow with p by p² more than N")
 

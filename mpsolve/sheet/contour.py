@@ -20,7 +20,8 @@ from mpsolve.sheet import reasons
 
 Values = tuple[Any, ...]
 Evaluate = Callable[[Any], Values]
-Accept = Callable[[Any], bool]
+Accept = Callable[[Any, Any], bool]
+"""Of a piece, and of the same a little wider."""
 
 MARGIN = 0.9  # of the midpoint's modulus that an image ball may reach
 
@@ -91,7 +92,7 @@ def _try(evaluate: Evaluate, ball: Any, accept: Accept | None) -> Values | None:
     if not all(in_half_plane(v) for v in values):
         return None
     wider = ball + flint.arb(0, (SLACK * ball.rad()).upper())
-    return values if accept is None or accept(wider) else None
+    return values if accept is None or accept(ball, wider) else None
 
 
 def in_half_plane(value: Any) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 from mpsolve.certificate import verify
 from mpsolve.errors import EffortError, PrecisionError
@@ -15,7 +15,7 @@ from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.model.parameters import Case
 from mpsolve.progress import Progress
 from mpsolve.sheet import reasons
-from mpsolve.sheet.contour import Path
+from mpsolve.sheet.contour import Accept, Path
 from mpsolve.sheet.far import far_radius
 from mpsolve.sheet.region import Region
 from mpsolve.sheet.rest import resting_start
@@ -42,39 +42,42 @@ class Count:
         return sum(path.evaluations for path in self.paths)
 
 
-def count_roots(case: Case, region: Region, limit: int, tell: Progress, line: bool = False) -> Count:
+def count_roots(
+    case: Case, region: Region, limit: int, tell: Progress, line: bool = False, strict: bool = False
+) -> Count:
     """The proved count for the region; `PrecisionError` with reason and remedy when it is undecided.
 
     The unstable region is counted on the whole sheet, where that is possible, since the edge of the cut takes
-    fewer pieces than the real line; else, or if `line` is asked for, on the line.
+    fewer pieces than the real line; else, or if `line` is asked for, on the line. strict: the verifier is asked of
+    each piece as it stands too, for half as much time again (see `_checker`).
     """
     tell("counting", 0.0)
     if isinstance(region, Rectangle):
-        return _in_rectangle(case, region, limit)
+        return _in_rectangle(case, region, limit, strict)
     if region == "sheet":
         try:
-            return _on_edge(case, limit, tell)
+            return _on_edge(case, limit, tell, strict)
         except PrecisionError as error:
             raise type(error)(reasons.on_sheet(case, error.reason)) from None
     if case.cuts_on_line and not line:
         try:
-            return _on_edge(case, limit, tell)
+            return _on_edge(case, limit, tell, strict)
         except PrecisionError as error:
             if not case.eta_b:
                 raise type(error)(reasons.on_sheet(case, error.reason)) from None
     with ball_arithmetic(BITS) as field:
         model = track(case, field)
         radius = far_radius(model)
-        total, path = count_unstable(model, radius, limit, _meter(tell, radius), _checker(case, "line"))
+        total, path = count_unstable(model, radius, limit, _meter(tell, radius), _checker(case, "line", strict))
     return Count(total, "line", radius, None, (path,))
 
 
-def _in_rectangle(case: Case, box: Rectangle, limit: int) -> Count:
+def _in_rectangle(case: Case, box: Rectangle, limit: int, strict: bool) -> Count:
     with ball_arithmetic(BITS) as field:
         model = track(case, field)
         _check_reach(model, box, limit)
         try:
-            total, paths = count_rectangle(model, box, limit, _checker(case, "rectangle"))
+            total, paths = count_rectangle(model, box, limit, _checker(case, "rectangle", strict))
         except EffortError:
             raise
         except PrecisionError as error:
@@ -102,14 +105,14 @@ def _check_reach(model: Track, box: Rectangle, limit: int) -> None:
         raise EffortError(reasons.rectangle_too_large(reach, radius))
 
 
-def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
+def _on_edge(case: Case, limit: int, tell: Progress, strict: bool) -> Count:
     joined = cuts_are_joined(case)
     last: PrecisionError | None = None
     for bits in (BITS, 4 * BITS):
         with ball_arithmetic(bits) as field:
             model = track(case, field)
             radius = far_radius(model)
-            checker = _checker(case, "edge")
+            checker = _checker(case, "edge", strict)
             single = len(model.eta_m) == 1
             at_rest = not case.alpha and (single or not case.axial)
             from_disc = at_rest and not single
@@ -126,10 +129,13 @@ def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
     raise last or PrecisionError("the gap between the cuts is too narrow to enter: take alpha further from alpha_C")
 
 
-def _checker(case: Case, kind: str) -> Callable[[Any], bool]:
-    """Pieces are cut until the verifier's own enclosures confirm them too: no certificate that it would refuse."""
-    problem = verify.problem(case.as_dict())
-    return verify.confirms(verify.numbers(problem), kind)
+def _checker(case: Case, kind: str, strict: bool) -> Accept:
+    """Pieces are cut until the verifier's own enclosures confirm them a little wider, so nearly always as they are.
+
+    Not always: enclosures are no monotone functions. A strict checker asks of both.
+    """
+    confirms = verify.confirms(verify.numbers(verify.problem(case.as_dict())), kind)
+    return lambda piece, wider: confirms(wider) and (not strict or confirms(piece))
 
 
 def _meter(tell: Progress, radius: float) -> Callable[[float], None]:

@@ -136,8 +136,8 @@ def _cover_side(track: Track, start: Any, end: Any, limit: int, accept: Accept |
     def values(t: Any) -> tuple[Any, ...]:
         return (characteristic(track, start + t * (end - start)),)
 
-    def confirmed(t: Any) -> bool:
-        return accept is None or accept(start + t * (end - start))
+    def confirmed(t: Any, wider: Any) -> bool:
+        return accept is None or accept(*(start + s * (end - start) for s in (t, wider)))
 
     return cover(values, 0.0, 1.0, 1 / 64, limit, None, confirmed)
 

@@ -22,9 +22,11 @@ def closing_argument(reduced: Reduced, rho: float, middle: Any, radius: Any) -> 
     """Σ Arg(pivots of M) at q̂ = ρ from G = middle ± radius between the places; PrecisionError where it stays open.
 
     M is accretive where V is passive at ρ, as the caller has proved; that M₀, made of the middle, is so too is proved
-    here. Accretive matrices are a convex set, so their arguments
-    differ by arg det(I + M₀⁻¹(M − M₀)) as taken along the segment, at most n ‖M₀⁻¹(M − M₀)‖/(1 − ‖…‖). The pivots of
-    M₀ are free of the error of G, and are followed with as many bits as elimination loses.
+    here. Accretive matrices are a convex set, so their arguments differ by arg det(I + M₀⁻¹(M − M₀)) as taken along
+    the segment, at most n ‖M₀⁻¹(M − M₀)‖/(1 − ‖…‖). For regular accretive matrices the sum of the arguments of
+    pivots is that of the eigenvalues (both are continuous, and the same for I), so a pivot that is 0 on the way does
+    no harm.
+    The pivots of M₀ are free of the error of G, and are followed with as many bits as elimination loses.
     """
     spread = _spread(reduced, rho, middle, radius)
     if not _passive(rho, middle):
@@ -86,7 +88,10 @@ def _spread(reduced: Reduced, rho: float, middle: Any, radius: Any) -> float:
     error = np.zeros((n, n))
     error[m:, m:] = rho * radius[np.ix_(index, index)] * UP
     with np.errstate(all="ignore"):
-        R = np.linalg.inv(M0)
+        try:
+            R = np.linalg.inv(M0)
+        except np.linalg.LinAlgError:
+            R = np.full((n, n), np.nan)  # proves nothing below
         size, lost = np.abs(R), 64 * (n + 4) * U  # of the product, and of the rounding of M₀ to floats
         defect = np.abs(R @ M0 - np.eye(n)) + lost * (size @ np.abs(M0) + 1)
         x = np.ones(n)

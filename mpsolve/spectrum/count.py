@@ -55,9 +55,7 @@ class Count:
 def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
-    A half-plane whose theorem fails comes back as the half-disc that was counted; a height or radius that is no
-    float in scaled units is rounded, heights down. The answer's region is what was proved. InputError where a premise
-    fails.
+    A half-plane whose theorem fails comes back as the half-disc that was counted. InputError where a premise fails.
     """
     require_premises(reduced, region)
     arrays = Arrays(reduced)
@@ -67,7 +65,7 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, ro
         return _box(paths, first, region, effort)
     if waves_meet_at_zero(reduced.guide) and not (_at_rest(reduced, region) and not open_at_rest(reduced)):
         raise WavesMeetError
-    height = scaled_height(reduced, region.height) if isinstance(region, Below) else 0.0
+    height = region.height if isinstance(region, Below) else Fraction(0)
     if region.radius is not None:
         return _disc(paths, first, region, height, "", effort)
     tell("passivity", 0.0)
@@ -86,10 +84,10 @@ def _at_rest(reduced: Reduced, region: Region) -> bool:
     return not reduced.guide.v and isinstance(region, HalfPlane) and region.radius is None
 
 
-def _half_plane(paths: Paths, first: Start, h: float, beyond: Beyond | None, effort: Effort) -> Count:
+def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | None, effort: Effort) -> Count:
     """The count that passivity closes: beyond a rectangle, or at rest (None) everywhere in Im q < 0."""
     reduced = paths.arrays.reduced
-    rho = beyond.rho if beyond is not None else _AT_REST_REACH
+    rho, h = beyond.rho if beyond is not None else _AT_REST_REACH, scaled_height(reduced, height)
     chain = (
         paths.plan("link", _descent(first, h), effort),
         paths.plan("turn", _along(rho, h), effort),
@@ -103,7 +101,7 @@ def _half_plane(paths: Paths, first: Start, h: float, beyond: Beyond | None, eff
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
-    held = Below(_unscaled(reduced, h), reach=exact) if h else HalfPlane()
+    held = Below(height, reach=exact) if height else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
 
 
@@ -116,18 +114,19 @@ def _require_passive(rho: float, middle: Any, radius: Any) -> None:
         raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
 
 
-def _disc(paths: Paths, first: Start, region: Region, h: float, why: str, effort: Effort) -> Count:
+def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort) -> Count:
     """Δ̂ ≠ 0 in the discs of the arc's pieces, so the half-disc holds as many roots as the polygon that goes round."""
     reduced = paths.arrays.reduced
-    radius = _radius(reduced, region)
+    h, radius = scaled_height(reduced, height), _radius(reduced, region)
     arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33)[1:-1])
     turn = np.concatenate([_along(radius, h), arc, [complex(0, -radius)]])
     chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
         total = _integer(-_turn(proved) / arb.pi())
-    exact = _unscaled(reduced, radius)
-    held = Below(_unscaled(reduced, h), reach=exact, radius=exact) if h else HalfPlane(exact)
+    asked = getattr(region, "radius", None)
+    exact = asked if asked is not None else _unscaled(reduced, radius)
+    held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
 
@@ -160,10 +159,8 @@ def _turn(proved: Proved) -> arb:
 
 
 def scaled_height(reduced: Reduced, height: Fraction) -> float:
-    """The largest float that is not above the height in scaled units."""
-    exact = height / reduced.frequency_unit
-    rounded = float(exact)
-    return rounded if Fraction(rounded) <= exact else float(np.nextafter(rounded, 0))
+    """The float nearest to the height in scaled units: the discs of the pieces hold the exact line too."""
+    return float(height / reduced.frequency_unit)
 
 
 def _unscaled(reduced: Reduced, x: float) -> Fraction:

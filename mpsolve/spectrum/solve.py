@@ -89,7 +89,9 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     if count.beyond is not None:
         width, depth = count.beyond.rho, count.beyond.depth
     else:
-        width = depth = float((region.radius or Fraction(0)) / unit)
+        depth = float((region.radius or Fraction(0)) / unit)
+        reach = region.reach if isinstance(region, Below) else region.radius
+        width = float((reach or Fraction(0)) / unit)  # at rest there is a reach without a radius
     areas = [Area(0.0, width, -depth, 0.0)]
     if isinstance(region, Below):
         areas.insert(0, Area(0.0, width, 0.0, scaled_height(reduced, region.height)))
@@ -104,22 +106,37 @@ def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[
     balls: list[RootBall] = []
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
-            for each in {False, symmetric and ball.symmetry is not Symmetry.IMAGINARY}:
-                one = ball.mirrored if each else ball
-                if _inside(count.region, one) and not any(one.q.overlaps(other.q) for other in balls):
-                    balls.append(one)
+            _add(balls, ball, count.region, symmetric)
         tell("roots", 0.5 + 0.5 * (k + 1) / len(seeds))
+    for q in seeds.tolist():  # floats may take roots for one that are closer than they can tell
+        if sum(ball.multiplicity for ball in balls) >= count.total:
+            break
+        for ball in _separated(proved, 1j * q, digits):
+            _add(balls, ball, count.region, symmetric)
     return tuple(balls)
+
+
+def _add(balls: list[RootBall], ball: RootBall, region: Region, symmetric: bool) -> None:
+    """Add a ball and its mirror where they lie in the region and hold more roots than those that they meet."""
+    for each in {False, symmetric and ball.symmetry is not Symmetry.IMAGINARY}:
+        one = ball.mirrored if each else ball
+        met = [other for other in balls if one.q.overlaps(other.q)]
+        if _inside(region, one) and one.multiplicity > sum(other.multiplicity for other in met):
+            balls[:] = [other for other in balls if not one.q.overlaps(other.q)] + [one]
 
 
 def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
     try:
         return [enclose(proved, sigma, digits)]
     except PrecisionError:
-        try:
-            return separate(proved, sigma, digits)
-        except PrecisionError:
-            return []
+        return _separated(proved, sigma, digits)
+
+
+def _separated(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
+    try:
+        return separate(proved, sigma, digits)
+    except PrecisionError:
+        return []
 
 
 def _inside(region: Region, ball: RootBall) -> bool:

@@ -8,7 +8,7 @@ with D = det A and N the cofactor of that row.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
@@ -37,11 +37,16 @@ class Track(Model, frozen=True):
     @property
     def waveguide(self) -> Waveguide:
         """The equations with these parameters, as exact data."""
+        return self.with_values({})
+
+    def with_values(self, changed: Mapping[str, Fraction]) -> Waveguide:
+        """The same with some parameters changed; the bounds of a track's parameters do not hold here."""
         names = tuple(self.parameters)
         context = fmpq_mpoly_ctx.get(("P", "s", *names), "lex")
         variables = dict(zip(("P", "s", *names), context.gens(), strict=True))
         rows = self.equations(_Names(variables, context))
-        values = {name: fmpq(value.numerator, value.denominator) for name, value in self.parameters.items()}
+        given = self.parameters | dict(changed)
+        values = {name: fmpq(value.numerator, value.denominator) for name, value in given.items()}
         matrix = tuple(tuple(_exact(context.constant(0) + entry, values) for entry in row) for row in rows)
         return Waveguide(matrix, self.loaded)
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
+from typing import NamedTuple
 
 from mpsolve.vehicles.vehicle import Pencil, Rows
 
@@ -32,30 +34,95 @@ class Parts:
 
 
 def split_felt(pencil: Pencil) -> Parts:
-    """The felt and the unfelt part of a vehicle."""
-    M, C, K, B = ([list(row) for row in rows] for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
-    n = len(M)
+    """The felt and the unfelt part of a vehicle. Vehicles of a train are split one by one, and equal ones once."""
+    whole = Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
     if _definite_at_rest(pencil):
-        return Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
+        return whole
+    groups = _components((pencil.M, pencil.C, pencil.K), pencil.B)
+    split = [(bodies, _split(*_taken(pencil, bodies, contacts))) for bodies, contacts in groups]
+    if all(own is None for _, own in split):
+        return whole
+    n, columns = len(pencil.M), _Columns([], [], [])
+    for bodies, found in split:
+        own = found or _Columns(_units(len(bodies)), [], [])
+        for mine, yours in zip(columns, own, strict=True):
+            mine += [_lifted(vector, bodies, n) for vector in yours]
+    return _in_basis(pencil, columns)
+
+
+class _Columns(NamedTuple):
+    """A basis: coordinates that are felt, neutral ones, unfelt ones."""
+
+    kept: list[Vector]
+    neutral: list[Vector]
+    unfelt: list[Vector]
+
+
+def _components(maps: tuple[Rows, ...], B: Rows) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
+    """Bodies and contacts of the vehicles that nothing but the track joins."""
+    n, seen, out = len(B), set[int](), []
+    touched = [{j for j, x in enumerate(row) if x} for row in B]
+    for first in range(n):
+        if first in seen:
+            continue
+        group, open_ = {first}, [first]
+        while open_:
+            i = open_.pop()
+            near = {j for j in range(n) if any(rows[i][j] for rows in maps) or touched[i] & touched[j]} - group
+            group |= near
+            open_ += near
+        seen |= group
+        out.append((tuple(sorted(group)), tuple(sorted(set().union(*(touched[i] for i in group))))))
+    return out
+
+
+def _taken(pencil: Pencil, bodies: tuple[int, ...], contacts: tuple[int, ...]) -> list[Rows]:
+    """M, C, K and B of some of the bodies."""
+    each = ((pencil.M, bodies), (pencil.C, bodies), (pencil.K, bodies), (pencil.B, contacts))
+    return [tuple(tuple(rows[i][j] for j in cells) for i in bodies) for rows, cells in each]
+
+
+def _units(n: int) -> list[Vector]:
+    return [[Fraction(int(i == k)) for i in range(n)] for k in range(n)]
+
+
+def _lifted(vector: Vector, bodies: tuple[int, ...], n: int) -> Vector:
+    """The same motion among n coordinates."""
+    out = [Fraction(0)] * n
+    for i, x in zip(bodies, vector, strict=True):
+        out[i] = x
+    return out
+
+
+@lru_cache(maxsize=64)
+def _split(M_: Rows, C_: Rows, K_: Rows, B_: Rows) -> _Columns | None:
+    """The basis of one vehicle, None where nothing has to change."""
+    M, C, K, B = ([list(row) for row in rows] for rows in (M_, C_, K_, B_))
+    n, contacts = len(M), len(B[0])
     H = [[M[i][j] + C[i][j] + K[i][j] for j in range(n)] for i in range(n)]
-    felt = _simple(_closure(H, (M, C, K), [[row[j] for row in B] for j in range(len(pencil.places))]))
-    neutral = _kernel([*K, *[[row[j] for row in B] for j in range(len(pencil.places))]], n)
-    neutral = _project(neutral, felt, H)
+    forces = [[row[j] for row in B] for j in range(contacts)]
+    felt = _simple(_closure(H, (M, C, K), forces))
+    neutral = _project(_kernel([*K, *forces], n), felt, H)
     if len(felt) == n and not neutral:
-        return Parts(pencil.M, pencil.C, pencil.K, pencil.B, 0, None, None)
-    kept = _complete(neutral, felt)
+        return None
     unfelt = _kernel([_times(H, vector) for vector in felt], n)
-    columns = [*kept, *neutral, *unfelt]
-    basis = tuple(tuple(column[i] for column in columns) for i in range(n))
-    size = len(kept) + len(neutral)
+    return _Columns(_complete(neutral, felt), neutral, unfelt)
+
+
+def _in_basis(pencil: Pencil, basis_: _Columns) -> Parts:
+    """The pencil in the coordinates of these columns."""
+    M, C, K, B = ([list(row) for row in rows] for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
+    columns = [*basis_.kept, *basis_.neutral, *basis_.unfelt]
+    basis = tuple(tuple(column[i] for column in columns) for i in range(len(M)))
+    size = len(basis_.kept) + len(basis_.neutral)
     parts = [_congruent(rows, columns) for rows in (M, C, K)]
     head = [tuple(tuple(row[:size]) for row in rows[:size]) for rows in parts]
     tail = [tuple(tuple(row[size:]) for row in rows[size:]) for rows in parts]
     new_B = tuple(
         tuple(_dot(column, [row[j] for row in B]) for j in range(len(pencil.places))) for column in columns[:size]
     )
-    rest = (tail[0], tail[1], tail[2]) if unfelt else None
-    return Parts(head[0], head[1], head[2], new_B, len(neutral), basis, rest)
+    rest = (tail[0], tail[1], tail[2]) if basis_.unfelt else None
+    return Parts(head[0], head[1], head[2], new_B, len(basis_.neutral), basis, rest)
 
 
 def _definite_at_rest(pencil: Pencil) -> bool:

@@ -106,6 +106,11 @@ def test_roots_on_both_sides_next_to_the_cut(alpha: str, eta_m: tuple[str, ...],
     assert all(0 < abs(float(root.q.imag.mid())) < 1e-8 * float(abs(root.q).mid()) for root in found.roots)
 
 
+def test_a_piece_that_the_verifier_takes_only_when_it_is_wider_is_cut() -> None:
+    """Piece 163 of the first count: its neighbourhood passes, itself it does not."""
+    assert checked(pair("1.4", "2.5", 10, 0), digits=15).count == 8
+
+
 FAR_APART = [
     ("0.31", "0.4", 3, 30, 18),
     ("0.31", "0.4", 3, 60, 32),

@@ -14,7 +14,7 @@ import flint
 import numpy as np
 import planner as p
 import pytest
-from flint import acb, arb, fmpq, fmpq_mat, fmpq_poly
+from flint import acb, acb_mat, arb, fmpq, fmpq_mat, fmpq_poly
 
 from mpsolve.certificate import verify2 as v2
 
@@ -540,3 +540,114 @@ def test_the_command(tmp_path, capsys):
     out = capsys.readouterr().out
     assert "valid: exactly 0 induced frequencies" in out
     assert "INVALID" in out
+
+
+def _ball_matrix(rng, n, radius=0.0):
+    def entry(i, j):
+        x, y = rng.uniform(-1, 1, 2) * 0.6 / n + (i == j)
+        return acb(arb(x, radius), arb(y, radius))
+
+    return acb_mat(n, n, [entry(i, j) for i in range(n) for j in range(n)])
+
+
+@pytest.mark.parametrize("n", [1, 7, 9, 20, 33])
+def test_pivots_by_blocks_are_those_of_plain_elimination(n):
+    a = _ball_matrix(np.random.default_rng(n), n, 1e-15)
+    b, total = np.array([[complex(x) for x in row] for row in a.tolist()]), 0.0
+    for k in range(n):
+        total += np.angle(b[k, k])
+        b[k + 1 :, k + 1 :] -= np.outer(b[k + 1 :, k], b[k, k + 1 :]) / b[k, k]
+    found = v2.pivots(a)
+    assert abs(float(found.mid()) - total) < 1e-12
+    assert found.rad() < 1e-10
+
+
+MIXED = {  # a mass on its own; a wheel with a frame above; a body on two contacts, one of them soft
+    "M": [["2", "0", "0", "0"], ["0", "3", "0", "0"], ["0", "0", "5", "0"], ["0", "0", "0", "7"]],
+    "C": [["0", "0", "0", "0"], ["0", "1", "-1", "0"], ["0", "-1", "1", "0"], ["0", "0", "0", "0"]],
+    "K": [["0", "0", "0", "0"], ["0", "4", "-4", "0"], ["0", "-4", "4", "0"], ["0", "0", "0", "0"]],
+    "B": [["1", "0", "0", "0"], ["0", "2", "0", "0"], ["0", "0", "0", "0"], ["0", "0", "1", "1"]],
+    "places": ["0", "1", "3", "4"],
+    "compliances": ["0", "0", "1/3", "0"],
+}
+
+
+def test_elimination_of_direct_contacts_leaves_the_determinant_but_for_a_constant():
+    """Of the whole bordered matrix in floats, with the kernels as random numbers, and of each Taylor coefficient."""
+    vehicle = v2.read_vehicle(MIXED, None)
+    assert v2.direct_contacts(vehicle) == {0: 0, 1: 1}
+    track = v2.read_track(p.beam("1/4", 1, 1, "1/10"), "1/2")
+    waves = v2.Waves(track, vehicle.sites)
+    bordered = v2.Bordered(vehicle, waves)
+    assert bordered.size == 6
+    rng = np.random.default_rng(1)
+    G = [[acb(*map(float, rng.normal(size=2))) for _ in range(3)] for _ in waves.gaps]
+    M, C, K, B = (np.array([[float(Fraction(x)) for x in row] for row in MIXED[name]]) for name in "MCKB")
+    g = [[[complex(G[k][order]) for k in row] for row in bordered.index] for order in range(3)]
+    sigma = 0.3 + 0.8j
+    series = [bordered.coefficient(k, acb(sigma.real, sigma.imag), G) for k in range(3)]
+
+    def whole(t):
+        s = sigma + t
+        corner = sum(np.array(g[order]) * t**order for order in range(3)) + np.diag([0, 0, 1 / 3, 0])
+        return np.linalg.det(np.block([[K + C * s + M * s * s, -B], [B.T, corner]]))
+
+    def ours(t):
+        return np.linalg.det(
+            sum(np.array([[complex(x) for x in row] for row in a.tolist()]) * t**k for k, a in enumerate(series))
+        )
+
+    ratios = [whole(t) / ours(t) for t in (0, 1e-3, 1e-3j)]
+    assert abs(abs(ratios[0]) - 2) < 1e-12  # b = 1 and b = 2
+    assert max(abs(r - ratios[0]) for r in ratios) < 1e-7
+    # the rest holds what the first two orders leave
+    r = 0.05
+    bent = [(x[0], x[1], abs(x[2]) * r * r) for x in G]
+    rest = bordered.rest(acb(sigma.real, sigma.imag), arb(r), bent)
+    for t in (r, r * 1j, -r):
+        left = series[2] * acb(complex(t) ** 2)
+        pairs = zip(left.entries(), rest.entries(), strict=True)
+        assert all(float(abs(x)) <= float(y) * (1 + 1e-12) for x, y in pairs)
+
+
+def test_the_schur_complement_has_the_roots_of_the_determinant():
+    """A(t) = A₀ + A₁ t with a root of det at t = 0 by construction, and none at t = 1/100."""
+    rng = np.random.default_rng(3)
+    n = 12
+    a = [_ball_matrix(rng, n), _ball_matrix(rng, n)]
+    rows = a[0].tolist()
+    rows[4] = [2 * x - y for x, y in zip(rows[1], rows[7], strict=True)]
+    a[0] = acb_mat(rows)
+    kept = v2.left_over(a[0], 1)
+    series = v2.schur(a, *kept)
+    assert abs(v2.determinant_series(series, 0)) < 1e-12
+    assert not abs(v2.determinant_series(series, 1)) < 1e-6
+    with pytest.raises(v2.Refused, match="kernel"):
+        v2.schur([acb_mat(n, n, [1] * (n * n))], [0], [0])
+
+
+def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
+    """Light contacts so close that the receptance matrix is nearly singular: the sum is sharp all the same."""
+    eq = p.equations(PAPER, "1/2", p.masses([40] * 12, row(12, "1/50")))
+    car, track = v2.read_vehicle(eq["vehicle"], None), v2.read_track(eq["track"], eq["velocity"])
+    with v2.precision(64):
+        waves = v2.Waves(track, car.sites)
+        walker = v2.Walker(waves, v2.Bordered(car, waves))
+        walker.begin(fmpq(1))
+        (z,) = (mark.z for mark in walker.marks.values())
+        for k in range(1, 31):
+            z = walker.mark((fmpq(k, 15), fmpq(0)) if k > 15 else (fmpq(k, 15), fmpq(k - 15, 15)), z).z
+        corner = (fmpq(2), fmpq(0))
+        walker.marks[corner] = walker.mark(corner, z)
+        sharp = v2.closing(walker, fmpq(2))
+    with v2.precision(10):
+        a = v2.accretive(walker.bordered, acb(0, 2), v2.kernels(waves, walker.marks[corner].split, arb(0), 1))
+        order = v2.greatest_first(a)
+        try:
+            once = v2.pivots(acb_mat([[a[i][j] for j in order] for i in order])).rad()
+        except v2.Refused:
+            once = arb("inf")
+        found = v2.closing(walker, fmpq(2))
+    assert not once < 0.1
+    assert found.rad() < 0.1
+    assert found.overlaps(sharp)

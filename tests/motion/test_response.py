@@ -214,7 +214,7 @@ def test_what_cannot_be_is_refused() -> None:
         response(UNDAMPED, None, None, (1,), spectrum)
     with pytest.raises(InputError, match="eta_b"):
         response(Case(alpha="0.5", eta_b="1.5", eta_m=10), None, None, (1,))
-    with pytest.raises(InputError, match="spectrum: is int"):
+    with pytest.raises(InputError, match="spectrum: is of type int"):
         response(DAMPED, None, None, (1,), 3)  # type: ignore[call-overload]
     for size in ("1e350", "1e-350"):
         with pytest.raises(InputError, match=r"tau\[1\]: is 1e.350, beyond the range of float64"):

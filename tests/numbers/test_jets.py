@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -125,7 +126,37 @@ def test_what_is_not_finite_is_never_bounded(bad: float) -> None:
 def test_a_function_that_may_vanish_has_no_bounded_inverse() -> None:
     f = Jet(np.array([[1.0 + 0j]]), np.array([[0.5j]]), np.array([[0.5]]), np.array([1.0]))
     assert f.inverse().e[0, 0] == np.inf
-    assert Jet(f.a, 2.1j * f.a, 0 * f.e, f.r * 0.5).exp().e[0, 0] == np.inf
+    assert Jet(f.a, 140j * f.a, 0 * f.e, f.r * 0.5).exp().e[0, 0] == np.inf
+
+
+def test_a_product_of_matrices_holds_its_truth_and_is_not_wide() -> None:
+    """Remainders at their largest: all entries positive, t = r."""
+    rng = np.random.default_rng(7)
+    a, b, e = (rng.uniform(0.1, 1, (4, 3, 5)) for _ in range(3))
+    c, d, f = (rng.uniform(0.1, 1, (4, 5, 2)) for _ in range(3))
+    r = np.array([0.0, 1e-8, 0.1, 1.0])
+    got = Jet(a + 0j, b + 0j, 1e-3 * e, r) @ Jet(c + 0j, d + 0j, 1e-3 * f, r)
+    for k in range(4):
+        for i, j in np.ndindex(3, 2):
+            t = MP.mpf(float(r[k]))
+            left = [MP.mpf(float(a[k, i, m])) + MP.mpf(float(b[k, i, m])) * t for m in range(5)]
+            right = [MP.mpf(float(c[k, m, j])) + MP.mpf(float(d[k, m, j])) * t for m in range(5)]
+            most = sum(
+                (x + MP.mpf(float(1e-3 * e[k, i, m]))) * (y + MP.mpf(float(1e-3 * f[k, m, j])))
+                for m, (x, y) in enumerate(zip(left, right, strict=True))
+            )
+            line = MP.mpc(got.a[k, i, j]) + MP.mpc(got.b[k, i, j]) * t
+            assert abs(most - line) <= float(got.e[k, i, j]) <= float(abs(most - line)) * (1 + 1e-9) + 1e-12
+
+
+def test_a_thin_product_of_matrices_is_within_rounding() -> None:
+    rng = np.random.default_rng(8)
+    a, c = (rng.normal(size=(1, 4, 4)) + 1j * rng.normal(size=(1, 4, 4)) for _ in range(2))
+    zero = np.zeros((1, 4, 4))
+    got = Jet(a, 0 * a, zero, np.zeros(1)) @ Jet(c, 0 * c, zero, np.zeros(1))
+    for i, j in np.ndindex(4, 4):
+        truth = sum(MP.mpc(a[0, i, m]) * MP.mpc(c[0, m, j]) for m in range(4))
+        assert abs(truth - MP.mpc(got.a[0, i, j])) <= float(got.e[0, i, j]) < 1e-12
 
 
 def test_a_sum_over_an_axis_is_held() -> None:
@@ -149,3 +180,27 @@ def test_the_nearest_float_is_near(x: Fraction, k: int) -> None:
 def test_a_number_far_from_1_is_refused(x: Fraction) -> None:
     with pytest.raises(PrecisionError, match="units"):
         nearest(x)
+
+
+@pytest.mark.parametrize("length", [0.3, 1.0, 3.0, 20.0, 60.0])
+def test_the_exponential_over_a_disc_of_any_size(length: float) -> None:
+    """e^{a + bt} for |bt| ≤ length, at points of the disc, against cmath; far waves stay bounded, near ones tight."""
+    rng = np.random.default_rng(int(length * 10))
+    a = rng.uniform(-40, 1, 30) + 1j * rng.uniform(-30, 30, 30)
+    b = np.exp(1j * rng.uniform(0, 6, 30)) * length
+    r = np.ones(30)
+    jet = Jet(a, b, np.zeros(30), r).exp()
+    assert np.isfinite(jet.e).all()
+    for t in np.exp(1j * np.linspace(0, 6, 25)):
+        for k in range(30):
+            left = cmath.exp(a[k] + b[k] * t) - jet.a[k] - jet.b[k] * t
+            assert abs(left) <= jet.e[k] * (1 + 1e-12)
+    assert (jet.e <= 1.5 * np.abs(np.exp(a)) * np.exp(length)).all()
+
+
+def test_a_disc_that_is_far_too_large_is_not_bounded() -> None:
+    jet = Jet(np.array([0j]), np.array([70 + 0j]), np.zeros(1), np.ones(1)).exp()
+    assert jet.e[0] == np.inf
+    mixed = Jet(np.array([0j, 0j]), np.array([70 + 0j, 0.5 + 0j]), np.zeros(2), np.ones(2)).exp()
+    assert mixed.e[0] == np.inf
+    assert mixed.e[1] < 0.2

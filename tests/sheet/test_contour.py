@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import flint
@@ -88,3 +89,17 @@ def test_an_integer_is_the_only_one_in_its_ball() -> None:
     for open_ball in (arb(3, 1.2), arb(2.5, 0.3), arb(0.5, 0.6)):
         with pytest.raises(PrecisionError, match="no single integer"):
             unique_integer(open_ball)
+
+
+def test_a_piece_and_a_wider_one_are_shown_to_the_checker() -> None:
+    """Enclosures are no monotone functions: a checker that is strict wants to see both."""
+    seen: list[tuple[Any, Any]] = []
+
+    def accept(piece: Any, wider: Any) -> bool:
+        seen.append((piece, wider))
+        return bool(piece.rad() < 0.2)
+
+    path = cover(lambda _: (acb(1),), 1.0, 2.0, 1.0, 100, accept=accept)
+    assert len(path.breaks) > 3
+    assert all(b - a < 0.4 for a, b in pairwise(path.breaks))
+    assert all(wider.contains_interior(piece) for piece, wider in seen)

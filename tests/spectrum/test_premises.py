@@ -1,4 +1,4 @@
-"""What a count presupposes is decided first, and a track that gives energy closes no half-plane."""
+"""What a count presupposes is decided before it, and a track that gives energy closes no half-plane."""
 
 from __future__ import annotations
 
@@ -112,3 +112,9 @@ def test_indeterminate_contacts_are_refused() -> None:
     for fine in (rigid(["0", "1"]), rigid(["0", "0"], k_contact="10")):
         require_premises(reduce_problem(fine), HalfPlane())
     require_premises(reduce_problem(Problem(PLAIN, [Mass(1).at(0), Mass(2).at(0)], v="0.3")), HalfPlane())
+
+
+def test_a_force_without_stiffness_beside_it_is_refused() -> None:
+    rod = Waveguide((({(1, 1): Fraction(0), (0, 2): Fraction(1), (0, 1): Fraction(1), (0, 0): Fraction(1)},),))
+    with pytest.raises(InputError, match=r"not continuous under a point load|carries waves|does not exist"):
+        require_premises(reduce_problem(Problem(rod, [Mass(1).at(0)], v=0)), HalfPlane())

@@ -17,11 +17,11 @@ def test_a_root_is_followed_to_itself():
     """Each ball that the chain ends in meets exactly one certified root of the later velocity."""
     early, late = (certify(Case(alpha=a, **REST), digits=15) for a in ("0.6", "0.7"))
     roots = [root.q for root in early.roots if root.q.real > 0]
-    ends = follow(early.case, [Exact("0.6")] * 2, [Exact("0.7")] * 2, roots)
+    ends = follow(early.problem, [Exact("0.6")] * 2, [Exact("0.7")] * 2, roots)
     met = [[k for k, root in enumerate(late.roots) if root.q.overlaps(end)] for end in ends]
     assert [len(m) for m in met] == [1, 1]
     assert met[0] != met[1]
-    assert follow(early.case, [], [], []) == []
+    assert follow(early.problem, [], [], []) == []
 
 
 def test_ends_are_open_where_cuts_are_not_looked_for():

@@ -1,0 +1,1 @@
+"""The second way to the motion: any vehicle on a finite, simply supported track, expanded in sines."""

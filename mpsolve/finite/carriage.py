@@ -1,0 +1,156 @@
+"""All vehicles as one system under contact forces; coordinates that have no mass are taken out exactly.
+
+M ÿ + C ẏ + K y = g(t) − B f, with f the compressions. In a basis [T₂, T₁, T₀], T₀ spanning the kernel of M and C and
+T₁ the rest of that of M, the coordinates of T₀ follow at once (they are eliminated and leave a compliance in the
+contacts), those of T₁ have one derivative in time, the others two. So Bᵀy − w = H f with
+H = diag(h) + B₀ᵀK₀₀⁻¹B₀.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.vehicles.vehicle import Pencil, Rows
+
+
+@dataclass(frozen=True)
+class Carriage:
+    """M₂₂ and C₁₁ are regular; the first `second` of the kept coordinates have mass. Float64 of exact numbers.
+
+    M, C, K (r, r), B (r, n), H (n, n). motion (size, r) and give (size, n): y = motion · kept − give · f.
+    fixed (size, …): the directions of the coordinates that were eliminated.
+    """
+
+    M: Any
+    C: Any
+    K: Any
+    B: Any
+    H: Any
+    second: int
+    motion: Any
+    give: Any
+    fixed: Any
+
+    @property
+    def first(self) -> int:
+        """How many coordinates have no mass but damping."""
+        return len(self.M) - self.second
+
+    def force(self, g: Any) -> Any:
+        """The force g on y as one on the kept coordinates; InputError where it meets neither mass nor damper."""
+        if np.any(self.fixed.T @ g):
+            stated = "act on a coordinate without mass and damping, which would jump"
+            raise InputError("loads", f"{stated}: give the coordinate a mass, or load another one")
+        return self.motion.T @ g
+
+
+def carriage(pencil: Pencil) -> Carriage:
+    """The vehicle's equations, reduced; every step of the reduction is exact."""
+    size = pencil.size
+    massless = _kernel(pencil.M)
+    at_once = _kernel((*pencil.M, *pencil.C)) if massless else []
+    damped = _completed(at_once, massless)
+    heavy = _completed([*at_once, *damped], _units(size)) if massless else _units(size)
+    kept = [*heavy, *damped]
+    M, C, K = (_congruent(rows, kept, kept) for rows in (pencil.M, pencil.C, pencil.K))
+    B = _rows_times(kept, pencil.B)
+    T = np.array(kept, float).reshape(-1, size).T
+    fixed = np.array(at_once, float).reshape(-1, size).T
+    H = np.diag(np.array(pencil.h, float))
+    Kf, Bf = _floats(K), _floats(B)
+    motion, give = T, np.zeros((size, pencil.contacts))
+    if at_once:
+        inner = np.linalg.inv(_floats(_congruent(pencil.K, at_once, at_once)))
+        across, touch = _floats(_congruent(pencil.K, at_once, kept)), _floats(_rows_times(at_once, pencil.B))
+        Kf = Kf - across.T @ inner @ across
+        Bf = Bf - across.T @ inner @ touch
+        H = H + touch.T @ inner @ touch
+        motion, give = T - fixed @ inner @ across, fixed @ inner @ touch
+    return Carriage(_floats(M), _floats(C), Kf, Bf, H, len(heavy), motion, give, fixed)
+
+
+def rigid_bounce(pencil: Pencil) -> tuple[Fraction, ...] | None:
+    """The motion that lifts every contact by 1 and strains nothing, unique where there is one; None where not."""
+    size = pencil.size
+    rows = [[*row, Fraction(0)] for row in (*pencil.K, *pencil.C)]
+    rows += [[*(row[j] for row in pencil.B), Fraction(-1)] for j in range(pencil.contacts)]
+    found = [vector for vector in _kernel(rows) if vector[size]]
+    if not found:
+        return None
+    return tuple(x / found[0][size] for x in found[0][:size])
+
+
+def _units(size: int) -> list[list[Fraction]]:
+    return [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
+
+
+def _kernel(rows: Any) -> list[list[Fraction]]:
+    """A basis of the kernel."""
+    width = len(rows[0])
+    echelon: dict[int, list[Fraction]] = {}
+    for row in rows:
+        rest = _reduced(row, echelon)
+        lead = next((i for i, x in enumerate(rest) if x), None)
+        if lead is None:
+            continue
+        rest = [x / rest[lead] for x in rest]
+        for other, known in echelon.items():
+            if known[lead]:
+                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
+        echelon[lead] = rest
+    out = []
+    for free in (i for i in range(width) if i not in echelon):
+        vector = [-echelon[i][free] if i in echelon else Fraction(0) for i in range(width)]
+        vector[free] = Fraction(1)
+        out.append(vector)
+    return out
+
+
+def _reduced(row: Any, echelon: dict[int, list[Fraction]]) -> list[Fraction]:
+    rest = list(row)
+    for lead, known in echelon.items():
+        if rest[lead]:
+            factor = rest[lead]
+            rest = [a - factor * b for a, b in zip(rest, known, strict=True)]
+    return rest
+
+
+def _completed(first: list[list[Fraction]], space: list[list[Fraction]]) -> list[list[Fraction]]:
+    """Vectors of `space` that, with `first`, are a basis of their span."""
+    echelon: dict[int, list[Fraction]] = {}
+    out = []
+    for vector in [*first, *space]:
+        rest = _reduced(vector, echelon)
+        lead = next((i for i, x in enumerate(rest) if x), None)
+        if lead is None:
+            continue
+        rest = [x / rest[lead] for x in rest]
+        for other, known in echelon.items():
+            if known[lead]:
+                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
+        echelon[lead] = rest
+        out.append(vector)
+    return out[len(first) :]
+
+
+def _congruent(rows: Rows, left: Any, right: Any) -> list[list[Fraction]]:
+    images = [[_dot(row, vector) for row in rows] for vector in right]
+    return [[_dot(a, image) for image in images] for a in left]
+
+
+def _rows_times(left: Any, rows: Rows) -> list[list[Fraction]]:
+    columns = list(zip(*rows, strict=True))
+    return [[_dot(a, column) for column in columns] for a in left]
+
+
+def _dot(a: Any, b: Any) -> Fraction:
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
+
+
+def _floats(rows: Any) -> Any:
+    return np.array([[float(x) for x in row] for row in rows], float).reshape(len(rows), -1)

@@ -1,0 +1,135 @@
+"""The equations of a track at the wavenumbers of a finite, simply supported length: matrices mode by mode.
+
+On 0 < x < L a field of the track is Σ a_j sin κ_j x or Σ a_j cos κ_j x, κ_j = jπ/L. Where ∂x occurs an even number of
+times in an entry of A(∂x, ∂t), its two fields are of one kind; where it occurs an odd number of times, they are of
+both. With P → iκ and a phase of each field (1 for sines, i for cosines) every entry is real then. The field under
+the contacts expands in sines: it vanishes at the supports.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, determinant
+
+SINE, COSINE = 0, 1
+_HIGHEST = 2
+
+
+@dataclass(frozen=True)
+class Discretization:
+    """`matrix`: real polynomials {(power of κ, power of s): c}; `kinds`: SINE or COSINE of each field; exact.
+
+    loaded: the field under the contacts. wavenumbers (J,): κ_j = jπ/length, float64.
+    """
+
+    matrix: Matrix
+    kinds: tuple[int, ...]
+    loaded: int
+    length: float
+    modes: int
+
+    @property
+    def wavenumbers(self) -> Any:
+        return np.arange(1, self.modes + 1) * (np.pi / self.length)
+
+    @property
+    def mass(self) -> Any:
+        """The coefficients of s², (J, fields, fields)."""
+        return self._coefficient(2)
+
+    @property
+    def damping(self) -> Any:
+        """The coefficients of s, (J, fields, fields)."""
+        return self._coefficient(1)
+
+    @property
+    def stiffness(self) -> Any:
+        """The coefficients of 1, (J, fields, fields)."""
+        return self._coefficient(0)
+
+    @cached_property
+    def dispersion(self) -> Polynomial:
+        """det of the matrix."""
+        return determinant(self.matrix)
+
+    @cached_property
+    def numerator(self) -> Polynomial:
+        """The cofactor of the field under the contacts."""
+        kept = [k for k in range(len(self.matrix)) if k != self.loaded]
+        return determinant(tuple(tuple(self.matrix[i][j] for j in kept) for i in kept))
+
+    def _coefficient(self, power: int) -> Any:
+        rows = [[in_s(entry, self.wavenumbers, _HIGHEST)[power] for entry in row] for row in self.matrix]
+        return np.moveaxis(np.array(rows), -1, 0)
+
+
+def discretized(waveguide: Waveguide, length: float, modes: int) -> Discretization:
+    """The track on this length in this number of sines; InputError where no phases make its equations real."""
+    kinds = _kinds(waveguide)
+    size = range(len(waveguide.matrix))
+    matrix = tuple(tuple(_real(waveguide.matrix[m][n], kinds[n]) for n in size) for m in size)
+    if any(power > _HIGHEST for row in matrix for entry in row for _, power in entry):
+        raise InputError("track", "has a third derivative in time: split a field in two, so that s² is the highest")
+    found = Discretization(matrix, kinds, waveguide.loaded, length, modes)
+    if _degree(found.numerator) >= _degree(found.dispersion):
+        stated = "has neither mass nor damping in the field under the contacts, so that it answers a force at once"
+        raise InputError("track", f"{stated}: give the field some mass or damping")
+    return found
+
+
+def in_s(polynomial: Polynomial, wavenumbers: Any, degree: int) -> Any:
+    """The coefficients of s⁰ … s^degree at each wavenumber, (degree + 1, J)."""
+    out = np.zeros((degree + 1, len(wavenumbers)))
+    for (i, j), value in polynomial.items():
+        out[j] += float(value) * wavenumbers**i
+    return out
+
+
+def _degree(polynomial: Polynomial) -> int:
+    return max((j for _, j in polynomial), default=-1)
+
+
+def _kinds(waveguide: Waveguide) -> tuple[int, ...]:
+    """The kind of each field, by walking from the one under the contacts; what it does not reach is of no account."""
+    matrix = waveguide.matrix
+    kinds = {waveguide.loaded: SINE}
+    queue = [waveguide.loaded]
+    while queue:
+        m = queue.pop()
+        for n in range(len(matrix)):
+            for entry, where in ((matrix[m][n], (m, n)), (matrix[n][m], (n, m))):
+                parities = {i % 2 for i, _ in entry}
+                if len(parities) > 1:
+                    raise _one_way(where)
+                for parity in parities:
+                    kind = (kinds[m] + parity) % 2
+                    if n not in kinds:
+                        kinds[n] = kind
+                        queue.append(n)
+                    elif kinds[n] != kind:
+                        raise _one_way(where)
+    return tuple(kinds.get(n, SINE) for n in range(len(matrix)))
+
+
+def _one_way(where: tuple[int, int]) -> InputError:
+    stated = f"has even and odd powers of p in conflict at row {where[0] + 1}, column {where[1] + 1} of its matrix"
+    remedy = (
+        "only fields that are sines or cosines each, as of a track that is the same in both directions, are known"
+    )
+    return InputError("track", f"{stated}, so that it does not expand on a simply supported length: {remedy}")
+
+
+def _real(entry: Polynomial, kind: int) -> Polynomial:
+    """The entry that acts on sin κx or cos κx: ∂² = −κ², ∂ sin = κ cos, ∂ cos = −κ sin."""
+    out: Polynomial = {}
+    for (i, j), value in entry.items():
+        sign = Fraction(-1) ** (i // 2) * (-1 if i % 2 and kind == COSINE else 1)
+        out[i, j] = sign * value
+    return out

@@ -1,0 +1,141 @@
+"""The rearranged equations (52) marched in time for any vehicle: one linear contact force a contact and step.
+
+Over a step every contact force is linear in time. Modes and vehicle answer it exactly (motion.wave_tables,
+coupling). The forces are such that rail and vehicle move alike, in the mean over the step and against P₁, or, where
+the contact has a compliance H, that the compression e of Bᵀy − w, of which e_θ is so tested, obeys e = H f in the
+mean and against P₁. Contacts and springs add no energy and take none, at any step. A step costs O(contacts · modes).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.finite.carriage import Carriage
+from mpsolve.finite.coupling import VehicleTables, vehicle_tables
+from mpsolve.finite.exponentials import Exponentials
+from mpsolve.finite.loads import Outer
+from mpsolve.motion.wave_tables import wave_tables
+
+_TESTED = np.array([[1 / 2, -1 / 2], [1 / 6, 0]])
+"""∫φ_a of the integral of the linear function whose tests with φ_b are given."""
+_MEAN = np.array([1, 1 / 3])
+"""∫ P_l²."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A track in exponentials of this length, a vehicle with its outer forces, and where everything starts.
+
+    contacts (n,): places in the moving frame; points (p,): the places watched; origin: of the moving frame at t = 0,
+    from the left support; velocity, duration.
+    """
+
+    track: Exponentials
+    length: float
+    vehicle: Carriage
+    outer: Outer
+    contacts: Any
+    points: Any
+    origin: float
+    velocity: float
+    duration: float
+
+
+@dataclass(frozen=True)
+class Motion:
+    """At the ends of the steps, times (s + 1,): the rail (p, s + 1) under the points that move along.
+
+    state (r, s + 1) and state_rate: of the kept coordinates. force (n, 2, s): the contact forces f₀P₀ + f₁P₁.
+    """
+
+    times: Any
+    rail: Any
+    state: Any
+    state_rate: Any
+    force: Any
+
+
+def march(setting: Setting, steps: int) -> Motion:
+    """The motion from rest in equal steps; float64. LinAlgError where the contact forces are not determined."""
+    h = setting.duration / steps
+    rail, vehicle = _Rail(setting, h), vehicle_tables(setting.vehicle, setting.outer, h)
+    n, r = len(setting.contacts), len(setting.vehicle.K)
+    spring = np.linalg.inv(_TESTED)
+    matrix = vehicle.gain - np.einsum("ac,c,ij->iacj", spring, _MEAN, setting.vehicle.H)
+    X, compression = vehicle.start, np.zeros(n)
+    soft = bool(setting.vehicle.H.any())
+    states, forces = np.empty((steps + 1, len(X))), np.empty((steps, n, 2))
+    deflection = np.zeros((steps + 1, len(setting.points)))
+    states[0] = X
+    for step in range(steps):
+        past = rail.history() - np.einsum("ain,n->ia", vehicle.history, X)
+        if soft:
+            past -= compression[:, None] * spring[:, 0]
+        f = np.linalg.solve((matrix - rail.gain()).reshape(2 * n, 2 * n), past.ravel()).reshape(2, n).T
+        if soft:
+            moved = np.einsum("ij,jc->ic", setting.vehicle.H, f * _MEAN) - compression[:, None] * [1, 0]
+            compression = compression + moved @ spring[0]
+        X = vehicle.advance @ X + np.einsum("nlj,jl->n", vehicle.entry, f)
+        rail.advance(f)
+        states[step + 1], forces[step] = X, f
+        deflection[step + 1] = rail.read()
+    slope = _slope(vehicle, states, forces) / h
+    return Motion(h * np.arange(steps + 1), deflection.T, states[:, :r].T, slope, np.moveaxis(forces, 0, -1))
+
+
+def _slope(vehicle: VehicleTables, states: Any, forces: Any) -> Any:
+    """dy/dθ of the kept coordinates at the ends of the steps, (r, s + 1)."""
+    ends = np.concatenate([forces[:1, :, 0] - forces[:1, :, 1], forces[..., 0] + forces[..., 1]])
+    return vehicle.rate @ states.T + vehicle.rate_force @ ends.T
+
+
+class _Rail:
+    """The modes of the track as they are moved from step to step."""
+
+    def __init__(self, setting: Setting, h: float) -> None:
+        track = setting.track
+        gaps = setting.contacts - setting.contacts[0]
+        table = wave_tables(track.waves(setting.length, setting.velocity), gaps, h, 1, 1)
+        shape = track.rate.shape
+        self._h, self._weight, self._direct = h, track.weight, h * table.direct
+        self._decay = table.decay.reshape(shape)
+        self._entry = np.stack(table.entry).reshape(2, 2, *shape)  # (sign, l, R, J)
+        self._history = h * np.stack(table.history).reshape(2, 2, *shape)  # (sign, a, R, J)
+        self._image = h * table.image.reshape(4, *shape).sum(1).T.copy()  # (J, a l)
+        self._turn = np.exp(1j * setting.velocity * h * track.k)
+        self._shift = np.exp(1j * np.multiply.outer(gaps, track.k))
+        places = np.multiply.outer(setting.points - setting.contacts[0], track.k)
+        self._sine, self._cosine = np.sin(places), np.cos(places)
+        self._carrier = np.exp(1j * (setting.origin + setting.contacts[0]) * track.k)
+        self._phase = self._shift * self._carrier
+        self._z = np.zeros(shape, complex)
+
+    def history(self) -> Any:
+        """∫φ_a of the rail's rate in θ under the contacts, as far as it comes from the past, (n, a)."""
+        ahead, behind = (self._history * self._z).sum(2)  # each (a, J)
+        return (self._phase @ (ahead + behind.conj()).T).real
+
+    def gain(self) -> Any:
+        """The same per contact force of this step, (contact, test, force, contact)."""
+        n = len(self._phase)
+        products = (self._phase[:, None] * self._phase).reshape(n * n, -1)
+        whole = self._direct + (products @ self._image).real.reshape(n, n, 2, 2)
+        return whole.transpose(0, 2, 3, 1)
+
+    def advance(self, f: Any) -> None:
+        """To the end of the step under the forces f (n, l)."""
+        along = f.T @ self._phase  # (l, J)
+        self._z *= self._decay
+        for waves, entry in ((along, self._entry[0]), (along.conj(), self._entry[1])):
+            self._z += waves[0] * entry[0]
+            self._z += waves[1] * entry[1]
+        self._carrier = self._carrier * self._turn
+        self._phase = self._shift * self._carrier
+
+    def read(self) -> Any:
+        """The deflection of the points, (p,)."""
+        amplitude = (self._weight * self._z).real.sum(0)
+        return self._cosine @ (self._carrier.imag * amplitude) + self._sine @ (self._carrier.real * amplitude)

@@ -1,0 +1,51 @@
+"""A track without its damping: by its parameters, and by its bare equations."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.model import quantities
+from mpsolve.tracks import CATALOGUE, FloatingIce, TwoLayer, Waveguide
+from mpsolve.tracks.undamped import dissipates, is_reciprocal, undamped
+
+LAYERS = {"EI": 4, "m": 1, "k_pad": 3, "m_sleeper": 2, "k_ballast": 5}
+ICE = {"B": 100, "h": 1, "rho_ice": 9, "rho_water": 10, "depth": 2}
+
+
+@pytest.mark.parametrize("kind", CATALOGUE)
+def test_the_parameters_that_dissipate_are_those_that_are_called_damping(kind: type) -> None:
+    for name, quantity in quantities(kind).items():
+        assert dissipates(quantity) == ("damping" in quantity.meaning), name
+
+
+def test_a_track_loses_its_damping_and_nothing_else() -> None:
+    damped = TwoLayer(**LAYERS, c_pad=7, c_ballast="0.5", eta="0.1")
+    assert undamped(damped) == TwoLayer(**LAYERS).waveguide
+    assert undamped(FloatingIce(**ICE, c=3, eta=1)) == FloatingIce(**ICE).waveguide
+
+
+def test_bare_equations_lose_odd_powers_entry_by_entry() -> None:
+    """Not in the determinant, where two dampers make an even power."""
+    damped = TwoLayer(**LAYERS, c_pad=7, c_ballast="0.5", eta="0.1").waveguide
+    assert undamped(damped) == TwoLayer(**LAYERS).waveguide
+    assert {key for key in damped.dispersion if key[1] % 2 == 0} == set(undamped(damped).dispersion)
+    assert damped.dispersion[0, 2] != undamped(damped).dispersion[0, 2]
+
+
+def test_equations_that_are_not_reciprocal_stay_or_are_refused() -> None:
+    ice = FloatingIce(**ICE).waveguide
+    assert not is_reciprocal(ice)
+    assert undamped(ice) is ice
+    with pytest.raises(InputError, match="not reciprocal"):
+        undamped(FloatingIce(**ICE, c=3).waveguide)
+
+
+def test_an_own_track_is_undamped_too() -> None:
+    from sympy import I, symbols
+
+    p, omega = symbols("p Omega")
+    own = Waveguide([[2 * p**4 + 1 + I * omega / 10 - omega**2]])
+    assert undamped(own).dispersion == {(4, 0): Fraction(2), (0, 0): Fraction(1), (0, 2): Fraction(1)}
