@@ -39,7 +39,7 @@ def cli() -> None:
 @cli.command()
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
 def verify(files: tuple[Path, ...]) -> None:
-    """Check certificates, by other formulas than those that proved them: a line for each FILE.
+    """Check certificates, by verifiers that share no code with what proved them: a line for each FILE.
 
     Where a certificate carries its equations, those that were verified follow, indented.
 

@@ -184,14 +184,17 @@ def _recounted(reduced: Reduced, wanted: Region, budget: Effort, room: float) ->
 
 def _closing(reduced: Reduced, count: Count) -> str:
     """What proves that no root is missed."""
-    if count.why == AT_REST:
+    at_rest = count.beyond is None and isinstance(count.region, (HalfPlane, Below)) and count.region.radius is None
+    if at_rest:
         return AT_REST
     if isinstance(count.region, Rectangle):
         return "the argument of the characteristic function turns along the sides of the rectangle"
     if count.beyond is None:
         return "the argument of the characteristic function turns along the border of the half-disc"
-    rho = outward(float(count.beyond.rho * float(reduced.frequency_unit)), 6, up=True)
-    return f"the track takes up power at all frequencies with |q| ≥ {rho}, so that none with Im q < 0 is there"
+    # the theorem holds outside a rectangle: this is the distance of its corners, rounded up
+    corner = math.hypot(count.beyond.rho, count.beyond.depth) * (1 + 2.0**-50)
+    far = outward(float(reduced.frequency_unit) * corner, 6, up=True)
+    return f"the track takes up power at all frequencies with |q| ≥ {far}, so that none with Im q < 0 is there"
 
 
 def _known(count: Count) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Checks certificates of version 2 against certs/SPEC2.md; shares nothing with their maker.
+"""Checks certificates of version 2 against certs/SPEC2.md; shares no code with their maker.
 
 Needs Python ≥ 3.11 and python-flint only, and runs as a plain script:  python verify2.py FILE [FILE …]
 Exit status 0: every file is valid; 1: one is not, and its line says why.

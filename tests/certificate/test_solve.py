@@ -34,6 +34,7 @@ def test_what_closes_the_count_is_said() -> None:
     found = certify_problem(rest, region="unstable", check=False)
     assert found.closing.startswith("nothing moves")
     assert (found.note, found.count, found.region) == ("", 0, HalfPlane())
+    assert certify_problem(rest, region=("below", "0.1"), check=False).closing.startswith("nothing moves")
 
 
 def test_a_divergence_is_one_root_on_the_axis() -> None:
