@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
+    from mpsolve.passivity.band import PassivityBand, passivity_band
+    from mpsolve.passivity.velocity import PassivityVelocity, passivity_velocity
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
@@ -58,6 +60,10 @@ __all__ = [
     "critical_velocities",
     "CriticalVelocities",
     "CriticalVelocity",
+    "passivity_velocity",
+    "PassivityVelocity",
+    "passivity_band",
+    "PassivityBand",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -120,6 +126,10 @@ _HOME = {
     "critical_velocities": "waves.critical",
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
+    "passivity_velocity": "passivity.velocity",
+    "PassivityVelocity": "passivity.velocity",
+    "passivity_band": "passivity.band",
+    "PassivityBand": "passivity.band",
     "certify": "certificate.certify",
     "Rectangle": "spectrum.regions",
     "Spectrum": "spectrum.spectrum",

@@ -56,8 +56,8 @@ class Kind(Enum):
 class PassivityVelocity(Portable):
     """What is known of −Im G(0, q) > 0 for all real q > 0 over a range of velocities, in the track's units.
 
-    value: the first velocity at which it fails, a ball (flint.arb); None where there is none in the range. passive_to:
-    it is proved for lower ≤ v < passive_to (v ≤ passive_to where `kind` is WHOLE, or UNDECIDED); None if for none.
+    value: the first velocity at which it fails, a ball (flint.arb); None where there is none in the range.
+    passive_to: it is proved for lower ≤ v < passive_to (v ≤ passive_to where `kind` is WHOLE, or UNDECIDED); None if for none.
     wave_speeds: those in the range, where a p-root of the track runs to infinity, as balls.
     """
 
@@ -95,17 +95,20 @@ class PassivityVelocity(Portable):
 
     def to_dict(self) -> dict[str, Any]:
         """Decimals of which every digit is proved, for JSON."""
-        ball = lambda x: None if x is None else proved_digits(x, 30)  # noqa: E731
         return {
             "kind": self.kind.name.lower(),
-            "value": ball(self.value),
+            "value": _decimal(self.value),
             "range": [str(self.lower), str(self.upper)],
-            "passive_to": ball(self.passive_to),
-            "wave_speeds": [ball(x) for x in self.wave_speeds],
+            "passive_to": _decimal(self.passive_to),
+            "wave_speeds": [_decimal(x) for x in self.wave_speeds],
             "status": self.status.value,
             "reason": None if self.reason is None else self.reason.data(),
             "sentence": self.sentence,
         }
+
+
+def _decimal(x: Any) -> str | None:
+    return None if x is None else proved_digits(x, 30)
 
 
 def passivity_velocity(
@@ -118,8 +121,8 @@ def passivity_velocity(
 ) -> PassivityVelocity:
     """The first velocity in a range at which −Im G(0, q) > 0 for all real q > 0 fails; G(0, ·) in m/N at the force.
 
-    over: {"v": (lower, upper)} in m/s, exact, 0 ≤ lower < upper. digits: of `value`. While it holds no passive vehicle
-    with one contact is unstable, of whatever kind and mass. There is no certificate. InputError for a track that is
+    over: {"v": (lower, upper)} in m/s, exact, 0 ≤ lower < upper. digits: of `value`. While it holds no passive
+    vehicle with one contact is unstable, of whatever kind and mass. There is no certificate. InputError for a track that is
     unstable, undamped or active at rest. Source: SPEC2, section 6.6.
 
     >>> from mpsolve.tracks import EulerBernoulli
