@@ -23,8 +23,9 @@ if TYPE_CHECKING:
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
+    from mpsolve.passivity.answer import PassivityVelocity
     from mpsolve.passivity.band import PassivityBand, passivity_band
-    from mpsolve.passivity.velocity import PassivityVelocity, passivity_velocity
+    from mpsolve.passivity.velocity import passivity_velocity
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
@@ -127,7 +128,7 @@ _HOME = {
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
     "passivity_velocity": "passivity.velocity",
-    "PassivityVelocity": "passivity.velocity",
+    "PassivityVelocity": "passivity.answer",
     "passivity_band": "passivity.band",
     "PassivityBand": "passivity.band",
     "certify": "certificate.certify",

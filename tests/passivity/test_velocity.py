@@ -10,7 +10,7 @@ import pytest
 from passive_subjects import RAIL
 
 from mpsolve import InputError, Problem, Status, certify, passivity_velocity, tracks, vehicles
-from mpsolve.passivity.velocity import Kind
+from mpsolve.passivity.answer import Kind
 from mpsolve.proof.effort import Effort
 
 
