@@ -16,6 +16,7 @@ from mpsolve.characteristic.floats import Floats
 from mpsolve.problem.reduced import Reduced
 
 _STEPS = 40
+_CROWD = 1e-3  # relative: hints that are closer give one start
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
 
 
@@ -48,13 +49,25 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
     """
     function = Floats(reduced)
     found = np.zeros(0, complex)
-    for level in range(-1, 5):
+    for level in range(-2, 5):
         if _number(found, symmetric) >= count:
             break
         for area in areas:
-            starts = _best(function, hints, np.inf, 8 * count + 20) if level < 0 else _starts(function, area, level)
+            if level < 0:
+                starts = _best(function, hints if level == -2 else _spread(hints), np.inf, 8 * count + 20)
+            else:
+                starts = _starts(function, area, level)
             found = _newton(function, area, starts, found)
     return found
+
+
+def _spread(points: Any) -> Any:
+    """The points without those that all but repeat the one before: where p-roots nearly meet, pieces crowd."""
+    kept: list[complex] = []
+    for q in np.asarray(points, complex).tolist():
+        if not kept or abs(q - kept[-1]) > _CROWD * abs(q):
+            kept.append(q)
+    return np.array(kept, complex)
 
 
 def nearest_root(reduced: Reduced, q: complex) -> complex | None:
