@@ -11,6 +11,7 @@ from mpsolve.errors import InputError
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase, errors_under
 from mpsolve.model.toml import check_keys, kind, parsed, text_of
+from mpsolve.numbers.units import measured
 
 _PHYSICAL = {
     "EI": "the bending stiffness of the beam in N m²",
@@ -42,6 +43,10 @@ _LOAD = {
     "amplitude": "the amplitude ratio of the harmonic force",
     "frequency": "the dimensionless excitation frequency",
     "phase": "the phase in rad",
+}
+_UNITS = {
+    "physical": {"EI": "N m²", "m": "kg/m", "k": "N/m²", "v": "m/s", "c": "N s/m²", "kp": "N", "N": "N"},
+    "mass": {"M": "kg", "position": "m", "P": "N", "P_A": "N", "omega_f": "rad/s", "phi_f": "rad"},
 }
 _SECTIONS = ("physical", "mass", "dimensionless", "load")
 _TOP = {"title": "a text"} | dict.fromkeys(_SECTIONS, "a section")
@@ -160,4 +165,6 @@ def _table(value: object, key: str, known: Mapping[str, str]) -> dict[str, Any]:
     for name, meaning in known.items():
         if name in _REQUIRED and name not in value:
             raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
-    return value
+    units = _UNITS.get(key.partition("[")[0], {})
+    with errors_under(f"{key}."):
+        return {name: measured(x, units[name], name) if name in units else x for name, x in value.items()}

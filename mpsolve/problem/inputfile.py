@@ -18,6 +18,7 @@ from mpsolve.model.load import Load, gives_forces
 from mpsolve.model.parameters import Case, PhysicalCase, errors_under
 from mpsolve.model.toml import check_keys, kind, parsed, text_of
 from mpsolve.numbers.model import Model, Part, defaults, quantities
+from mpsolve.numbers.units import measured
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.vehicle import Placed
@@ -41,6 +42,7 @@ _LOAD = {
     "frequency": "its frequency in rad/s",
     "phase": "its phase in rad",
 }
+_LOAD_UNITS = {"constant": "N", "amplitude": "N", "frequency": "rad/s", "phase": "rad"}
 
 
 @dataclass(frozen=True)
@@ -178,7 +180,7 @@ def _loads(content: Mapping[str, Any], contacts: int) -> tuple[Load, ...] | None
             raise InputError(key, f"is {kind(entry)}, not a section: give {', '.join(_LOAD)} in it")
         check_keys(entry, _LOAD, f"{key}.")
         with errors_under(f"{key}."):
-            loads.append(Load(**entry))
+            loads.append(Load(**{name: measured(x, _LOAD_UNITS[name], name) for name, x in entry.items()}))
     if len(loads) != contacts:
         stated = f"has {len(loads)} entries for {contacts} contacts"
         raise InputError("load", f"{stated}: give one [[load]] for each contact from rear to front, or none")
