@@ -25,6 +25,7 @@ from mpsolve import (
     cli_response,
     cli_stability,
     cli_study,
+    cli_work_out,
 )
 from mpsolve.cli_tools import one_sentence
 
@@ -101,7 +102,17 @@ def models(name: str | None) -> None:
         click.echo(listing(name), nl=False)
 
 
-for module in (cli_new, cli_certify, cli_stability, cli_response, cli_receptance, cli_study, cli_report, cli_audit):
+for module in (
+    cli_new,
+    cli_work_out,
+    cli_certify,
+    cli_stability,
+    cli_response,
+    cli_receptance,
+    cli_study,
+    cli_report,
+    cli_audit,
+):
     for command in module.COMMANDS:
         cli.add_command(command)
 

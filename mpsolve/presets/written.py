@@ -11,6 +11,7 @@ from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Part, Quantity, defaults, quantities
+from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit, split
 from mpsolve.presets.catalogue import Preset, names, preset
 
@@ -110,23 +111,6 @@ def _shared(value: Any, share: Fraction, quantity: Quantity, note: str) -> tuple
     part = Exact.parse(number).as_fraction() * share
     whole = "half of" if share < 1 else "twice"
     return f"{decimal(part)} {unit}", f"{quantity.meaning}, {whole} {value}" + (f": {note}" if note else "")
-
-
-def decimal(x: Fraction) -> str:
-    """The exact decimal of x, or its ratio where it has none.
-
-    >>> decimal(Fraction(1813, 2)), decimal(Fraction(1, 3))
-    ('906.5', '1/3')
-    """
-    rest, places = x.denominator, 0
-    while rest % 10 == 0 or rest % 5 == 0 or rest % 2 == 0:
-        rest = rest // 10 if rest % 10 == 0 else rest // 5 if rest % 5 == 0 else rest // 2
-        places += 1
-    if rest > 1:
-        return str(x)
-    digits = str(abs(x) * 10**places).rjust(places + 1, "0")
-    sign = "-" if x < 0 else ""
-    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
 
 
 def _line(key: str, value: Any, comment: str) -> str:
