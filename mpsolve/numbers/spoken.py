@@ -18,7 +18,7 @@ _SPOKEN: dict[str, tuple[tuple[Fraction, str], ...]] = {
     "m/s": ((Fraction(0), "km/h"),),
     "kg": ((Fraction(1000), "t"),),
     "m": ((Fraction(1000), "km"), (Fraction(1, 10), "m"), (Fraction(0), "mm")),
-    "s": ((Fraction(1, 10), "s"), (Fraction(0), "ms")),
+    "s": ((Fraction(1, 10), "s"), (Fraction(1, 10**4), "ms"), (Fraction(0), "µs")),
     "N": ((Fraction(10**6), "MN"), (Fraction(1000), "kN")),
     "N/m": ((Fraction(10**6), "kN/mm"), (Fraction(1000), "kN/m")),
     "N/m²": ((Fraction(10**6), "MN/m²"), (Fraction(1000), "kN/m²")),
@@ -56,8 +56,8 @@ def spoken(x: Any, unit: str, figures: int = FIGURES) -> str:
     >>> spoken(70, "m/s"), spoken(12500, "kg"), spoken(Fraction(16, 10**4), "s"), spoken(Fraction(5, 2), "Hz")
     ('252 km/h', '12.5 t', '1.6 ms', '2.5 Hz')
     """
-    other = said_in(x, unit)
-    return f"{rounded(_times(x, other, unit), figures)} {other}".strip()
+    value, other = in_spoken(x, unit)
+    return f"{rounded(value, figures)} {other}".strip()
 
 
 def beside(x: Any, unit: str, figures: int = FIGURES) -> str:
@@ -71,6 +71,29 @@ def said_in(x: Any, unit: str) -> str:
     """The unit in which a value in `unit` is said."""
     size = abs(float(x)) if not isinstance(x, Fraction) else abs(x)
     return next((other for least, other in _SPOKEN.get(unit, ()) if size >= least), unit)
+
+
+def decimal(x: Fraction) -> str:
+    """The exact decimal of x, or its ratio where it has none.
+
+    >>> decimal(Fraction(1813, 2)), decimal(Fraction(1, 3))
+    ('906.5', '1/3')
+    """
+    rest, places = x.denominator, 0
+    while rest % 10 == 0 or rest % 5 == 0 or rest % 2 == 0:
+        rest = rest // 10 if rest % 10 == 0 else rest // 5 if rest % 5 == 0 else rest // 2
+        places += 1
+    if rest > 1:
+        return str(x)
+    digits = str(abs(x) * 10**places).rjust(places + 1, "0")
+    sign = "-" if x < 0 else ""
+    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
+
+
+def in_spoken(x: Any, unit: str) -> tuple[Any, str]:
+    """The value in the unit that people use, and that unit."""
+    other = said_in(x, unit)
+    return _times(x, other, unit), other
 
 
 def _times(x: Any, other: str, unit: str) -> Any:

@@ -159,7 +159,9 @@ def _near(name: str) -> str:
 
 
 def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
-    """How many `unit` a `given` is."""
+    """How many `unit` a `given` is; 1 where they are written alike, as Hz and K, which are no SI products here."""
+    if given == unit:
+        return Fraction(1)
     try:
         size, dimension = factor(given)
     except ValueError as error:

@@ -10,7 +10,7 @@ from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mpsolve.numbers.spoken import beside, rounded, said_in, spoken
+from mpsolve.numbers.spoken import beside, decimal, rounded, said_in, spoken
 
 
 @pytest.mark.parametrize(
@@ -64,3 +64,12 @@ def test_both_units_stand_beside_each_other() -> None:
 @given(st.floats(1e-12, 1e12), st.integers(1, 8))
 def test_rounding_is_near(x: float, figures: int) -> None:
     assert abs(float(rounded(x, figures)) - x) <= 0.51 * 10.0 ** (1 - figures) * 10 * x
+
+
+@pytest.mark.parametrize(
+    ("x", "said"),
+    [(Fraction(1813, 2), "906.5"), (Fraction(1, 3), "1/3"), (Fraction(5), "5"), (Fraction(-1, 80), "-0.0125")],
+)
+def test_decimals_are_exact(x: Fraction, said: str) -> None:
+    assert decimal(x) == said
+    assert Fraction(said) == x
