@@ -17,9 +17,11 @@ import numpy as np
 from mpsolve.batch.closing import closing_argument
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import log_delta
+from mpsolve.batch.waves import moved_between, passes_branch
 
 MAX_STEP = 0.5  # rad, of the argument between neighbouring points
-MAX_GROWTH = 1.5  # of log |Δ̂|
+MAX_GROWTH = 1.2  # of log |Δ̂|
+MAX_BEND = 0.6  # between the steps of neighbouring pieces: two roots beside the line may cancel a step
 MAX_WAVE = 2.0  # of the phase of a wave over all contacts
 _BALANCE = 4.1  # of the lengths of neighbouring pieces
 _FINEST = 1e-9  # piece, of ρ̂
@@ -135,8 +137,9 @@ def _refined(group: Group, corners: Corners) -> tuple[Line, Any]:
     line = _first(group, corners)
     lost = np.zeros(len(group), bool)
     span = group.x[:, -1] - group.x[:, 0]
+    nearest = np.diff(group.x).min(1, initial=np.inf)
     while True:
-        coarse = _coarse(line, span)
+        coarse = _coarse(line, span, nearest, group.up)
         row = line.row[:-1]
         tiny = coarse & (np.diff(line.t) < _FINEST)
         lost[row[tiny]] = True
@@ -147,30 +150,24 @@ def _refined(group: Group, corners: Corners) -> tuple[Line, Any]:
         line = _halved(group, corners, line, place)
 
 
-def _coarse(line: Line, span: Any) -> Any:
+def _coarse(line: Line, span: Any, nearest: Any, up: int) -> Any:
     """Which pieces, from a point to the next, are too long."""
     same = line.row[1:] == line.row[:-1]
     length = np.where(same, np.diff(line.t), np.inf)
     with np.errstate(all="ignore"):
         step = np.diff(line.log)
-        out = ~(np.abs(np.angle(np.exp(1j * step.imag))) < MAX_STEP) | ~(np.abs(step.real) < MAX_GROWTH)
-        moved = _moved(line.z)
-        out |= ~(moved * span[line.row[1:]] < MAX_WAVE)
-        out[1:] |= length[1:] > _BALANCE * length[:-1]
-        out[:-1] |= length[:-1] > _BALANCE * length[1:]
+        step = step.real + 1j * np.angle(np.exp(1j * step.imag))
+        out = ~(np.abs(step.imag) < MAX_STEP) | ~(np.abs(step.real) < MAX_GROWTH)
+        row, z = line.row[1:], line.z[1:]
+        felt = np.exp(-np.abs(z.real) * nearest[row, None]) * span[row, None]
+        out |= ~(moved_between(line.z, felt) < MAX_WAVE) | passes_branch(line.z, up)
+        slope = step / length
+        bend = np.abs(np.diff(slope)) * (length[1:] + length[:-1]) / 2
+        pairs = same[1:] & same[:-1]
+        bent = pairs & ~(bend < MAX_BEND)
+        out[1:] |= bent | (pairs & (length[1:] > _BALANCE * length[:-1]))
+        out[:-1] |= bent | (pairs & (length[:-1] > _BALANCE * length[1:]))
     return out & same
-
-
-def _moved(z: Any) -> Any:
-    """How far the p-roots move from each point to the next, as sets."""
-    before, after = z[:-1], z[1:]
-    out = np.zeros(len(after))
-    for k in range(z.shape[1]):
-        nearest = np.abs(after[:, k] - before[:, 0])
-        for j in range(1, z.shape[1]):
-            nearest = np.minimum(nearest, np.abs(after[:, k] - before[:, j]))
-        out = np.maximum(out, nearest)
-    return out
 
 
 def _halved(group: Group, corners: Corners, line: Line, place: Any) -> Line:

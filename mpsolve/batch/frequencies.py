@@ -13,7 +13,7 @@ from mpsolve.batch.count import count_group
 from mpsolve.batch.entries import Entries, entries_of
 from mpsolve.batch.groups import Group, groups_of
 from mpsolve.batch.order import alike
-from mpsolve.batch.passive import first_passive
+from mpsolve.batch.passive import first_passive, outrun
 from mpsolve.batch.premises import OVERTAKES, premises
 from mpsolve.batch.roots import Search, weight, whole
 from mpsolve.errors import InputError
@@ -27,7 +27,7 @@ from mpsolve.tracks.at_rest import lowest_cut
 
 STATUSES = ("ok", "unresolved", "refused")
 _CHUNK = 4096  # entries of a piece of work, which bounds the memory
-_PART = 256  # entries of a group that are counted together: their points stay in the cache
+_PART = 2048  # contacts of the entries that are counted together: enough to make few calls, few enough for memory
 _LEAST = 2.0  # scaled: how far at least a count above the real axis goes
 _AT_REST = "at rest the track is not known to be passive"
 
@@ -105,7 +105,7 @@ class _Answer:
         self.reason[rows], self.status[rows] = reason, status
 
     def ok(self, rows: Any, count: Any) -> None:
-        self.count[rows], self.status[rows] = count, 0
+        self.count[rows], self.status[rows], self.reason[rows] = count, 0, ""
 
 
 def frequencies(
@@ -188,8 +188,9 @@ def _answered(job: _Job) -> _Answer:
     entries = entries_of(job.problem, job.over)
     answer = _Answer(len(entries))
     for group in groups_of(entries, _usable(entries, job.height, answer))[0]:
-        for k in range(0, len(group), _PART):
-            _count(group[k : k + _PART], entries, job, answer)
+        size = max(64, _PART // group.contacts)
+        for k in range(0, len(group), size):
+            _count(group[k : k + size], job, answer)
     open_ = np.flatnonzero((answer.status == 1) & (answer.reason == ""))
     answer.open(open_, "the track's waves cannot be told apart in float64, or the velocity is that of a wave")
     return answer
@@ -223,14 +224,19 @@ def _usable(entries: Entries, height: Fraction, answer: _Answer) -> Any:
         if not one.vanishes:
             settle(moving, "the receptance is not known to vanish at infinity")
         if many:
-            settle(moving[entries.v[moving] >= one.speed], OVERTAKES)
+            answer.open(moving[entries.v[moving] >= one.speed], OVERTAKES)
     return np.flatnonzero(left)
 
 
-def _count(group: Group, entries: Entries, job: _Job, answer: _Answer) -> None:
-    height = float(job.height) / group.unit
+def _count(group: Group, job: _Job, answer: _Answer) -> None:
+    if not job.height and outrun(group):
+        answer.ok(group.index, 0)
+        return
+    group = group[answer.reason[group.index] == ""]
+    if not len(group):
+        return
     rho = first_passive(group)
-    lost = ~np.isfinite(rho)
+    lost, height = ~np.isfinite(rho), float(job.height) / group.unit
     answer.open(group.index[lost], "no frequency is found from which on the contacts cannot give energy")
     group, rho, height = group[~lost], rho[~lost], height[~lost]
     if not len(group):

@@ -20,7 +20,7 @@ from mpsolve.numbers.float64 import Float64
 _K = Float64()
 _NEAR = 2e-3
 """Roots of one side that are nearer than this, relative to the larger, are taken together."""
-_REACH = 250.0
+_REACH = 1200.0
 """Exponents up to this are taken as products of waves; beyond it the distances are taken one by one."""
 _CELLS = 1 << 16  # of the matrices of one chunk: they stay in the processor's cache
 
@@ -52,7 +52,7 @@ def coefficients(table: Any, rows: Any, sigma: Any) -> Any:
 def wave_roots(group: Group, rows: Any, sigma: Any, near: Any = None) -> Any:
     """The p-roots at each point, upper ones first; near: those of points close by, or None."""
     D = coefficients(group.D, rows, sigma)
-    z = by_companions(D) if near is None else from_near(D, near)
+    z = from_near(D, by_companions(D) if near is None else near)
 
     def drift(tied: Any, at: Any) -> Any:
         slope = _value(coefficients(group.D_s, rows[tied], sigma[tied]), at)
@@ -143,12 +143,26 @@ def _sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, 
 
 
 def _one_by_one(z: Any, weight: Any, x: Any, up: int) -> Any:
-    xi = x[:, :, None] - x[:, None, :]
-    out = np.zeros(xi.shape, complex)
+    """The same from gap to gap, where products of waves leave the range of float64."""
+    count = x.shape[1]
+    out = np.zeros((len(z), count, count), complex)
+    gaps = np.diff(x)
     for k in range(z.shape[1]):
-        side = (xi >= 0) if k < up else (xi < 0)
-        wave = weight[:, k, None, None] * np.exp(np.where(side, z[:, k, None, None] * xi, 0))
-        out += np.where(side, wave if k < up else -wave, 0)
+        ahead = k < up
+        factor = np.exp((1 if ahead else -1) * z[:, k, None] * gaps)
+        E = np.zeros_like(out)
+        E[:, 0, 0] = 1 if ahead else 0
+        for i in range(1, count):
+            E[:, i, :i] = E[:, i - 1, :i] * factor[:, i - 1, None]
+            if ahead:
+                E[:, i, i] = 1
+            else:
+                E[:, i, i - 1] = factor[:, i - 1]
+        out += weight[:, k, None, None] * (E if ahead else -E.swapaxes(1, 2))
+    same = np.flatnonzero((gaps == 0).any(1))
+    for i in range(1, count):  # contacts at one place: ξ = 0 belongs to the upper roots
+        here = same[gaps[same, i - 1] == 0]
+        out[here, i - 1] = out[here, i]
     return out
 
 

@@ -6,16 +6,20 @@ which lies far above every frequency of the track's own. That is no proof: what 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import chunk_of, receptances
+from mpsolve.batch.waves import moved_between, passes_branch
 
 _RATIO = 1.3
 _LOW, _HIGH = 2.0**-6, 32.0  # of the grid, in scaled frequencies; the latter beyond the track's own
 _CLEAR = 1e-9  # of the largest: the least pivot that counts as positive
+_TURN = 1.5  # rad, of a wave over the longest gap, as far as it comes
+_FINEST = 1e-7  # relative step of the grid
 _MOST = 400  # of the ends of the grid
 
 
@@ -26,19 +30,87 @@ def first_passive(group: Group) -> Any:
     return _sampled(group[first])[back.reshape(-1)]
 
 
+def outrun(group: Group) -> bool:
+    """Whether the contacts run ahead of all waves, and each of them belongs to another set of bodies.
+
+    All p-roots are then on one side, so that no contact feels itself nor those on that side of it: Δ̂ is that of the
+    vehicles on a rigid rail, which are passive, and no root has Im q < 0.
+    """
+    if 0 < group.up < group.D.shape[1] - 1:
+        return False
+    linked = ((group.S0 != 0) | (group.S1 != 0) | (group.S2 != 0)).any(0)
+    reach = np.eye(group.bodies, dtype=bool) | linked | linked.T
+    for _ in range(group.bodies.bit_length()):
+        reach = (reach.astype(int) @ reach.astype(int)) > 0
+    touched = (group.B != 0).any(0)
+    contacts = (reach.astype(int) @ touched.astype(int)) > 0
+    return bool((contacts.sum(1) <= 1).all())
+
+
+@dataclass(frozen=True)
+class _Samples:
+    """Frequencies of entries that have been looked at: sorted by entry, then descending."""
+
+    row: Any
+    at: Any
+    z: Any
+    clear: Any
+
+
 def _sampled(group: Group) -> Any:
+    """ρ̂ from a coarse grid, and then from one on which no branch point of G is stepped over."""
+    samples = _scanned(group)
+    gaps = np.diff(group.x) if group.contacts > 1 else np.zeros((len(group), 1))
+    longest, shortest = gaps.max(1), np.min(np.where(gaps > 0, gaps, np.inf), axis=1)
+    while True:
+        same = samples.row[1:] == samples.row[:-1]
+        with np.errstate(invalid="ignore"):
+            wide = same & passes_branch(samples.z, group.up)
+            row, z = samples.row[1:], samples.z[1:]
+            felt = longest[row, None] * np.exp(-np.abs(z.real) * np.minimum(shortest[row, None], 1e300))
+            wide |= same & ~(moved_between(samples.z, felt) < _TURN)
+        wide &= samples.at[:-1] > (1 + _FINEST) * samples.at[1:]
+        place = np.flatnonzero(wide)
+        if not len(place):
+            break
+        samples = _refined(group, samples, place)
+    broken = np.zeros(len(group))
+    np.maximum.at(broken, samples.row[~samples.clear], samples.at[~samples.clear])
+    good = samples.clear & (samples.at > broken[samples.row])
+    out = np.full(len(group), np.inf)
+    np.minimum.at(out, samples.row[good], samples.at[good])
+    return np.where(np.isfinite(out), out, np.nan)
+
+
+def _scanned(group: Group) -> _Samples:
     """From the top of the grid down: as long as nothing is told, then as long as it is clearly positive."""
     at = _HIGH * np.maximum(_own_frequencies(group), 1.0)
-    out = np.full(len(group), np.nan)
+    begun = np.zeros(len(group), bool)
     open_, near = np.arange(len(group)), None
+    seen = []
     while len(open_):
         clear, negative, near = _signs(group, open_, 1j * at[open_], near)
-        begun = np.isfinite(out[open_])
-        out[open_[clear]] = at[open_[clear]]
+        begun[open_] |= clear
+        mine = begun[open_]
+        seen.append((open_[mine], at[open_[mine]], near[mine], clear[mine]))
         at[open_] /= _RATIO
-        keep = np.where(begun, clear, ~negative) & (at[open_] > _LOW)
+        keep = np.where(mine, clear, ~negative) & (at[open_] > _LOW)
         open_, near = open_[keep], near[keep]
-    return out
+    row, at, z, clear = (np.concatenate(parts) for parts in zip(*seen, strict=True))
+    order = np.lexsort((-at, row))
+    return _Samples(row[order], at[order], z[order], clear[order])
+
+
+def _refined(group: Group, samples: _Samples, place: Any) -> _Samples:
+    """With the middles of the pieces behind these places."""
+    row, at = samples.row[place], np.sqrt(samples.at[place] * samples.at[place + 1])
+    clear, _, z = _signs(group, row, 1j * at, samples.z[place])
+    return _Samples(
+        np.insert(samples.row, place + 1, row),
+        np.insert(samples.at, place + 1, at),
+        np.insert(samples.z, place + 1, z, axis=0),
+        np.insert(samples.clear, place + 1, clear),
+    )
 
 
 def _own_frequencies(group: Group) -> Any:

@@ -22,6 +22,8 @@ _AXIS = 1e-9  # relative: a root this near the imaginary axis is on it
 _LEVEL = 1e-13  # of ρ̂: a root nearer to the edge of the region is not told to be in it or out
 _WORK = 1 << 15  # starts at a time: it bounds the memory
 _GRID = (12, 10)
+_TRIALS = (("from_line", 1), ("from_axis", 1), ("from_line", 3), ("from_grid", 1), ("from_line", 10), ("from_grid", 3))
+"""Where starts come from, and how many of them."""
 
 
 @dataclass
@@ -57,18 +59,18 @@ class Search:
 
     def _alone(self, places: Any) -> None:
         """Without neighbours: from the line, then from grids."""
-        for guesses in (self._from_line, self._from_axis, self._from_grid):
+        for guesses, fine in _TRIALS:
             places = places[self._open(places)]
             if not len(places):
                 return
-            self._try(places, guesses(places), apart=True)
+            self._try(places, getattr(self, guesses)(places, fine), apart=True)
 
     def _open(self, places: Any) -> Any:
         return weight(self.q[places]) < self.counted.count[places]
 
-    def _from_line(self, places: Any) -> Any:
+    def from_line(self, places: Any, fine: int) -> Any:
         """One Newton step from between the points of the line, with difference quotients."""
-        most = 12
+        most = 6 * fine + 2 * fine * int(self.counted.count[places].max(initial=0))
         out = np.full((len(places), most), np.nan, complex)
         line = self.counted.line
         for k, row in enumerate(places.tolist()):
@@ -84,13 +86,14 @@ class Search:
             out[k, : len(best)] = guess[best]
         return out
 
-    def _from_axis(self, places: Any) -> Any:
+    def from_axis(self, places: Any, fine: int) -> Any:
         """The imaginary axis below 0, where a root may stand alone."""
-        return -1j * self.rho[places, None] * np.geomspace(1e-4, 1, 9)[None, :]
+        return -1j * self.rho[places, None] * np.geomspace(1e-4, 1, 9 * fine)[None, :]
 
-    def _from_grid(self, places: Any) -> Any:
-        x = (np.linspace(0, 1, _GRID[0] + 1)[1:] ** 1.5)[:, None] - 1j * np.geomspace(1e-3, 1, _GRID[1])[None, :]
-        return self.rho[places, None] * x.ravel()[None, :] + 1j * self.height[places, None] * 0.5
+    def from_grid(self, places: Any, fine: int) -> Any:
+        x = (np.linspace(0, 1, _GRID[0] * fine + 1)[1:] ** 1.5)[:, None]
+        grid = x - 1j * np.geomspace(1e-3, 1, _GRID[1] * fine)[None, :]
+        return self.rho[places, None] * grid.ravel()[None, :] + 1j * self.height[places, None] * 0.5
 
     def _inside(self, rows: Any, q: Any, slack: float) -> Any:
         """Whether the points lie in the counted region, or next to it."""

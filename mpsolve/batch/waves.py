@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 _STEPS = 10
-_SETTLED = 1e-13
+_SETTLED = 1e-6
+_LEAST = 1e-15
 _TIE = 1e-9
 _AHEAD = 1e-7
+_SIDES = 0.4
 
 
 def by_companions(D: Any) -> Any:
@@ -48,8 +50,9 @@ def from_near(D: Any, z: Any) -> Any:
         step = newton / (1 - newton * others)
         at = at - step
         out[open_] = at
-        size = np.abs(at).max(1)
-        moving = ~(np.abs(step).max(1) < _SETTLED**0.5 * size)  # cubic: the step after this one is rounding
+        size = np.abs(at)
+        floor = _LEAST * size.max(1, keepdims=True)
+        moving = ~(np.abs(step) <= _SETTLED * size + floor).all(1)  # cubic: the step after this one is rounding
         open_ = open_[moving]
         if not len(open_):
             return out
@@ -67,3 +70,36 @@ def upper_first(z: Any, up: int, drift: Any) -> Any:
         if len(tie):
             key[tie] += _AHEAD * drift(tie, z[tie]).real
     return np.take_along_axis(z, np.argsort(key, 1), 1)
+
+
+def passes_branch(z: Any, up: int) -> Any:
+    """Whether G may have a branch point between a point and the next: an upper and a lower p-root come together.
+
+    That is so where a root moves by more than a part of its distance to the other side.
+    """
+    before, after = z[:-1], z[1:]
+    out = np.zeros(len(after), bool)
+    for one, other in ((before, after), (after, before)):
+        for k in range(z.shape[1]):
+            rest = range(up, z.shape[1]) if k < up else range(up)
+            room = np.full(len(after), np.inf)
+            for j in rest:
+                room = np.minimum(room, np.abs(one[:, k] - one[:, j]))
+            out |= ~(_nearest(one[:, k], other) < _SIDES * room)
+    return out
+
+
+def moved_between(z: Any, weight: Any) -> Any:
+    """The largest move of a p-root from each point to the next; weight: of each root at the later points."""
+    before, after = z[:-1], z[1:]
+    out = np.zeros(len(after))
+    for k in range(z.shape[1]):
+        out = np.maximum(out, _nearest(after[:, k], before) * weight[:, k])
+    return out
+
+
+def _nearest(one: Any, other: Any) -> Any:
+    out = np.abs(one - other[:, 0])
+    for j in range(1, other.shape[1]):
+        out = np.minimum(out, np.abs(one - other[:, j]))
+    return out
