@@ -36,6 +36,7 @@ def spectrum_document(
     stated = verdict(spectrum)
     parts: list[Any] = [Text(title, style="bold"), Text("")] if title else []
     parts += [Text(stated, style=_COLOUR.get(stated.partition(":")[0], "bold")), Text("")]
+    parts += warnings_of(spectrum)
     motions = own_vibrations(spectrum)
     if motions:
         parts += section("Vibrations", _motions(motions, spectrum))
@@ -51,6 +52,12 @@ def spectrum_document(
     if certificate is not None:
         parts += [Text(""), *section("Certificate", certificate_text(os.fspath(certificate)))[:-1]]
     return Group(*parts)
+
+
+def warnings_of(spectrum: Spectrum) -> list[Any]:
+    """A sentence for each warning, and an empty line; nothing where there is none."""
+    lines: list[Any] = [Text(f"Warning: {warning}.", style="yellow") for warning in spectrum.warnings]
+    return [*lines, Text("")] if lines else []
 
 
 def cost_words(spectrum: Spectrum) -> str:
