@@ -55,7 +55,7 @@ def certify(
         options = {"region": region_of(region), "digits": digits, "effort": _effort(effort)}
         with progress() as tell:
             spectrum = _told(lambda: prove(source.given, progress=tell, **options))
-        _report(spectrum, source.title, path, as_json)
+        _report(spectrum, source.title, path, as_json, output is None)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
 
@@ -102,15 +102,20 @@ def _told(prove: Any) -> Spectrum:
     return replace(found, reason=reason, sheet=sheet)
 
 
-def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool) -> None:
-    """Saves the certificate, and prints the report even if that fails; CertificateError then."""
+def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_default: bool) -> None:
+    """Saves the certificate, and prints the report even if that fails; CertificateError then.
+
+    by_default: the path is not the user's own, so that no other case's certificate may be overwritten there.
+    """
+    from mpsolve.certificate.own_name import own_name
     from mpsolve.errors import CertificateError
 
     saved, failure = None, None
     refused = spectrum.reason is not None and spectrum.reason.code in _REFUSED
     if spectrum.certificate is not None and not refused:
         try:
-            saved = spectrum.certificate.save(path)
+            own = own_name(path, spectrum.certificate.content) if by_default else path
+            saved = spectrum.certificate.save(own)
         except CertificateError as error:
             failure = error
     if as_json:
