@@ -125,23 +125,11 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_defaul
 
         click.echo(json.dumps(spectrum_data(spectrum, title, saved), indent=1, ensure_ascii=False))
     else:
-        show(_document(spectrum, title, saved))
-    if failure is not None:
-        raise failure
-
-
-def _document(spectrum: Spectrum, title: str, saved: Path | None) -> Any:
-    """The report on the paper's beam, in its ratios too, or on any other problem."""
-    if spectrum.sheet is None:
         from mpsolve.report.spectrum_text import spectrum_document
 
-        return spectrum_document(spectrum, title, saved)
-    from mpsolve.model.parameters import PhysicalCase
-    from mpsolve.problem.cases import as_paper
-    from mpsolve.report.text import document
-
-    paper = as_paper(spectrum.problem)
-    return document(spectrum, paper if isinstance(paper, PhysicalCase) else None, title, saved)
+        show(spectrum_document(spectrum, title, saved))
+    if failure is not None:
+        raise failure
 
 
 COMMANDS = (certify,)
