@@ -10,7 +10,7 @@ from typing import Any
 from mpsolve.errors import InputError
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase, errors_under
-from mpsolve.model.toml import check_keys, kind, parsed, text_of
+from mpsolve.model.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.numbers.units import measured
 
 _PHYSICAL = {
@@ -87,7 +87,9 @@ def read_input(path: str | Path) -> InputFile:
     be read.
     """
     file = Path(path)
-    return input_of(parsed(text_of(file), str(file)), file)
+    content = parsed(text_of(file), name_of(file))
+    refuse_other_kind(content, _TOP, file)
+    return input_of(content, file)
 
 
 def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
@@ -105,7 +107,7 @@ def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
         return InputFile(_physical(content), title, file)
     if "mass" in content:
         raise InputError("physical", f"is missing: add [physical] with {', '.join(_PHYSICAL)}")
-    raise InputError(str(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
+    raise InputError(name_of(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
 
 
 def _dimensionless(content: Mapping[str, Any]) -> Case:
