@@ -17,6 +17,7 @@ from nicegui import events, run, ui
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.session import Session
 from mpsolve.numbers.spoken import rounded
+from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
 from mpsolve.presets.written import input_file
 from mpsolve.problem.inputfile import read_problem
@@ -24,23 +25,13 @@ from mpsolve.problem.outputfile import number
 from mpsolve.problem.problem import Problem
 
 _TICK = 0.04
-_CSS = """
-.picture { width: 100%; height: auto; font: 12px system-ui, sans-serif; color: currentColor; }
-.picture text { fill: currentColor; }
-.picture .frame { fill: none; stroke: currentColor; stroke-width: 1; }
-.picture .tick { stroke: currentColor; }
-.picture .note { font-size: 11px; }
-.picture .grows { fill: #d98324; fill-opacity: 0.18; }
-.picture .cut { fill: none; stroke: #b3475a; stroke-width: 3; stroke-dasharray: 7 3; }
-.picture .root { fill: #2f6690; stroke: currentColor; }
-.picture .unstable { fill: #d1495b; }
-.picture .ring { fill: none; stroke: currentColor; stroke-width: 2; }
-.picture .rail { fill: none; stroke: #2f6690; stroke-width: 3; }
-.picture .wheel { fill: none; stroke: currentColor; stroke-width: 2; }
-.body--dark .picture .root { fill: #8ecae6; }
-.body--dark .picture .unstable { fill: #ff8fa3; }
-.body--dark .picture .rail { stroke: #8ecae6; }
+_CSS = (
+    STYLE
+    + """
+:root { --blue: #0072b2; --red: #c44e00; --green: #00805f; --pink: #a8588a; --faint: #6d747b; --soft: #55606b; }
+.body--dark { --blue: #64b5f0; --red: #ff9a57; --green: #4fd1a5; --pink: #e39ac6; --faint: #97a0a8; --soft: #a9b2bb; }
 """
+)
 
 
 def serve(problem: Problem, title: str, port: int, show: bool) -> None:

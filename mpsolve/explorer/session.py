@@ -12,8 +12,9 @@ import numpy as np
 from mpsolve.errors import MpsolveError
 from mpsolve.explorer.history import History
 from mpsolve.explorer.live import View, Window, look
-from mpsolve.explorer.pictures import moving_shape, plane
 from mpsolve.explorer.proving import Proving
+from mpsolve.pictures.plane import plane_picture
+from mpsolve.pictures.shape import moving_shape
 from mpsolve.problem.outputfile import problem_toml
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.shape import root_shape
@@ -115,7 +116,11 @@ class Session:
 
     def plane(self) -> str:
         """The picture of the plane."""
-        return plane(self.view, self.chosen) if self.view is not None else ""
+        view = self.view
+        if view is None:
+            return ""
+        window = view.window
+        return plane_picture(view.roots, view.cuts, window.width, window.depth, window.height, self.chosen)
 
     def shape(self) -> str:
         """The picture of the chosen vibration, or a sentence why there is none."""
