@@ -125,6 +125,20 @@ def text(x: float, y: float, said: str, anchor: str = "start", name: str = "note
     return f'<text class="{name}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{escape(said)}</text>'
 
 
+def path(d: str, name: str = "link") -> str:
+    return f'<path class="{name}" d="{d}"/>'
+
+
+def box(x: float, y: float, wide: float, high: float, name: str = "body", title: str = "") -> str:
+    told = f"<title>{escape(title)}</title>" if title else ""
+    return f'<rect class="{name}" x="{x:.1f}" y="{y:.1f}" width="{wide:.1f}" height="{high:.1f}">{told}</rect>'
+
+
+def disc(x: float, y: float, r: float, name: str = "body", title: str = "") -> str:
+    told = f"<title>{escape(title)}</title>" if title else ""
+    return f'<circle class="{name}" cx="{x:.1f}" cy="{y:.1f}" r="{r:g}">{told}</circle>'
+
+
 def svg(parts: Sequence[str], title: str, high: int = HIGH) -> str:
     return (
         f'<svg class="picture" viewBox="0 0 {WIDE} {high}" role="img" aria-label="{escape(title, quote=True)}">'

@@ -44,7 +44,7 @@ def _mark(axes: Axes, k: int, q: complex, unit: str) -> str:
     x, y = float(axes.px(q.real)), float(axes.py(q.imag))
     said = escape(f"q = {q.real:.6g}{q.imag:+.6g}i {unit}")
     if q.imag < 0:
-        mark = f'<rect class="root unstable" x="{x - 6:.1f}" y="{y - 6:.1f}" width="12" height="12"><title>{said}</title></rect>'
+        mark, end = f'<rect class="root unstable" x="{x - 6:.1f}" y="{y - 6:.1f}" width="12" height="12">', "</rect>"
     else:
-        mark = f'<circle class="root" cx="{x:.1f}" cy="{y:.1f}" r="6"><title>{said}</title></circle>'
-    return f'<g data-root="{k}" data-re="{q.real:.9g}" data-im="{q.imag:.9g}">{mark}</g>'
+        mark, end = f'<circle class="root" cx="{x:.1f}" cy="{y:.1f}" r="6">', "</circle>"
+    return f'<g data-root="{k}" data-re="{q.real:.9g}" data-im="{q.imag:.9g}">{mark}<title>{said}</title>{end}</g>'
