@@ -11,7 +11,7 @@ import numpy as np
 
 from mpsolve.errors import MpsolveError
 from mpsolve.explorer.history import History
-from mpsolve.explorer.live import View, Window, look
+from mpsolve.batch.view import View, Window, look
 from mpsolve.explorer.proving import Proving
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from mpsolve import InputError, read_problem, verify
-from mpsolve.explorer.live import look
+from mpsolve.batch.view import look
 from mpsolve.report.pdf import browser
 
 pytest.importorskip("nicegui", reason="the extra `explore` is not installed")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mpsolve import Problem, certify, read_problem, tracks, vehicles
-from mpsolve.explorer.live import Window, fitting_window, look
+from mpsolve.batch.view import Window, fitting_window, look
 from mpsolve.tracks.waveguide import moving
 
 BOGIE = read_problem("examples/two_layer_bogie.toml").problem
