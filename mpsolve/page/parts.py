@@ -15,6 +15,7 @@ from mpsolve.page.budget import Budget, Part
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
+from mpsolve.report.spectrum_words import verdict
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.waves.critical import CriticalVelocities, critical_velocities
@@ -39,6 +40,11 @@ class Parts:
     critical: Part[CriticalVelocities]
     chart: Part[Frequencies]
     loads: Any = None
+
+    @property
+    def verdict(self) -> str:
+        """One sentence that begins with STABLE, UNSTABLE, NO GROWTH or UNDECIDED."""
+        return verdict(self.spectrum)
 
     @property
     def late(self) -> tuple[str, ...]:
