@@ -19,6 +19,7 @@ import click
 from mpsolve import (
     cli_audit,
     cli_certify,
+    cli_explore,
     cli_new,
     cli_receptance,
     cli_report,
@@ -106,6 +107,7 @@ for module in (
     cli_new,
     cli_work_out,
     cli_certify,
+    cli_explore,
     cli_stability,
     cli_response,
     cli_receptance,
