@@ -24,6 +24,7 @@ from mpsolve import (
     cli_receptance,
     cli_report,
     cli_response,
+    cli_schema,
     cli_stability,
     cli_study,
     cli_work_out,
@@ -113,6 +114,7 @@ for module in (
     cli_receptance,
     cli_study,
     cli_report,
+    cli_schema,
     cli_audit,
 ):
     for command in module.COMMANDS:
