@@ -23,9 +23,10 @@ from mpsolve.vibration.poles import Poles, natural
 from mpsolve.vibration.residues import Mode, modes
 
 GOOD = 1e-8
-"""Of the largest deflection: the error that is worked for; forces are worked for to a hundred times as much."""
+"""Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
 _LEAST = 24.0
 _LARGEST = 650.0
+_HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
 _FARTHEST = 2.0**17
 _JUDGED = 80
 _BEFORE = -CLEAR * np.array([1.0, 1.7, 3.1])
@@ -161,8 +162,12 @@ class Engine:
 
     def _first(self) -> Any:
         """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""
-        high = np.array([1e10, 1e14], complex)
-        values = (self.transformed(high) * high[:, None]).real
+        for high in _HIGH:  # as far out as float64 follows
+            at = np.array([high, 100 * high], complex)
+            with np.errstate(all="ignore"):
+                values = (self.transformed(at) * at[:, None]).real
+            if np.isfinite(values).all():
+                break
         return np.where(np.abs(values[1]) < 0.5 * np.abs(values[0]), 0.0, values[1])
 
     def _judged(self, solution: Solution, times: Any) -> tuple[Solution, _Verdict]:
@@ -191,11 +196,11 @@ class Engine:
         for kind in (force, rail):
             largest[kind] = largest[kind].max(initial=0.0)
         goal = GOOD * largest
-        goal[force] *= 100
+        goal[force] *= 1000
         return np.maximum(goal, 1e-300)
 
     def _reach(self, times: Any) -> float:
         positive = times[times > 0]
         first = float(positive.min()) if len(positive) else 1.0
         fast = [tone.frequency for tone in self.acting] + [abs(pole.sigma) for pole in self.poles.poles]
-        return max(CLEAR / first, _LEAST, 20 * natural(self.image), 5 * max(fast, default=0.0))
+        return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0))

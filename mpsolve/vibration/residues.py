@@ -61,7 +61,9 @@ def clustered(poles: Sequence[Pole]) -> list[Pole]:
     return out
 
 
-def modes(image: Callable[[Any], Any], poles: Sequence[Pole], others: Any, floor: float, last: float) -> tuple[Mode, ...]:
+def modes(
+    image: Callable[[Any], Any], poles: Sequence[Pole], others: Any, floor: float, last: float
+) -> tuple[Mode, ...]:
     """The residues of `image`, (len(σ), channels), at the poles, for times up to `last`.
 
     others: further poles, on the axis; floor: the image is analytic in Re σ > floor but for poles and others.
@@ -93,5 +95,3 @@ def _terms(pole: Pole, last: float) -> int:
         n += 1
         size *= pole.spread * last / n
     return n
-
-
