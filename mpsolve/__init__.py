@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
-    from mpsolve.motion.solve import harmonic_solution, response
+    from mpsolve.motion.solve import harmonic_solution
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.stability.velocities import onset_velocity, unstable_velocities
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.vibration.forcing import Irregularity
+    from mpsolve.vibration.liftoff import Event
+    from mpsolve.vibration.motion import Vibration
+    from mpsolve.vibration.response import response
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
 
@@ -92,6 +96,9 @@ __all__ = [
     "Load",
     "response",
     "Response",
+    "Vibration",
+    "Irregularity",
+    "Event",
     "harmonic_solution",
     "HarmonicSolution",
     "envelope",
@@ -158,7 +165,10 @@ _HOME = {
     "onset_table": "stability.table",
     "stability_chart": "stability.chart",
     "Load": "model.load",
-    "response": "motion.solve",
+    "response": "vibration.response",
+    "Vibration": "vibration.motion",
+    "Irregularity": "vibration.forcing",
+    "Event": "vibration.liftoff",
     "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
     "HarmonicSolution": "motion.solution",
