@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from math import comb
 from typing import Any
 
@@ -62,6 +63,12 @@ class Group:
     @property
     def contacts(self) -> int:
         return int(self.B.shape[2])
+
+    @cached_property
+    def linked(self) -> list[list[int]]:
+        """For each body the bodies whose equations have its motion in them."""
+        some = ((self.S0 != 0) | (self.S1 != 0) | (self.S2 != 0)).any(0)
+        return [np.flatnonzero(some[:, body]).tolist() for body in range(self.bodies)]
 
     @property
     def kept(self) -> list[int]:

@@ -229,7 +229,7 @@ def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, 
     slope[:, : group.bodies, : len(kept)] = S_s[:, :, kept]
     for body, contact in group.direct:
         b = B[:, body, contact, None]
-        for i in _touched(group, body):
+        for i in group.linked[body]:
             slope[:, i, len(kept) :] -= (
                 S_s[:, i, body, None] * values.G[:, contact] + S[:, i, body, None] * values.G_sigma[:, contact]
             ) / b
@@ -244,7 +244,7 @@ def _assembled(group: Group, rows: Any, S: Any, B: Any, G: Any) -> Any:
     A[:, :bodies, len(kept) :] = -B
     for body, contact in group.direct:
         b = B[:, body, contact, None]
-        for i in _touched(group, body):
+        for i in group.linked[body]:
             A[:, i, len(kept) :] -= S[:, i, body, None] / b * G[:, contact]
     if indirect:
         A[:, bodies:, : len(kept)] = B.swapaxes(1, 2)[:, indirect][:, :, kept]
@@ -252,12 +252,6 @@ def _assembled(group: Group, rows: Any, S: Any, B: Any, G: Any) -> Any:
         for place, j in enumerate(indirect):
             A[:, bodies + place, len(kept) + j] += group.h[rows, j]
     return A
-
-
-def _touched(group: Group, body: int) -> list[int]:
-    """Bodies whose equations have this body's motion in them."""
-    some = (group.S0[:, :, body] != 0) | (group.S1[:, :, body] != 0) | (group.S2[:, :, body] != 0)
-    return [int(i) for i in np.flatnonzero(some.any(0))]
 
 
 def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[Any, Any]:
