@@ -27,8 +27,8 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
     The page is one HTML file that needs no network. Its parts are made in the order of their importance within
     --effort; what was not ready in time is named on it. The motion is that under the loads of the file, or weights.
 
-    Exit status 0: the vibrations are proved, stable or not. 1: they are undecided, as the page says, or the page could
-    not be written. 2: the input cannot be used.
+    Exit status 0: the vibrations are proved, stable or not. 1: they are undecided, as the page says, or the page
+    could not be written. 2: the input cannot be used.
 
     Example: mpsolve report examples/two_layer_bogie.toml --pdf bogie.pdf
     """
@@ -46,6 +46,7 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
             raise InputError("output", f"{path} is a page in HTML: give -o NAME.html, and --pdf {path} for the PDF")
         if not effort > 0:
             raise InputError("effort", f"is {effort:g}: give the seconds that the page may take, above 0")
+        checked_suffix(path, (".html", ".htm"))
         if pdf is not None:
             checked_suffix(checked_output(pdf, source.path, "the PDF"), (".pdf",))
             require_printer()

@@ -74,7 +74,7 @@ def show(report: Group) -> None:
 
         Console().print(report)
     else:
-        from mpsolve.report.text import plain
+        from mpsolve.report.layout import plain
 
         click.echo(plain(report), nl=False)
 

@@ -14,12 +14,7 @@ if TYPE_CHECKING:
 
 @click.group("work-out")
 def work_out() -> None:
-    """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes.
-
-    Example:
-
-        mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m"
-    """
+    """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes."""
 
 
 def _show(*found: Worked) -> None:

@@ -17,7 +17,7 @@ from mpsolve.errors import CertificateError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
 from mpsolve.outcome import Status
-from mpsolve.report.text import WIDTH
+from mpsolve.report.layout import WIDTH
 from mpsolve.stability.distance import CriticalDistance
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

@@ -131,8 +131,7 @@ class Receptances:
 def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
     """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), where they are apart on the disc."""
     with np.errstate(all="ignore"):
-        roots, alone = _roots(D, s)
-        weight, p = _weights(N, s, roots)
+        weight, p, alone = waves(N, D, s)
         ahead, behind = distances >= 0, distances < 0
         parts = []
         for side, mask, sign in ((slice(0, s.up), ahead, 1.0), (slice(s.up, None), behind, -1.0)):
@@ -149,8 +148,16 @@ def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptance
         e = np.zeros((len(s.m), len(distances)))
         for mask, jet in parts:
             a[:, mask], b[:, mask], e[:, mask] = jet.a, jet.b, jet.e
-        good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(a).all(1)
+        good = alone & np.isfinite(e).all(1) & np.isfinite(a).all(1)
         return Receptances(Jet(a, b, e, s.r), good)
+
+
+def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
+    """(N/D_P, P) at all p-roots, those of U first, as jets of shape (discs, roots), and where they are told apart."""
+    with np.errstate(all="ignore"):
+        roots, alone = _roots(D, s)
+        weight, p = _weights(N, s, roots)
+        return weight, p, alone & s.good
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,9 @@ from mpsolve.numbers.model import Model, defaults, quantities
 from mpsolve.numbers.spoken import rounded, said_in, spoken
 from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.problem import Problem
+from mpsolve.report.layout import certificate_text, columns_of, section
+from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
-from mpsolve.report.text import beam_rows, certificate_text, columns_of, ratio_rows, root_rows, section, shown
 from mpsolve.report.vibration import Trend, Vibration, own_vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track

@@ -9,8 +9,8 @@ from reported import SPRUNG, WIRE, fast, wire
 
 from mpsolve import Case, PhysicalCase, Problem, certify
 from mpsolve.problem.problem import Problem as Asked
+from mpsolve.report.layout import plain
 from mpsolve.report.spectrum_text import cost_words, paper_rows, problem_rows, spectrum_document
-from mpsolve.report.text import plain
 from mpsolve.spectrum.spectrum import Cost
 from mpsolve.tracks import Slab
 from mpsolve.vehicles import Mass, Vehicle
