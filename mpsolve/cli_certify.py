@@ -55,7 +55,7 @@ def certify(
         options = {"region": region_of(region), "digits": digits, "effort": _effort(effort)}
         with progress() as tell:
             spectrum = _told(lambda: prove(source.given, progress=tell, **options))
-        _report(spectrum, source.title, path, as_json)
+        _report(spectrum, source.title, path, as_json, output is None)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
 
@@ -102,15 +102,20 @@ def _told(prove: Any) -> Spectrum:
     return replace(found, reason=reason, sheet=sheet)
 
 
-def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool) -> None:
-    """Saves the certificate, and prints the report even if that fails; CertificateError then."""
+def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_default: bool) -> None:
+    """Saves the certificate, and prints the report even if that fails; CertificateError then.
+
+    by_default: the path is not the user's own, so that no other case's certificate may be overwritten there.
+    """
+    from mpsolve.certificate.own_name import own_name
     from mpsolve.errors import CertificateError
 
     saved, failure = None, None
     refused = spectrum.reason is not None and spectrum.reason.code in _REFUSED
     if spectrum.certificate is not None and not refused:
         try:
-            saved = spectrum.certificate.save(path)
+            own = own_name(path, spectrum.certificate.content) if by_default else path
+            saved = spectrum.certificate.save(own)
         except CertificateError as error:
             failure = error
     if as_json:
@@ -120,23 +125,11 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool) -> None:
 
         click.echo(json.dumps(spectrum_data(spectrum, title, saved), indent=1, ensure_ascii=False))
     else:
-        show(_document(spectrum, title, saved))
-    if failure is not None:
-        raise failure
-
-
-def _document(spectrum: Spectrum, title: str, saved: Path | None) -> Any:
-    """The report on the paper's beam, in its ratios too, or on any other problem."""
-    if spectrum.sheet is None:
         from mpsolve.report.spectrum_text import spectrum_document
 
-        return spectrum_document(spectrum, title, saved)
-    from mpsolve.model.parameters import PhysicalCase
-    from mpsolve.problem.cases import as_paper
-    from mpsolve.report.text import document
-
-    paper = as_paper(spectrum.problem)
-    return document(spectrum, paper if isinstance(paper, PhysicalCase) else None, title, saved)
+        show(spectrum_document(spectrum, title, saved))
+    if failure is not None:
+        raise failure
 
 
 COMMANDS = (certify,)

@@ -44,7 +44,8 @@ def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:
 
     Raises InputError, before any work is done, if it cannot be a file there.
     """
-    path = output or Path(f"{source.stem}{kind and f'.{kind}'}.certificate.json")
+    stem = "stdin" if str(source) == "-" else source.stem
+    path = output or Path(f"{stem}{kind and f'.{kind}'}.certificate.json")
     return checked_output(path, source, "the certificate")
 
 

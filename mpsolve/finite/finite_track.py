@@ -12,13 +12,13 @@ from mpsolve.errors import InputError
 from mpsolve.finite.carriage import Carriage, carriage
 from mpsolve.finite.discretization import discretized
 from mpsolve.finite.exponentials import exponentials
-from mpsolve.finite.loads import outer_forces
 from mpsolve.finite.march import Motion, Setting, march
 from mpsolve.motion.beam_figures import hermite
 from mpsolve.motion.grid import float_list
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.at_rest import Status, at_rest
+from mpsolve.vehicles.loads import outer_forces
 
 FEWEST_STEPS, FEWEST_MODES = 16, 8
 MOST_STEPS, MOST_MODES = 1_000_000, 40_000

@@ -10,7 +10,8 @@ from typing import Any
 from mpsolve.errors import InputError
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case, Mass, PhysicalCase, errors_under
-from mpsolve.model.toml import check_keys, kind, parsed, text_of
+from mpsolve.model.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
+from mpsolve.numbers.units import measured
 
 _PHYSICAL = {
     "EI": "the bending stiffness of the beam in N m²",
@@ -42,6 +43,10 @@ _LOAD = {
     "amplitude": "the amplitude ratio of the harmonic force",
     "frequency": "the dimensionless excitation frequency",
     "phase": "the phase in rad",
+}
+_UNITS = {
+    "physical": {"EI": "N m²", "m": "kg/m", "k": "N/m²", "v": "m/s", "c": "N s/m²", "kp": "N", "N": "N"},
+    "mass": {"M": "kg", "position": "m", "P": "N", "P_A": "N", "omega_f": "rad/s", "phi_f": "rad"},
 }
 _SECTIONS = ("physical", "mass", "dimensionless", "load")
 _TOP = {"title": "a text"} | dict.fromkeys(_SECTIONS, "a section")
@@ -82,7 +87,9 @@ def read_input(path: str | Path) -> InputFile:
     be read.
     """
     file = Path(path)
-    return input_of(parsed(text_of(file), str(file)), file)
+    content = parsed(text_of(file), name_of(file))
+    refuse_other_kind(content, _TOP, file)
+    return input_of(content, file)
 
 
 def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
@@ -100,7 +107,7 @@ def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
         return InputFile(_physical(content), title, file)
     if "mass" in content:
         raise InputError("physical", f"is missing: add [physical] with {', '.join(_PHYSICAL)}")
-    raise InputError(str(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
+    raise InputError(name_of(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
 
 
 def _dimensionless(content: Mapping[str, Any]) -> Case:
@@ -160,4 +167,6 @@ def _table(value: object, key: str, known: Mapping[str, str]) -> dict[str, Any]:
     for name, meaning in known.items():
         if name in _REQUIRED and name not in value:
             raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
-    return value
+    units = _UNITS.get(key.partition("[")[0], {})
+    with errors_under(f"{key}."):
+        return {name: measured(x, units[name], name) if name in units else x for name, x in value.items()}

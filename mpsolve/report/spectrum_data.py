@@ -33,6 +33,7 @@ def spectrum_data(
     status            "proved", "proved, not verified" or "undecided"
     reason            why undecided, in parts: {"code", "message", "numbers", "remedy"}; null if proved
     known             what is proved all the same where the answer is undecided
+    warnings          what is likely to be a mistake in the problem, in the parts of a reason; no part of the proof
     stable            true, false, or null where that is not decided
     region            {"kind", "words"} and the numbers of the region as {"exact", "decimal"}
     digits            certified digits asked for, relative to |q|
@@ -63,6 +64,7 @@ def spectrum_data(
         "status": spectrum.status.value,
         "reason": None if spectrum.reason is None else spectrum.reason.data(),
         "known": dict(spectrum.known),
+        "warnings": [warning.data() for warning in spectrum.warnings],
         "stable": spectrum.stable,
         "region": region_data(spectrum.region),
         "digits": spectrum.digits,

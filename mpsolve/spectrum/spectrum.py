@@ -14,6 +14,7 @@ from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.warned import warned
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.shape import Shape, root_shape
 
@@ -118,6 +119,11 @@ class Spectrum(Portable):
             isinstance(self.region, (HalfPlane, Below)) and self.region.radius is None
         )
         return True if self.proved and whole and self.unstable == 0 else None
+
+    @property
+    def warnings(self) -> tuple[Reason, ...]:
+        """What is likely to be a mistake in the problem, a sentence each; no part of any proof."""
+        return warned(self.problem, [float(root.frequency.mid()) for root in self.roots])
 
     def __bool__(self) -> bool:
         raise TypeError("a spectrum has no truth value: ask for .proved or .stable")
