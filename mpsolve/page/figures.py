@@ -88,7 +88,7 @@ def lines(parts: Parts) -> list[Picture]:
         return []
     speak = speech(parts)
     v = np.asarray(found.over["v"], float)
-    tracks = followed(np.where(found.roots.real >= -1e-9, found.roots, np.nan))
+    tracks = followed(np.where(found.roots.real >= -1e-9, found.roots, complex(np.nan, np.nan)))
     v = v * 3.6 if speak.si else v
     x_title = "velocity, km/h" if speak.si else "velocity ratio α"
     rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "√(k/m)")
@@ -141,7 +141,7 @@ def followed(roots: Any) -> list[Any]:
                 lines[index][k] = q
                 free.remove(q)
         for q in free:
-            lines.append(np.full(len(roots), np.nan, complex))
+            lines.append(np.full(len(roots), complex(np.nan, np.nan)))
             lines[-1][k] = q
         ends = [(j, complex(one[k])) for j, one in enumerate(lines) if np.isfinite(one[k])]
     return [one for one in lines if np.isfinite(one).sum() > 2]

@@ -76,13 +76,10 @@ def velocity_card(parts: Parts) -> Card:
         shift = found.value - rational_ball(v)
         where = speak.velocity(found.value)
         if shift > 0:
-            share = f", {rounded(100 * shift / found.value, 3)} % of it" if v else ""
-            return Card(
-                question, f"unstable above {where}", f"{here} That leaves {speak.velocity(shift)}{share}.", "proved"
-            )
-        return Card(
-            question, f"unstable above {where}", f"{here} That is {speak.velocity(-shift)} too fast.", "proved"
-        )
+            said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / found.value, 3)} % of it."
+        else:
+            said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
+        return Card(question, f"stable below {where}", said, "proved")
 
 
 def growth_card(parts: Parts) -> Card | None:

@@ -25,7 +25,6 @@ from mpsolve.pictures.axes import (
     text,
 )
 
-
 _APART = 14.0
 _LOWEST = HIGH - BOTTOM - 6.0
 
@@ -105,18 +104,17 @@ def _marks(axes: Axes, marks: Sequence[Mark]) -> list[str]:
 
 
 def _names(axes: Axes, curves: Sequence[Curve]) -> list[str]:
-    """Names at the right ends of the curves, moved apart."""
-    heights: list[float] = []
-    names: list[str] = []
+    """Names at the ends of the curves, moved apart."""
+    ends = []
     for curve in curves:
         good = np.flatnonzero(np.isfinite(curve.y))
         if curve.name and len(good):
-            heights.append(float(np.clip(axes.py(np.asarray(curve.y)[good[-1]]), TOP + 12, _LOWEST)))
-            names.append(curve.name)
-    order = np.argsort(heights, kind="stable")
-    names, heights = [names[k] for k in order], [heights[k] for k in order]
+            x, y = float(axes.px(curve.x[good[-1]])), float(axes.py(curve.y[good[-1]]))
+            ends.append((float(np.clip(y, TOP + 12, _LOWEST)), min(x, WIDE - RIGHT) - 5, curve.name))
+    ends.sort()
+    heights = [y for y, _, _ in ends]
     for k in range(1, len(heights)):
         heights[k] = max(heights[k], heights[k - 1] + _APART)
     for k in range(len(heights) - 1, -1, -1):
         heights[k] = min(heights[k], _LOWEST if k == len(heights) - 1 else heights[k + 1] - _APART)
-    return [text(WIDE - RIGHT - 5, y - 4, name, "end") for y, name in zip(heights, names, strict=True)]
+    return [text(x, y - 4, name, "end") for y, (_, x, name) in zip(heights, ends, strict=True)]
