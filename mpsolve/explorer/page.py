@@ -102,6 +102,15 @@ class Tab:
             .props("id=roots")
         )
         self.shape = ui.html("", sanitize=False).classes("w-full").props("id=shape")
+        with ui.row().classes("items-center gap-2 w-full"):
+            paths = [path for path, value in self.session.parameters().items() if value > 0]
+            second = next((path for path in paths if "wheel" in path or path.endswith(".M")), paths[-1])
+            self.chart_x = ui.select(paths, value="v" if "v" in paths else paths[0], label="Chart over").classes(
+                "w-40"
+            )
+            self.chart_y = ui.select(paths, value=second, label="and over").classes("w-56")
+            ui.button("Draw the chart", on_click=self.draw_chart).props("outline id=draw-chart")
+        self.chart = ui.html("", sanitize=False).classes("w-full").props("id=chart")
         with ui.row().classes("items-center gap-2"):
             ui.button("Prove what is shown", on_click=self.prove).props("id=prove")
             self.stop = ui.button("Stop", on_click=self.session_stop).props("outline id=stop")
@@ -155,6 +164,7 @@ class Tab:
         labels = {} if view is None else {k: vibration(q) for k, q in enumerate(view.roots) if q.real >= 0}
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
+        self.chart.set_content(session.chart_picture())
 
     # --- what is done --------------------------------------------------------------------------------------
 
@@ -249,6 +259,13 @@ class Tab:
         except InputError as error:
             self.verdict.set_text(str(error))
 
+    async def draw_chart(self) -> None:
+        try:
+            await run.io_bound(self.session.draw_chart, self.chart_x.value, self.chart_y.value)
+        except InputError as error:
+            self.verdict.set_text(str(error))
+        self.chart.set_content(self.session.chart_picture())
+
     def prove(self) -> None:
         self.session.start_proof()
         self.certificate.set_visibility(False)
@@ -271,6 +288,8 @@ class Tab:
         self.stop.set_visibility(False)
         self.progress.set_visibility(False)
         text = f"The proof ended: {proving.failure}" if proving.failure else told(proving.answer)
+        if self.session.note_proof():
+            self.chart.set_content(self.session.chart_picture())
         if proving.problem != self.session.problem:
             text += "\n(of the state at which it was started)"
         self.proof.set_text(text)

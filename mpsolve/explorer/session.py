@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import MpsolveError
+from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History
 from mpsolve.batch.view import View, Window, look
 from mpsolve.explorer.proving import Proving
@@ -34,6 +35,8 @@ class Session:
     view: View | None = None
     chosen: int | None = None
     proving: Proving | None = None
+    chart: Chart | None = None
+    proved: tuple[ProvedPoint, ...] = ()
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
 
@@ -146,6 +149,24 @@ class Session:
             f"{grow} of the roots found grow; the fastest at {abs(worst.real) / (2 * np.pi):.3g} Hz doubles every "
             f"{np.log(2) / -worst.imag:.3g} s (computed, not proved)"
         )
+
+    def draw_chart(self, x: str, y: str) -> None:
+        """Count over two parameters round the present problem; InputError says why that cannot be."""
+        self.chart = chart_of(self.problem, x, y)
+
+    def chart_picture(self) -> str:
+        return "" if self.chart is None else self.chart.picture(self.problem, self.proved)
+
+    def note_proof(self) -> bool:
+        """Keep what a finished proof has shown, once; whether there was something new."""
+        proving = self.proving
+        if proving is None or proving.answer is None or proving.answer.stable is None:
+            return False
+        point = ProvedPoint(proving.problem, bool(proving.answer.stable))
+        if point in self.proved:
+            return False
+        self.proved = (*self.proved, point)
+        return True
 
     def toml(self) -> str:
         """The state as an input file."""

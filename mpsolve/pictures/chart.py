@@ -7,16 +7,18 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, box, line, path, svg, text
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, box, disc, line, path, svg, text
 
 
 def chart_picture(
     x: Any, y: Any, counts: Any, x_title: str, y_title: str, title: str,
     here: tuple[float, float] | None = None, boundaries: Sequence[tuple[Any, Any]] = (),
+    proved: Sequence[tuple[float, float, bool]] = (),
 ) -> str:  # fmt: skip
     """counts[i, j] belongs to the cell round (x[i], y[j]): 0 stable, more is darker, −1 is hatched as open.
 
-    here: the point of the case; boundaries: curves (x, y) where a root crosses the real axis.
+    here: the point of the case; boundaries: curves (x, y) where a root crosses the real axis; proved: points (x, y,
+    whether stable) that have been proved: circles are stable, squares not.
     """
     edges_x, edges_y = _edges(x), _edges(y)
     axes = Axes((edges_x[0], edges_x[-1]), (edges_y[0], edges_y[-1]))
@@ -30,6 +32,7 @@ def chart_picture(
             a, b = float(axes.px(edges_x[first])), float(axes.px(edges_x[last + 1]))
             parts += _cell(a, high, b - a, low - high, count)
     parts += [line(axes, bx, by, "boundary") for bx, by in boundaries]
+    parts += [_proved(axes, *one) for one in proved]
     if here is not None:
         parts += _here(axes, *here)
     parts += _legend(counts)
@@ -65,6 +68,17 @@ def _here(axes: Axes, x: float, y: float) -> list[str]:
     cross = f"M {a - 13:.1f} {b:.1f} h 9 m 8 0 h 9 M {a:.1f} {b - 13:.1f} v 9 m 0 8 v 9"
     right = a < WIDE - 110
     return [path(cross, "ring"), text(a + (8 if right else -8), b - 8, "this case", "start" if right else "end")]
+
+
+def _proved(axes: Axes, x: float, y: float, stable: bool) -> str:
+    a, b = float(axes.px(x)), float(axes.py(y))
+    if not (LEFT <= a <= WIDE - RIGHT and TOP <= b <= HIGH - BOTTOM):
+        return ""
+    return (
+        disc(a, b, 4, "root", "proved: stable")
+        if stable
+        else box(a - 4, b - 4, 8, 8, "root unstable", "proved: unstable")
+    )
 
 
 def _legend(counts: Any) -> list[str]:
