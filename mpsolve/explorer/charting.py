@@ -36,11 +36,12 @@ class Chart:
     def picture(self, now: Problem, proved: tuple[ProvedPoint, ...] = ()) -> str:
         """The chart, with the present problem and the proved ones that differ from it in these two parameters only."""
         xs, ys = np.asarray(self.found.over[self.x])[:, 0], np.asarray(self.found.over[self.y])[0]
-        titles = [self._title(path) for path in (self.x, self.y)]
+        across, up = self._title(self.x), self._title(self.y)
         here = self._point(now)
-        marks = [(*point, one.stable) for one in proved if (point := self._point(one.problem)) is not None]
-        said = f"How many roots grow, over {titles[0]} and {titles[1]}"
-        return chart_picture(xs, ys, self.found.count, *titles, said, here=here, proved=marks)
+        points = [(self._point(one.problem), one.stable) for one in proved]
+        marks = [(*point, stable) for point, stable in points if point is not None]
+        said = f"How many roots grow, over {across} and {up}"
+        return chart_picture(xs, ys, self.found.count, across, up, said, here=here, proved=marks)
 
     def _title(self, path: str) -> str:
         quantity = self.problem.quantity(path)

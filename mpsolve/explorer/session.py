@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.batch.view import View, Window, look
 from mpsolve.errors import MpsolveError
 from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History
-from mpsolve.batch.view import View, Window, look
 from mpsolve.explorer.proving import Proving
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
