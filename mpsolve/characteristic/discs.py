@@ -45,7 +45,7 @@ def split(table: Table, m: Any, r: Any, up: int) -> Splittings:
     """Splittings on the discs |σ − m| ≤ r with `up` roots in U."""
     with np.errstate(all="ignore"):
         T, error = table.in_time(m)
-        z = _nodes(T[:, 0, :], up)
+        z = nodes(T[:, 0, :], up)
         n = z.shape[1]
         c, lost = table.at(z, T, error)
         gap = z[:, :, None] - z[:, None, :]
@@ -58,23 +58,29 @@ def split(table: Table, m: Any, r: Any, up: int) -> Splittings:
         below = size.prod(2) * low[:, None]
         W = W / below * (1 + 64 * n * U) * UP + TINY
         W = np.where((low[:, None] > 0) & (below > TINY), W, np.inf)
-        inverse = (1 + 8 * U) / size
-        inverse[:, :up, :up] = 0
-        inverse[:, up:, up:] = 0
-        box, image = 1.2 * W, W
-        done = np.zeros(len(m), bool)
-        for _ in range(10):
-            s = np.einsum("bkl,bl->bk", inverse, box) * UP
-            image = np.where(done[:, None], image, W / (1 - s) * UP)
-            inside = (s < 0.499).all(1) & (image < 0.999 * box).all(1)
-            done |= inside
-            box = np.where(done[:, None], box, 1.15 * image)
-            if done.all():
-                break
+        box, image, done = contraction(W, size, up)
         return Splittings(m, r, z, up, box, image, done, T, error)
 
 
-def _nodes(coefficients: Any, up: int) -> Any:
+def contraction(W: Any, size: Any, up: int) -> tuple[Any, Any, Any]:
+    """(β, the bounds of |a_k| that follow, where a_k = W_k/(1 + Σ b_l/(z_k − z_l)) contracts); size: |z_k − z_l|."""
+    inverse = (1 + 8 * U) / size
+    inverse[:, :up, :up] = 0
+    inverse[:, up:, up:] = 0
+    box, image = 1.2 * W, W
+    done = np.zeros(len(W), bool)
+    for _ in range(10):
+        s = np.einsum("bkl,bl->bk", inverse, box) * UP
+        image = np.where(done[:, None], image, W / (1 - s) * UP)
+        inside = (s < 0.499).all(1) & (image < 0.999 * box).all(1)
+        done |= inside
+        box = np.where(done[:, None], box, 1.15 * image)
+        if done.all():
+            break
+    return box, image, done
+
+
+def nodes(coefficients: Any, up: int) -> Any:
     """Floats near the roots of each polynomial (coefficients ascending), those of U first, never two the same."""
     n = coefficients.shape[1] - 1
     monic = coefficients[:, :n] / coefficients[:, n:]
