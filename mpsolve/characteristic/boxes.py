@@ -111,7 +111,8 @@ class FreeTrack:
         good = done & linked(wide, thin) & _told_apart(z0, up, thin.tight)
         upper = np.arange(n) < up
         other = np.where(upper[:, None] != upper[None, :], size, np.inf).min(2)
-        strain = (np.abs(value.b) / (size.prod(2) * low[:, None] * other)[None]).max(2)
+        strain = (np.abs(value.b) / (size.prod(2) * np.abs(lead.a)[:, None] * other)[None]).max(2)
+        strain = np.where(low > 0, strain, np.abs(lead.b) / np.abs(lead.a))
         return Wave(D, z, up, tight, low, good, strain)
 
 
