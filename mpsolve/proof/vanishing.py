@@ -19,11 +19,14 @@ from mpsolve.numbers.quadratic import Quadratic, pairs
 
 @dataclass(frozen=True)
 class Scalar:
-    """s over each box, where it is bounded; det A = 0 exactly where s = 0 (boxes with `good`)."""
+    """s over each box, where it is bounded; det A = 0 exactly where s = 0 (boxes with `good`).
+
+    strain[v]: how much each variable takes part in E where that is too large, and 0 where it is not.
+    """
 
     s: Quadratic
     good: Any
-    eta: Any
+    strain: Any
 
 
 def scalar(A: Quadratic, good: Any) -> Scalar:
@@ -32,7 +35,7 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
     with np.errstate(all="ignore"):
         finite = good & np.isfinite(A.k).all((0, 2, 3)) & np.isfinite(A.e).all((1, 2))
         if n == 1:
-            return Scalar(A[:, 0, 0], finite, np.zeros(len(finite)))
+            return Scalar(A[:, 0, 0], finite, np.zeros((A.m, len(finite))))
         middle = np.where(finite[:, None, None], A.a, np.eye(n))
         left, sizes, right = np.linalg.svd(middle)
         scale = 1 / np.maximum(np.concatenate([sizes[:, :-1], sizes[:, -2:-1]], 1), TINY)
@@ -49,20 +52,35 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
         product = (row @ column)[:, 0, 0]
         s = B[:, -1, -1] + -product
         rest = row.size[:, 0].sum(1) * column.size[:, :, 0].max(1) * eta / (1 - eta) * UP
-        return Scalar(Quadratic(s.k, s.e + rest, s.m), finite & (eta < 0.9), eta)
+        fine = eta < 0.9
+        strain = np.where(finite & ~fine, np.abs(E.b).sum(3).max(2), 0.0)
+        return Scalar(Quadratic(s.k, s.e + rest, s.m), finite & fine, strain)
 
 
-def nonzero(s: Quadratic) -> Any:
-    """Boxes of real u in which s is proved to have no zero."""
+@dataclass(frozen=True)
+class Verdict:
+    """nonzero: boxes of real u in which s is proved to have no zero; weight[v]: what stands against it, by variable."""
+
+    nonzero: Any
+    weight: Any
+
+
+def nonzero(s: Quadratic) -> Verdict:
+    """The test in several directions. weight is what each variable takes off in the best of them, to within e."""
     with np.errstate(all="ignore"):
         found = np.zeros(s.e.shape, bool)
+        best, way = np.full(s.e.shape, -np.inf), np.ones(s.e.shape, complex)
         for d in _directions(s):
-            found |= _positive(s, d)
-        return found
+            margin = _margin(s, d)
+            found |= margin > 0
+            share = np.nan_to_num(margin / np.abs(s.a * d), nan=-np.inf)
+            way = np.where(share > best, d, way)
+            best = np.maximum(best, share)
+        return Verdict(found, _taken(s, way))
 
 
 def _directions(s: Quadratic) -> list[Any]:
-    """Towards the value, normal to each coefficient, and normal to the largest pair of them."""
+    """Towards the value, normal to each coefficient, and normal to the sum of them."""
     out = [s.a.conj()]
     out += [1j * b.conj() for b in s.b]
     if len(s.b) > 1:
@@ -70,8 +88,8 @@ def _directions(s: Quadratic) -> list[Any]:
     return [np.where(np.abs(d) > 0, d / np.where(np.abs(d) > 0, np.abs(d), 1), 1) for d in out]
 
 
-def _positive(s: Quadratic, d: Any) -> Any:
-    """Re(±d s) > 0 over the box; |d| ≤ 1 to within roundings."""
+def _margin(s: Quadratic, d: Any) -> Any:
+    """A number above 0 only where Re(±d s) > 0 over the box; |d| ≤ 1 to within roundings."""
     k = (s.k * d).real
     k = k * np.where(k[0] < 0, -1.0, 1.0)
     low = k[0].copy()
@@ -83,7 +101,17 @@ def _positive(s: Quadratic, d: Any) -> Any:
         inner = (bend > 0) & (2 * bend > linear)
         low -= np.where(inner, linear * linear / (4 * np.where(inner, bend, 1)), linear - bend)
     slack = s.e * (1 + 8 * U) + 64 * (len(s.k) + 4) * U * np.abs(s.k).sum(0) + TINY
-    return low > slack * UP
+    return low - slack * UP
+
+
+def _taken(s: Quadratic, d: Any) -> Any:
+    """For each variable the moduli of its coefficients in this direction, and a little of them in any."""
+    k = np.abs((s.k * d).real) + 2.0**-12 * np.abs(s.k)
+    out = k[1 : 1 + s.m].copy()
+    for n, (i, j) in enumerate(pairs(s.m), 1 + s.m):
+        out[i] += k[n]
+        out[j] += k[n]
+    return out
 
 
 def guess(s: Quadratic) -> Any:

@@ -17,10 +17,9 @@ from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.circles import Receptances
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.numbers.jets import UP
-from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
-from mpsolve.proof.vanishing import Scalar, guess, nonzero, one_at_most, scalar
+from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
 
 NONZERO, PASSIVE, KNOWN = 1, 2, 3
 Found = Callable[[Any], bool]
@@ -54,13 +53,14 @@ class Judge:
         boxes = boxes_of(low, high)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
-        kind[(kind == 0) & s.good & nonzero(s.s)] = NONZERO
+        verdict = nonzero(s.s)
+        kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         rest = np.flatnonzero((kind == 0) & _seems_passive(G) & (low[0] > 0))
         if len(rest):
             kind[rest[passive_on(self.envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
         if self.found is not None and (kind == 0).any():
             self._look(boxes, s, kind)
-        return kind, self._axis(boxes, G, s)
+        return kind, self._axis(boxes, G, s, verdict)
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
@@ -90,26 +90,17 @@ class Judge:
         half = boxes.r[:, good[0]] * 0.49
         return point - half, point + half
 
-    def _axis(self, boxes: Boxes, G: Receptances, s: Scalar) -> Any:
-        """Where the determinant is bounded, what bends it most across the direction in which it runs."""
+    def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, verdict: Verdict) -> Any:
+        """Where the determinant is bounded, what stands most against the test; else what moves the p-roots most."""
         with np.errstate(all="ignore"):
-            bend = _bending(s.s)
-            strain = G.wave.strain
-            weight = np.where(s.good & np.isfinite(bend).all(0), bend, strain)
+            strain = np.where((s.strain > 0).any(0), s.strain, G.wave.strain)
+            share = strain / strain.sum(0)
+            weight = verdict.weight + s.s.e * np.where(np.isfinite(share), share, 0)
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, strain)
             width = boxes.r / np.where(self.width > 0, self.width, np.inf)[:, None]
-            weight = np.where(np.isfinite(weight).all(0) & (weight > 0).any(0), weight, 1.0) * (width > 0) + width * 1e-9
+            usable = np.isfinite(weight).all(0) & (weight > 0).any(0)
+            weight = np.where(usable, weight / weight.max(0), 1.0) * (width > 0) + width * 1e-9
         return weight.argmax(0).astype(np.int8)
-
-
-def _bending(s: Quadratic) -> Any:
-    """For each variable its second-order coefficients, and its first-order one normal to their sum."""
-    out = np.zeros(s.b.shape)
-    for n, (i, j) in enumerate(pairs(s.m)):
-        out[i] += np.abs(s.c[n])
-        out[j] += np.abs(s.c[n])
-    way = 1j * s.b.sum(0).conj()
-    way = way / np.where(np.abs(way) > 0, np.abs(way), 1)
-    return out + np.abs((s.b * way).real)
 
 
 def _seems_passive(G: Receptances) -> Any:
