@@ -33,13 +33,13 @@ class LatticeArrays(Arrays):
     def of(row: Row) -> LatticeArrays:
         return LatticeArrays(row.reduced, row.step)
 
-    def evaluate(self, m: Any, r: Any, up: int) -> tuple[Splittings, Jet, Any]:
+    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Any]:
         """(splittings, Ĝ(1, σ) between the places as jets, where it is bounded)."""
-        return self.on_arcs(m, r, up, np.ones(len(m), complex), np.zeros(len(m)))
+        return self.on_arcs(m, r, up, np.ones(len(m), complex), np.zeros(len(m)), nodes)
 
-    def on_arcs(self, m: Any, r: Any, up: int, z: Any, off: Any) -> tuple[Splittings, Jet, Any]:
+    def on_arcs(self, m: Any, r: Any, up: int, z: Any, off: Any, nodes: Any = None) -> tuple[Splittings, Jet, Any]:
         """The same for all z of the circle within `off` of the given ones: for the discs |σ − m| ≤ r."""
-        s = split(self.D, m, r, up)
+        s = split(self.D, m, r, up, nodes)
         with np.errstate(all="ignore"):
             weight, P, good = waves(self.N, self.D, s)
             jet = self._sums(weight, P, up, z, off + 8 * U)
