@@ -11,7 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-WIDTH = 88
+from mpsolve.report.blocks import WIDTH
 
 
 def plain(report: Group) -> str:
