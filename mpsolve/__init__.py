@@ -9,6 +9,9 @@ if TYPE_CHECKING:
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
+    from mpsolve.endless.amplification import Amplification, amplification
+    from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
+    from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
@@ -19,7 +22,7 @@ if TYPE_CHECKING:
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
-    from mpsolve.motion.solve import harmonic_solution, response
+    from mpsolve.motion.solve import harmonic_solution
     from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
@@ -38,6 +41,10 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.stability.velocities import onset_velocity, unstable_velocities
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.vibration.forcing import Irregularity
+    from mpsolve.vibration.liftoff import Event
+    from mpsolve.vibration.motion import Vibration
+    from mpsolve.vibration.response import response
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
 
@@ -70,6 +77,12 @@ __all__ = [
     "Outcome",
     "seeds",
     "Seeds",
+    "infinite_train",
+    "InfiniteTrain",
+    "train_velocities",
+    "TrainVelocities",
+    "amplification",
+    "Amplification",
     "crossing_masses",
     "unstable_velocities",
     "onset_velocity",
@@ -83,6 +96,9 @@ __all__ = [
     "Load",
     "response",
     "Response",
+    "Vibration",
+    "Irregularity",
+    "Event",
     "harmonic_solution",
     "HarmonicSolution",
     "envelope",
@@ -132,6 +148,12 @@ _HOME = {
     "Outcome": "fast.follow",
     "seeds": "fast.seeds",
     "Seeds": "fast.seeds",
+    "infinite_train": "endless.infinite_train",
+    "InfiniteTrain": "endless.infinite_train",
+    "train_velocities": "endless.velocities",
+    "TrainVelocities": "endless.velocities",
+    "amplification": "endless.amplification",
+    "Amplification": "endless.amplification",
     "crossing_masses": "stability.masses",
     "unstable_velocities": "stability.velocities",
     "onset_velocity": "stability.velocities",
@@ -143,7 +165,10 @@ _HOME = {
     "onset_table": "stability.table",
     "stability_chart": "stability.chart",
     "Load": "model.load",
-    "response": "motion.solve",
+    "response": "vibration.response",
+    "Vibration": "vibration.motion",
+    "Irregularity": "vibration.forcing",
+    "Event": "vibration.liftoff",
     "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
     "HarmonicSolution": "motion.solution",

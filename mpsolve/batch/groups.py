@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from math import comb
 from typing import Any
 
@@ -62,6 +63,24 @@ class Group:
     @property
     def contacts(self) -> int:
         return int(self.B.shape[2])
+
+    @cached_property
+    def cells(self) -> list[tuple[int, int]]:
+        """The places in S that are not 0 everywhere."""
+        some = ((self.S0 != 0) | (self.S1 != 0) | (self.S2 != 0)).any(0)
+        return [(int(i), int(j)) for i, j in np.argwhere(some)]
+
+    @cached_property
+    def pencil(self) -> tuple[Any, Any, Any]:
+        """S₀, S₁, S₂ at the cells, each (K, cells)."""
+        i, j = ([cell[k] for cell in self.cells] for k in (0, 1))
+        return self.S0[:, i, j], self.S1[:, i, j], self.S2[:, i, j]
+
+    @cached_property
+    def through(self) -> dict[int, tuple[int, int, int]]:
+        """For the number of each cell whose column is a body that is eliminated: (row, its contact, the body)."""
+        contact = dict(self.direct)
+        return {k: (i, contact[j], j) for k, (i, j) in enumerate(self.cells) if j in contact}
 
     @property
     def kept(self) -> list[int]:

@@ -130,10 +130,11 @@ class Search:
         result = np.full(q.shape, np.nan, complex)
         place = np.flatnonzero(np.isfinite(q))
         rows, q = rows[place], q[place]
+        z = None
         for _ in range(_STEPS if apart else _STEPS // 3):
             if not len(place):
                 break
-            step = self._step(rows, q, apart)
+            step, z = self._step(rows, q, z, apart)
             size = np.abs(step)
             limit = 0.2 * self.rho[rows]
             with np.errstate(all="ignore"):
@@ -143,39 +144,44 @@ class Search:
             arrived = settled & self._inside(rows, q, 0.0)
             result[place[arrived]] = q[arrived]
             keep = ~settled & np.isfinite(q) & self._inside(rows, q, 0.3)
-            place, rows, q = place[keep], rows[keep], q[keep]
-        return result if not len(result) else self._folded(result)
+            place, rows, q, z = place[keep], rows[keep], q[keep], z[keep]
+        return self._folded(result)
 
     def _folded(self, q: Any) -> Any:
         with np.errstate(invalid="ignore"):
             q = np.where(q.real < 0, -q.conj(), q)
             return np.where(np.abs(q.real) < _AXIS * np.abs(q), 1j * q.imag, q)
 
-    def _step(self, rows: Any, q: Any, apart: bool) -> Any:
-        out = np.empty(len(q), complex)
-        size = chunk_of(self.group)
-        for k in range(0, len(q), size):
-            part = slice(k, k + size)
-            out[part] = log_slope(self.group, rows[part], q[part])
+    def _step(self, rows: Any, q: Any, near: Any, apart: bool) -> tuple[Any, Any]:
+        slope, z = log_slope(self.group, rows, q, near)
         if apart:
-            out -= _poles(q, self.q[rows])
+            slope = slope - _poles(q, self.q[rows])
         with np.errstate(all="ignore"):
-            return -1 / out
+            return -1 / slope, z
 
 
-def log_slope(group: Group, rows: Any, q: Any) -> Any:
-    """d log Δ̂/dq at each point."""
-    with np.errstate(all="ignore"):
-        values = receptances(group, rows, 1j * q, slope=True)
-        A, A_s = matrices(group, rows, 1j * q, values)
-        fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
-        A = np.where(fine[:, None, None], A, np.eye(A.shape[1]))
-        try:
-            turned = np.linalg.solve(A, np.where(fine[:, None, None], A_s, 0))
-            trace = np.einsum("kii->k", turned)
-        except np.linalg.LinAlgError:  # at a root itself
-            trace = np.array([_trace(a, b) for a, b in zip(A, A_s, strict=True)])
-        return np.where(fine, 1j * trace, np.nan)
+def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, Any]:
+    """d log Δ̂/dq and the p-roots at each point."""
+    out, roots = np.empty(len(q), complex), np.empty((len(q), group.D.shape[1] - 1), complex)
+    step = chunk_of(group)
+    for k in range(0, len(q), step):
+        part = slice(k, k + step)
+        with np.errstate(all="ignore"):
+            values = receptances(group, rows[part], 1j * q[part], None if near is None else near[part], slope=True)
+            out[part] = 1j * _turned(*matrices(group, rows[part], 1j * q[part], values))
+        roots[part] = values.z
+    return out, roots
+
+
+def _turned(A: Any, A_s: Any) -> Any:
+    """tr(A⁻¹A′); nan where it is not known."""
+    fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
+    A, A_s = np.where(fine[:, None, None], A, np.eye(A.shape[1])), np.where(fine[:, None, None], A_s, 0)
+    try:
+        trace = np.einsum("kii->k", np.linalg.solve(A, A_s))
+    except np.linalg.LinAlgError:  # at a root itself
+        trace = np.array([_trace(a, b) for a, b in zip(A, A_s, strict=True)])
+    return np.where(fine, trace, np.nan)
 
 
 def _trace(a: Any, b: Any) -> complex:
