@@ -5,6 +5,7 @@ Reports of `certify` are set here rather than by rich, which takes as long to lo
 
 from __future__ import annotations
 
+import shlex
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -82,6 +83,11 @@ class Document:
         """The report in lines of at most `width` characters, as far as its words allow."""
         parts = ("\n".join(block.set(width, colour)) for block in self.blocks)
         return "\n\n".join(parts) + "\n"
+
+
+def certificate_words(path: str) -> str:
+    """Where the certificate is, and how to check it."""
+    return f"{path}\nCheck it with: mpsolve verify {shlex.quote(path)}"
 
 
 def _wrapped(text: str, width: int) -> list[str]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shlex
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
@@ -16,7 +15,7 @@ from mpsolve.numbers.model import Model, defaults, quantities
 from mpsolve.numbers.spoken import rounded, said_in, spoken
 from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.problem import Problem
-from mpsolve.report.blocks import Columns, Document, Line, Section
+from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
 from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, Vibration, own_vibrations
@@ -58,11 +57,6 @@ def spectrum_document(
 def warnings_of(spectrum: Spectrum) -> Iterator[Line]:
     """A sentence for each warning."""
     return (Line(f"Warning: {warning}.", "yellow") for warning in spectrum.warnings)
-
-
-def certificate_words(path: str) -> str:
-    """Where the certificate is, and how to check it."""
-    return f"{path}\nCheck it with: mpsolve verify {shlex.quote(path)}"
 
 
 def cost_words(spectrum: Spectrum) -> str:
