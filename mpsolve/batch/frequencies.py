@@ -53,6 +53,7 @@ class Frequencies:
 
     @property
     def shape(self) -> tuple[int, ...]:
+        """Of the broadcast arrays."""
         return tuple(self.count.shape)
 
     @property
