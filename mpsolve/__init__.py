@@ -9,6 +9,9 @@ if TYPE_CHECKING:
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
+    from mpsolve.endless.amplification import Amplification, amplification
+    from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
+    from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.follow import Outcome
     from mpsolve.fast.frequencies import Frequencies, frequencies
@@ -75,6 +78,12 @@ __all__ = [
     "Outcome",
     "seeds",
     "Seeds",
+    "infinite_train",
+    "InfiniteTrain",
+    "train_velocities",
+    "TrainVelocities",
+    "amplification",
+    "Amplification",
     "crossing_masses",
     "unstable_velocities",
     "onset_velocity",
@@ -140,6 +149,12 @@ _HOME = {
     "Outcome": "fast.follow",
     "seeds": "fast.seeds",
     "Seeds": "fast.seeds",
+    "infinite_train": "endless.infinite_train",
+    "InfiniteTrain": "endless.infinite_train",
+    "train_velocities": "endless.velocities",
+    "TrainVelocities": "endless.velocities",
+    "amplification": "endless.amplification",
+    "Amplification": "endless.amplification",
     "crossing_masses": "stability.masses",
     "unstable_velocities": "stability.velocities",
     "onset_velocity": "stability.velocities",

@@ -51,6 +51,7 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int) -> No
         path = checked_output(output or Path(f"{given.path.stem}.html"), given.path, "the page")
         if path.suffix.lower() == ".pdf":
             raise InputError("output", f"{path} is a page in HTML: give -o NAME.html, and --pdf {path} for the PDF")
+        checked_suffix(path, (".html", ".htm"))
         require_matplotlib()
         printer = None
         if pdf is not None:

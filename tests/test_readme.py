@@ -16,7 +16,7 @@ import mpsolve
 from mpsolve.claims import Verdict
 from mpsolve.claims.load import load
 from mpsolve.cli import cli
-from mpsolve.model.inputfile import _DIMENSIONLESS, _LOAD, _MASS, _PHYSICAL, read_input
+from mpsolve.model.inputfile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_input
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
@@ -85,7 +85,7 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
     shown = re.findall(r"```toml\n(.*?)```", README, flags=re.DOTALL)
     assert len(shown) == 2
-    for text, known in zip(shown, ((_PHYSICAL, _MASS), (_DIMENSIONLESS, _LOAD)), strict=True):
+    for text, known in zip(shown, ((PHYSICAL, MASS), (DIMENSIONLESS, LOAD)), strict=True):
         file = tmp_path / "case.toml"
         file.write_text(text, "utf-8")
         assert read_input(file).title in ("One axle", "")
@@ -93,7 +93,7 @@ def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
         assert keys - {"title"} == {*known[0], *known[1]}
     for command in ("response", "report"):
         said = cli.commands[command].help or ""
-        assert [name for name in (*list(_MASS)[2:], *_LOAD) if name not in said] == []
+        assert [name for name in (*list(MASS)[2:], *LOAD) if name not in said] == []
 
 
 def test_the_paper_on_trial(tmp_path: Path) -> None:

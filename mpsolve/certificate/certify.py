@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.on_sheet import certify_on_sheet
-from mpsolve.certificate.solve import certify_problem, checked_digits
 from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.problem.cases import Given, as_paper, as_problem
@@ -14,7 +12,9 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.regions import Below, Rectangle, checked_region
-from mpsolve.spectrum.spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 FEW = 2
 """Up to so many masses the whole sheet of the paper's beam is what is asked for by default."""
@@ -48,6 +48,8 @@ def certify(
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem, a Case or a PhysicalCase")
     if effort is not None and not isinstance(effort, Effort):
         raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    from mpsolve.certificate.solve import certify_problem, checked_digits  # what computes is loaded when it is needed
+
     digits = checked_digits(digits)
     paper = as_paper(problem)
     wanted = _default(paper) if region is None else checked_region(region)
@@ -55,19 +57,25 @@ def certify(
     if wanted == "sheet" and paper is None:
         raise InputError("region", 'is "sheet", which is known for the paper\'s beam with masses only: ' + _OTHERS)
     if paper is not None and _needs_sheet(paper, wanted):
-        return certify_on_sheet(problem, paper, wanted, **options)
+        return _on_sheet(problem, paper, wanted, options)
     found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
     if wanted is None and not found.proved:
         other = certify(problem, region="unstable", **options)
         return replace(other, note=other.note or _ABOVE) if other.proved else found
     if paper is not None and wanted == "unstable" and not found.proved:
-        other = certify_on_sheet(problem, paper, "unstable", **options)
+        other = _on_sheet(problem, paper, "unstable", options)
         return other if other.proved else found
     return found
 
 
 _ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
 _OTHERS = 'give "unstable", ("below", h) or a Rectangle'
+
+
+def _on_sheet(given: Given, paper: Case | PhysicalCase, region: Any, options: dict[str, Any]) -> Spectrum:
+    from mpsolve.certificate.on_sheet import certify_on_sheet
+
+    return certify_on_sheet(given, paper, region, **options)
 
 
 def _about(given: Given, found: Spectrum) -> Spectrum:

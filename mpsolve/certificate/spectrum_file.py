@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
+from types import MappingProxyType
 from typing import Any
 
 from mpsolve.certificate.format import FORMAT, Certificate, digest
@@ -45,13 +46,13 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
         "equations": equations(reduced),
         "basis": _basis(reduced),
         "bits": 64,
-        "start": _dyadic(Fraction(count.start.depth) * unit),
+        "start": dyadic(Fraction(count.start.depth) * unit),
         "paths": [
-            {"kind": p.kind, "points": [_point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
+            {"kind": p.kind, "points": [point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
         ],
         "theorem": _theorem(reduced, count.beyond.tail) if count.beyond is not None else None,
         "claim": {"region": _region(count.region), "count": count.total, "unstable": unstable},
-        "roots": [_root(root) for root in roots],
+        "roots": [root_entry(root) for root in roots],
     }
     return Certificate(content | {"sha256": digest(content)})
 
@@ -113,12 +114,12 @@ def _theorem(reduced: Reduced, tail: Tail) -> dict[str, Any]:
     return {
         "gamma": [tail.gamma.numerator, tail.gamma.denominator],
         "blocks": [
-            [_dyadic(Fraction(z1) * z), _dyadic(Fraction(z2) * z), _dyadic(Fraction(k) * kappa)]
+            [dyadic(Fraction(z1) * z), dyadic(Fraction(z2) * z), dyadic(Fraction(k) * kappa)]
             for z1, z2, k in tail.blocks
         ],
         "alpha": tail.alpha,
-        "omega": _dyadic(Fraction(tail.omega0) * reduced.frequency_unit),
-        "envelope": _dyadic(Fraction(tail.C) * envelope),
+        "omega": dyadic(Fraction(tail.omega0) * reduced.frequency_unit),
+        "envelope": dyadic(Fraction(tail.C) * envelope),
     }
 
 
@@ -132,12 +133,12 @@ def _whole(x: Fraction, what: str) -> int:
     return int(x)
 
 
-def _root(root: RootEntry) -> dict[str, Any]:
+def root_entry(root: RootEntry) -> dict[str, Any]:
     return {
         "re": hex(root.re),
         "im": hex(root.im),
         "exponent": root.exponent,
-        "radius": _dyadic(root.radius),
+        "radius": dyadic(root.radius),
         "multiplicity": root.multiplicity,
         "pair": root.pair,
     }
@@ -153,7 +154,7 @@ def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
     return {float(x / unit): x for x in sides}
 
 
-def _point(q: complex, unit: Fraction, lines: Mapping[float, Fraction]) -> list[Any]:
+def point(q: complex, unit: Fraction, lines: Mapping[float, Fraction] = MappingProxyType({})) -> list[Any]:
     """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
     re, im = (lines.get(x, Fraction(x) * unit) for x in (q.real, q.imag))
     if any(x.denominator & (x.denominator - 1) for x in (re, im)):
@@ -165,7 +166,7 @@ def _point(q: complex, unit: Fraction, lines: Mapping[float, Fraction]) -> list[
     return [m, n, e if m or n else 0]
 
 
-def _dyadic(x: Fraction) -> list[int]:
+def dyadic(x: Fraction) -> list[int]:
     """[m, e]: m·2^e."""
     m, e = x.numerator, -(x.denominator.bit_length() - 1)
     while m and m % 2 == 0:

@@ -116,13 +116,19 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
 
 def overtakes(absorption: Absorption, v: Fraction) -> bool:
     """In floats: some short wave of the track runs at a speed up to v, so that no envelope exists."""
+    return slowest_short_wave(absorption) <= float(v)
+
+
+def slowest_short_wave(absorption: Absorption) -> float:
+    """In floats: the least speed of the waves of the track as they become short; infinite where there is none."""
     (_, i2), (_, n2), _ = _orders(absorption)
     speeds = np.zeros(i2 + 1)
     for (i, j), c in absorption.D2.items():
         if i + j == n2:
             speeds[i] = float(c * (-1) ** j)  # of r^(i2 − i), descending
     roots = np.roots(speeds)
-    return bool(((np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0) & (roots.real <= float(v))).any())
+    real = roots[(np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0)].real
+    return float(real.min(initial=np.inf))
 
 
 class _Search:
@@ -158,10 +164,10 @@ class _Search:
             inner = np.concatenate([z, (z[1:] + z[:-1]) / 2])[:, None]
             f = _ratio(inner, tau[None, :], self.W, self.D2)
         least = np.where(np.isfinite(f), f, 0.0).min(1)
-        return _best_blocks(z, least[: len(z)], least[len(z) :], growth, sieve)
+        return best_blocks(z, least[: len(z)], least[len(z) :], growth, sieve)
 
 
-def _best_blocks(
+def best_blocks(
     z: Any, ends: Any, middles: Any, growth: float, sieve: float
 ) -> tuple[tuple[float, float, float], ...]:
     """Disjoint intervals with ends in z for which Σ (length·growth − sieve)·least value is largest; few of them."""

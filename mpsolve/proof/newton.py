@@ -6,6 +6,7 @@ simple one, and it lies in the image. Nothing here knows what f is.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -76,14 +77,15 @@ def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
     return image if image.is_finite() and box.contains_interior(image) else None
 
 
-def sharpened(f: Analytic, image: Any, goal: int, real: bool = False) -> Any:
+def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | None = None) -> Any:
     """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
 
-    real: the root is known to be real. Precision doubles with what is known of the root, so as to end at the goal:
-    the last step costs one value of f at goal bits and a little more, and one slope at half of them.
+    onto: takes a ball to its part on the line on which the root is known to lie. Precision doubles with what is known
+    of the root, so as to end at the goal: the last step costs one value of f at goal bits and a little more, and one
+    slope at half of them.
     """
     guard, loss = _GUARD, _LOSS
-    image = acb(image.real) if real else image
+    image = onto(image) if onto else image
     known = _accuracy(image)
     while known < goal:
         target = _next(known, goal, loss)
@@ -92,7 +94,7 @@ def sharpened(f: Analytic, image: Any, goal: int, real: bool = False) -> Any:
         with precision(target + guard):
             middle = image.mid()
             image = middle - f.value(middle) / slope
-            image = acb(image.real) if real else image
+            image = onto(image) if onto else image
         reached = _accuracy(image)
         if reached < target:
             guard, loss = guard + target - reached, loss + target - reached

@@ -57,6 +57,17 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
     return found
 
 
+def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
+    """Approximate roots q̂ of an area whose number is not known, from `hints` and from grids: some may be missed."""
+    function = Floats(reduced)
+    found = np.zeros(0, complex)
+    if len(hints):
+        found = _newton(function, area, np.asarray(hints, complex), found)
+    for level in range(levels):
+        found = _newton(function, area, _starts(function, area, level), found)
+    return found
+
+
 def nearest_root(reduced: Reduced, q: complex) -> complex | None:
     """Where Newton's method leads from q̂, or None where it does not settle."""
     function, at = Floats(reduced), np.array([q])

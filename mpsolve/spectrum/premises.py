@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import shown
+from mpsolve.problem.line import Line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.regions import Below, Rectangle, Region
 from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
@@ -77,6 +78,33 @@ def _rank(rows: list[list[Fraction]]) -> int:
             rows[i] = [a - factor * b for a, b in zip(rows[i], rows[rank], strict=True)]
         rank += 1
     return rank
+
+
+def open_on_sheet(line: Line) -> str:
+    """Why the theorems of the whole sheet do not hold for the vehicle; "" where they do.
+
+    Above the line of the cuts it must be passive: S(−τ − η) with matrices that are positive semidefinite. On a damped
+    track it must be made of tight masses, each alone under its contact, for the theorem far out.
+    """
+    reduced = line.upper
+    if reduced.neutral:
+        return "a coordinate of the vehicle has neither spring nor contact"
+    if line.height:
+        return "" if _tight_masses(line) else "the vehicles are more than masses on the beam"
+    return "the vehicle has dampers" if any(map(any, reduced.S[1])) else ""
+
+
+def _tight_masses(line: Line) -> bool:
+    """Whether each body is a mass with a tight contact of its own, and nothing else is there."""
+    reduced, h = line.upper, line.height
+    rows = (*reduced.B, *zip(*reduced.B, strict=True))
+    single = reduced.bodies == reduced.contacts and all(sum(map(bool, row)) == 1 for row in rows)
+    pairs = [(i, j) for i in range(reduced.bodies) for j in range(reduced.bodies)]
+    K, C, M = reduced.S
+    bare = all(
+        K[i][j] == h * h * M[i][j] and C[i][j] == 2 * h * M[i][j] and (i == j or not M[i][j]) for i, j in pairs
+    )
+    return single and bare and not any(reduced.h)
 
 
 def open_at_rest(reduced: Reduced) -> str:

@@ -14,6 +14,7 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.line import Line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, find_roots
@@ -21,7 +22,8 @@ from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
 from mpsolve.spectrum.reasons import reason_of
-from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
+from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
+from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.spectrum import disjoint
 
 Tell = Callable[[str, float], None]
@@ -31,20 +33,27 @@ Tell = Callable[[str, float], None]
 class Found:
     """A count (None where it stayed open), the balls that explain it, and the reason where they do not."""
 
-    count: Count | None
+    count: Count | SheetCount | None
     balls: tuple[RootBall, ...]
     reason: Reason | None
 
 
-def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
-    """All roots of Δ̂ in the region; never raises for what stays undecided. Matrices are multiplied in one thread."""
+def solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell) -> Found:
+    """All roots of Δ̂ in the region, or on the whole sheet of a beam with its cuts on one line.
+
+    Never raises for what stays undecided. Matrices are multiplied in one thread.
+    """
     with one_thread():
         return _solve(reduced, region, digits, effort, tell)
 
 
-def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
+def _solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
-        count = count_roots(reduced, region, effort, tell)
+        if isinstance(region, Line):
+            tell("contour", 0.0)
+            count: Count | SheetCount = count_sheet(region, effort)
+        else:
+            count = count_roots(reduced, region, effort, tell)
     except (EffortError, PrecisionError) as error:
         return Found(None, (), reason_of(reduced, error))
     if not count.total:
@@ -81,8 +90,10 @@ def _sign(ball: RootBall) -> bool | None:
     return True if ball.q.imag < 0 else None
 
 
-def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
-    """Scaled rectangles that hold the right half of all counted roots."""
+def _areas(reduced: Reduced, count: Count | SheetCount) -> tuple[Area, ...]:
+    """Scaled rectangles that hold the right half of all counted roots, small ones first."""
+    if isinstance(count, SheetCount):
+        return _on_sheet(count)
     region, unit = count.region, reduced.frequency_unit
     if isinstance(region, Rectangle):
         return (Area(*(float(x / unit) for x in (region.re_min, region.re_max, region.im_min, region.im_max))),)
@@ -98,9 +109,33 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     return tuple(areas)
 
 
-def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
+def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
+    """Both sides of the line of the cuts, in sizes that grow."""
+    h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
+    small = max(2 * high, 1.5)
+    sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
+    return tuple(
+        area
+        for size in sizes
+        for area in (Area(0.0, size, h - size, h), *((Area(0.0, size, h, h + size),) if size == small else ()))
+    )
+
+
+def _hints(count: Count | SheetCount) -> Any:
+    """Points at which Δ̂ turns fast."""
+    if isinstance(count, SheetCount):
+        halves = (count.lower, count.upper)
+        rings = [loop.points for half in halves for loop in half.loops]
+        turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
+        points = np.concatenate([*turns, *rings, [count.begin + 0j]])
+        near = points[np.abs(points) < max(16.0, 4 * count.end)]
+        return np.concatenate([near, near.conj()]) + 1j * float(count.line.height)
+    return np.concatenate([path.points for path in count.paths if path.kind == "turn"])
+
+
+def _enclosed(reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell) -> tuple[RootBall, ...]:
     symmetric = not isinstance(count.region, Rectangle)
-    hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
+    hints = _hints(count)
     seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
     proved = Proved(reduced)
     balls: list[RootBall] = []
@@ -116,7 +151,7 @@ def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[
     return tuple(balls)
 
 
-def _add(balls: list[RootBall], ball: RootBall, region: Region, symmetric: bool) -> None:
+def _add(balls: list[RootBall], ball: RootBall, region: Answered, symmetric: bool) -> None:
     """Add a ball and its mirror where they lie in the region and hold more roots than those that they meet."""
     for each in {False, symmetric and ball.symmetry is not Symmetry.IMAGINARY}:
         one = ball.mirrored if each else ball
@@ -139,8 +174,10 @@ def _separated(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
         return []
 
 
-def _inside(region: Region, ball: RootBall) -> bool:
-    """Whether the ball is proved to lie in the region."""
+def _inside(region: Answered, ball: RootBall) -> bool:
+    """Whether the ball is proved to lie in the region; that a ball meets no cut, its isolation shows."""
+    if isinstance(region, Sheet):
+        return True
     re, im = ball.q.real, ball.q.imag
     if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
