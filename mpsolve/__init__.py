@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
     from mpsolve.motion.solve import harmonic_solution
-    from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
+    from mpsolve.motion.study import deflection_shape
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
     from mpsolve.problem.inputfile import read_problem
@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
     from mpsolve.vibration.response import response
+    from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
 
@@ -169,10 +170,10 @@ _HOME = {
     "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
     "HarmonicSolution": "motion.solution",
-    "envelope": "motion.study",
-    "superposition": "motion.study",
-    "merged": "motion.study",
-    "transient_importance": "motion.study",
+    "envelope": "vibration.studies",
+    "superposition": "vibration.studies",
+    "merged": "vibration.studies",
+    "transient_importance": "vibration.studies",
     "deflection_shape": "motion.study",
     "finite_beam": "motion.beam",
     "BeamResponse": "motion.beam",
