@@ -7,6 +7,7 @@ many roots are found as were counted.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,7 +42,16 @@ class Area:
         return max(self.re_max - self.re_min, self.im_max - self.im_min)
 
 
-def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any, symmetric: bool = True) -> Any:
+Weight = Callable[[complex], int]
+"""How many roots of a region one with Re q ≥ 0 and its mirror −q̄ stand for."""
+
+
+def both(q: complex) -> int:
+    """Of a symmetric region: 2, but 1 for a root on the imaginary axis."""
+    return 1 if abs(q.real) < 1e-9 * abs(q) else 2
+
+
+def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any, weight: Weight = both) -> Any:
     """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found.
 
     hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid.
@@ -49,7 +59,7 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
     function = Floats(reduced)
     found = np.zeros(0, complex)
     for level in range(-1, 5):
-        if _number(found, symmetric) >= count:
+        if sum(map(weight, found.tolist())) >= count:
             break
         for area in areas:
             starts = _best(function, hints, np.inf, 8 * count + 20) if level < 0 else _starts(function, area, level)
@@ -79,12 +89,6 @@ def nearest_root(reduced: Reduced, q: complex) -> complex | None:
         if abs(step[0]) < 1e-9 * abs(at[0]):  # at a root itself the next step is not finite
             return complex(at[0])
     return None
-
-
-def _number(found: Any, symmetric: bool) -> int:
-    if not symmetric:
-        return len(found)
-    return int(sum(1 if abs(q.real) < 1e-9 * abs(q) else 2 for q in found))
 
 
 def _starts(function: Floats, area: Area, level: int) -> Any:
