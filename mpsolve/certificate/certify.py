@@ -56,12 +56,21 @@ def certify(
     if isinstance(paper, Case) and wanted in ("sheet", "unstable") and not _rational(paper):
         return certify_on_sheet(problem, paper, wanted, **options)
     found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
+    if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
+        other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
+        return replace(other, note=other.note or _SHEET) if other.proved else found
     if wanted is None and not found.proved:
         other = certify(problem, region="unstable", **options)
         return replace(other, note=other.note or _ABOVE) if other.proved else found
     return found
 
 
+def _lossless(paper: Case | PhysicalCase | None) -> bool:
+    """Whether nothing damps: then there is no other region than the sheet."""
+    return paper is not None and not (paper.eta_b if isinstance(paper, Case) else paper.c)
+
+
+_SHEET = "roots above the cuts, or next to them, are left out, as the count on the whole sheet stayed open"
 _ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
 
 

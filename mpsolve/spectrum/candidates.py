@@ -58,12 +58,17 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
     """
     function = Floats(reduced)
     found = np.zeros(0, complex)
-    for level in range(-1, 5):
-        if sum(map(weight, found.tolist())) >= count:
-            break
-        for area in areas:
-            starts = _best(function, hints, np.inf, 8 * count + 20) if level < 0 else _starts(function, area, level)
-            found = _newton(function, area, starts, found)
+
+    def all_found(roots: Any) -> bool:
+        return sum(map(weight, roots.tolist())) >= count
+
+    for level in range(-2, 5):
+        near = _best(function, hints, np.inf, 2 * count + 8 if level < -1 else 8 * count + 20) if level < 0 else None
+        for area in areas if level > -2 else areas[:1]:
+            if all_found(found):
+                return found
+            starts = _starts(function, area, level) if near is None else near
+            found = _newton(function, area, starts, found, all_found)
     return found
 
 
@@ -110,11 +115,11 @@ def _best(function: Floats, q: Any, reach: Any, most: int) -> Any:
     return q[order] + step[order]
 
 
-def _newton(function: Floats, area: Area, q: Any, found: Any) -> Any:
-    """Roots in the area, old and new ones."""
+def _newton(function: Floats, area: Area, q: Any, found: Any, enough: Callable[[Any], bool] = lambda _: False) -> Any:
+    """Roots in the area, old and new ones, until there are enough."""
     slack = 1e-9 * area.size
     for _ in range(_STEPS):
-        if not len(q):
+        if not len(q) or enough(found):
             return found
         step = _step(function, q, found)
         limit = 0.2 * area.size

@@ -25,8 +25,8 @@ _ROOT_HALF = math.sqrt(0.5)
 ARCS = 24
 """Of the circle |u| = 1/W on which the waves are bounded."""
 _BEYOND = 2.0  # how far, at least, beyond the last frequency at which p-roots meet
-_LADDER = 2.0 ** (np.arange(10) / 2)  # of W, tried at once
-_ROUNDS = 4
+_LADDER = 2.0 ** (np.arange(6) / 2)  # of W, tried at once
+_ROUNDS = 6
 _SLACK = 1e-9  # far above the rounding of the few operations on bounds below
 
 

@@ -21,7 +21,7 @@ from mpsolve.spectrum.candidates import Area, Weight, both, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
-from mpsolve.spectrum.reasons import reason_of
+from mpsolve.spectrum.reasons import reason_of, sheet_reason
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.spectrum import disjoint
@@ -55,7 +55,8 @@ def _solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort,
         else:
             count = count_roots(reduced, region, effort, tell)
     except (EffortError, PrecisionError) as error:
-        return Found(None, (), reason_of(reduced, error))
+        line = region if isinstance(region, Line) else None
+        return Found(None, (), sheet_reason(line, reduced, error) if line else reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
     try:
@@ -116,11 +117,9 @@ def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
     h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
     small = max(2 * high, 1.5)
     sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
-    return tuple(
-        area
-        for size in sizes
-        for area in (Area(0.0, size, h - size, h), *((Area(0.0, size, h, h + size),) if size == small else ()))
-    )
+    below = [Area(0.0, size, h - size, h) for size in sizes]
+    none_above = count.far is not None and not count.upper.paths  # the track is passive on the whole upper half
+    return tuple(below[:1] + ([] if none_above else [Area(0.0, small, h, h + small)]) + below[1:])
 
 
 def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
