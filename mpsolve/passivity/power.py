@@ -29,7 +29,9 @@ class Power:
     names: tuple[str, ...]
 
     @staticmethod
-    def of(D: Mapping[tuple[int, ...], Fraction], N: Mapping[tuple[int, ...], Fraction], names: Sequence[str]) -> Power:
+    def of(
+        D: Mapping[tuple[int, ...], Fraction], N: Mapping[tuple[int, ...], Fraction], names: Sequence[str]
+    ) -> Power:
         """From D and N at rest, polynomials in P, s and the parameters, even in P."""
         (dr, di), (nr, ni) = _halves(D), _halves(N)
         return Power(_less(_times(nr, di), _times(ni, dr)), dr, di, tuple(names))
