@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
+    from mpsolve.certificate.roots import real_roots, roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
-    from mpsolve.spectrum.regions import Rectangle
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
+    from mpsolve.zeros.answer import Zero, Zeros
+    from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle
 
 __version__ = "0.1.0"
 
@@ -97,6 +99,14 @@ __all__ = [
     "study",
     "open_study",
     "Study",
+    "roots",
+    "real_roots",
+    "Zeros",
+    "Zero",
+    "Disc",
+    "Polygon",
+    "HalfPlane",
+    "Cut",
     "verify",
     "Verdict",
     "MpsolveError",
@@ -121,7 +131,7 @@ _HOME = {
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
     "certify": "certificate.certify",
-    "Rectangle": "spectrum.regions",
+    "Rectangle": "zeros.regions",
     "Spectrum": "spectrum.spectrum",
     "Status": "outcome",
     "Reason": "outcome",
@@ -159,6 +169,14 @@ _HOME = {
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",
+    "roots": "certificate.roots",
+    "real_roots": "certificate.roots",
+    "Zeros": "zeros.answer",
+    "Zero": "zeros.answer",
+    "Disc": "zeros.regions",
+    "Polygon": "zeros.regions",
+    "HalfPlane": "zeros.regions",
+    "Cut": "zeros.regions",
     "verify": "certificate.check",
     "Verdict": "certificate.verify",
     "MpsolveError": "errors",

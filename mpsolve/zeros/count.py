@@ -138,7 +138,8 @@ class Walk:
         return [self._one(float(s.real), float(t.real)) for s, t in zip(starts, ends, strict=True)]
 
     def _one(self, s: float, t: float) -> bool:
-        for mode in (0,) if self.f.entire else (0, 1, 2, 3):
+        tried = (True, not self.f.entire, not self.f.entire and s == 0, not self.f.entire and t == 1)
+        for mode in [k for k in range(4) if tried[k]]:
             try:
                 if self._turns_little(s, t, mode):
                     self.modes[s, t] = mode

@@ -121,7 +121,21 @@ def _applied(step: Step, values: list[Any], z: Any, n: int) -> Any:
         raise CutError(f"{name} may meet its branch cut")
     if name in WITH_ORDER:
         return _composed(_COEFFICIENTS[name], step[2], a)
+    if name in ("atan", "sinh", "cosh"):
+        return _other(name, a)
     return getattr(a, name)()
+
+
+def _other(name: str, a: Any) -> Any:
+    w = constant_of(a)
+    if name == "atan":  # cuts on the imaginary axis, from ±i outwards
+        if not (w.real > 0 or w.real < 0 or (w.imag < 1 and w.imag > -1)):
+            raise CutError("atan may meet its branch cut")
+        return a.atan()
+    if not isinstance(a, acb_series):
+        return getattr(a, name)()
+    b = acb(0, 1) * a
+    return b.cos() if name == "cosh" else acb(0, -1) * b.sin()
 
 
 _PLAIN: dict[str, Callable[[Any, Any], Any]] = {
@@ -227,6 +241,6 @@ def guards(steps: Sequence[Step]) -> list[int]:
     out = []
     for k, step in enumerate(steps):
         depends.append(step[0] == "z" or any(depends[j] for j in taken(step)))
-        if depends[k] and (step[0] in CUT or (step[0] == "div" and depends[step[2]])):
+        if depends[k] and (step[0] in (*CUT, "atan") or (step[0] == "div" and depends[step[2]])):
             out.append(k)
     return out

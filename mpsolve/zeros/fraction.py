@@ -97,23 +97,21 @@ def _expression(program: Program, part: _Part) -> Expression:
 def factors(steps: Sequence[Step], output: int) -> dict[int, int]:
     """The steps, to whole powers, whose product an output is by its outer steps; constants are left out."""
     program = Program(list(steps))
-    found: Factors = {}
-    _gather(program, output, 1, dependent(program), found)
+    depends, found = dependent(program), Factors()
+    stack = [(output, 1)]
+    while stack:
+        k, power = stack.pop()
+        step = steps[k]
+        if not depends[k]:
+            continue
+        if step[0] == "mul":
+            stack += [(step[2], power), (step[1], power)]
+        elif step[0] == "pow":
+            stack.append((step[1], power * step[2]))
+        elif step[0] == "sub" and program.rational(step[1]) == 0:
+            stack.append((step[2], power))
+        elif step[0] == "div" and not depends[step[2]]:
+            stack.append((step[1], power))
+        else:
+            found[k] = found.get(k, 0) + power
     return found
-
-
-def _gather(program: Program, k: int, power: int, depends: list[bool], found: Factors) -> None:
-    step = program.steps[k]
-    if not depends[k]:
-        return
-    if step[0] == "mul":
-        _gather(program, step[1], power, depends, found)
-        _gather(program, step[2], power, depends, found)
-    elif step[0] == "pow":
-        _gather(program, step[1], power * step[2], depends, found)
-    elif step[0] == "sub" and program.rational(step[1]) == 0:
-        _gather(program, step[2], power, depends, found)
-    elif step[0] == "div" and not depends[step[2]]:
-        _gather(program, step[1], power, depends, found)
-    else:
-        found[k] = found.get(k, 0) + power

@@ -296,6 +296,11 @@ def place_of_box(vertices: Vertices, low: Point, high: Point) -> bool | None:
     """True if the closed box lies inside the polygon, False if outside, None if it meets an edge."""
     a, c = low
     b, d = high
+    left, right, bottom, top = box_of(vertices)
+    if b < left or a > right or d < bottom or c > top:
+        return False
+    if len(vertices) == 4 and set(vertices) == {(left, bottom), (right, bottom), (right, top), (left, top)}:
+        return True if left < a and b < right and bottom < c and d < top else None
     for p, q in edges(vertices):
         apart = max(p[0], q[0]) < a or min(p[0], q[0]) > b or max(p[1], q[1]) < c or min(p[1], q[1]) > d
         sides = [cross(p, q, corner) for corner in ((a, c), (b, c), (b, d), (a, d))]
