@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 from time import process_time
 from typing import Any
@@ -12,6 +14,7 @@ from flint import acb
 from mpsolve.certificate.roots_file import interval_certificate, region_certificate
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.model import rational, shown
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.outcome import Reason, Status
@@ -20,8 +23,9 @@ from mpsolve.proof.effort import Effort
 from mpsolve.zeros.analytic import hull
 from mpsolve.zeros.answer import Work, Zero, Zeros
 from mpsolve.zeros.enclose import Zeros as Near
+from mpsolve.zeros.function import Function
 from mpsolve.zeros.read import Given, read_function
-from mpsolve.zeros.reals import OpenTileError, Tiling, tile
+from mpsolve.zeros.reals import OpenTileError, Tiling, bracket, tile
 from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle, Region
 from mpsolve.zeros.solve import Solved, reason_of, solve
 
@@ -45,12 +49,12 @@ def roots(
 ) -> Zeros:
     """Every zero of an analytic f in the open region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
-    f: a text ("sin(z) - z/2"), an expression of sympy in one symbol, a Python function of flint.acb, or two of these as
-    (numerator, denominator). A Python function is called once on a symbol; where it uses only operators and z's own
-    methods it is an expression like the others. Where it cannot be read so, it must take (z, analytic), as acb.integral
-    has it, or be vouched for with assume_analytic=True: its balls must not be finite where it may not be analytic.
-    derivative: f′, for such a function. Sums and quotients are made one fraction: its zeros are those of the numerator
-    where the denominator is not 0.
+    f: a text ("sin(z) - z/2"), an expression of sympy in one symbol, a Python function of flint.acb, or two of these
+    as (numerator, denominator). A Python function is called once on a symbol; where it uses only operators and z's
+    own methods it is an expression like the others. Where it cannot be read so, it must take (z, analytic), as
+    acb.integral has it, or be vouched for with assume_analytic=True: its balls must not be finite where it may not be
+    analytic. derivative: f′, for such a function. Sums and quotients are made one fraction: its zeros are those of
+    the numerator where the denominator is not 0.
     region: Rectangle, Disc, Polygon, or HalfPlane (with the user's bound). cuts: branch cuts that reach into it.
     digits: certified digits of each zero relative to its modulus, 15 to 10,000. effort bounds the work. check: run
     the standalone verifier on the certificate before "proved" is returned.
@@ -77,13 +81,19 @@ def roots(
         known = {} if found.count is None else {"counted": found.count.total}
         cost = Work(process_time() - started, 0.0, budget.spent, found.count.pieces if found.count else 0)
         return Zeros(
-            region=found.region, status=Status.UNDECIDED, reason=found.reason, roots=zeros, known=known, cost=cost, **common
+            region=found.region,
+            status=Status.UNDECIDED,
+            reason=found.reason,
+            roots=zeros,
+            known=known,
+            cost=cost,
+            **common,
         )
     total = sum(zero.multiplicity for zero in zeros)
     cost = Work(process_time() - started, 0.0, budget.spent, found.count.pieces)
     answer = Zeros(region=found.region, status=Status.UNVERIFIED, count=total, roots=zeros, cost=cost, **common)
     if given.expression is None:
-        return _changed(answer, note=f"{answer.note}; {_UNCHECKED}" if answer.note else _UNCHECKED)
+        return replace(answer, note=f"{answer.note}; {_UNCHECKED}" if answer.note else _UNCHECKED)
     certificate = region_certificate(given.expression, found.count, found.region, found.balls, total)
     return _checked(answer, certificate, check, tell)
 
@@ -107,33 +117,23 @@ def _budget(effort: Effort | None) -> Effort:
     return effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
 
 
-def _changed(answer: Zeros, **values: Any) -> Zeros:
-    from dataclasses import replace
-
-    return replace(answer, **values)
-
-
 def _checked(answer: Zeros, certificate: Any, check: bool, tell: Progress) -> Zeros:
     """The answer with the verifier's word on its certificate."""
     if not check:
-        return _changed(answer, certificate=certificate)
+        return replace(answer, certificate=certificate)
     from mpsolve.certificate.verify_roots import verify_bytes
 
     tell("verifying", 0.0)
     started = process_time()
     verdict = verify_bytes(certificate.text.encode("ascii"))
-    cost = _changed_cost(answer.cost, process_time() - started)
+    cost = replace(answer.cost, verification=process_time() - started)
     if verdict.valid:
-        return _changed(answer, status=Status.PROVED, certificate=certificate, verified=verdict.claim, cost=cost)
+        return replace(answer, status=Status.PROVED, certificate=certificate, verified=verdict.claim, cost=cost)
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"
     reason = Reason("verifier", message, {}, _REMEDY)
-    return _changed(
+    return replace(
         answer, status=Status.UNDECIDED, reason=reason, count=None, roots=(), certificate=certificate, cost=cost
     )
-
-
-def _changed_cost(cost: Work, verification: float) -> Work:
-    return Work(cost.seconds, verification, cost.evaluations, cost.pieces)
 
 
 def real_roots(
@@ -149,8 +149,8 @@ def real_roots(
     """Every real zero of f on the closed interval [a, b] with its multiplicity: a proof, or undecided with a reason.
 
     f: as for `roots`, but it must be an expression that is real on the interval. A multiplicity is the power of the
-    factor of f whose simple zero it is, so a multiple zero must show in the form of f: (z - 1)**3. Zeros of one factor
-    that meet are refused by name. The balls are flint.arb. Other arguments and errors as for `roots`.
+    factor of f whose simple zero it is: a multiple zero must show in the form of f, as in (z - 1)**3. Zeros of one
+    factor that meet are refused by name. The balls are flint.arb. Other arguments and errors as for `roots`.
 
     >>> from mpsolve import real_roots
     >>> [zero.multiplicity for zero in real_roots("(z - 1)**3*(z**2 - 2*z - 24.11)", -10, 10).roots]
@@ -167,7 +167,7 @@ def real_roots(
     common: dict[str, Any] = {"function": given.words, "digits": digits, "region": (low, high)}
     try:
         tilings = [tile(part, power, low, high, budget) for part, power in given.function.parts]
-        zeros, reason = _real_zeros(given, tilings, digits, float(max(abs(low), abs(high))))
+        zeros, brackets, reason = _real_zeros(given, tilings, digits, float(max(abs(low), abs(high))))
     except (EffortError, PrecisionError) as error:
         cost = Work(process_time() - started, 0.0, budget.spent)
         return Zeros(status=Status.UNDECIDED, reason=_real_reason(error), cost=cost, **common)
@@ -177,7 +177,13 @@ def real_roots(
         return Zeros(status=Status.UNDECIDED, reason=reason, roots=zeros, cost=cost, **common)
     total = sum(zero.multiplicity for zero in zeros)
     answer = Zeros(status=Status.UNVERIFIED, count=total, roots=zeros, cost=cost, **common)
-    return _checked(answer, interval_certificate(given.expression, low, high, tilings), check, tell)
+    rows = [(tiling, _sharp_bits(digits), row) for tiling, row in zip(tilings, brackets, strict=True)]
+    return _checked(answer, interval_certificate(given.expression, low, high, rows), check, tell)
+
+
+def _sharp_bits(digits: int) -> int:
+    """At which the signs beside a zero are told: twice its digits, as f may be flat there, and some more."""
+    return int(7 * digits) + 256
 
 
 def _real_reason(error: EffortError | PrecisionError) -> Reason:
@@ -189,25 +195,38 @@ def _real_reason(error: EffortError | PrecisionError) -> Reason:
 
 def _real_zeros(
     given: Given, tilings: list[Tiling], digits: int, size: float
-) -> tuple[tuple[Zero, ...], Reason | None]:
-    found = []
+) -> tuple[tuple[Zero, ...], list[list[tuple[Fraction, Fraction]]], Reason | None]:
+    """The zeros in their order; the brackets of each factor's zeros; and why they are not all told apart."""
+    found, brackets = [], []
     for tiling in tilings:
-        near = Near(tiling.function, size, tiling.power)
-        for low, high in tiling.brackets:
-            found.append((low, high, _sharp(near, low, high, digits), tiling.power))
+        near, row = Near(tiling.function, size, tiling.power), []
+        for low, high in tiling.with_zeros:
+            ball = _sharp(near, low, high, digits)
+            with precision(_sharp_bits(digits)):
+                row.append(bracket(tiling.function, low, high, ball))
+            found.append((*row[-1], ball, tiling.power))
+        brackets.append(row)
     found.sort(key=lambda one: one[0])
     zeros = tuple(Zero(ball, power, True) for _, _, ball, power in found)
     for one, two in pairwise(found):
         if one[1] >= two[0]:
             place = float((two[0] + two[1]) / 2)
             message = f"zeros of two factors of f near z = {place:.8g} are not told apart"
-            return zeros, Reason("open-tile", message, {"re": f"{place:.10g}"}, "take the common factor out of both")
-    for low, high, _, _ in found if given.denominator is not None else []:
-        box = hull((low, low), (high, high)).real
-        if given.denominator is not None and not given.denominator.value(acb(box)).abs_lower() > 0:
+            remedy = "take the common factor out of both, or ask for more digits"
+            return zeros, brackets, Reason("open-tile", message, {"re": f"{place:.10g}"}, remedy)
+    for low, high, _, _ in found:
+        if given.denominator is not None and not _nonzero(given.denominator, low, high):
             message = f"numerator and denominator may vanish together near z = {float(low):.8g}"
-            return zeros, Reason("common-zero", message, {"re": f"{float(low):.10g}"}, "divide both by what they share")
-    return zeros, None
+            remedy = "divide both by what they have in common"
+            return zeros, brackets, Reason("common-zero", message, {"re": f"{float(low):.10g}"}, remedy)
+    return zeros, brackets, None
+
+
+def _nonzero(f: Function, low: Fraction, high: Fraction) -> bool:
+    try:
+        return bool(f.value(acb(hull((low, low), (high, high)).real)).abs_lower() > 0)
+    except PrecisionError:
+        return False
 
 
 def _sharp(near: Near, low: Any, high: Any, digits: int) -> Any:

@@ -1,4 +1,4 @@
-"""Certificates of zeros as JSON: the function's steps, the region, every choice of the proof (certs/SPEC-ROOTS.md)."""
+"""Certificates of zeros as JSON: the function, the region, every choice of the proof (certs/SPEC-ROOTS.md)."""
 
 from __future__ import annotations
 
@@ -37,9 +37,14 @@ def region_certificate(
     return Certificate(content | {"sha256": digest(content)})
 
 
-def interval_certificate(expression: Expression, a: Fraction, b: Fraction, tilings: Sequence[Tiling]) -> Certificate:
-    """Of the real zeros on an interval."""
-    zeros = sorted((low, tiling.power) for tiling in tilings for low, _ in tiling.brackets)
+Brackets = Sequence[tuple[Fraction, Fraction]]
+
+
+def interval_certificate(
+    expression: Expression, a: Fraction, b: Fraction, tilings: Sequence[tuple[Tiling, int, Brackets]]
+) -> Certificate:
+    """Of the real zeros on an interval: each factor's tiles, the precision of its brackets, and these."""
+    zeros = sorted((low, tiling.power) for tiling, _, brackets in tilings for low, _ in brackets)
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -47,7 +52,16 @@ def interval_certificate(expression: Expression, a: Fraction, b: Fraction, tilin
         "function": _function(expression),
         "interval": [str(a), str(b)],
         "claim": {"zeros": len(zeros), "multiplicities": [power for _, power in zeros]},
-        "tiles": [{"bits": t.bits, "places": [str(x) for x in t.places], "kinds": t.kinds} for t in tilings],
+        "tiles": [
+            {
+                "bits": t.bits,
+                "places": [str(x) for x in t.places],
+                "kinds": t.kinds,
+                "sharp": bits,
+                "brackets": [_point(pair) for pair in brackets],
+            }
+            for t, bits, brackets in tilings
+        ],
     }
     return Certificate(content | {"sha256": digest(content)})
 

@@ -82,7 +82,7 @@ _lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's 
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """flint at `bits` and with enough terms inside the block; put back after it. Other threads that come here wait."""
+    """flint at `bits` and with enough terms inside the block, put back after it. Other threads wait."""
     with _lock:
         before, cap = flint.ctx.prec, flint.ctx.cap
         flint.ctx.prec, flint.ctx.cap = bits, max(cap, MOST_TERMS + 2)
@@ -287,7 +287,10 @@ class Function:
 
     def parts(self, values: dict[int, Any], n: int) -> list[list[Any]]:
         """The first n Taylor coefficients of each factor; finite in the first."""
-        out = [[values[k][j] for j in range(n)] if isinstance(values[k], acb_series) else [values[k]] for k in self.factors]
+        out = [
+            [values[k][j] for j in range(n)] if isinstance(values[k], acb_series) else [values[k]]
+            for k in self.factors
+        ]
         for row in out:
             decide(row[0].is_finite(), "the function is not finite on a ball")
         return out
@@ -695,7 +698,9 @@ def count(f: Function, legs: Sequence[tuple[Point, Point]], breaks: Any) -> list
         keys(row, "exponent places")
         e = integer(row["exponent"], 0, 200, "an exponent")
         places = [integer(m, 0, 1 << e, "a place") for m in items(row["places"], MAX_PIECES, "places")]
-        require(places[:1] == [0] and places[-1:] == [1 << e] and len(places) > 1, "a leg is not gone from end to end")
+        require(
+            places[:1] == [0] and places[-1:] == [1 << e] and len(places) > 1, "a leg is not gone from end to end"
+        )
         require(all(m < n for m, n in pairwise(places)), "places on a leg are not in order")
         pieces += len(places)
         require(pieces <= MAX_PIECES and pieces * len(f.needed) * 4 <= MAX_WORK, "there are too many pieces")
@@ -732,7 +737,9 @@ def read_root(value: Any) -> Root:
     keys(value, "re im exponent radius multiplicity")
     texts = [value["re"], value["im"]]
     for text in texts:
-        require(isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text, re.ASCII), "a root is no number")
+        require(
+            isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text, re.ASCII), "a root is no number"
+        )
     unit = power_of_2(integer(value["exponent"], -80_000, 5_000, "an exponent"))
     m, e = items(value["radius"], 2, "a radius", 2)
     r = integer(m, 1, 2**40, "a radius") * power_of_2(integer(e, -80_000, 5_000, "a radius"))
@@ -832,7 +839,10 @@ def read_region(value: Any) -> Region:
         sides = {"upper": (-r, r, t, r), "lower": (-r, r, -r, t), "right": (t, r, -r, r), "left": (-r, t, -r, r)}
         require(value["side"] in sides and r > abs(t), "the half-plane is not known, or its bound too small")
         a, b, c, d = sides[value["side"]]
-        line = ("Im z" if value["side"] in ("upper", "lower") else "Re z", ">" if value["side"] in ("upper", "right") else "<")
+        line = (
+            "Im z" if value["side"] in ("upper", "lower") else "Re z",
+            ">" if value["side"] in ("upper", "right") else "<",
+        )
         words = f"the part {line[0]} {line[1]} {short(t)} of the square max(|Re z|, |Im z|) < {short(r)}"
         return Region([(a, c), (b, c), (b, d), (a, d)], None, words)
     if kind == "disc":
@@ -894,7 +904,9 @@ def region(content: dict[str, Any]) -> str:
     require(None not in places, "a disc meets the boundary of the region")
     keys(content["claim"], "count")
     inside = sum(root.multiplicity for root, place in zip(roots, places, strict=True) if place)
-    require(inside == integer(content["claim"]["count"], 0, 10**9, "count"), "the claimed count is not the proved one")
+    require(
+        inside == integer(content["claim"]["count"], 0, 10**9, "count"), "the claimed count is not the proved one"
+    )
     return words(f, below, asked, cuts, inside, sum(bool(p) for p in places))
 
 
@@ -903,7 +915,9 @@ def words(f: Function, below: Function | None, asked: Region, cuts: Sequence[Cut
     without = f", without {len(cuts)} branch cuts," if cuts else ""
     zeros = "zero" if total == 1 else "zeros"
     where = f" in {discs} disjoint discs" if total else ""
-    return f"f(z) = {text}\n{asked.words}{without} holds exactly {total} {zeros} of f, counted with multiplicity{where}"
+    return (
+        f"f(z) = {text}\n{asked.words}{without} holds exactly {total} {zeros} of f, counted with multiplicity{where}"
+    )
 
 
 def interval(content: dict[str, Any]) -> str:
@@ -924,17 +938,24 @@ def interval(content: dict[str, Any]) -> str:
             bottom = first(below.run(acb(spread([low, high])), 1)[below.output])
             require(bottom.abs_lower() > 0, "the denominator may vanish where the numerator does")
     keys(content["claim"], "zeros multiplicities")
-    times = [integer(m, 1, MAX_MULTIPLICITY, "a multiplicity") for m in items(content["claim"]["multiplicities"], MAX_ROOTS, "m")]
+    times = [
+        integer(m, 1, MAX_MULTIPLICITY, "a multiplicity")
+        for m in items(content["claim"]["multiplicities"], MAX_ROOTS, "m")
+    ]
     require(times == [m for _, _, m in found], "the claimed multiplicities are not the proved ones")
-    require(integer(content["claim"]["zeros"], 0, MAX_ROOTS, "zeros") == len(found), "the claimed number is not the proved one")
+    require(
+        integer(content["claim"]["zeros"], 0, MAX_ROOTS, "zeros") == len(found),
+        "the claimed number is not the proved one",
+    )
     text = f.shown if below is None else f"({f.shown})/({below.shown})"
     zeros = "zero" if len(found) == 1 else "zeros"
-    return f"f(z) = {text}\n[{short(a)}, {short(b)}] holds exactly {len(found)} real {zeros} of f, with multiplicities {times}"
+    claim = f"holds exactly {len(found)} real {zeros} of f, with multiplicities {times}"
+    return f"f(z) = {text}\n[{short(a)}, {short(b)}] {claim}"
 
 
 def tiles_of(g: Function, power: int, a: Any, b: Any, row: Any, f: Function) -> list[tuple[Any, Any, int]]:
-    """The zeros of one factor: tiles from a to b, on each of which it has no zero, or one and a slope that is not 0."""
-    keys(row, "bits places kinds")
+    """The zeros of one factor, bracketed: tiles from a to b without a zero, or with one and a slope that is not 0."""
+    keys(row, "bits places kinds sharp brackets")
     places = [rational(x, "a place") for x in items(row["places"], MAX_PIECES, "places")]
     kinds = row["kinds"]
     require(isinstance(kinds, str) and len(kinds) == len(places) - 1, "tiles and their kinds do not fit")
@@ -956,7 +977,18 @@ def tiles_of(g: Function, power: int, a: Any, b: Any, row: Any, f: Function) -> 
             crosses = (ends[0] < 0 and ends[1] > 0) or (ends[0] > 0 and ends[1] < 0)
             require(crosses or at_end, "a tile is not proved to hold a zero")
             out.append((low, high, power))
-    return out
+    brackets = [point(pair, "a bracket") for pair in items(row["brackets"], len(out), "brackets", len(out))]
+    with precision(integer(row["sharp"], 53, MAX_BITS, "bits")):
+        return [(*narrow(g, u, v, low, high), power) for (u, v), (low, high, _) in zip(brackets, out, strict=True)]
+
+
+def narrow(g: Function, u: Any, v: Any, low: Any, high: Any) -> tuple[Any, Any]:
+    """The bracket: g is monotone on the tile and has two signs at u < v, or is exactly 0 at u = v."""
+    require(low <= u <= v <= high, "a bracket is not in its tile")
+    signs = [tile_value(g, acb(ball(x)), 1)[0].real for x in (u, v)]
+    crosses = (signs[0] < 0 and signs[1] > 0) or (signs[0] > 0 and signs[1] < 0)
+    require(crosses or (u == v and signs[0] == 0) or (u, v) == (low, high), "a bracket is not proved to hold a zero")
+    return u, v
 
 
 def tile_value(g: Function, z: Any, n: int) -> list[Any]:

@@ -21,8 +21,9 @@ _FIRST_BITS = 160
 class Meeting(Protocol):
     """What a function must give for its clusters."""
 
-    most: int
-    """Roots in one cluster that are looked for."""
+    @property
+    def most(self) -> int:
+        """Roots in one cluster that are looked for."""
 
     def series(self, centre: Any, shrink: int) -> Taylor:
         """About the exact centre; the errors of its coefficients fall with `shrink`."""

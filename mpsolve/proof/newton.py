@@ -79,8 +79,9 @@ def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
 def sharpened(f: Analytic, image: Any, goal: int, real: bool = False, least: Any = 0) -> Any:
     """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
 
-    real: the root is known to be real. least: a size below which a root counts as one of this size. Precision doubles with what is known of the root, so as to end at the goal:
-    the last step costs one value of f at goal bits and a little more, and one slope at half of them.
+    real: the root is known to be real. least: a size below which a root counts as one of this size. Precision doubles
+    with what is known of the root, so as to end at the goal: the last step costs one value of f at goal bits and a
+    little more, and one slope at half of them.
     """
     guard, loss = _GUARD, _LOSS
     image = acb(image.real) if real else image

@@ -37,7 +37,8 @@ _SMALLEST = 2.0**-44
 class Count:
     """The proved number of zeros in a polygon without its cuts, with all that the proof rests on.
 
-    totals: those of each part of f, without its power. breaks: for each leg of the path the places t in [0, 1] between which its pieces lie. trees: see `analytic`.
+    totals: those of each part of f, without its power. breaks: for each leg of the path the places in [0, 1] between
+    which its pieces lie. trees: see `analytic`.
     """
 
     vertices: Vertices
@@ -113,12 +114,12 @@ class Walk:
     f: Function
     leg: Leg
     first: int = 8
-    ends: dict[tuple[float, int], Any] = field(default_factory=dict)
+    ends: dict[tuple[float, int], list[Any]] = field(default_factory=dict)
     modes: dict[tuple[float, float], int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.a, self.b = hull(self.leg.a), hull(self.leg.b)
-        step = tuple(y - x for x, y in zip(self.leg.a, self.leg.b, strict=True))
+        step = self.leg.b[0] - self.leg.a[0], self.leg.b[1] - self.leg.a[1]
         self.step = hull(step)
         self.left = hull((-step[1], step[0]))
 
@@ -163,7 +164,7 @@ class Walk:
         starts = self.end(s, mode, start=True)
         self.end(t, mode, start=False)
         step = self.step * arb(t - s)
-        return all(_little(step, *part, start) for part, start in zip(parts, starts, strict=True))
+        return all(_little(step, part, start) for part, start in zip(parts, starts, strict=True))
 
     def end(self, t: float, mode: int, start: bool) -> list[Any]:
         """The parts of f at the end of a piece, continued to a cut as the piece is."""
@@ -208,7 +209,8 @@ class Walk:
         return np.array(points, complex), array[:, :, 0], array[:, :, 1]
 
 
-def _little(step: Any, value: Any, slope: Any, start: Any) -> bool:
+def _little(step: Any, part: list[Any], start: Any) -> bool:
+    value, slope = part
     if not start.abs_lower() > 0:
         return False
     E = step * slope / start

@@ -9,7 +9,7 @@ from typing import Any
 from flint import acb, arb
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import precision, square
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import SAMPLES, Taylor
 from mpsolve.proof import clusters

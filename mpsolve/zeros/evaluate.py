@@ -181,7 +181,7 @@ def _beside(name: str, w: Any, w_line: Any, normal: Any, beyond: bool) -> tuple[
         raise CutError(f"the side from which {name} comes to its branch cut cannot be told")
     up = acb(0, 1) if turn > 0 else acb(0, -1)
     if off_cut(-w0) and not beyond:
-        return tuple(_continued(name, x, up) for x in (w, w_line))  # type: ignore[return-value]
+        return _continued(name, w, up), _continued(name, w_line, up)
     if name != "sqrt" or not w0.is_finite():
         raise CutError(f"{name} may meet its branch point")
     side = arb(0, w_line.abs_upper().sqrt().upper())  # continuous there, but without a slope

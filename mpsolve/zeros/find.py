@@ -52,7 +52,9 @@ class Found:
             return
         for ball in enclose(self.f, z, self.size, self.digits, self.power):
             met = [other for other in self.balls if ball.q.overlaps(other.q)]
-            if place_of_box(self.vertices, *corners_of(ball)) and ball.multiplicity > sum(o.multiplicity for o in met):
+            if place_of_box(self.vertices, *corners_of(ball)) and ball.multiplicity > sum(
+                o.multiplicity for o in met
+            ):
                 self.balls = [other for other in self.balls if other not in met] + [ball]
 
     def _settled(self, seed: complex) -> complex | None:
@@ -71,7 +73,9 @@ class Found:
                     return seed  # a multiple zero itself, for one
                 z = (z - step).mid()
                 near, moved = complex(z), abs(complex(step))
-                if not (2 * left - right < near.real < 2 * right - left and 2 * low - high < near.imag < 2 * high - low):
+                if not (
+                    2 * left - right < near.real < 2 * right - left and 2 * low - high < near.imag < 2 * high - low
+                ):
                     return None
                 if moved < 1e-15 * abs(near):
                     break

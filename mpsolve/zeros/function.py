@@ -1,4 +1,4 @@
-"""What is counted and enclosed: a function on balls with its Taylor coefficients, from an expression or a callable."""
+"""What is counted and enclosed: a function on balls and its Taylor coefficients, of an expression or a callable."""
 
 from __future__ import annotations
 
@@ -161,7 +161,9 @@ class CallableFunction:
         except (ZeroDivisionError, ValueError, ArithmeticError):
             raise PrecisionError("f raises an error on a ball") from None
         except TypeError as error:
-            raise InputError("f", f"does not give flint.acb for flint.acb ({error}): give a function of balls") from None
+            raise InputError(
+                "f", f"does not give flint.acb for flint.acb ({error}): give a function of balls"
+            ) from None
         return _finite([value])[0]
 
     def value(self, z: Any) -> Any:
@@ -184,8 +186,9 @@ class CallableFunction:
     def _from_values(self, z: Any, n: int) -> list[Any]:
         """By Cauchy's bound on a larger disc about the middle of the ball."""
         middle, radius = z.mid(), abs(z - z.mid()).upper()
-        size = max(abs(middle), arb(1)) * arb(2) ** -_NEAR
-        outer = arb(size if 8 * radius < size else 8 * radius)
+        outer = arb(max(abs(middle), arb(1)) * arb(2) ** -_NEAR)
+        if not 8 * radius < outer:  # too wide for a bound of the slopes that helps
+            return [self.value(z), *[acb("nan")] * (n - 1)]
         one = self.taylor(middle, outer, bits_now())
         if radius == 0:
             return list(one.coefficients[:n])
@@ -197,7 +200,13 @@ class CallableFunction:
             for j in range(SAMPLES - 1, k - 1, -1):
                 total = total * offset + one.coefficients[j] * _binomial(j, k)
             # Σ_{j ≥ S} C(j, k) M r^{j−k} / R^j ≤ M R^{−k} ρ^{S−k} C(S, k)/(1 − ρ)^{k+1}
-            tail = rest * outer ** (SAMPLES - k) * ratio ** (SAMPLES - k) * _binomial(SAMPLES, k) / (1 - ratio) ** (k + 1)
+            tail = (
+                rest
+                * outer ** (SAMPLES - k)
+                * ratio ** (SAMPLES - k)
+                * _binomial(SAMPLES, k)
+                / (1 - ratio) ** (k + 1)
+            )
             out.append(total + square(arb(tail.upper())))
         return out
 

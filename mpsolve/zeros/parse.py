@@ -1,4 +1,4 @@
-"""Expressions as a user gives them, a text or one of sympy's, as exact steps: decimals are read as they are written."""
+"""Expressions as a user gives them, a text or sympy's, as exact steps: decimals are read as they are written."""
 
 from __future__ import annotations
 

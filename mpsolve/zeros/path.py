@@ -1,4 +1,4 @@
-"""The path round a region: the edges of its polygon, turned left, and both sides of every cut that reaches into it."""
+"""The path round a region: the edges of its polygon, turned left, and both sides of the cuts that reach into it."""
 
 from __future__ import annotations
 
@@ -56,13 +56,17 @@ def crossings(
         inside = [tip for tip in cut.tips if is_inside(vertices, tip)]
         if len(inside) == 2:
             if met:
-                raise InputError("cuts", f"has a cut that leaves the region and comes back ({cut}): give a smaller region")
+                raise InputError(
+                    "cuts", f"has a cut that leaves the region and comes back ({cut}): give a smaller region"
+                )
             loops.append((inside[0], inside[1]))
         elif len(inside) == 1 and len(met) == 1:
             k, t, _ = met[0]
             inner.setdefault(k, []).append((t, inside[0]))
         elif met or inside:
-            raise InputError("cuts", f"has a cut that divides the region ({cut}): give each side as a region of its own")
+            raise InputError(
+                "cuts", f"has a cut that divides the region ({cut}): give each side as a region of its own"
+            )
     return inner, loops
 
 
@@ -71,7 +75,7 @@ def _crossing(cut: Cut, a: Point, b: Point) -> tuple[Fraction, Fraction] | None:
     here = cut.origin
     far = (here[0] + cut.direction[0], here[1] + cut.direction[1])
     p, q = cross(here, far, a), cross(here, far, b)
-    if p == q or (p > 0) == (q > 0) and p and q:
+    if p == q or (p > 0 and q > 0) or (p < 0 and q < 0):
         return None
     t = p / (p - q)
     point = (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))

@@ -162,11 +162,7 @@ DISGUISED: dict[str, Callable[[Program, int], int]] = {
     "atanh": _atanh,
     "asinh": lambda p, a: p.call("log", p.add(a, p.call("sqrt", p.add(p.whole(a, 2), p.number(1))))),
     "acosh": lambda p, a: p.call(
-        "log",
-        p.add(
-            a,
-            p.mul(p.call("sqrt", p.sub(a, p.number(1))), p.call("sqrt", p.add(a, p.number(1)))),
-        ),
+        "log", p.add(a, p.mul(p.call("sqrt", p.sub(a, p.number(1))), p.call("sqrt", p.add(a, p.number(1)))))
     ),
     "cos_sqrt": _of_square("1/2"),
     "sinc_sqrt": _of_square("3/2"),

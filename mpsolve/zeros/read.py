@@ -39,7 +39,10 @@ def read_function(f: object, derivative: Callable[[Any], Any] | None, assume_ana
         return _quotient(f, derivative, assume_analytic)
     program = Program()
     try:
-        return of_expression(as_fraction(program, _step(program, f)))
+        given = of_expression(as_fraction(program, _step(program, f)))
+        if callable(f) and not hasattr(f, "free_symbols"):
+            _require_same(f, given)
+        return given
     except UnreadableError as error:
         return _opaque(f, derivative, assume_analytic, str(error))
 
@@ -48,7 +51,7 @@ def of_expression(expression: Expression) -> Given:
     """What is known of an expression."""
     program = Program(list(expression.steps))
     if not dependent(program)[expression.numerator]:
-        raise InputError("f", f"is the constant {expression}: give a function of z")
+        raise InputError("f", f"is {expression}, which vanishes nowhere or everywhere: give a function of z")
     below = None if expression.denominator is None else ExpressionFunction(expression, expression.denominator)
     return Given(ExpressionFunction(expression, expression.numerator), below, expression, (), str(expression))
 
@@ -94,17 +97,34 @@ def _opaque(f: Any, derivative: Callable[[Any], Any] | None, assume_analytic: bo
     return Given(function, None, None, (FLAGGED if flagged else VOUCHED,), f"the Python function {name}")
 
 
+def _require_same(f: Callable[[Any], Any], given: Given) -> None:
+    """Refuses a function that does something else to a ball than to a symbol, at a few points. No proof."""
+    for point in _POINTS:
+        try:
+            value = acb(f(acb(point)))
+            read = given.function.value(acb(point))
+            read = read / given.denominator.value(acb(point)) if given.denominator is not None else read
+        except (PrecisionError, ArithmeticError, ValueError, TypeError, AttributeError):
+            continue
+        if value.is_finite() and not value.overlaps(read):
+            raise InputError(
+                "f", f"has another value at {point:.3g} than as an expression: give a function of z alone"
+            )
+
+
 _POINTS = (0.37 + 0.41j, -1.3 + 0.7j, 2.1 - 1.9j, -0.2 - 2.3j, 3.7 + 0.01j, 0.05 + 5.5j)
 
 
 def _require_analytic_at_points(function: CallableFunction) -> None:
-    """Refuses what is plainly not analytic: its difference quotients depend on their direction. No proof of anything."""
+    """Refuses what is plainly not analytic: its difference quotients depend on their direction. No proof."""
     step = arb(2) ** -40
     with precision(160):
         for point in _POINTS:
             try:
                 middle = function.value(acb(point))
-                quotients = [(function.value(acb(point) + step * d) - middle) / (step * d) for d in (acb(1), acb(0, 1))]
+                quotients = [
+                    (function.value(acb(point) + step * d) - middle) / (step * d) for d in (acb(1), acb(0, 1))
+                ]
             except PrecisionError:
                 continue
             scale = max(float(abs(q).upper()) for q in quotients)

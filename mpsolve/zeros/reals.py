@@ -1,7 +1,8 @@
 """Every real zero on an interval: tiles on which f has none, or one where its slope does not vanish.
 
 f is taken by its factors, as its outer steps show them: a zero of g in f = g³h counts three times. Zeros of one
-factor that meet are not told apart, and are refused by name.
+factor that meet are not told apart, and are refused by name. As g is monotone on the tile of a zero, signs of g close
+about it bracket it as narrowly as one likes.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import Any
 from flint import acb, arb
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.realroots import end_of
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.ladder import climb
 from mpsolve.zeros.analytic import hull, real_ball
@@ -43,7 +45,7 @@ class Tiling:
     bits: int
 
     @property
-    def brackets(self) -> list[tuple[Fraction, Fraction]]:
+    def with_zeros(self) -> list[tuple[Fraction, Fraction]]:
         """The tiles with a zero."""
         pairs = zip(self.places[:-1], self.places[1:], strict=True)
         return [pair for pair, kind in zip(pairs, self.kinds, strict=True) if kind == "1"]
@@ -112,3 +114,28 @@ def _signed(f: Callable[[Any], Any], place: Fraction) -> bool:
         return bool(f(acb(real_ball(place))).abs_lower() > 0)
     except PrecisionError:
         return False
+
+
+def bracket(f: Function, low: Fraction, high: Fraction, ball: Any) -> tuple[Fraction, Fraction]:
+    """Ends inside the tile, close to the ball of its zero, at which f has two signs; the tile itself where none are.
+
+    The precision that is set must tell the signs.
+    """
+    middle = end_of(ball, 0)
+    for widening in range(1, 60, 8):
+        reach = (end_of(ball, 1) - middle) * (1 << widening)
+        ends = max(low, middle - reach), min(high, middle + reach)
+        signs = [_sign(f, x) for x in ends]
+        if signs in ([-1, 1], [1, -1]):
+            return ends
+        if 0 in signs and ends[signs.index(0)] in (low, high):  # an exact zero at an end of the interval
+            return ends[signs.index(0)], ends[signs.index(0)]
+    return low, high
+
+
+def _sign(f: Function, x: Fraction) -> int | None:
+    try:
+        value = f.series(acb(real_ball(x)), 1)[0].real
+    except PrecisionError:
+        return None
+    return 1 if value > 0 else -1 if value < 0 else 0 if value == 0 else None

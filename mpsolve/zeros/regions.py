@@ -106,8 +106,10 @@ class Polygon:
         return self.vertices
 
     def __str__(self) -> str:
-        return f"the polygon of {len(self.vertices)} corners from {float(self.vertices[0][0]):.6g}"\
-               f"{float(self.vertices[0][1]):+.6g}i"
+        return (
+            f"the polygon of {len(self.vertices)} corners from {float(self.vertices[0][0]):.6g}"
+            f"{float(self.vertices[0][1]):+.6g}i"
+        )
 
 
 @dataclass(frozen=True, init=False)
@@ -195,7 +197,11 @@ class Cut:
 
     def __str__(self) -> str:
         a, d = (f"{float(x):.6g}{float(y):+.6g}i" for x, y in (self.origin, self.direction))
-        return f"ray from {a} along {d}" if self.length is None else f"segment from {a} of length {float(self.length):.6g}"
+        return (
+            f"ray from {a} along {d}"
+            if self.length is None
+            else f"segment from {a} of length {float(self.length):.6g}"
+        )
 
 
 Region = Rectangle | Disc | Polygon | HalfPlane

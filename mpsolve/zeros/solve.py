@@ -28,7 +28,7 @@ _MOVES = (Fraction(1, 1 << 12), Fraction(-1, 1 << 12), Fraction(3, 1 << 9), Frac
 
 @dataclass(frozen=True)
 class Solved:
-    """The count (None where it stayed open), all its balls, and those in `region`; the reason where that is not all."""
+    """The count (None where it stayed open), all its balls, those in `region`, and why that is not all."""
 
     count: Count | None
     balls: tuple[RootBall, ...]
@@ -56,8 +56,7 @@ def solve(given: Given, region: Region, cuts: Sequence[Cut], digits: int, effort
         numbers = {"counted": str(count.total), "enclosed": str(number)}
         reason = Reason("zeros", message, numbers, "ask for more digits, so that close zeros come apart")
         return Solved(count, balls, balls, region, "", reason)
-    reason = _common(given.denominator, balls)
-    return _sorted(count, balls, region, part, reason)
+    return _sorted(count, balls, region, part, _common(given.denominator, balls))
 
 
 def _counted(f: Function, region: Region, cuts: Sequence[Cut], effort: Effort) -> tuple[Count, Fraction]:
@@ -131,7 +130,9 @@ def _sorted(
     if part > 0 or isinstance(region, Disc):
         note = "a zero lies on the boundary, or too near to be told: the region is a little larger than was asked for"
     else:
-        note = "f may vanish, or have a branch point, on the boundary: the region is a little smaller than was asked for"
+        note = (
+            "f may vanish, or have a branch point, on the boundary: the region is a little smaller than was asked for"
+        )
     return Solved(count, balls, balls, kept, note, reason)
 
 
@@ -140,7 +141,9 @@ def reason_of(error: EffortError | PrecisionError) -> Reason:
     if isinstance(error, EffortError):
         return error.reason if error.reason.code == "effort" else Reason("effort", str(error), {}, MORE_EFFORT)
     if isinstance(error, ZeroOnPathError):
-        return Reason("zero-on-boundary", str(error), _at(error.place), "move that side of the region, or turn the cut")
+        return Reason(
+            "zero-on-boundary", str(error), _at(error.place), "move that side of the region, or turn the cut"
+        )
     if isinstance(error, NotAnalyticError):
         if isinstance(error.cause, PoleError):
             message = f"f may have a pole near z = {error.place:.6g}"

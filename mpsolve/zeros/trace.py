@@ -86,7 +86,7 @@ class Symbol:
         raise _refused("abs(z)")
 
     def pow(self, x: Any, analytic: bool = True) -> Symbol:  # noqa: ARG002 — as flint's own
-        return self**x
+        return self.__pow__(x)
 
     def bessel_j(self, order: Any) -> Symbol:
         return self._new(self.program.call("bessel_j", self.place, _whole(order)))
@@ -101,7 +101,8 @@ class Symbol:
     def _decided(self, *_: Any) -> Any:
         raise UnreadableError("it decides by the value of z")
 
-    __bool__ = __lt__ = __gt__ = __le__ = __ge__ = __eq__ = __ne__ = __float__ = __complex__ = __int__ = _decided  # type: ignore[assignment]
+    __bool__ = __lt__ = __gt__ = __le__ = __ge__ = __eq__ = __ne__ = _decided
+    __float__ = __complex__ = __int__ = __index__ = _decided
     __hash__ = object.__hash__
 
 
@@ -125,9 +126,7 @@ def constant(program: Program, x: Any) -> int:
     if isinstance(x, flint.arb) and x.is_exact() and x.is_finite():
         return program.number(_dyadic(x))
     if isinstance(x, flint.acb) and x.is_exact() and x.is_finite():
-        return program.add(
-            program.number(_dyadic(x.real)), program.mul(program.number(_dyadic(x.imag)), program.i)
-        )
+        return program.add(program.number(_dyadic(x.real)), program.mul(program.number(_dyadic(x.imag)), program.i))
     if isinstance(x, Decimal) and x.is_finite():
         return program.number(Fraction(x))
     raise UnreadableError(f"it has a constant of type {type(x).__name__} that is not exact")
