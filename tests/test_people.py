@@ -12,7 +12,6 @@ from click.testing import CliRunner
 from mpsolve import PhysicalCase, Problem, certify, read_problem, tracks, vehicles
 from mpsolve.cli import cli
 from mpsolve.problem.over import parse_over
-from mpsolve.report.layout import plain
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_text import spectrum_document
 
@@ -76,7 +75,7 @@ def test_a_case_in_si_is_answered_in_si() -> None:
     (grows,) = (root for root in found.roots if root.q.imag < 0 and root.q.real > 0)
     (again,) = (root for root in same.roots if root.q.real > 0)
     assert grows.q.overlaps(again.q)
-    text = plain(spectrum_document(found))
+    text = spectrum_document(found).text()
     first_screen = text[: text.index("Proved")]
     assert "at 720 km/h (200 m/s)" in text.splitlines()[0]
     assert "[Hz]" in first_screen
@@ -87,7 +86,7 @@ def test_a_case_in_si_is_answered_in_si() -> None:
 def test_counts_agree() -> None:
     """One vibration in the verdict, one row that grows; its two roots q and −q̄ are named as such in the proof."""
     found = certify(RAIL, region="unstable", digits=15, check=False)
-    text = plain(spectrum_document(found))
+    text = spectrum_document(found).text()
     assert found.unstable == 2
     assert ": a vibration at 3.062 Hz doubles every 19.24 s." in text
     assert text.count("GROWS") == 1

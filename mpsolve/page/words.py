@@ -73,13 +73,19 @@ def velocity_card(parts: Parts) -> Card:
     if kind != "crosses":
         return Card(question, "undecided", f"{found.reason}. {here}", "open")
     with precision(128):
-        shift = found.value - rational_ball(v)
-        where = speak.velocity(found.value)
+        value = ball_of(found.value)
+        shift = value - rational_ball(v)
+        where = speak.velocity(value)
         if shift > 0:
-            said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / found.value, 3)} % of it."
+            said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / value, 3)} % of it."
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
         return Card(question, f"stable below {where}", said, "proved")
+
+
+def ball_of(value: Any) -> Any:
+    """The ball of a value that an answer about ranges gives."""
+    return getattr(value, "ball", value)
 
 
 def growth_card(parts: Parts) -> Card | None:

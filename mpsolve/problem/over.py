@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -74,6 +75,17 @@ def parse_over(text: str, problem: Problem, key: str = "--over") -> Over:
     if end is not None and not start < end:
         raise InputError(key, f"is {text!r}, whose ends do not ascend: write the lower one first")
     return Over(path, start, end, quantity.unit, given_high or quantity.unit)
+
+
+def parse_overs(texts: Iterable[str], problem: Problem, key: str = "--over") -> tuple[Over, ...]:
+    """Several ranges, each of another parameter; InputError where one is named twice."""
+    found: dict[str, Over] = {}
+    for text in texts:
+        over = parse_over(text, problem, key)
+        if over.path in found:
+            raise InputError(key, f"names {over.path} twice: give one range for each parameter")
+        found[over.path] = over
+    return tuple(found.values())
 
 
 def _quantity(problem: Problem, path: str, key: str) -> Quantity:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import shlex
 from typing import Any
 
 from rich.console import Console, Group
@@ -11,7 +10,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-WIDTH = 88
+from mpsolve.report.blocks import WIDTH, certificate_words
 
 
 def plain(report: Group) -> str:
@@ -37,4 +36,4 @@ def columns_of(columns: int) -> Table:
 
 def certificate_text(path: str) -> Text:
     """Where the certificate is, and how to check it."""
-    return Text(f"{path}\nCheck it with: mpsolve verify {shlex.quote(path)}")
+    return Text(certificate_words(path))

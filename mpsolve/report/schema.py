@@ -69,7 +69,11 @@ def _definitions() -> dict[str, Any]:
     model = {"$ref": "#/$defs/model"}
     return {
         "ball": _object({"value": _DECIMAL, "radius": _DECIMAL}) | {"description": "within radius of value, proved"},
-        "exact": _object({"exact": _TEXT, "decimal": _TEXT}) | {"description": "an exact number, and its decimal"},
+        "exact": _object({"exact": _TEXT, "decimal": _TEXT})
+        | {
+            "properties": {"exact": _TEXT, "decimal": _TEXT, "unit": _TEXT},
+            "description": "an exact number, its decimal, and the unit of a parameter in SI",
+        },
         "reason": _object({"code": _TEXT, "message": _TEXT, "numbers": {"type": "object"}, "remedy": _TEXT}),
         "region": {
             "type": "object",
