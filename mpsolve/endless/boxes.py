@@ -33,18 +33,19 @@ class LatticeArrays(Arrays):
     def of(row: Row) -> LatticeArrays:
         return LatticeArrays(row.reduced, row.step)
 
-    def evaluate(self, m: Any, r: Any, up: int) -> tuple[Splittings, Jet, Any]:
+    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Any]:
         """(splittings, Ĝ(1, σ) between the places as jets, where it is bounded)."""
-        return self.on_arcs(m, r, up, np.ones(len(m), complex), np.zeros(len(m)))
+        s = split(self.D, m, r, up, nodes)
+        G, good, _ = self.on_arcs(s, np.ones(len(m), complex), np.zeros(len(m)))
+        return s, G, good
 
-    def on_arcs(self, m: Any, r: Any, up: int, z: Any, off: Any) -> tuple[Splittings, Jet, Any]:
-        """The same for all z of the circle within `off` of the given ones: for the discs |σ − m| ≤ r."""
-        s = split(self.D, m, r, up)
+    def on_arcs(self, s: Splittings, z: Any, off: Any) -> tuple[Jet, Any, Any]:
+        """(Ĝ for all z of the circle within `off` of the given ones, where bounded, where p-roots are told apart)."""
         with np.errstate(all="ignore"):
-            weight, P, good = waves(self.N, self.D, s)
-            jet = self._sums(weight, P, up, z, off + 8 * U)
-        good = good & np.isfinite(jet.e).all(1) & np.isfinite(jet.a).all(1)
-        return s, jet[:, self.distances[1]], good
+            weight, P, told = waves(self.N, self.D, s)
+            jet = self._sums(weight, P, s.up, z, off + 8 * U)
+        good = told & np.isfinite(jet.e).all(1) & np.isfinite(jet.a).all(1)
+        return jet[:, self.distances[1]], good, told
 
     def _sums(self, weight: Jet, P: Jet, up: int, z: Any, off: Any) -> Jet:
         """Ĝ at each distance (lattice.py), shape (discs, distances)."""
@@ -101,21 +102,21 @@ class Boxes:
         middle, half = (low[:, 1] + high[:, 1]) / 2, (high[:, 1] - low[:, 1]) / 2
         off = half * (1 + 8 * U) + 16 * U  # a chord is shorter than its arc; θ and its cosine are rounded
         with np.errstate(all="ignore"):
-            _, G, good = self.arrays.on_arcs(m, r, self.up, np.exp(1j * middle), off)
-        return m, r, G, good, b - a, off
+            G, good, told = self.arrays.on_arcs(split(self.arrays.D, m, r, self.up), np.exp(1j * middle), off)
+        return m, r, G, good, told, b - a
 
     def regular(self, start: complex, end: complex) -> Any:
         """A test for `cover_boxes`: Δ̂(z, σ) ≠ 0 on the whole box."""
 
         def test(low: Any, high: Any) -> tuple[Any, Any]:
-            m, r, G, good, _, _ = self._evaluate(start, end, low, high)
+            m, r, G, good, told, _ = self._evaluate(start, end, low, high)
             with np.errstate(all="ignore"):
                 A = self.arrays.matrix(G, m)
                 found = regular(A)
                 size = np.abs(found.R)
                 by_sigma = (np.abs(found.R @ A.b) * r[:, None, None]).sum((1, 2))
                 by_rest = (size @ A.e).sum((1, 2))
-            return good & found.good, _axis(low, high, by_sigma, by_rest)
+            return good & found.good, _axis(low, high, by_sigma, by_rest, told)
 
         return test
 
@@ -123,21 +124,24 @@ class Boxes:
         """A test for `cover_boxes`: σĜ has a positive definite Hermitian part on the whole box."""
 
         def test(low: Any, high: Any) -> tuple[Any, Any]:
-            m, r, G, good, piece, _ = self._evaluate(start, end, low, high)
+            m, r, G, good, told, piece = self._evaluate(start, end, low, high)
             with np.errstate(all="ignore"):
                 sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
                 V = sigma * G
                 fine = positive(V, 1j * piece / np.abs(piece), 64 * U * (np.abs(m) + r))
                 by_sigma = (np.abs(V.b) * r[:, None, None]).sum((1, 2))
                 by_rest = V.e.sum((1, 2))
-            return good & fine, _axis(low, high, by_sigma, by_rest)
+            return good & fine, _axis(low, high, by_sigma, by_rest, told)
 
         return test
 
 
-def _axis(low: Any, high: Any, by_sigma: Any, by_rest: Any) -> Any:
-    """Along what to halve: θ where the rest is larger than what σ moves, and arcs are not already the finer part."""
+def _axis(low: Any, high: Any, by_sigma: Any, by_rest: Any, told: Any) -> Any:
+    """Along what to halve: θ where the rest is larger than what σ moves, and arcs are not already the finer part.
+
+    Where the p-roots are not told apart only shorter pieces help.
+    """
     long_ = (high[:, 1] - low[:, 1]) / (2 * ROUND) > (high[:, 0] - low[:, 0]) / 16
     with np.errstate(all="ignore"):
         rest = ~(by_sigma > by_rest)
-    return np.where(rest & long_, 1, 0)
+    return np.where(rest & long_ & told, 1, 0)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.discs import split
 from mpsolve.endless.boxes import ROUND, Boxes
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
@@ -52,7 +53,7 @@ def close(boxes: Boxes, row: Row, effort: Effort) -> Closed:
     count = 0
     for start, end in ((complex(rho), complex(tail.X)), (complex(rho), corner), (corner, complex(0, -depth))):
         if start != end:
-            count += cover_boxes(*pieces(16, 16), boxes.passive(start, end), effort)
+            count += cover_boxes(*pieces(16, 4), boxes.passive(start, end), effort)
     return Closed(rho, depth, tail.X, count)
 
 
@@ -69,7 +70,7 @@ def _least(boxes: Boxes, q: Any) -> Any:
     z = np.exp(2j * np.pi * np.arange(_GRID) / _GRID)
     points, around = np.repeat(np.asarray(q, complex), _GRID), np.tile(z, len(q))
     zero = np.zeros(len(points))
-    _, G, good = boxes.arrays.on_arcs(1j * points, zero, boxes.up, around, zero)
+    G, good, _ = boxes.arrays.on_arcs(split(boxes.arrays.D, 1j * points, zero, boxes.up), around, zero)
     V = (1j * points)[:, None, None] * np.where(good[:, None, None], G.a, 0)
     H = (V + np.swapaxes(V.conj(), 1, 2)) / 2
     values = np.linalg.eigvalsh(H)[:, 0] / np.maximum(np.abs(V).sum((1, 2)), 1e-300)

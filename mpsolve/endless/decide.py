@@ -56,7 +56,7 @@ def count_growing(row: Row, effort: Effort) -> Count:
     arrays = LatticeArrays.of(row)
     boxes = Boxes(arrays, first.up)
     closed = close(boxes, row, effort)
-    count = cover_boxes(*pieces(24, 16), boxes.regular(0j, complex(closed.rho)), effort)
+    count = cover_boxes(*pieces(24, 4), boxes.regular(0j, complex(closed.rho)), effort)
     return Count(_in_step(Paths(arrays, first), closed.rho, effort), closed, count)
 
 

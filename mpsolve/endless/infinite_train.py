@@ -8,6 +8,7 @@ from time import process_time
 from mpsolve.endless.axis import Gain, closest, gains
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.decide import count_growing
+from mpsolve.endless.doubling import growing_in_floats
 from mpsolve.endless.growing import Growing, find_growing
 from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import EffortError, InputError, PrecisionError
@@ -24,7 +25,8 @@ from mpsolve.spectrum.spectrum import Cost
 EVALUATIONS = 1_500_000
 """About half a minute; a row far from its threshold takes some 50 thousand."""
 _LEAST_REACH = 1.0  # scaled: frequencies are looked at up to here, or to the tail's X
-_MEET = 1e-7  # what float64 tells of two moduli that are the same
+_MEET = 1e-8  # what float64 tells of two moduli that are the same
+_LONG = 16  # vehicles of a train that is counted, where roots of long trains do not come over the real axis
 
 
 @dataclass(frozen=True)
@@ -35,8 +37,9 @@ class InfiniteTrain:
     growing: for stable rows 0; where every κ is proved to have the same number of growing motions, that number.
     motion: a proved growing motion, or None. reason: why the answer is open.
     ahead, back: the largest factors that a harmonic motion gains from a vehicle to the next in that direction, with
-    their frequencies; computed. separation: the least |z_{n₊+1}/z_{n₊}| over real frequencies; computed. While it is
-    above 1 the frequencies of long finite trains stay away from the real axis.
+    their frequencies; computed. separation: the least |z_{n₊+1}/z_{n₊}| over real frequencies; computed. Where it is
+    1 the frequencies of long finite trains gather on the real axis. long_trains: whether long finite trains grow by
+    themselves; computed.
     """
 
     problem: Problem
@@ -46,6 +49,7 @@ class InfiniteTrain:
     ahead: Gain
     back: Gain
     separation: float
+    long_trains: bool
     growing: int | None = None
     motion: Growing | None = None
     reason: Reason | None = None
@@ -63,7 +67,7 @@ class InfiniteTrain:
             return f"undecided: {self.reason}"
         if self.stable:
             return "no motion grows: what is shaken dies out along the train in both directions"
-        if self.separation > 1 + _MEET:
+        if not self.long_trains:
             way = "back" if self.back.factor > self.ahead.factor else "ahead"
             return (
                 f"a disturbance grows as it runs {way} from vehicle to vehicle, "
@@ -105,8 +109,8 @@ def decide(row: Row, effort: Effort, tell: Progress) -> InfiniteTrain:
     reach = reach_of(row)
     bloch, unit = Bloch(row), float(row.reduced.frequency_unit)
     ahead, back = (replace(gain, q=gain.q * unit) for gain in gains(bloch, reach))
-    separation = closest(bloch, reach)[0]
-    known = InfiniteTrain(row.problem, str(row.spacing), Status.UNDECIDED, None, ahead, back, separation)
+    separation, long_trains = closest(bloch, reach)[0], long_trains_grow(bloch, reach)
+    known = InfiniteTrain(row.problem, str(row.spacing), Status.UNDECIDED, None, ahead, back, separation, long_trains)
     motion = None
     if row.reduced.guide.v and max(ahead.factor, back.factor) > 1:
         tell("growing", 0.3)
@@ -124,6 +128,13 @@ def reach_of(row: Row) -> float:
     """The scaled frequency up to which floats look: beyond it the row only takes energy, where that is proved."""
     tail = prove_tail(row.reduced.guide, row.gap) if row.reduced.guide.v else None
     return max(_LEAST_REACH, 4.0 if tail is None else tail.X)
+
+
+def long_trains_grow(bloch: Bloch, reach: float) -> bool:
+    """In floats: the middle roots meet in modulus on the real axis, or a train of some length grows already."""
+    if not bloch.row.reduced.guide.v:
+        return False
+    return closest(bloch, reach)[0] < 1 + _MEET or growing_in_floats(bloch, _LONG, reach, reach) > 0
 
 
 def _stable(row: Row, known: InfiniteTrain, effort: Effort) -> InfiniteTrain:

@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.endless.axis import closest, gains
+from mpsolve.endless.axis import gains
 from mpsolve.endless.bloch import Bloch
-from mpsolve.endless.infinite_train import EVALUATIONS, InfiniteTrain, decide, reach_of
+from mpsolve.endless.infinite_train import EVALUATIONS, InfiniteTrain, decide, long_trains_grow, reach_of
 from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
@@ -28,7 +28,6 @@ from mpsolve.spectrum.regions import HalfPlane
 
 _GRID = 25
 _HALVINGS = 26
-_MEET = 1e-8  # moduli closer than this are taken to be the same
 _WIDTHS = (1e-4, 1e-3, 1e-2)  # of the proved bracket, relative, about, from the narrowest
 
 
@@ -40,7 +39,7 @@ class TrainVelocities:
     above. So between the two the row changes; that it does not do so before is computed. None where nothing changes,
     or nothing is proved (`reason`).
     convective: the computed velocity between them. limit: the computed velocity from which on long finite trains grow
-    by themselves; None where that is not met.
+    by themselves, to which the onsets of finite trains fall as they get longer; None where that is not met.
     """
 
     low: Fraction
@@ -127,11 +126,9 @@ def _grows(row: Row, v: Fraction) -> bool:
 
 
 def _meets(row: Row, v: Fraction) -> bool:
-    """In floats: the two middle roots have one modulus for some real frequency."""
-    if not v:
-        return False
+    """In floats: long trains grow by themselves."""
     here = row.at_velocity(v)
-    return closest(Bloch(here), reach_of(here))[0] < 1 + _MEET
+    return long_trains_grow(Bloch(here), reach_of(here))
 
 
 def _first(grid: list[Fraction], test: Callable[[Fraction], bool]) -> float | None:

@@ -70,7 +70,7 @@ class Several:
 
     def __lt__(self, other: Any) -> bool:
         here, there = self.at(self.ring.point), self.ring.constant(other).at(self.ring.point)
-        return here < there
+        return bool(here < there)
 
     def __neg__(self) -> Several:
         return Several(self.ring, {e: -c for e, c in self.terms.items()})
