@@ -77,11 +77,22 @@ def read_problem(path: str | Path) -> ProblemFile:
     return source if isinstance(source, ProblemFile) else _of_case(source)
 
 
+def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:
+    """The problem in the tables of a file, as `read_problem` reads it."""
+    source = source_of(content, file)
+    return source if isinstance(source, ProblemFile) else _of_case(source)
+
+
 def read_source(path: str | Path) -> ProblemFile | InputFile:
     """The same, but a case of the paper stays the case that it is, whose ratios may be irrational."""
     file = Path(path)
     content = parsed(text_of(file), name_of(file))
     refuse_other_kind(content, _TOP | {"physical": "a section", "dimensionless": "a section"}, file)
+    return source_of(content, file)
+
+
+def source_of(content: Mapping[str, Any], file: Path) -> ProblemFile | InputFile:
+    """The same from the tables of a file."""
     if not {"track", "vehicle", "v"} & content.keys():
         return _known_case(content, file)
     for other in ("physical", "dimensionless", "mass"):

@@ -46,6 +46,13 @@ class Line:
             return False
         return True if negative_point(at_zero) is not None else None
 
+    def in_gap(self, z: Fraction) -> bool:
+        """Whether no p-root is real at the real z: D(ip, iz) > 0 for all real p."""
+        EI, T, k, m = self.beam
+        v = self.lower.guide.v
+        c = (k - m * z * z, 2 * m * v * z, -T - m * v * v, Fraction(0), EI)
+        return all(is_positive(fmpq_poly([as_fmpq(x * sign**i) for i, x in enumerate(c)])) for sign in (1, -1))
+
     @property
     def passive_from(self) -> Fraction:
         """A bound of |z|², exact: beyond it the mobility of the undamped track has a positive definite real part."""

@@ -24,6 +24,10 @@ from mpsolve.vibration.residues import Mode, modes
 
 GOOD = 1e-8
 """Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
+_FORCES = 1000.0
+_ROUNDED = 1e-10
+_SLOW = 2.5
+"""1/(√2 − 1): an error that falls as Ω^(−1/2), as that of a force soon after the start, is so much the change."""
 _LEAST = 24.0
 _LARGEST = 650.0
 _HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
@@ -113,7 +117,8 @@ class Engine:
 
     def transformed(self, sigma: Any) -> Any:
         """û, (len(σ), channels)."""
-        return self.image.solve(sigma, transform(self.acting, sigma))
+        image = self.image
+        return image.solve(sigma, transform(self.acting, sigma, image.size + image.contacts))
 
     def solve(self, times: Any) -> Solution:
         """The motion, for these times ≥ 0."""
@@ -174,10 +179,10 @@ class Engine:
         """With its error by channels."""
         line = solution.line
         goal = self._goals(solution.parts(times).total)
-        change = np.abs(line.change(times)).max(1, initial=0.0)
+        change = _SLOW * np.abs(line.change(times)).max(1, initial=0.0)
         before = np.abs(solution.early(_BEFORE / line.omega)).max(1)
         grown = math.exp(max(line.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
-        error = line.left_open * grown + before + change
+        error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal
         worst = int(np.argmax(error / goal))
         early = float((before / goal).max())
         verdict = _Verdict(float(error[worst] / goal[worst]), float(change[worst] / max(error[worst], 1e-300)), early)
@@ -196,7 +201,7 @@ class Engine:
         for kind in (force, rail):
             largest[kind] = largest[kind].max(initial=0.0)
         goal = GOOD * largest
-        goal[force] *= 1000
+        goal[force] *= _FORCES
         return np.maximum(goal, 1e-300)
 
     def _reach(self, times: Any) -> float:

@@ -65,5 +65,5 @@ def _extrapolated(values: Any) -> Any:
 
 def _even(A: Any) -> Any:
     """Rows and columns brought to the size 1."""
-    A = A / np.abs(A).max(1, keepdims=True)
-    return A / np.abs(A).max(0, keepdims=True)
+    A = A / np.maximum(np.abs(A).max(1, keepdims=True), 1e-300)
+    return A / np.maximum(np.abs(A).max(0, keepdims=True), 1e-300)

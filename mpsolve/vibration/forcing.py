@@ -63,9 +63,9 @@ def _add_wave(add: Any, column: Any, frequency: float, phase: float) -> None:
         add(-frequency, 1j * np.exp(-1j * phase) * column)
 
 
-def transform(acting: tuple[Tone, ...], sigma: Any) -> Any:
-    """The sum of their Laplace transforms, (len(σ), bodies + contacts)."""
-    total = 0
+def transform(acting: tuple[Tone, ...], sigma: Any, rows: int) -> Any:
+    """The sum of their Laplace transforms, (len(σ), rows), rows = bodies + contacts."""
+    total = np.zeros((len(sigma), rows), complex)
     for tone in acting:
         D, turn = tone.column, 1j * tone.frequency
         if tone.frequency:

@@ -15,6 +15,8 @@ from mpsolve.vibration.poles import natural
 _PER_PERIOD = 16
 _CHUNK = 1024
 _HALVINGS = 60
+_PRESSED = 1e-9
+"""Of the largest static force: a contact with less is pressed by nothing."""
 _SHARP = 1e-13
 
 
@@ -37,7 +39,7 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
     static = solution.held + sum(
         (one.amplitude.real for one in solution.steady if not one.frequency), 0 * solution.held
     )
-    pressed = force[static[force] > 0]
+    pressed = force[static[force] > _PRESSED * np.abs(static[force]).max()]
     if not len(pressed) or last <= 0:
         return None
     some = only(solution, pressed)

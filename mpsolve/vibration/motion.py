@@ -76,6 +76,7 @@ class Vibration:
 
     @property
     def induced(self) -> tuple[InducedPart, ...]:
+        """The harmonic part by pairs of induced frequencies."""
         image = self.solution.image
         out = []
         for mode in self.solution.modes:

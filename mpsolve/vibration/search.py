@@ -54,7 +54,8 @@ def _number(poles: list[Pole]) -> int:
 
 def _newton(image: Image, starts: Any, floor: float, known: Any) -> list[complex]:
     """New zeros, each once."""
-    sigma, out = starts, []
+    sigma = starts
+    out: list[complex] = []
     with np.errstate(all="ignore"):
         for _ in range(_NEWTON):
             step = _newton_step(image, sigma, known)
