@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
+    from mpsolve.batch.frequencies import Frequencies, frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.verify import Verdict
@@ -13,8 +14,6 @@ if TYPE_CHECKING:
     from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
     from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
-    from mpsolve.fast.follow import Outcome
-    from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.model.inputfile import read_case
@@ -75,7 +74,6 @@ __all__ = [
     "Effort",
     "frequencies",
     "Frequencies",
-    "Outcome",
     "seeds",
     "Seeds",
     "infinite_train",
@@ -144,9 +142,8 @@ _HOME = {
     "Reason": "outcome",
     "Root": "spectrum.spectrum",
     "Effort": "proof.effort",
-    "frequencies": "fast.frequencies",
-    "Frequencies": "fast.frequencies",
-    "Outcome": "fast.follow",
+    "frequencies": "batch.frequencies",
+    "Frequencies": "batch.frequencies",
     "seeds": "fast.seeds",
     "Seeds": "fast.seeds",
     "infinite_train": "endless.infinite_train",

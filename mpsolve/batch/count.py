@@ -76,7 +76,10 @@ def count_group(group: Group, rho: Any, height: Any) -> Counted:
     total = (closing_argument(group, rho) + order * np.pi / 2 - turn) / np.pi
     count = np.rint(np.nan_to_num(total, nan=-1.0)).astype(int)
     off = wild | ~(np.abs(total - count) < _INTEGER) | (count < 0) | ~np.isfinite(line.log[ends])
-    why = dict.fromkeys(np.flatnonzero(off).tolist(), "the turn of the characteristic function is no number of roots") | why
+    why = (
+        dict.fromkeys(np.flatnonzero(off).tolist(), "the turn of the characteristic function is no number of roots")
+        | why
+    )
     return Counted(np.where(off | lost, -1, count), why, line)
 
 
@@ -133,7 +136,10 @@ def _first(group: Group, corners: Corners) -> Line:
         each = np.repeat(rows, len(columns))
         near = None if before is None else z[:, before].reshape(len(each), -1)
         values = log_delta(group, each, 1j * q[:, columns].ravel(), near)
-        log[:, columns], z[:, columns] = values[0].reshape(-1, len(columns)), values[1].reshape(len(rows), len(columns), -1)
+        log[:, columns], z[:, columns] = (
+            values[0].reshape(-1, len(columns)),
+            values[1].reshape(len(rows), len(columns), -1),
+        )
     return Line(np.repeat(rows, t.shape[1]), t.ravel(), q.ravel(), log.ravel(), z.reshape(t.size, -1))
 
 

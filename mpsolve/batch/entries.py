@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -108,7 +109,9 @@ def _checked_track(problem: Problem, path: str, values: Any) -> Any:
         changed(problem.track, problem.vehicles, problem.v, path, 1)  # raises, and says which paths there are
     quantity: Quantity = quantities(kind)[name]
     if quantity.above is not None:
-        _require(path, values, values > quantity.above, f"but must be above {quantity.above}: give the {quantity.told}")
+        _require(
+            path, values, values > quantity.above, f"but must be above {quantity.above}: give the {quantity.told}"
+        )
     if quantity.at_least is not None:
         bound = f"but must not be below {quantity.at_least}: give the {quantity.told}"
         _require(path, values, values >= quantity.at_least, bound)
@@ -161,7 +164,7 @@ def formation(vehicles: tuple[Placed, ...]) -> Formation:
     origin = spots[0][0]
     places = np.array([float(x - origin) for x, _, _ in spots])
     neutral = np.concatenate([one.neutral for _, one in parts])
-    together = np.array([a[0] == b[0] for a, b in zip(spots, spots[1:], strict=False)], bool)
+    together = np.array([a[0] == b[0] for a, b in pairwise(spots)], bool)
     masks = (((M != 0) | (C != 0) | (K != 0)), B != 0, h != 0, neutral, together)
     return Formation(M, C, K, B, h, places, neutral, (bodies, len(spots), *(m.tobytes() for m in masks)))
 
@@ -181,6 +184,8 @@ class _Matrices:
 def _matrices(vehicle: AnyVehicle) -> _Matrices:
     pencil = checked_pencil(vehicle.pencil)
     parts = split_felt(pencil)
-    M, C, K, B = (np.array([[float(x) for x in row] for row in rows]) for rows in (parts.M, parts.C, parts.K, parts.B))
+    M, C, K, B = (
+        np.array([[float(x) for x in row] for row in rows]) for rows in (parts.M, parts.C, parts.K, parts.B)
+    )
     neutral = np.arange(len(M)) >= len(M) - parts.neutral
     return _Matrices(M, C, K, B, np.array([float(x) for x in pencil.h]), neutral, pencil.places)

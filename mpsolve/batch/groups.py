@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.entries import Entries
-from mpsolve.batch.waves import by_companions
 from mpsolve.batch.waveguides import expanded
+from mpsolve.batch.waves import by_companions
 
 _APART = 1e-7
 _LOST = 1e-11
@@ -141,8 +141,9 @@ def _group(entries: Entries, some: Any, D: dict[Any, Any], N: dict[Any, Any]) ->
     B = B * scale[:, :, None]
     for k in range(3):  # row i of S₀ and so on is divided by σ for a neutral i
         S[k][:, first.neutral] = S[k + 1][:, first.neutral] if k < 2 else 0.0
-    group = Group(some, D_table, N_table, _slope(D_table), _slope(N_table), v, S[0], S[1], S[2], B,
-                  h / g[:, None], places * np.exp2(-length)[:, None], first.neutral, rate, _direct(first), 0)  # fmt: skip
+    moving = (D_table, N_table, _slope(D_table), _slope(N_table), v)
+    contacts = (h / g[:, None], places * np.exp2(-length)[:, None])
+    group = Group(some, *moving, S[0], S[1], S[2], B, *contacts, first.neutral, rate, _direct(first), 0)
     return group, lost
 
 

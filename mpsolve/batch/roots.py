@@ -22,7 +22,14 @@ _AXIS = 1e-9  # relative: a root this near the imaginary axis is on it
 _LEVEL = 1e-13  # of ρ̂: a root nearer to the edge of the region is not told to be in it or out
 _WORK = 1 << 15  # starts at a time: it bounds the memory
 _GRID = (12, 10)
-_TRIALS = (("from_line", 1), ("from_axis", 1), ("from_line", 3), ("from_grid", 1), ("from_line", 10), ("from_grid", 3))
+_TRIALS = (
+    ("from_line", 1),
+    ("from_axis", 1),
+    ("from_line", 3),
+    ("from_grid", 1),
+    ("from_line", 10),
+    ("from_grid", 3),
+)
 """Where starts come from, and how many of them."""
 
 
@@ -41,7 +48,7 @@ class Search:
         self.q = np.full((len(self.group), width), np.nan, complex)
 
     def solve(self) -> Any:
-        """Whether each entry has as many roots as were counted; entries stand in an order in which neighbours are alike."""
+        """Whether each entry has as many roots as were counted; neighbours among the entries should be alike."""
         n = len(self.group)
         rows = np.arange(n)
         stride = 1 << max(n - 1, 0).bit_length()

@@ -20,7 +20,7 @@ def by_companions(D: Any) -> Any:
     C = np.zeros((len(D), n, n), complex)
     C[:, range(n - 1), range(1, n)] = 1
     C[:, -1] = -D[:, :-1] / D[:, -1:]
-    fine = np.isfinite(C).all((1, 2))
+    fine: Any = np.isfinite(C).all((1, 2))
     out = np.linalg.eigvals(np.where(fine[:, None, None], C, np.eye(n)))
     return np.where(fine[:, None], out, np.nan)
 

@@ -73,7 +73,13 @@ def read_problem(path: str | Path) -> ProblemFile:
     the force at each contact from rear to front, or at none. Or it is a file as for `read_case`.
     InputError names the key at fault, such as track.k_pad or vehicle[2].wheel (counted from 1).
     """
-    source = read_source(path)
+    file = Path(path)
+    return problem_of(parsed(text_of(file), str(file)), file)
+
+
+def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:
+    """The problem in the tables of a file, as `read_problem` reads it."""
+    source = source_of(content, file)
     return source if isinstance(source, ProblemFile) else _of_case(source)
 
 
@@ -82,6 +88,11 @@ def read_source(path: str | Path) -> ProblemFile | InputFile:
     file = Path(path)
     content = parsed(text_of(file), name_of(file))
     refuse_other_kind(content, _TOP | {"physical": "a section", "dimensionless": "a section"}, file)
+    return source_of(content, file)
+
+
+def source_of(content: Mapping[str, Any], file: Path) -> ProblemFile | InputFile:
+    """The same from the tables of a file."""
     if not {"track", "vehicle", "v"} & content.keys():
         return _known_case(content, file)
     for other in ("physical", "dimensionless", "mass"):
