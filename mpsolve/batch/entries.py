@@ -198,9 +198,9 @@ def _array(rows: Any) -> Any:
 
 
 def _clearly_felt(M: Any, C: Any, K: Any, B: Any) -> bool:
-    """Whether floats show beyond doubt that the contacts feel every motion and that none is neutral (vehicles/felt.py).
+    """Whether floats show beyond doubt that the contacts feel every motion, and that none is neutral.
 
-    The space that grows from H⁻¹B by H⁻¹M, H⁻¹C, H⁻¹K is the same for every positive combination H of the three.
+    As vehicles/felt.py decides exactly. The space that grows from H⁻¹B by H⁻¹M, H⁻¹C, H⁻¹K is the same for every positive combination H of the three.
     """
     rate = np.sqrt(np.trace(K) / np.trace(M)) if np.trace(K) > 0 else 1.0
     parts = (M * rate**2, C * rate, K)
