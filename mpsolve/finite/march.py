@@ -16,8 +16,8 @@ import numpy as np
 from mpsolve.finite.carriage import Carriage
 from mpsolve.finite.coupling import VehicleTables, vehicle_tables
 from mpsolve.finite.exponentials import Exponentials
-from mpsolve.finite.loads import Outer
 from mpsolve.motion.wave_tables import wave_tables
+from mpsolve.vehicles.loads import Outer
 
 _TESTED = np.array([[1 / 2, -1 / 2], [1 / 6, 0]])
 """∫φ_a of the integral of the linear function whose tests with φ_b are given."""

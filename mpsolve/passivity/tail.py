@@ -164,10 +164,10 @@ class _Search:
             inner = np.concatenate([z, (z[1:] + z[:-1]) / 2])[:, None]
             f = _ratio(inner, tau[None, :], self.W, self.D2)
         least = np.where(np.isfinite(f), f, 0.0).min(1)
-        return _best_blocks(z, least[: len(z)], least[len(z) :], growth, sieve)
+        return best_blocks(z, least[: len(z)], least[len(z) :], growth, sieve)
 
 
-def _best_blocks(
+def best_blocks(
     z: Any, ends: Any, middles: Any, growth: float, sieve: float
 ) -> tuple[tuple[float, float, float], ...]:
     """Disjoint intervals with ends in z for which Σ (length·growth − sieve)·least value is largest; few of them."""

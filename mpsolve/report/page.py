@@ -22,8 +22,9 @@ from mpsolve.report.page_loads import load_rows
 from mpsolve.report.page_parts import Parts
 from mpsolve.report.page_words import Card, card, here_text
 from mpsolve.report.remedies import for_reader
+from mpsolve.report.rows import beam_rows, ratio_rows, shown
 from mpsolve.report.statement import limits, proved
-from mpsolve.report.text import beam_rows, in_words, motion_rows, ratio_rows, shown
+from mpsolve.report.text import in_words, motion_rows
 from mpsolve.report.vibration import Vibration, vibrations
 
 TEMPLATE = "page.html.j2"

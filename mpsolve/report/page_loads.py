@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from mpsolve.model.load import Load, gives_forces
 from mpsolve.numbers.exact import Exact
 from mpsolve.report.answer import Source
-from mpsolve.report.text import shown
+from mpsolve.report.rows import shown
 
 _Row = tuple[str, str, str]
 

@@ -14,7 +14,7 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.report.answer import Source, number
 from mpsolve.report.page_margins import DIGITS, Margin
 from mpsolve.report.remedies import for_reader
-from mpsolve.report.text import shown
+from mpsolve.report.rows import shown
 
 _PLACES = 5
 _BITS = 160

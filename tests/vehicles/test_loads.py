@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from vehicle_models import TYPICAL
 
-from mpsolve.finite.loads import outer_forces
 from mpsolve.model.load import Load
+from mpsolve.vehicles.loads import outer_forces
 
 
 @pytest.mark.parametrize("name", ["mass", "oscillator", "bogie", "coach"])

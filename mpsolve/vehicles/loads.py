@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.finite.carriage import rigid_bounce
 from mpsolve.model.load import GRAVITY, Load
+from mpsolve.vehicles.bounce import rigid_bounce
 from mpsolve.vehicles.vehicle import Pencil
 
 
