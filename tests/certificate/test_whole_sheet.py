@@ -63,7 +63,7 @@ def test_other_vehicles() -> None:
     sprung = vehicles.Oscillator(wheel=1, body=20, k=2, c=0)
     found = certify(Problem(tracks.EulerBernoulli(**PAPER), [sprung], v="0.5"), region="sheet", digits=15)
     assert (found.proved, found.unstable) == (True, 0)
-    with pytest.raises(InputError, match="region: .*more than masses on the beam.*give"):
+    with pytest.raises(InputError, match=r"region: .*more than masses on the beam.*give"):
         certify(Problem(tracks.EulerBernoulli(**PAPER, c="0.1"), [sprung], v="0.5"), region="sheet")
     damped = vehicles.Oscillator(wheel=1, body=20, k=2, c=1)
     with pytest.raises(InputError, match="the vehicle has dampers"):
@@ -103,6 +103,9 @@ def test_rectangles_beside_the_cuts(c: str, v: str, box: tuple[str, ...], count:
     ]
     assert len(inside) == count
     forged = copy.deepcopy(found.certificate.content)
+    if float(box[3]) < 0.05 and float(c) > 0:  # below the cuts no half needs to be named
+        assert forged["theorem"] is None
+        return
     forged["theorem"]["half"] = "upper" if forged["theorem"]["half"] == "lower" else "lower"
     assert not judged(forged).valid
 
