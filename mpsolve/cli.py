@@ -19,6 +19,7 @@ import click
 from mpsolve import (
     cli_audit,
     cli_certify,
+    cli_critical,
     cli_explore,
     cli_new,
     cli_receptance,
@@ -112,6 +113,7 @@ for module in (
     cli_stability,
     cli_response,
     cli_receptance,
+    cli_critical,
     cli_study,
     cli_report,
     cli_schema,
@@ -136,6 +138,7 @@ EXAMPLES = {
     "chart": "mpsolve chart chart.toml -o chart.svg",
     "response": "mpsolve response pair.toml -o motion.csv --to 50",
     "compare": "mpsolve compare pair.toml -o compare.svg --to 50",
+    "critical": "mpsolve critical mine.toml -o critical.svg",
     "receptance": "mpsolve receptance mine.toml --omega 1,600,100 --xi=-1.5,0,1.5 -o receptance.csv",
     "study": "mpsolve study study.toml -o study.sqlite",
     "status": "mpsolve status study.sqlite",

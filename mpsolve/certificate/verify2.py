@@ -1661,7 +1661,8 @@ class Sheet:
     def of(cls, track: Track, vehicle: Vehicle) -> Sheet:
         t = terms(track.D)
         known = set(t) <= {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)} and set(terms(track.N)) == {(0, 0)}
-        require(known and t[4, 0] > 0 and t[0, 2] > 0, "the whole sheet is known for a beam on one layer only")
+        sizes = [t.get((4, 0), 0), t.get((0, 2), 0), terms(track.N).get((0, 0), 0)]
+        require(known and all(x > 0 for x in sizes), "the whole sheet is known for a beam on one layer only")
         height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
         rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
         undamped = moving_track(rows, track.loaded, track.v)
@@ -1679,7 +1680,7 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Loop:
-    """A closed path in |z − centre| ≤ radius, which holds one branch point, `turns` times round it."""
+    """A closed path several times round the one branch point in |z − centre| ≤ radius, first below the real axis."""
 
     centre: Any
     radius: Any
@@ -1687,6 +1688,12 @@ class Loop:
 
     def holds(self, z: Point) -> bool:
         return bool((z[0] - self.centre) ** 2 + z[1] ** 2 <= self.radius**2)
+
+    @property
+    def below(self) -> list[tuple[Point, Point]]:
+        """The first pieces, until the path is back on the real axis."""
+        back = next((k for k, z in enumerate(self.points) if k and z[1] == 0), 0)
+        return list(pairwise(self.points[: back + 1]))
 
 
 def read_loops(values: Any) -> list[Loop]:
@@ -1717,8 +1724,13 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> None:
     turns, poles = (4, 4 if sites > 1 else 3) if times == 3 else (2, min(times, sites))
     winding = arb(0)
     for a, b in pairwise([acb(arb(x), arb(y)) - z for x, y in loop.points]):
-        winding += (b / a).arg()
-    require((winding / (2 * arb.pi())).unique_fmpz() == turns, "a loop does not go round its branch point as it must")
+        step = (b / a).arg()
+        require(step > 0, "a loop does not go round its branch point counterclockwise")
+        winding += step
+    once = (len(loop.points) - 1) // turns
+    same = loop.points[once:] == loop.points[: len(loop.points) - once] and turns * once == len(loop.points) - 1
+    turned = (winding / (2 * arb.pi())).unique_fmpz()
+    require(same and turned == turns, "a loop does not go round its branch point as it must")
     turned = (walker.around(loop.points) / (2 * arb.pi())).unique_fmpz()
     require(turned == -poles, "a root lies next to a branch point")
 
@@ -1732,11 +1744,10 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
 
 
 def check_edge(points: Sequence[Point], loops: Sequence[Loop]) -> None:
-    """Each piece runs on the real axis, or below it in a loop's disc."""
+    """Each piece runs on the real axis, or is one of the first of a loop, below it."""
+    below = {piece for loop in loops for piece in loop.below}
     for a, b in pairwise(points):
-        on_axis = a[1] == 0 == b[1]
-        below = a[1] <= 0 >= b[1] and any(loop.holds(a) and loop.holds(b) for loop in loops)
-        require(on_axis or below, "a piece leaves the edge of the cut")
+        require(a[1] == 0 == b[1] or (a, b) in below, "a piece leaves the edge of the cut")
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:

@@ -20,6 +20,7 @@ from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.reduced import Reduced
+from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
@@ -170,7 +171,11 @@ def _box_on_line(reduced: Reduced, line: Line, box: Rectangle, effort: Effort, r
     half = line.upper if above else line.lower
     first = start(half.guide)
     paths = Paths(Arrays(half), first, room)
-    total, proved = _round(paths, first, on_its_half(line, box), unit, effort)
+    try:
+        total, proved = _round(paths, first, on_its_half(line, box), unit, effort)
+    except OpenPieceError as error:
+        at = error.place.conjugate() if above else error.place
+        raise OpenPieceError(at + 1j * float(line.height), error.length) from None
     return Count(box, total, first, proved.paths, None, "", effort.spent, "upper" if above else "lower")
 
 
