@@ -28,6 +28,7 @@ from mpsolve import (
     cli_schema,
     cli_stability,
     cli_study,
+    cli_train,
     cli_work_out,
 )
 from mpsolve.cli_tools import one_sentence
@@ -118,6 +119,7 @@ for module in (
     cli_report,
     cli_schema,
     cli_audit,
+    cli_train,
 ):
     for command in module.COMMANDS:
         cli.add_command(command)
