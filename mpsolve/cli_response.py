@@ -36,7 +36,7 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 @_POINTS
 @click.option("--xi", help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]")
 @click.option(
-    "--start",
+    "--initial",
     type=click.Choice(["rest", "steady"]),
     default="rest",
     show_default=True,
@@ -44,7 +44,7 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 )
 @click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
 def response(
-    file: Path, output: Path, end: str, points: int, xi: str | None, start: str, animate: Path | None
+    file: Path, output: Path, end: str, points: int, xi: str | None, initial: str, animate: Path | None
 ) -> None:
     """Compute the motion from rest of the vehicles in FILE (TOML), in float64.
 
@@ -61,12 +61,12 @@ def response(
         problem = _in_seconds(file, end)
         if problem is not None:
             last = cli_vibration.seconds(end) or _last(end)
-            said = cli_vibration.respond(problem, output, kind, _grid(last, points), xi, start)
+            said = cli_vibration.respond(problem, output, kind, _grid(last, points), xi, initial)
             if animate is not None:
-                cli_vibration.film(problem, checked_output(animate, file, "the film"), last, start)
+                cli_vibration.film(problem, checked_output(animate, file, "the film"), last, initial)
             click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
             return
-        _only_in_seconds(start != "rest", "--start")
+        _only_in_seconds(initial != "rest", "--initial")
         _only_in_seconds(animate is not None, "--animate")
         source, tau = _source(file), _times(end, points)
         from mpsolve.motion.solve import response as respond
