@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from mpsolve.batch.frequencies import Frequencies, frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
+    from mpsolve.certificate.roots import real_roots, roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.endless.amplification import Amplification, amplification
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
-    from mpsolve.spectrum.regions import Rectangle
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
@@ -47,6 +47,8 @@ if TYPE_CHECKING:
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
+    from mpsolve.zeros.answer import Zero, Zeros
+    from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle
 
 __version__ = "0.1.0"
 
@@ -112,6 +114,14 @@ __all__ = [
     "study",
     "open_study",
     "Study",
+    "roots",
+    "real_roots",
+    "Zeros",
+    "Zero",
+    "Disc",
+    "Polygon",
+    "HalfPlane",
+    "Cut",
     "verify",
     "Verdict",
     "MpsolveError",
@@ -136,7 +146,7 @@ _HOME = {
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
     "certify": "certificate.certify",
-    "Rectangle": "spectrum.regions",
+    "Rectangle": "zeros.regions",
     "Spectrum": "spectrum.spectrum",
     "Status": "outcome",
     "Reason": "outcome",
@@ -182,6 +192,14 @@ _HOME = {
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",
+    "roots": "certificate.roots",
+    "real_roots": "certificate.roots",
+    "Zeros": "zeros.answer",
+    "Zero": "zeros.answer",
+    "Disc": "zeros.regions",
+    "Polygon": "zeros.regions",
+    "HalfPlane": "zeros.regions",
+    "Cut": "zeros.regions",
     "verify": "certificate.check",
     "Verdict": "certificate.verify",
     "MpsolveError": "errors",

@@ -18,6 +18,7 @@ from mpsolve.vehicles.felt import split_felt
 from mpsolve.vehicles.vehicle import AnyVehicle, Placed, checked_pencil
 
 Signature = tuple[Any, ...]
+_CLEAR = 1e-7
 
 
 @dataclass(frozen=True)
@@ -183,9 +184,38 @@ class _Matrices:
 @lru_cache(maxsize=512)
 def _matrices(vehicle: AnyVehicle) -> _Matrices:
     pencil = checked_pencil(vehicle.pencil)
-    parts = split_felt(pencil)
-    M, C, K, B = (
-        np.array([[float(x) for x in row] for row in rows]) for rows in (parts.M, parts.C, parts.K, parts.B)
-    )
-    neutral = np.arange(len(M)) >= len(M) - parts.neutral
+    M, C, K, B = (_array(rows) for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
+    neutral = np.zeros(len(M), bool)
+    if not _clearly_felt(M, C, K, B):
+        parts = split_felt(pencil)
+        M, C, K, B = (_array(rows) for rows in (parts.M, parts.C, parts.K, parts.B))
+        neutral = np.arange(len(M)) >= len(M) - parts.neutral
     return _Matrices(M, C, K, B, np.array([float(x) for x in pencil.h]), neutral, pencil.places)
+
+
+def _array(rows: Any) -> Any:
+    return np.array([[float(x) for x in row] for row in rows])
+
+
+def _clearly_felt(M: Any, C: Any, K: Any, B: Any) -> bool:
+    """Whether floats show beyond doubt that the contacts feel every motion, and that none is neutral.
+
+    As vehicles/felt.py decides exactly. The space that grows from H⁻¹B by H⁻¹M, H⁻¹C, H⁻¹K is the same for every positive combination H of the three.
+    """
+    rate = np.sqrt(np.trace(K) / np.trace(M)) if np.trace(K) > 0 else 1.0
+    parts = (M * rate**2, C * rate, K)
+    size = 1 / np.sqrt(np.maximum(np.diag(parts[0] + parts[1] + parts[2]), 1e-300))
+    parts = tuple(a * size[:, None] * size for a in parts)
+    touch = B * size[:, None]
+    touch = touch / np.maximum(np.abs(touch).max(0), 1e-300)
+    if np.linalg.eigvalsh(parts[2] + touch @ touch.T)[0] < _CLEAR:
+        return False
+    H = parts[0] + parts[1] + parts[2]
+    space = np.linalg.solve(H, touch)
+    for _ in range(len(M)):
+        left, sizes, _ = np.linalg.svd(space, full_matrices=False)
+        space = left[:, sizes > _CLEAR * sizes[0]]
+        if space.shape[1] == len(M):
+            return True
+        space = np.hstack([space, *(np.linalg.solve(H, a @ space) for a in parts)])
+    return False

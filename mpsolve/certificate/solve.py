@@ -21,7 +21,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.count import AT_REST, Count, count_roots
+from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet, checked_region
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
@@ -63,6 +63,8 @@ def certify_problem(
     if region == "sheet" or lossless:
         wanted: Answered = Sheet()
         asked: Region | Line = sheet_halves(line)
+    elif isinstance(region, Rectangle) and line_for(reduced, region) is not None:
+        wanted = asked = region
     else:
         require_premises(reduced, HalfPlane())
         wanted = asked = _region(reduced, region)

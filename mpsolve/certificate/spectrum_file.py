@@ -15,8 +15,9 @@ from typing import Any
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.errors import CertificateError
 from mpsolve.passivity.tail import Tail
+from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import Reduced
-from mpsolve.spectrum.count import Count
+from mpsolve.spectrum.count import Count, on_its_half
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 VERSION = 2
@@ -38,7 +39,7 @@ class RootEntry:
 def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEntry], unstable: int) -> Certificate:
     """The certificate of a count and of the discs that explain it."""
     unit = reduced.frequency_unit
-    lines = _lines(count.region, unit)
+    lines = _lines(_of_points(reduced, count), unit)
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -50,7 +51,7 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
         "paths": [
             {"kind": p.kind, "points": [point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
         ],
-        "theorem": _theorem(reduced, count.beyond.tail) if count.beyond is not None else None,
+        "theorem": {"half": count.half} if count.half else _closing(reduced, count),
         "claim": {"region": _region(count.region), "count": count.total, "unstable": unstable},
         "roots": [root_entry(root) for root in roots],
     }
@@ -99,6 +100,10 @@ def _require_reach(region: Below) -> None:
         raise CertificateError("a region below a height that does not say how far it reaches cannot be written")
 
 
+def _closing(reduced: Reduced, count: Count) -> dict[str, Any] | None:
+    return _theorem(reduced, count.beyond.tail) if count.beyond is not None else None
+
+
 def _theorem(reduced: Reduced, tail: Tail) -> dict[str, Any]:
     """The tail theorem in the problem's units: p = p̂/L, q = q̂/T, N/D = 2^n N̂/D̂."""
     guide = reduced.guide
@@ -142,6 +147,14 @@ def root_entry(root: RootEntry) -> dict[str, Any]:
         "multiplicity": root.multiplicity,
         "pair": root.pair,
     }
+
+
+def _of_points(reduced: Reduced, count: Count) -> Region:
+    """The region in the plane in which the points of the paths lie."""
+    line = on_line(reduced) if count.half else None
+    if line is None or not isinstance(count.region, Rectangle):
+        return count.region
+    return on_its_half(line, count.region)
 
 
 def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:

@@ -28,6 +28,7 @@ import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 1e9, 1_000, 20_000
+ARCS = 24
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 SMALL = 8  # matrices up to this size are eliminated entry by entry
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
@@ -1660,17 +1661,16 @@ class Sheet:
     def of(cls, track: Track, vehicle: Vehicle) -> Sheet:
         t = terms(track.D)
         known = set(t) <= {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)} and set(terms(track.N)) == {(0, 0)}
-        require(known and t[4, 0] > 0 and t[0, 2] > 0, "the whole sheet is known for a beam on one layer only")
+        sizes = [t.get((4, 0), 0), t.get((0, 2), 0), terms(track.N).get((0, 0), 0)]
+        require(known and all(x > 0 for x in sizes), "the whole sheet is known for a beam on one layer only")
         height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
         rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
         undamped = moving_track(rows, track.loaded, track.v)
         require(height >= 0 and nonnegative(in_y(terms(undamped.D))[0], True), "the cuts do not lie on one line")
-        require(vehicle.neutral == 0, "the whole sheet is not known with neutral coordinates")
+        require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
         M, C, K = vehicle.M, vehicle.C, vehicle.K
         C, K = C - 2 * height * M, K - height * C + height * height * M
-        upper, lower = replace(vehicle, C=-1 * C, K=K), replace(vehicle, C=C, K=K)
-        require(semidefinite(-1 * C) and semidefinite(K), "above the cuts the vehicle is not passive")
-        return cls(height, undamped, lower, upper)
+        return cls(height, undamped, replace(vehicle, C=C, K=K), replace(vehicle, C=-1 * C, K=K))
 
     def along(self, square: Any) -> list[Any]:
         """EI y² + (T − m v²) y + k + m·square, ascending: D for real p = √y, or with −m z² for `square` at v = 0."""
@@ -1680,7 +1680,7 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Loop:
-    """A closed path in |z − centre| ≤ radius, which holds one branch point, `turns` times round it."""
+    """A closed path several times round the one branch point in |z − centre| ≤ radius, first below the real axis."""
 
     centre: Any
     radius: Any
@@ -1688,6 +1688,12 @@ class Loop:
 
     def holds(self, z: Point) -> bool:
         return bool((z[0] - self.centre) ** 2 + z[1] ** 2 <= self.radius**2)
+
+    @property
+    def below(self) -> list[tuple[Point, Point]]:
+        """The first pieces, until the path is back on the real axis."""
+        back = next((k for k, z in enumerate(self.points) if k and z[1] == 0), 0)
+        return list(pairwise(self.points[: back + 1]))
 
 
 def read_loops(values: Any) -> list[Loop]:
@@ -1705,12 +1711,9 @@ def read_loops(values: Any) -> list[Loop]:
 
 def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> None:
     """No root on any sheet round the one branch point in the disc: Δ̂ turns as often as its pole there asks."""
-    discriminant, squares = track_polynomial(track).discriminant("P"), [fmpq(0)] * 13
-    for (_, j), c in terms(discriminant).items():
-        squares[j // 2] += c * (-1) ** (j // 2)  # even in σ = iz: a polynomial in z²
     centre, radius = arb(loop.centre), arb(loop.radius)
     inside = []
-    for square, times in fmpq_poly(squares).complex_roots():
+    for square, times in meeting(track):
         for z in (square.sqrt(), -square.sqrt()):
             if not abs(z - centre) > radius:
                 require(abs(z - centre) < radius, "a branch point may lie on the rim of a loop's disc")
@@ -1721,23 +1724,30 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> None:
     turns, poles = (4, 4 if sites > 1 else 3) if times == 3 else (2, min(times, sites))
     winding = arb(0)
     for a, b in pairwise([acb(arb(x), arb(y)) - z for x, y in loop.points]):
-        winding += (b / a).arg()
-    require((winding / (2 * arb.pi())).unique_fmpz() == turns, "a loop does not go round its branch point as it must")
+        step = (b / a).arg()
+        require(step > 0, "a loop does not go round its branch point counterclockwise")
+        winding += step
+    once = (len(loop.points) - 1) // turns
+    same = loop.points[once:] == loop.points[: len(loop.points) - once] and turns * once == len(loop.points) - 1
+    turned = (winding / (2 * arb.pi())).unique_fmpz()
+    require(same and turned == turns, "a loop does not go round its branch point as it must")
     turned = (walker.around(loop.points) / (2 * arb.pi())).unique_fmpz()
     require(turned == -poles, "a root lies next to a branch point")
 
 
-def track_polynomial(track: Track) -> Any:
-    """D(P, σ) in the moving frame."""
-    return sum((c * P_**i * S_**j for (i, j), c in track.d.items()), RING.constant(0))
+def meeting(track: Track) -> list[tuple[Any, int]]:
+    """The z² at which p-roots meet, z = −iσ, in balls, with multiplicities: roots of the discriminant, even in σ."""
+    moved, squares = track.D.compose(P_, S_ - track.v * P_, ctx=RING), [fmpq(0)] * 13
+    for (_, j), c in terms(moved.discriminant("P")).items():
+        squares[j // 2] += c * (-1) ** (j // 2)
+    return list(fmpq_poly(squares).complex_roots())
 
 
 def check_edge(points: Sequence[Point], loops: Sequence[Loop]) -> None:
-    """Each piece runs on the real axis, or below it in a loop's disc."""
+    """Each piece runs on the real axis, or is one of the first of a loop, below it."""
+    below = {piece for loop in loops for piece in loop.below}
     for a, b in pairwise(points):
-        on_axis = a[1] == 0 == b[1]
-        below = a[1] <= 0 >= b[1] and any(loop.holds(a) and loop.holds(b) for loop in loops)
-        require(on_axis or below, "a piece leaves the edge of the cut")
+        require(a[1] == 0 == b[1] or (a, b) in below, "a piece leaves the edge of the cut")
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
@@ -1755,32 +1765,17 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
     EI, T, k, m = t[4, 0], t.get((2, 0), fmpq(0)), t[0, 0], t[0, 2]
     c0 = (arb(EI) / arb(m)).sqrt()
     require(W > 0 and arb(rho) > c0 * arb(W) ** 2, "the path ends where the theorem does not begin")
+    meet = [abs(z) for square, _ in meeting(sheet.track) for z in [square.sqrt()]]
+    require(all(z < c0 * arb(W) ** 2 for z in meet), "p-roots may meet beyond where the theorem begins")
     # D(λP̂, c₀λ²)/(EI λ⁴) in P̂ and u = 1/λ
     rows = [[arb(0)] * 5 for _ in range(5)]
     rows[4][0] = rows[0][0] = arb(1)
     rows[1][1], rows[2][2], rows[0][4] = -2 * arb(v) / c0, arb((T + m * v * v) / EI), arb(k / EI)
-    r, corner = 1 / arb(W), [acb(fmpq(x, 4)).exp_pi_i() for x in (3, -3, 1, -1)]
-    split = Nodes([x.mid() for x in corner], 2, Local(acb(0), acb_mat(rows), acb_mat([[1]]))).split(r)
-    radii = [split.isolated(side) for side in split.nodes.side]
-    require(None not in radii, "p-roots far out are not told apart")
-    each = [bent_root(split, i, e, r) for i, e in enumerate([*(radii[0] or []), *(radii[1] or [])])]
-    near_ahead, ahead = each[0][1], each[1][1]
-    behind, near_behind = ((-a, -b, e) for _, (a, b, e) in each[2:])
-
-    def departs(x: Bent, value: Any) -> Any:
-        return abs(x[0] - value) + abs(x[1]) * r + x[2]
-
-    def together(x: Bent, y: Bent) -> Bent:
-        return x[0] + y[0], x[1] + y[1], x[2] + y[2]
-
-    half, one, tenth = arb(fmpq(1, 2)).sqrt(), arb(1), corner[2]
+    at_contact, square, skewed, decay, size = far_waves(Local(acb(0), acb_mat(rows), acb_mat([[1]])), 1 / arb(W))
+    half, one = arb(fmpq(1, 2)).sqrt(), arb(1)
     active = arb(sheet.height) / (c0 * arb(W) ** 2)
     require(active < 0.5, "damping is not small far out")
-    shift_ = 4 / (2 * half) * departs(together(ahead, near_ahead), half / 2) + 1 / (1 - active) ** 2 - 1
-    a, b, e = bent_product(ahead, behind, r)
-    square = departs((a * acb(0, -16), b * acb(0, -16), 16 * e), 1)
-    a, b, e = together(ahead, behind)
-    skewed = departs((4 * a / tenth, 4 * b / tenth, 4 * e), 2)
+    shift_ = 2 / half * at_contact + 1 / (1 - active) ** 2 - 1
     require(shift_ < 0.5 and square < 0.5, "waves far out are not what they tend to")
     change = half * (square + shift_) / (1 - shift_)
     skew, g = (skewed + 2 * square) / (1 - square), half + change
@@ -1788,21 +1783,68 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
     for _ in range(len(sites) - 1):
         require(g * Z < 1, "the masses may reflect more than they get")
         floor *= 1 - g * Z
-        ideal = (1 - (1 - Z * Z) / (2 + Z) ** 2) if Z <= 1 else (1 + (Z * Z - 1) / (2 * half - Z) ** 2)
+        lossy = 1 - (3 - arb(5).sqrt()) * (1 - Z * Z) / (2 * half + Z) ** 2
+        ideal = lossy if Z <= 1 else 1 + (Z * Z - 1) / (2 * half - Z) ** 2
         require(Z <= 1 or Z > 1, "it is open whether the masses reflect more than they get")
         passive = ideal.sqrt()
         Z = (passive + (Z * (2 * change + g * skew) + change + passive * Z * change) / (1 - g * Z)).upper()
     if len(sites) > 1:
-        decay = max_bound(departs(each[0][0], corner[0]), departs(each[3][0], corner[3]))
         gap = arb(min(y - x for x, y in pairwise(sites)))
-        size = max_bound(*(departs(x, 0) for x in (ahead, behind, near_ahead, near_behind)))
-        coupling, rest = size * 4 / (2 * half) / (1 - shift_), len(sites) - 1
+        coupling, rest = size * 2 / half / (1 - shift_), len(sites) - 1
         require(decay < half, "evanescent waves are not told far out")
         lost = coupling * (-arb(W) * (half - decay) * gap).exp()
         rows_ = (1 + rest * (coupling + lost) ** 2).sqrt() ** rest
         require(
             len(sites) * arb(rest).sqrt() * lost * rows_ < floor, "evanescent waves may cancel the others far out"
         )
+
+
+def far_waves(local: Local, r: Any) -> list[Any]:
+    """How G(0), the product and sum of the travelling waves, and the evanescent P̂, depart from u = 0; the weights.
+
+    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside. The roots are
+    followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that touch are one.
+    """
+    corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
+    table_, before, bounds = local.d, [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
+    steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
+    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)) for i in range(ARCS)]
+    for i, (middle, e) in enumerate([*steps, *arcs]):
+        center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
+        here = Local(center, table_ * shift(center, 5, 5).transpose(), local.n)
+        z = float_roots(here, [complex(x) for x, _ in before])
+        split = Nodes([acb(x) for x in z], 2, here).split(arb(e))
+        radii = [x for side in split.nodes.side for x in (split.isolated(side) or [])]
+        require(len(radii) == 4, "p-roots far out are not told apart")
+        now = list(zip(split.nodes.z, radii, strict=True))
+        touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
+        require(touch == [[i == j for j in range(4)] for i in range(4)], "p-roots far out are not followed")
+        before = now
+        if i < len(steps):
+            continue
+        waves, weights = zip(*(bent_root(split, j, d, arb(e)) for j, d in enumerate(radii)), strict=True)
+        ahead, near_ahead, near_behind, behind = (
+            weights[j] if j < 2 else (-weights[j][0], -weights[j][1], weights[j][2]) for j in range(4)
+        )
+        root_half, unit = arb(fmpq(1, 2)).sqrt(), corner[3]
+        found = [
+            departs(bent_sum(ahead, near_ahead), root_half / 2, e),
+            16 * departs(bent_product(ahead, behind, arb(e)), unit * unit / 16, e),
+            4 * departs(bent_sum(ahead, behind), unit / 2, e),
+            max_bound(*(departs(waves[j], corner[j], e) for j in (1, 2))),
+            max_bound(*(departs(x, acb(0), e) for x in (ahead, near_ahead, near_behind, behind))),
+        ]
+        bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
+    return bounds
+
+
+def departs(x: Bent, value: Any, r: Any) -> Any:
+    """A bound of |f − value| on the disc."""
+    return abs(x[0] - value) + abs(x[1]) * r + x[2]
+
+
+def bent_sum(x: Bent, y: Bent) -> Bent:
+    return x[0] + y[0], x[1] + y[1], x[2] + y[2]
 
 
 def max_bound(*values: Any) -> Any:
@@ -1822,6 +1864,8 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     number = len(items(values, 4, "paths"))
     paths = read_paths(values, " ".join(["link", "turn", "link", "turn"][:number]))
     damped = sheet.height > 0
+    passive = semidefinite(sheet.upper.C) and semidefinite(sheet.upper.K)
+    require(passive, "above the cuts the vehicle is not passive")
     require(0 <= begin <= end and number >= 1, "the count begins or ends elsewhere")
     require(begin == 0 or in_gap(sheet, begin), "the count does not begin in the gap of the cuts")
     require(nonnegative(fmpq_poly(sheet.along(end**2)), False), "the track is not passive beyond the end")
@@ -1863,6 +1907,30 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     closed = closing(b, waves, last) + (b.nb - b.nc) * pi / 2
     total = closed - turned[0] - turned[1] if damped else 2 * (closed - turned[0])
     n = (total / pi).unique_fmpz()
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
+
+
+def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:
+    """The number of roots in a rectangle on one half of the sheet, or across its gap; points are z, or z̄ above."""
+    keys(content["theorem"], "half")
+    (a, b), (c, d) = region.re or (0, 0), region.im or (0, 0)
+    c, d, waves = c - sheet.height, d - sheet.height, Waves(sheet.track, sheet.lower.sites)
+    lower = content["theorem"]["half"] == "lower"
+    if lower:
+        require(d < 0 or (c <= 0 and in_gap(sheet, a) and in_gap(sheet, b)), "the rectangle meets a cut")
+    else:
+        require(content["theorem"]["half"] == "upper" and c > 0, "the rectangle is not above the cuts")
+        c, d = -d, -c
+    walker = Walker(waves, Bordered(sheet.lower if lower else sheet.upper, waves))
+    link, turn = read_paths(content["paths"], "link turn")
+    ends = link.points[0] == (0, -start) and link.points[-1] == (a, c)
+    require(ends and all(y <= 0 for _, y in link.points), "the first path does not lead to the rectangle's corner")
+    check_lines(turn.points, [(a, c), (b, c), (b, d), (a, d), (a, c)])
+    walker.begin(start)
+    walker.path("link", link.points, link.special)
+    n = (walker.path("turn", turn.points, turn.special) / (2 * arb.pi())).unique_fmpz()
+    spent.pieces += walker.pieces
     require(n is not None, "the change of the argument does not tell the number of roots")
     return int(n)
 
@@ -2054,6 +2122,8 @@ def spectrum(content: dict[str, Any]) -> str:
         walker = Walker(waves := Waves(track, vehicle.sites), Bordered(vehicle, waves))
         if region.kind == "sheet":
             number = count_sheet(Sheet.of(track, vehicle), walker, content, start)
+        elif region.re and content["theorem"] is not None:
+            number = count_beside(Sheet.of(track, vehicle), region, walker, content, start)
         elif at_rest:
             read_paths(content["paths"], "")
             check_no_cut(track, region.height)
@@ -2071,7 +2141,8 @@ def spectrum(content: dict[str, Any]) -> str:
     found = sum(root.number for root in roots)
     require(found == number, f"the file names {found} of {number} roots")
     below = sum(root.number for root in roots if root.z[1] + root.radius < 0)
-    lossless = region.kind == "sheet" and Sheet.of(track, vehicle).height == 0
+    even = all(j % 2 == 0 for p in (track.D, track.N) for _, j in terms(p))
+    lossless = even and vehicle.C == vehicle.C * 0 and vehicle.neutral == 0  # q and q̄ are roots together
     real = [lossless and root.z[1] == 0 and root.multiplicity == 1 for root in roots]  # its ball is its own mirror
     require(
         all(x or abs(root.z[1]) > root.radius for x, root in zip(real, roots, strict=True)),

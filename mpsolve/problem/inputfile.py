@@ -73,8 +73,8 @@ def read_problem(path: str | Path) -> ProblemFile:
     the force at each contact from rear to front, or at none. Or it is a file as for `read_case`.
     InputError names the key at fault, such as track.k_pad or vehicle[2].wheel (counted from 1).
     """
-    file = Path(path)
-    return problem_of(parsed(text_of(file), str(file)), file)
+    source = read_source(path)
+    return source if isinstance(source, ProblemFile) else _of_case(source)
 
 
 def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:

@@ -46,6 +46,13 @@ class Line:
             return False
         return True if negative_point(at_zero) is not None else None
 
+    def in_gap(self, z: Fraction) -> bool:
+        """Whether no p-root is real at the real z: D(ip, iz) > 0 for all real p."""
+        EI, T, k, m = self.beam
+        v = self.lower.guide.v
+        c = (k - m * z * z, 2 * m * v * z, -T - m * v * v, Fraction(0), EI)
+        return all(is_positive(fmpq_poly([as_fmpq(x * sign**i) for i, x in enumerate(c)])) for sign in (1, -1))
+
     @property
     def passive_from(self) -> Fraction:
         """A bound of |z|², exact: beyond it the mobility of the undamped track has a positive definite real part."""
@@ -78,8 +85,7 @@ def line_height(track: Track | Waveguide) -> Fraction | None:
     D, N = waveguide.dispersion, waveguide.numerator
     if not (set(D) <= _TERMS and {(4, 0), (0, 0), (0, 2)} <= set(D) and set(N) == {(0, 0)}):
         return None
-    D = {key: c * (1 if D[4, 0] > 0 else -1) for key, c in D.items()}
-    if D[0, 2] < 0:
+    if not (D[4, 0] > 0 and D[0, 2] > 0 and N[0, 0] > 0):
         return None
     height = D.get((0, 1), Fraction(0)) / (2 * D[0, 2])
     rest = D[0, 0] - height**2 * D[0, 2]

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Quantity, rational, shown
+from mpsolve.numbers.spoken import rounded
 from mpsolve.numbers.units import factor, split
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
@@ -28,9 +30,14 @@ class Over:
     si: str
     unit: str
 
-    def shown(self, value: Fraction) -> Fraction:
-        """A value in `si` as one in `unit`."""
-        return value * factor(self.si)[0] / factor(self.unit)[0]
+    def shown(self, value: Any) -> Any:
+        """A value in `si`, a rational or a ball, as one in `unit`."""
+        ratio = factor(self.si)[0] / factor(self.unit)[0]
+        return value * ratio if isinstance(value, Fraction) else value * ratio.numerator / ratio.denominator
+
+    def told(self, value: Any) -> str:
+        """A value in `si` with the unit that was written, in few figures: "463.6 km/h"."""
+        return f"{rounded(self.shown(value))} {self.unit}".strip()
 
     def holds(self, value: Fraction) -> bool:
         """Whether the value lies in the range, its ends included."""

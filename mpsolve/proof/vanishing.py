@@ -54,7 +54,7 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
         rest = row.size[:, 0].sum(1) * column.size[:, :, 0].max(1) * eta / (1 - eta) * UP
         fine = eta < 0.9
         strain = np.where(finite & ~fine, np.abs(E.b).sum(3).max(2), 0.0)
-        return Scalar(Quadratic(s.k, s.e + rest, s.m), finite & fine, strain)
+        return Scalar(Quadratic(s.k, np.where(fine, s.e + rest, np.inf), s.m), finite & fine, strain)
 
 
 @dataclass(frozen=True)
@@ -140,6 +140,7 @@ def one_at_most(s: Quadratic) -> Any:
         c = np.abs(s.c)
         vary = np.stack([c[0] + c[1] / 2 + 2 * s.e, c[2] + c[1] / 2 + 2 * s.e]) * (1 + 64 * U)
         det = np.abs((g0.conj() * g1).imag) - 8 * U * np.abs(g0) * np.abs(g1)
-        # |J⁻¹| row by row: rows (g1), (g0), each of modulus |g|/det; a column's error is a complex number
-        worst = np.maximum(np.abs(g1), np.abs(g0)) / det * vary.sum(0) * (1 + 64 * U)
+        # |J⁻¹| has rows of moduli |g1|/det, |g0|/det, a column's error is one complex number: a matrix of rank one,
+        # whose norm in the weights of its rows is
+        worst = (np.abs(g1) * vary[0] + np.abs(g0) * vary[1]) / det * (1 + 64 * U)
         return (det > 0) & np.isfinite(worst) & (worst < 0.9)

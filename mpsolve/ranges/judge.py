@@ -22,6 +22,7 @@ from mpsolve.passivity.envelope import Envelope
 from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
 
 NONZERO, PASSIVE, KNOWN = 1, 2, 3
+_SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 Found = Callable[[Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish: True where a zero was enclosed there."""
 
@@ -79,15 +80,16 @@ class Judge:
 
     def room(self, point: Any, size: Any) -> tuple[Any, Any] | None:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
-        shares = 2.0 ** -np.arange(0, 24)
-        m = np.repeat(point[:, None], len(shares), 1)
-        boxes = Boxes(m, size[:, None] * shares)
+        one, other = np.meshgrid(_SHARES, _SHARES)
+        shares = np.stack([one.ravel(), other.ravel()])
+        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
-        good = np.flatnonzero(s.good & one_at_most(s.s))
-        if not len(good):
+        area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
+        best = area.argmax()
+        if not area[best]:
             return None
-        half = boxes.r[:, good[0]] * 0.49
+        half = boxes.r[:, best] * 0.49
         return point - half, point + half
 
     def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, verdict: Verdict) -> Any:

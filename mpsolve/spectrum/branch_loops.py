@@ -17,7 +17,7 @@ from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 
 _FIRST, _SMALLEST, _SHRINK = 0.25, 2.0**-24, 4  # of the distance to what is next: radii of loops
-_SIDES = (12, 24, 48)  # of a loop, each time round
+_SIDES = (14, 24, 48, 96)  # of a loop, each time round
 _REAL = 1e-3  # relative, in floats
 
 

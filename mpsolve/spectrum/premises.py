@@ -55,6 +55,17 @@ def _require_no_cut(reduced: Reduced, region: Region) -> None:
     raise InputError(name, f"{stated}: give a smaller height")
 
 
+def require_off_cuts(line: Line, box: Rectangle) -> None:
+    """A rectangle lies below the line of the cuts, above it, or crosses it in the gap."""
+    unit = line.lower.frequency_unit
+    height = line.height * unit
+    beside = box.im_max < height or box.im_min > height
+    if not beside and not all(line.in_gap(x / unit) for x in (box.re_min, box.re_max)):
+        stated = f"and im_min hold the cut line Im q = {shown(height)} between them, beyond the gap of the cuts"
+        raise InputError("region.im_max", f"{stated}: take one rectangle below the line and one above it")
+    _require_forces(line.lower)
+
+
 def _require_forces(reduced: Reduced) -> None:
     """No set of contact forces is felt by nobody: B f = 0, h f = 0 and no resultant at any place only for f = 0."""
     contacts = range(reduced.contacts)
