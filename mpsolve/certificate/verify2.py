@@ -1899,7 +1899,10 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
         for loop in rounds:
             check_loop(loop, sheet.track, sites, walker)
         spent.pieces += walker.pieces
-    require(damped or number <= 2, "without damping both halves are one")
+    require(
+        damped or (number <= 2 and not in_gap(sheet, end)),
+        "without damping the path ends on the cut, for both halves",
+    )
     require(not damped or len(paths) == (4 if end > begin else 2), "a path is missing")
     marks = (up if len(paths) == 4 else below).marks
     require((end, zero) in marks, "the count does not come to its end")
