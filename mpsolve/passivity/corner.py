@@ -15,7 +15,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.passivity.cover import Moving
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.newton import isolated, polished, sharpened
+from mpsolve.proof.newton import isolated, polished, real_part, sharpened
 
 _BITS = 96
 _PARTS = 1500  # boxes at most
@@ -53,7 +53,7 @@ def velocity_of_loss(moving: Moving, near: float, bits: int) -> Any:
     f = _Slope(moving)
     with precision(_BITS):
         found = isolated(f, polished(f, acb(near)), arb(near))
-    return sharpened(f, found.image, bits, real=True).real
+    return sharpened(f, found.image, bits, real_part).real
 
 
 def corner(moving: Moving, value: Any, effort: Effort) -> Corner | None:
