@@ -16,7 +16,16 @@ from pathlib import Path
 
 import click
 
-from mpsolve import cli_audit, cli_certify, cli_receptance, cli_report, cli_response, cli_stability, cli_study
+from mpsolve import (
+    cli_audit,
+    cli_certify,
+    cli_receptance,
+    cli_report,
+    cli_response,
+    cli_roots,
+    cli_stability,
+    cli_study,
+)
 from mpsolve.cli_tools import one_sentence
 
 
@@ -92,7 +101,7 @@ def models(name: str | None) -> None:
         click.echo(listing(name), nl=False)
 
 
-for module in (cli_certify, cli_stability, cli_response, cli_receptance, cli_study, cli_report, cli_audit):
+for module in (cli_certify, cli_roots, cli_stability, cli_response, cli_receptance, cli_study, cli_report, cli_audit):
     for command in module.COMMANDS:
         cli.add_command(command)
 
