@@ -47,6 +47,7 @@ _MODULES = {
     "study": "study",
     "status": "study",
     "export": "study",
+    "roots": "roots",
     "schema": "schema",
     "audit": "audit",
 }
