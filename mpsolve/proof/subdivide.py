@@ -1,4 +1,4 @@
-"""Subdivision: boxes of several variables are judged in batches, and those that stay open are halved. The tree is kept.
+"""Subdivision: boxes of several variables are judged in batches, those that stay open halved. The tree is kept.
 
 Nothing here knows what is proved of a box. Boxes are given by float corners; a box is halved at a float between its
 corners, so that the two halves have all its points.
