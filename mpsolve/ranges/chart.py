@@ -1,7 +1,7 @@
 """Stability charts as proved regions: how many roots grow over two parameters.
 
-The box of (q, x, y) is covered; the boxes that stay open project to a thin strip of cells round the curves on which a
-root is real, whatever folds, crossings and cusps they have. No root is real over any other cell, so the number of roots
+The box of (q, x, y) is covered; the boxes that stay open project to a thin strip of cells round the curves on which
+a root is real, whatever folds, crossings and cusps they have. No root is real over any other cell, so the number of roots
 that grow is the same on each connected part of them: one certified spectrum in each tells it.
 """
 
@@ -26,6 +26,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, scope_of
+from mpsolve.spectrum.regions import HalfPlane
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
@@ -66,7 +67,9 @@ class Chart(Answer):
 
     def at(self, x: object, y: object) -> int | None:
         """The number of growing roots at a point, None where the chart does not tell; InputError outside of it."""
-        i, j = (_cell(edges, value, path) for edges, value, path in zip((self.x, self.y), (x, y), self.over, strict=True))
+        i, j = (
+            _cell(edges, value, path) for edges, value, path in zip((self.x, self.y), (x, y), self.over, strict=True)
+        )
         count = int(self.counts[i, j])
         return count if count >= 0 else None
 
@@ -86,7 +89,7 @@ def stability_chart(
 ) -> Chart:
     """The exact number of growing roots over two parameters, as proved regions and thin strips between them.
 
-    over: {path: (low, high)} for two parameters, in the problem's units. depth: the chart has 2^depth cells along each.
+    over: {path: (low, high)} of two parameters, in the problem's units. depth: of 2^depth cells along each of them.
     The answer is proved where every region is decided; strips round the boundaries are part of it. There is no
     certificate. InputError for paths and ranges that cannot be.
     """
@@ -115,7 +118,7 @@ def _chart(
         cost = Spent(process_time() - started)
         return Chart(problem, over, Status.UNDECIDED, error.reason, cost=cost, x=edges[0], y=edges[1], counts=counts)
     low, high = scope.corners
-    smallest = 2.0**-np.array([depth + _FINER, depth, depth])
+    smallest = 2.0 ** -np.array([depth + _FINER, depth, depth])
     tell = lambda share: progress("boxes", 0.8 * share)  # noqa: E731
     cover = subdivide(low, high, scope.judge(), budget, smallest, tell)
     spent = cover.reason is not None and cover.reason.code != "boxes"
@@ -128,7 +131,9 @@ def _chart(
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
-    return Chart(problem, over, status, reason, proofs=(proof,), cost=cost, x=edges[0], y=edges[1], counts=counts, parts=parts)
+    return Chart(
+        problem, over, status, reason, proofs=(proof,), cost=cost, x=edges[0], y=edges[1], counts=counts, parts=parts
+    )
 
 
 def _marked(scope: Scope, tree: Any, depth: int) -> Any:
@@ -164,7 +169,14 @@ def parts_of(free: Any) -> Any:
 
 
 def _counted(
-    problem: Problem, scope: Scope, edges: Any, labels: Any, counts: Any, budget: Effort, progress: Progress, check: bool
+    problem: Problem,
+    scope: Scope,
+    edges: Any,
+    labels: Any,
+    counts: Any,
+    budget: Effort,
+    progress: Progress,
+    check: bool,
 ) -> tuple[tuple[Part, ...], Reason | None]:
     """The parts with their counts, which are written into `counts`; the greatest first."""
     sizes = np.bincount(labels.ravel())[1:]
@@ -178,7 +190,9 @@ def _counted(
             continue
         progress("regions", 0.8 + 0.2 * number / len(order))
         i, j = _inmost(where)
-        point = {path: (ends[n] + ends[n + 1]) / 2 for path, ends, n in zip(scope.family.paths, edges, (i, j), strict=True)}
+        point = {
+            path: (ends[n] + ends[n + 1]) / 2 for path, ends, n in zip(scope.family.paths, edges, (i, j), strict=True)
+        }
         try:
             budget.spend(1)
             found = certify_problem(_at(problem, point), region="unstable", digits=15, check=check)
@@ -187,12 +201,17 @@ def _counted(
             counts[where] = OPEN
             parts.append(Part(int(sizes[k]), point, None))
             continue
-        roots = found.unstable if found.proved and found.region.radius is None else None
+        roots = found.unstable if _whole(found) else None
         counts[where] = OPEN if roots is None else roots
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
             reason = found.reason or Reason("base", "the roots of a region are not counted", {}, "")
     return tuple(parts), reason
+
+
+def _whole(found: Any) -> bool:
+    """Whether the count is that of the whole half-plane Im q < 0."""
+    return bool(found.proved) and found.region == HalfPlane()
 
 
 def _at(problem: Problem, point: Mapping[str, Fraction]) -> Problem:
