@@ -68,9 +68,9 @@ class Arrays:
         pairs = np.array([[number[a - b] for b in places] for a in places])
         return np.array([nearest(x) for x in exact]), pairs
 
-    def evaluate(self, m: Any, r: Any, up: int) -> tuple[Any, Jet, Any]:
+    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Any, Jet, Any]:
         """(splittings, G between the places as jets of shape (discs, places, places), where it is bounded)."""
-        s = split(self.D, m, r, up)
+        s = split(self.D, m, r, up, nodes)
         distances, pairs = self.distances
         values = receptances(self.N, self.D, s, distances)
         return s, values.jet[:, pairs], values.good

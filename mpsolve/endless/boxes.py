@@ -33,9 +33,9 @@ class LatticeArrays(Arrays):
     def of(row: Row) -> LatticeArrays:
         return LatticeArrays(row.reduced, row.step)
 
-    def evaluate(self, m: Any, r: Any, up: int) -> tuple[Splittings, Jet, Any]:
+    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Any]:
         """(splittings, Ĝ(1, σ) between the places as jets, where it is bounded)."""
-        s = split(self.D, m, r, up)
+        s = split(self.D, m, r, up, nodes)
         G, good, _ = self.on_arcs(s, np.ones(len(m), complex), np.zeros(len(m)))
         return s, G, good
 
