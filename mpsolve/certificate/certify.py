@@ -59,7 +59,7 @@ def certify(
         return _on_sheet(problem, paper, wanted, options)
     found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
     if paper is not None and wanted == "sheet" and not found.proved and _next_to_branch_point(found):
-        other = certify_on_sheet(problem, paper, wanted, **options)
+        other = _on_sheet(problem, paper, wanted, options)
         return other if other.proved else found
     if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
         other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
