@@ -20,6 +20,7 @@ from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
@@ -99,7 +100,7 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
         _require_passive(rho, middle, radius)
         closing = closing_argument(reduced, rho, middle, radius)
         order = reduced.bodies - reduced.contacts - reduced.neutral
-        total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
+        total = _zeros((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
     held = Below(height, reach=exact) if height else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
@@ -123,7 +124,7 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
-        total = _integer(-_turn(proved) / arb.pi())
+        total = _zeros(-_turn(proved) / arb.pi())
     asked = getattr(region, "radius", None)
     exact = asked if asked is not None else _unscaled(reduced, radius)
     held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
@@ -140,18 +141,12 @@ def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
     link = _line(below, corners[0], 12)
     proved = paths.prove((paths.plan("link", link, effort), paths.plan("turn", around, effort)), effort)
     with precision(64):
-        total = _integer(_turn(proved) / (2 * arb.pi()))
+        total = _zeros(_turn(proved) / (2 * arb.pi()))
     return Count(box, total, first, proved.paths, None, "", effort.spent)
 
 
-def _integer(value: arb) -> int:
-    """The only integer in the ball; PrecisionError if there is none or more than one."""
-    number = value.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(
-            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
-        )
-    return int(number)
+def _zeros(turns: arb) -> int:
+    return number_of_zeros(turns, "the characteristic function")
 
 
 def _turn(proved: Proved) -> arb:
