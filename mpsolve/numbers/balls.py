@@ -17,7 +17,7 @@ import flint
 
 from mpsolve.errors import PrecisionError
 
-arb, acb, acb_mat, acb_poly = flint.arb, flint.acb, flint.acb_mat, flint.acb_poly
+arb, acb, arb_mat, acb_mat, acb_poly = flint.arb, flint.acb, flint.arb_mat, flint.acb_mat, flint.acb_poly
 
 _lock = vars(flint).setdefault("_precision_lock", threading.RLock())
 _THIN = 30

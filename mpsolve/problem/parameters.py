@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from copy import copy
 from difflib import get_close_matches
 from fractions import Fraction
 from itertools import pairwise
@@ -17,10 +18,14 @@ from typing import Any
 import msgspec
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Entries, Model, Part, Quantity, positive, quantities, rational, shown
+from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational, shown
+from mpsolve.numbers.several import Several
 from mpsolve.vehicles.vehicle import Placed
 
 _MASSES = ("kg", "kg m²")
+_VELOCITY = nonnegative("m/s", "velocity")
+_GAP = positive("m", "distance from one middle to the next")
+_FACTOR = positive("", "factor")
 _INDEXED = re.compile(r"(vehicles|gap)\[(\d+)\](?:\.(.+))?")
 
 
@@ -39,11 +44,47 @@ def parameters_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction) -> dict
     return out | ({"scale.gap": Fraction(1)} if len(placed) > 1 else {})
 
 
+def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str) -> Quantity:
+    """Unit, meaning and bound of the parameter at `path`; InputError names a path that there is not."""
+    placed = _ascending(vehicles)
+    indexed = _INDEXED.fullmatch(path)
+    if path == "v":
+        return _VELOCITY
+    if path == "scale.mass" or (path == "scale.gap" and len(placed) > 1):
+        return _FACTOR
+    if indexed and indexed[1] == "gap" and not indexed[3] and int(indexed[2]) < len(placed) - 1:
+        return _GAP
+    found = None
+    if path.startswith("track.") and isinstance(track, Model):
+        found = _inner(track, path.removeprefix("track."))
+    elif path.startswith("vehicles."):
+        found = _inner(placed[0].vehicle, path.removeprefix("vehicles."))
+    elif indexed and indexed[1] == "vehicles" and indexed[3] and int(indexed[2]) < len(placed):
+        found = _inner(placed[int(indexed[2])].vehicle, indexed[3])
+    if found is None:
+        raise _unknown(path, parameters_of(track, vehicles, v))
+    return found
+
+
+def _inner(model: Any, path: str) -> Quantity | None:
+    """The quantity of a numeric parameter, or of one of a part after a dot."""
+    name, _, inner = path.partition(".")
+    quantity = _described(model).get(name)
+    if quantity is None or not inner:
+        return quantity
+    return _inner(getattr(model, name), inner) if isinstance(quantity, Part) else None
+
+
 def changed(
     track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str, value: object
 ) -> tuple[Any, tuple[Placed, ...], Fraction]:
-    """(track, vehicles, v) with the parameter at `path` set to `value`; InputError names a path that there is not."""
-    placed, number = _ascending(vehicles), rational(value, path)
+    """(track, vehicles, v) with the parameter at `path` set to `value`; InputError names a path that there is not.
+
+    A value of class `Several`, a parameter that is left free, is put in as it is, unchecked.
+    """
+    asked = quantity_of(track, vehicles, v, path)
+    placed = _ascending(vehicles)
+    number: Any = value if isinstance(value, Several) else rational(value, path, asked.unit, asked.meaning)
     if path == "v":
         return track, vehicles, number
     if path.startswith("track.") and isinstance(track, Model):
@@ -54,7 +95,7 @@ def changed(
     return track, moved, v
 
 
-def _vehicle_changed(placed: tuple[Placed, ...], path: str, number: Fraction) -> tuple[Placed, ...] | None:
+def _vehicle_changed(placed: tuple[Placed, ...], path: str, number: Any) -> tuple[Placed, ...] | None:
     """The vehicles with the parameter changed; None where the path names none of theirs."""
     if path.startswith("scale."):
         return _rescaled(placed, path, number)
@@ -76,7 +117,7 @@ def _vehicle_changed(placed: tuple[Placed, ...], path: str, number: Fraction) ->
     return (*placed[:k], one, *placed[k + 1 :])
 
 
-def _rescaled(placed: tuple[Placed, ...], path: str, number: Fraction) -> tuple[Placed, ...] | None:
+def _rescaled(placed: tuple[Placed, ...], path: str, number: Any) -> tuple[Placed, ...] | None:
     if path == "scale.mass":
         factor = _checked(number, path)
         return tuple(Placed(_heavier(p.vehicle, factor), p.position) for p in placed)
@@ -95,17 +136,17 @@ def _described(model: Any) -> dict[str, Quantity]:
     return quantities(kind)
 
 
-def _numbers(model: Any) -> Iterator[tuple[str, Fraction]]:
+def _numbers(model: Any) -> Iterator[tuple[str, Any]]:
     """The numeric parameters of a model, those of its parts after a dot."""
     for name, quantity in _described(model).items():
         value = getattr(model, name)
         if isinstance(quantity, Part) and value is not None:
             yield from ((f"{name}.{path}", inner) for path, inner in _numbers(value))
-        elif isinstance(value, Fraction):
+        elif isinstance(value, (Fraction, Several)):
             yield name, value
 
 
-def _with(model: Any, path: str, value: Fraction, key: str) -> Any:
+def _with(model: Any, path: str, value: Any, key: str) -> Any:
     """The model with one of its numeric parameters changed; what it refuses is told under `key`."""
     known = dict(_numbers(model))
     if path not in known:
@@ -116,7 +157,7 @@ def _with(model: Any, path: str, value: Fraction, key: str) -> Any:
     name, _, inner = path.partition(".")
     try:
         new = _with(getattr(model, name), inner, value, key) if inner else value
-        return msgspec.structs.replace(model, **{name: new})
+        return _replaced(model, {name: new})
     except InputError as error:
         raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
 
@@ -130,14 +171,35 @@ def _heavier(model: Any, factor: Fraction) -> Any:
             new[name] = _heavier(value, factor)
         elif quantity.unit in _MASSES and value is not None:
             new[name] = _scaled(value, lambda x: x * factor) if isinstance(quantity, Entries) else value * factor
-    return msgspec.structs.replace(model, **new)
+    return _replaced(model, new)
+
+
+def _replaced(model: Any, new: dict[str, Any]) -> Any:
+    """The model with these parameters; checked where they are numbers."""
+    if not any(map(_free, new.values())):
+        return msgspec.structs.replace(model, **new)
+    out = copy(model)
+    for name, value in new.items():
+        msgspec.structs.force_setattr(out, name, value)
+    return out
+
+
+def _free(value: Any) -> bool:
+    """Whether a parameter is left free somewhere in the value."""
+    if isinstance(value, tuple):
+        return any(map(_free, value))
+    if isinstance(value, Model):
+        return any(isinstance(number, Several) for _, number in _numbers(value))
+    return isinstance(value, Several)
 
 
 def _scaled(value: Any, change: Callable[[Fraction], Fraction]) -> Any:
     return tuple(_scaled(entry, change) for entry in value) if isinstance(value, tuple) else change(value)
 
 
-def _checked(number: Fraction, path: str) -> Fraction:
+def _checked(number: Any, path: str) -> Any:
+    if isinstance(number, Several):
+        return number
     return positive("", "factor" if path.startswith("scale") else "distance in m").checked(number, path)
 
 

@@ -6,10 +6,12 @@ vehicle is scaled by g and body by body. Only nonzero constants and the named fa
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import log2
+from typing import Any
 
 import numpy as np
 
@@ -93,20 +95,24 @@ def reduce_problem(problem: Problem) -> Reduced:
     places = sorted(set(scaled_places))
     parts = split_felt(pencil)
     rate = Fraction(2) ** -guide.time
-    S = [_times(rows, guide.g * rate**k) for k, rows in enumerate((parts.K, parts.C, parts.M))]
+    S = [times(rows, guide.g * rate**k) for k, rows in enumerate((parts.K, parts.C, parts.M))]
     scales = _scales(S)
-    S = [_conjugate(rows, scales) for rows in S]
+    S = [conjugate(rows, scales) for rows in S]
     B = tuple(tuple(x * Fraction(2) ** scales[i] for x in row) for i, row in enumerate(parts.B))
-    neutral = range(len(B) - parts.neutral, len(B))
-
-    def shift(k: int) -> Rows:
-        """The matrix of σ^k in S; row i is divided by σ for a neutral i."""
-        zero = (Fraction(0),) * len(S[k])
-        return tuple((S[k + 1][i] if k < 2 else zero) if i in neutral else S[k][i] for i in range(len(S[k])))
-
     h = tuple(x / guide.g for x in pencil.h)
     index = tuple(places.index(place) for place in scaled_places)
-    return Reduced(problem, guide, tuple(places), index, (shift(0), shift(1), shift(2)), B, h, parts, scales)
+    return Reduced(problem, guide, tuple(places), index, without_neutral(S, parts.neutral), B, h, parts, scales)
+
+
+def without_neutral(S: Sequence[Any], neutral: int) -> tuple[Any, Any, Any]:
+    """The matrices of σ⁰, σ¹, σ² with the last `neutral` rows divided by σ."""
+    first = len(S[0]) - neutral
+
+    def shift(k: int) -> Any:
+        zero = (Fraction(0),) * len(S[k])
+        return tuple((S[k + 1][i] if k < 2 else zero) if i >= first else S[k][i] for i in range(len(S[k])))
+
+    return shift(0), shift(1), shift(2)
 
 
 def scale_guide(problem: Problem) -> Guide:
@@ -163,11 +169,13 @@ def _log2(x: Fraction) -> float:
     return log2(abs(x.numerator)) - log2(x.denominator)
 
 
-def _times(rows: Rows, factor: Fraction) -> Rows:
+def times(rows: Any, factor: Fraction) -> Any:
+    """Every entry times a factor."""
     return tuple(tuple(x * factor for x in row) for row in rows)
 
 
-def _conjugate(rows: Rows, scales: tuple[int, ...]) -> Rows:
+def conjugate(rows: Any, scales: tuple[int, ...]) -> Any:
+    """Each row and column times its power of two."""
     return tuple(
         tuple(x * Fraction(2) ** (scales[i] + scales[j]) for j, x in enumerate(row)) for i, row in enumerate(rows)
     )

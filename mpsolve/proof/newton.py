@@ -6,6 +6,7 @@ simple one, and it lies in the image. Nothing here knows what f is.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -76,15 +77,22 @@ def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
     return image if image.is_finite() and box.contains_interior(image) else None
 
 
-def sharpened(f: Analytic, image: Any, goal: int, real: bool = False, least: Any = 0) -> Any:
+def real_part(ball: Any) -> Any:
+    """Of a ball that holds a real root."""
+    return acb(ball.real)
+
+
+def sharpened(
+    f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | None = None, least: Any = 0
+) -> Any:
     """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
 
-    real: the root is known to be real. least: a size below which a root counts as one of this size. Precision doubles
-    with what is known of the root, so as to end at the goal: the last step costs one value of f at goal bits and a
-    little more, and one slope at half of them.
+    onto: takes a ball to its part on the line on which the root is known to lie. least: a size below which a root
+    counts as one of this size. Precision doubles with what is known of the root, so as to end at the goal: the last
+    step costs one value of f at goal bits and a little more, and one slope at half of them.
     """
     guard, loss = _GUARD, _LOSS
-    image = acb(image.real) if real else image
+    image = onto(image) if onto else image
     known = _accuracy(image, least)
     while known < goal:
         target = _next(known, goal, loss)
@@ -93,7 +101,7 @@ def sharpened(f: Analytic, image: Any, goal: int, real: bool = False, least: Any
         with precision(target + guard):
             middle = image.mid()
             image = middle - f.value(middle) / slope
-            image = acb(image.real) if real else image
+            image = onto(image) if onto else image
         reached = _accuracy(image, least)
         if reached < target:
             guard, loss = guard + target - reached, loss + target - reached

@@ -14,7 +14,7 @@ from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import SAMPLES, Taylor
 from mpsolve.proof import clusters
 from mpsolve.proof.ladder import climb
-from mpsolve.proof.newton import Isolated, isolated, polished, sharpened
+from mpsolve.proof.newton import Isolated, isolated, polished, real_part, sharpened
 from mpsolve.proof.pellet import pellet
 from mpsolve.zeros.function import Function
 
@@ -45,7 +45,7 @@ class Zeros:
         """The simple zero that Newton's method reaches from the seed; PrecisionError where none is proved."""
         found, real = climb(lambda _: self._isolated(acb(seed)), bits, max(bits, _MOST))
         goal = math.ceil(digits * math.log2(10)) + 1
-        image = sharpened(self.f, found.image, goal + _GUARD, real, arb(self.least))
+        image = sharpened(self.f, found.image, goal + _GUARD, real_part if real else None, arb(self.least))
         with precision(goal + 3 * _GUARD):
             ball = on_grid(image, goal, self.power, Symmetry.REAL if real else Symmetry.NONE, self.least)
             if not (found.box.contains(ball.q) and ball.q.contains(image)):

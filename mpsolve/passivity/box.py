@@ -1,0 +1,78 @@
+"""Beyond which frequency the contacts are passive, for all parameters of a box: the far theorem, then cells of q."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.passivity.blocks import SIDE, passive_on
+from mpsolve.passivity.envelope import Envelope
+from mpsolve.passivity.far import far
+
+_RATIO = 1.15  # of one frequency to the next where cells begin
+_HALVINGS = 7  # of a cell, in q and the parameters, before it is left open
+_COARSE, _FINE = 2, 36  # halvings after which the mesh is finer, and how fine
+_LOWEST = 1e-4  # of the far frequency
+_MOST = 4000  # boxes, about
+
+
+@dataclass(frozen=True)
+class PassiveBeyond:
+    """−Im G(q) is positive definite for all real q ≥ X and all parameters of the box; all scaled."""
+
+    X: float
+    far: float
+    boxes: int
+
+
+def passive_beyond(envelope: Envelope, box: tuple[Any, Any] | None = None, ceiling: float | None = None) -> Any:
+    """The least X that is found for the box (low, high) of parameters, that of the envelope if left out.
+
+    ceiling: an X that is known for the whole envelope (`far`), so that many boxes share it. None where the track
+    gives at high frequencies: contacts faster than short waves.
+    """
+    low, high = (np.array(envelope.low), np.array(envelope.high)) if box is None else map(np.asarray, box)
+    top = far(envelope) if ceiling is None else ceiling
+    if top is None:
+        return None
+    X, tried, open_ = top, 0, False
+    width = 8
+    while not open_ and top * _LOWEST < X and tried < _MOST:
+        ends = X * _RATIO ** -np.arange(width + 1.0)
+        found, open_, spent = _covered(envelope, low, high, ends)
+        tried += spent
+        X, width = float(ends[found]), min(2 * width, 64)
+    return PassiveBeyond(X, top, tried)
+
+
+def _covered(envelope: Envelope, low: Any, high: Any, ends: Any) -> tuple[int, bool, int]:
+    """(how many cells in a row below ends[0] are proved, whether the next one failed, how many boxes were looked at).
+
+    Cells far below one that is hard are left for another time.
+    """
+    n, k = len(ends) - 1, len(low)
+    lows = np.concatenate([ends[1:, None], np.broadcast_to(low, (n, k))], 1)
+    highs = np.concatenate([ends[:-1, None], np.broadcast_to(high, (n, k))], 1)
+    cell, left, tried = np.arange(n), n, 0
+    for depth in range(_HALVINGS + 1):
+        tried += len(cell)
+        passed = passive_on(envelope, lows, highs, SIDE if depth < _COARSE else _FINE)
+        lows, highs, cell = lows[~passed], highs[~passed], cell[~passed]
+        if not len(cell):
+            return left, False, tried
+        keep = cell <= cell.min() + 2
+        left = min(left, int(cell[~keep].min(initial=left)))
+        lows, highs, cell = halved(lows[keep], highs[keep], cell[keep])
+    return int(cell.min()), True, tried
+
+
+def halved(low: Any, high: Any, cell: Any) -> tuple[Any, Any, Any]:
+    """Each box in two along its relatively longest side."""
+    size = (high - low) / np.maximum(np.abs(high + low), 1e-300)
+    k, rows = size.argmax(1) if len(low) else np.zeros(0, int), np.arange(len(low))
+    middle = low[rows, k] / 2 + high[rows, k] / 2
+    first, second = high.copy(), low.copy()
+    first[rows, k], second[rows, k] = middle, middle
+    return np.concatenate([low, second]), np.concatenate([first, high]), np.concatenate([cell, cell])

@@ -1,0 +1,183 @@
+"""A bound of what the track gives at short waves: |W|/|D|² ≤ C p^−α where p ≥ p₀, −vp ≤ Ω ≤ 0, over all parameters.
+
+Two charts hold all these (p, Ω): u = 1/p with ω = −Ω ≤ ω₀, and r = −Ω/p with ζ = −1/Ω ≤ 1/ω₀. In each, |D|² times a
+power is a polynomial that must stay positive, and |W| p^α times the same power is another (SPEC, section 6.2).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from mpsolve.numbers.affine import Affine, between
+from mpsolve.numbers.jets import UP
+from mpsolve.passivity.power import Quotient, Terms, moved, value
+from mpsolve.passivity.subject import Subject
+
+_OMEGA = 4.0  # where the two charts meet
+_MOST = 60000  # boxes that are looked at
+_LEAST_POWER, _MOST_POWER = -3, 12  # of 2 in p₀: nothing is said below 2^−3
+_NEAR = 1.5  # times the largest value met: a bound that is good enough
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """The bounds over one box of parameters; `low` and `high` are those of the scaled parameters.
+
+    of: the quotient that is bounded, W/|D|² if left out. beside: Ω may be as far as beside·p from the load's line.
+    """
+
+    subject: Subject
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    of: Quotient | None = None
+    beside: float = 0.0
+    _known: dict[int, float] = field(default_factory=dict, repr=False, compare=False)
+
+    def constant(self, power_of_two: int) -> float:
+        """C for p₀ = 2^power_of_two; ∞ where it is not found."""
+        if any(k >= power_of_two and np.isinf(C) for k, C in self._known.items()):
+            return float("inf")  # a smaller p₀ asks for more
+        for k in range(power_of_two - 1, power_of_two - 4, -1):
+            if k in self._known:
+                return self._known[k]  # it holds from a smaller p₀ on
+        if power_of_two not in self._known:
+            found = charts(self.quotient, 2.0**power_of_two, self.fastest + self.beside)
+            self._known[power_of_two] = max(_supremum(self, chart) for chart in found)
+        return self._known[power_of_two]
+
+    def constants(self, p0: Any) -> Any:
+        """A bound for each p ≥ p₀ > 0 (an array of floats); the same for all p₀ from 2^_MOST_POWER on."""
+        powers = np.clip(np.floor(np.log2(np.maximum(p0, 1e-30)) - 2.0**-20), _LEAST_POWER - 1, _MOST_POWER).astype(
+            int
+        )
+        out = np.full(powers.shape, np.inf)
+        for k in np.unique(powers[powers >= _LEAST_POWER]):
+            out[powers == k] = self.constant(int(k))
+        return out
+
+    @property
+    def quotient(self) -> Quotient:
+        """What is bounded."""
+        return self.subject.power.quotient if self.of is None else self.of
+
+    @property
+    def fastest(self) -> float:
+        """A bound of the velocity."""
+        low, high = np.array([self.low]), np.array([self.high])
+        return float(np.max(self.subject.speed(self.subject.parameters(low, high)).high))
+
+
+@dataclass(frozen=True)
+class Chart:
+    """The top, D_r and D_i in the chart's variables x and y, the factors of the top, the box and a bound of xy.
+
+    The quotient times p^α is x^a y^b |top|/(D_r² + y^twist D_i²)^copies.
+    """
+
+    top: Terms
+    real: Terms
+    imaginary: Terms
+    weight: tuple[int, int]
+    twist: int
+    copies: int
+    box: tuple[tuple[float, float], tuple[float, float]]
+    product: float
+
+
+def charts(quotient: Quotient, p0: float, v: float) -> tuple[Chart, Chart]:
+    """(u, ω) and (r, ζ)."""
+    (iw, nw), (i2, n2) = quotient.degrees
+    power, odd, copies, alpha = quotient.power, quotient.odd, quotient.copies, quotient.alpha
+    half, whole = i2 // 2 // copies, n2 // 2 // copies
+    near = Chart(
+        moved(quotient.top, lambda i, j: (iw - 2 * i, 2 * j)),
+        moved(power.real, lambda i, j: (half - 2 * i, 2 * j)),
+        moved(power.imaginary, lambda i, j: (half - 2 * i, 2 * j)),
+        (i2 - iw - alpha, odd),
+        2,
+        copies,
+        ((0.0, 1 / p0 * UP), (0.0, _OMEGA)),
+        v * UP,
+    )
+    far = Chart(
+        moved(quotient.top, lambda i, j: (iw - 2 * i, nw - odd - 2 * i - 2 * j)),
+        moved(power.real, lambda i, j: (half - 2 * i, whole - 2 * i - 2 * j)),
+        moved(power.imaginary, lambda i, j: (half - 2 * i, whole - 1 - 2 * i - 2 * j)),
+        (i2 - iw - alpha, n2 - nw - alpha),
+        0,
+        copies,
+        ((0.0, v * UP), (0.0, 1 / _OMEGA * UP)),
+        1 / p0 * UP,
+    )
+    return near, far
+
+
+def _supremum(envelope: Envelope, chart: Chart) -> float:
+    """By branch and bound over the chart and the parameters."""
+    low = np.array([[*(a for a, _ in chart.box), *envelope.low]])
+    high = np.array([[*(b for _, b in chart.box), *envelope.high]])
+    names, proved, known, tried = ("x", "y", *envelope.subject.names), 0.0, 0.0, 0
+    while len(low):
+        tried += len(low)
+        if tried > _MOST:
+            return float("inf")
+        with np.errstate(all="ignore"):
+            x, y, *theta = (between(low[:, k], high[:, k], name) for k, name in enumerate(names))
+            top, bottom = _quotient(chart, x, y, theta)
+            upper = np.maximum(np.abs(top.low), np.abs(top.high)) / bottom.low * UP
+            upper = np.where(bottom.low > 0, upper, np.inf)
+            inner = low[:, 0] / 2 + high[:, 0] / 2 <= chart.product / (low[:, 1] / 2 + high[:, 1] / 2)
+            middle = np.abs(top.a) / bottom.a
+            known = max(known, float(np.max(middle, initial=0.0, where=inner & (bottom.a > 0))))
+        done = upper <= _NEAR * known
+        proved = max(proved, float(np.max(upper, initial=0.0, where=done)))
+        low, high = _halved(low[~done], high[~done], bottom.take(~done), top.take(~done), names)
+        inside = low[:, 0] * low[:, 1] <= chart.product * UP
+        low, high = low[inside], high[inside]
+    return proved
+
+
+def _quotient(chart: Chart, x: Affine, y: Affine, theta: list[Affine]) -> tuple[Affine, Affine]:
+    top = value(chart.top, x, y, theta)
+    for factor, power in zip((x, y), chart.weight, strict=True):
+        for _ in range(power):
+            top = top * factor
+    imaginary = value(chart.imaginary, x, y, theta)
+    bottom = imaginary.square()
+    for _ in range(chart.twist):
+        bottom = bottom * y
+    one = bottom + value(chart.real, x, y, theta).square()
+    bottom = one
+    for _ in range(chart.copies - 1):
+        bottom = bottom * one
+    ones = np.ones(len(x.a))
+    return _full(top, ones), _full(bottom, ones)
+
+
+def _full(f: Affine, ones: Any) -> Affine:
+    """With arrays of one shape."""
+    return Affine(f.a * ones, {name: b * ones for name, b in f.b.items()}, f.e * ones)
+
+
+def _halved(low: Any, high: Any, bottom: Affine, top: Affine, names: tuple[str, ...]) -> tuple[Any, Any]:
+    """Each box in two, along the variable that moves |D|² and W most; every third time along the widest in x or y."""
+    if not len(low):
+        return low, high
+    weight = np.zeros_like(low)
+    for k, name in enumerate(names):
+        for f in (bottom, top):
+            if name in f.b:
+                weight[:, k] += np.abs(f.b[name]) / (np.abs(f.a) + f.spread + f.e + 1e-300)
+    rounds = high - low
+    span = rounds / (np.abs(high) + np.abs(low) + 1e-300)
+    weight = np.nan_to_num(weight) + 1e-3 * span * (span > 0)
+    k = np.argmax(weight * (rounds > 0), axis=1)
+    rows = np.arange(len(low))
+    middle = low[rows, k] / 2 + high[rows, k] / 2
+    first, second = high.copy(), low.copy()
+    first[rows, k] = middle
+    second[rows, k] = middle
+    return np.concatenate([low, second]), np.concatenate([first, high])

@@ -1,0 +1,57 @@
+"""Where wavenumbers are cut into cells, in floats: fine near the waves of the track. Nothing rests on the choice."""
+
+from __future__ import annotations
+
+from math import comb
+from typing import Any
+
+import numpy as np
+
+from mpsolve.passivity.subject import Subject, floats_of
+
+_REACH = 12.0  # of the cells, in the largest wavenumber that counts
+_FAR = 100.0  # times the median: a root that is as good as infinite
+_LEAST = 1e-6  # of the reach: the width that is given to a wave without damping
+
+
+def cells(subject: Subject, q: Any, x: Any, spread: Any, side: int) -> Any:
+    """The ends of cells of wavenumber, ascending, shape (boxes, ends), for q and the parameters at points.
+
+    spread: by how much q and the parameters vary about them, relative: cells need not be finer than what that blurs.
+    side: the number of cells on each side of a wave.
+    """
+    v = floats_of(subject.v.items(), x)
+    roots = wavenumbers(subject, q, v, x)
+    size = np.abs(roots)
+    size = np.where(size < _FAR * np.median(size, axis=1)[:, None], size, 0)
+    reach = _REACH * np.maximum(size.max(1), 1e-6)
+    width = np.maximum(np.abs(roots.imag), (np.abs(roots.real) * spread[:, None] + _LEAST * reach[:, None]) / 2)
+    steps = np.sinh(
+        np.linspace(-1, 1, 2 * side + 1)[None, None, :] * np.arcsinh(2 * reach[:, None] / width)[..., None]
+    )
+    ends = (roots.real[:, :, None] + width[:, :, None] * steps).reshape(len(q), -1)
+    with np.errstate(all="ignore"):
+        turn = np.where(v > 0, q / v, reach)
+    ends = np.concatenate([ends, -reach[:, None], reach[:, None], turn[:, None]], axis=1)
+    return np.sort(np.clip(ends, -reach[:, None], reach[:, None]), axis=1)
+
+
+def wavenumbers(subject: Subject, q: Any, v: Any, x: Any) -> Any:
+    """The roots p of D(ip, i(q − vp)), shape (boxes, degree)."""
+    rows: dict[tuple[int, int], list[Any]] = {}
+    for (i, j, *powers), c in subject.D.items():
+        rows.setdefault((i, j), []).append((tuple(powers), c))
+    degree = max(i + j for i, j in rows)
+    D = np.zeros((len(q), degree + 1), complex)
+    for (i, j), terms in rows.items():
+        c = floats_of(terms, x) * 1j ** (i + j)
+        for k in range(j + 1):
+            D[:, i + k] += c * comb(j, k) * q ** (j - k) * (-v) ** k
+    used = np.flatnonzero(np.abs(D).max(0) > 0)
+    D = D[:, : used[-1] + 1]
+    n = D.shape[1] - 1
+    lead = np.where(np.abs(D[:, n]) > 1e-12 * np.abs(D).max(1), D[:, n], 1e-12 * np.abs(D).max(1))
+    companion = np.zeros((len(q), n, n), complex)
+    companion[:, np.arange(n - 1), np.arange(1, n)] = 1
+    companion[:, n - 1] = -D[:, :n] / lead[:, None]
+    return np.linalg.eigvals(np.where(np.isfinite(companion), companion, 0))

@@ -1,0 +1,88 @@
+"""What passivity is asked of: a moving track and the places of its contacts, with parameters left free.
+
+All is scaled as in `Guide`; the free parameters are variables, each polynomial in them a {powers: coefficient}.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.numbers.affine import Affine, between
+from mpsolve.passivity.power import Power, coefficient
+from mpsolve.problem.reduced import Guide, Reduced
+
+Free = Mapping[tuple[int, ...], Fraction]
+"""A polynomial in the free parameters."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """power: that of the track at rest; D: its dispersion in P, s and the parameters; v and places as polynomials."""
+
+    power: Power
+    D: Mapping[tuple[int, ...], Fraction]
+    v: Free
+    places: tuple[Free, ...]
+
+    @staticmethod
+    def of_guide(guide: Guide, places: Sequence[Fraction] = (Fraction(0),), free_velocity: bool = False) -> Subject:
+        """A track without free parameters, or with the velocity as the only one (in units of `Guide.v`)."""
+        names = ("v",) if free_velocity else ()
+        D, N = ({(*key, *[0] * len(names)): c for key, c in a.items()} for a in (guide.D_rest, guide.N_rest))
+        v: Free = {(1,): Fraction(1)} if free_velocity else {(): guide.v}
+        return Subject(Power.of(D, N, names), D, v, tuple({(0,) * len(names): x} for x in places))
+
+    @staticmethod
+    def of_reduced(reduced: Reduced) -> Subject:
+        return Subject.of_guide(reduced.guide, reduced.places)
+
+    @staticmethod
+    def of_family(family: Any) -> Subject:
+        """The family's track, velocity and places; its parameters x̂ in its order."""
+        D, N = (
+            {(*key, *powers): c for key, row in a.items() for powers, c in row}
+            for a in (family.D_rest, family.N_rest)
+        )
+        return Subject(Power.of(D, N, family.paths), D, dict(family.v), tuple(dict(place) for place in family.places))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return self.power.names
+
+    def parameters(self, low: Any, high: Any) -> list[Affine]:
+        """The parameters over boxes: arrays of shape (boxes, parameters) → forms of shape (boxes, 1)."""
+        return [between(low[:, k : k + 1], high[:, k : k + 1], name) for k, name in enumerate(self.names)]
+
+    def speed(self, parameters: Sequence[Affine]) -> Affine:
+        return coefficient(self.v.items(), parameters)
+
+    def distances(self, parameters: Sequence[Affine]) -> tuple[list[Affine], Any]:
+        """The different ξ_i − ξ_j, i > j, over the boxes, and the number of each; −1 on and above the diagonal."""
+        n = len(self.places)
+        number = np.full((n, n), -1)
+        kept: dict[Any, int] = {}
+        for i in range(n):
+            for j in range(i):
+                key = frozenset(_difference(self.places[i], self.places[j]).items())
+                number[i, j] = kept.setdefault(key, len(kept))
+        return [coefficient(key, parameters) for key in kept], number
+
+
+def _difference(a: Free, b: Free) -> dict[tuple[int, ...], Fraction]:
+    out = dict(a)
+    for key, c in b.items():
+        out[key] = out.get(key, Fraction(0)) - c
+    return {key: c for key, c in out.items() if c}
+
+
+def floats_of(terms: Iterable[tuple[tuple[int, ...], Fraction]], x: Any) -> Any:
+    """A polynomial in the parameters at points x (points, parameters), in floats."""
+    total = np.zeros(len(x))
+    for powers, c in terms:
+        total = total + float(c) * np.prod(x ** np.array(powers, int), axis=1)
+    return total

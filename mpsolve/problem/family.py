@@ -1,0 +1,282 @@
+"""A family: a problem with named parameters left free over exact intervals, in the form that is computed with.
+
+D, N, S, B, h and the places are exact polynomials in the free parameters too (`Several`; a contact stiffness enters
+by its inverse). All is scaled by the powers of two of the problem in the middle of the box, and each parameter by one
+of its own, x = x̂ · unit. Factors (`scale.…`) are applied after all other parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise, product
+from math import log2
+from typing import Any, cast
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.several import Ring, Several
+from mpsolve.problem.parameters import changed
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import Guide, Reduced, conjugate, reduce_problem, times, without_neutral
+from mpsolve.tracks.waveguide import Track, Waveguide, moving
+from mpsolve.vehicles.vehicle import Pencil, Rows, joined
+
+Interval = tuple[Fraction, Fraction]
+FreePolynomial = dict[tuple[int, int], Several]
+"""Σ c P^i σ^j with c polynomials in the free parameters."""
+_SHARES = (Fraction(1, 2), Fraction(3, 8), Fraction(9, 16))
+"""Of the box: where the problem that scales stands; one after the other, as it must not be a wave speed."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """The problems of a box of parameters: Δ̂ = det [[S, −B], [Bᵀ, Ĝ + diag ĥ]] as in `Reduced`, with free entries.
+
+    over: the interval of each path, in the problem's units; units: powers of two, x = x̂ · unit; box: of x̂.
+    D, N (in P, σ, moving) and D_rest, N_rest (in P, s, at rest), v, places, S, B, h: scaled, over x̂.
+    index: for each contact the number of its place. base: the problem that gave the scales.
+    """
+
+    problem: Problem
+    over: Mapping[str, Interval]
+    units: tuple[Fraction, ...]
+    base: Reduced
+    ring: Ring
+    D_rest: FreePolynomial
+    N_rest: FreePolynomial
+    D: FreePolynomial
+    N: FreePolynomial
+    v: Several
+    places: tuple[Several, ...]
+    index: tuple[int, ...]
+    S: tuple[Any, Any, Any]
+    B: Any
+    h: tuple[Several, ...]
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Of the free parameters, in the order of x̂."""
+        return tuple(self.over)
+
+    @cached_property
+    def box(self) -> tuple[Interval, ...]:
+        """The intervals of x̂."""
+        return tuple((a / u, b / u) for (a, b), u in zip(self.over.values(), self.units, strict=True))
+
+    @property
+    def degree(self) -> int:
+        """The number of p-roots."""
+        return max(i for i, _ in self.D)
+
+    @property
+    def frequency_unit(self) -> Fraction:
+        """q = q̂ · frequency_unit."""
+        return self.base.frequency_unit
+
+    def at(self, x: Sequence[Fraction]) -> Problem:
+        """The problem at a point x̂."""
+        problem = self.problem
+        for path, unit, value in _factors_last(list(zip(self.paths, self.units, x, strict=True))):
+            problem = problem.changed(path, value * unit)
+        return problem
+
+    def guide(self, x: Sequence[Fraction]) -> Guide:
+        """The track at a point x̂, in the family's scales."""
+        D_rest, N_rest, D, N = (
+            {key: value for key, c in a.items() if (value := c.at(x))}
+            for a in (self.D_rest, self.N_rest, self.D, self.N)
+        )
+        old = self.base.guide
+        return Guide(old.length, old.time, D_rest, N_rest, D, N, self.v.at(x), old.g)
+
+    def reduced(self, x: Sequence[Fraction]) -> Reduced:
+        """The problem at a point x̂ in the family's scales; its contacts keep their order and number of places."""
+        S0, S1, S2 = (_values(rows, x) for rows in self.S)
+        places, h = (tuple(c.at(x) for c in a) for a in (self.places, self.h))
+        base = self.base
+        return Reduced(
+            self.at(x),
+            self.guide(x),
+            places,
+            self.index,
+            (S0, S1, S2),
+            _values(self.B, x),
+            h,
+            base.parts,
+            base.scales,
+        )
+
+    def narrowed(self, over: Mapping[str, Interval]) -> Family:
+        """The same family, in the same scales, over a smaller box of the same paths."""
+        return replace(self, over={path: over[path] for path in self.over})
+
+
+def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
+    """The family of `problem` with each path free over its closed interval, ends exact and in the problem's units.
+
+    InputError for a path that there is not, ends that cannot be, contacts that overtake each other within the box,
+    and motions that contacts feel at some parameters only.
+    """
+    for path, ends in over.items():
+        for end in ends:
+            if end or path == "v":  # at 0 a mass or spring is left out: the equations have this limit
+                problem.changed(path, end)
+    units = tuple(Fraction(2) ** round(log2(max(abs(a), abs(b)) or 1)) for a, b in over.values())
+    base, point = _base(problem, over, units)
+    ring = Ring(tuple(over), point)
+    track, vehicles, v = problem.track, problem.vehicles, cast(Any, problem.v)
+    for path, unit, x in _factors_last(list(zip(over, units, ring.variables, strict=True))):
+        track, vehicles, v = changed(track, vehicles, v, path, x * unit)
+    D_rest, N_rest, speed = _guide(track, base.guide, ring, ring.constant(v))
+    pencil = joined([(placed.vehicle.pencil, placed.position, "") for placed in vehicles])
+    length = Fraction(2) ** -base.guide.length
+    every = [ring.constant(place) * length for place in pencil.places]
+    places = tuple(sorted(set(every)))
+    _require_order(places, over, units)
+    S, B = _vehicle(pencil, base, ring)
+    h = tuple(ring.constant(x) / base.guide.g for x in pencil.h)
+    return Family(
+        problem=problem,
+        over=dict(over),
+        units=units,
+        base=base,
+        ring=ring,
+        D_rest=D_rest,
+        N_rest=N_rest,
+        D=_moving(D_rest, speed),
+        N=_moving(N_rest, speed),
+        v=speed,
+        places=places,
+        index=tuple(places.index(place) for place in every),
+        S=S,
+        B=B,
+        h=h,
+    )
+
+
+def _factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:
+    return sorted(entries, key=lambda entry: entry[0].startswith("scale."))
+
+
+def _base(
+    problem: Problem, over: Mapping[str, Interval], units: tuple[Fraction, ...]
+) -> tuple[Reduced, tuple[Fraction, ...]]:
+    """A problem inside the box, reduced, and where it is."""
+    for share in _SHARES:
+        point = [a + share * (b - a) for a, b in over.values()]
+        inside = problem
+        for path, _, value in _factors_last(list(zip(over, units, point, strict=True))):
+            inside = inside.changed(path, value)
+        try:
+            return reduce_problem(inside), tuple(x / u for x, u in zip(point, units, strict=True))
+        except InputError:
+            if share == _SHARES[-1]:
+                raise
+    raise InputError("over", "is empty: give a path and a range")
+
+
+def _guide(
+    track: Track | Waveguide, scale: Guide, ring: Ring, v: Several
+) -> tuple[FreePolynomial, FreePolynomial, Several]:
+    """D̂ and N̂ at rest, and v̂, in the scales of a guide."""
+    P, s = Fraction(2) ** -scale.length, Fraction(2) ** -scale.time
+    free = Waveguide(_matrix(track, ring), track.loaded)
+    out = []
+    for polynomial, like in ((free.dispersion, scale.D_rest), (free.numerator, scale.N_rest)):
+        rescaled = {(i, j): ring.constant(c) * P**i * s**j for (i, j), c in polynomial.items()}
+        key = next(key for key in like if key in rescaled)
+        factor = like[key] / rescaled[key].at(ring.point)
+        out.append({key: c * factor for key, c in rescaled.items()})
+    return out[0], out[1], v * (P / s)
+
+
+def _matrix(track: Track | Waveguide, ring: Ring) -> Any:
+    """The equations of the track as polynomials in P and s, with coefficients in the free parameters."""
+    if isinstance(track, Waveguide):
+        return track.matrix
+    wide = Ring(("P", "s", *ring.names), (Fraction(0), Fraction(0), *ring.point))
+    P, s, *_ = wide.variables
+    values = {name: _lifted(ring.constant(value), wide) for name, value in track.parameters.items()}
+    rows = track.equations(_Symbols(P=P, s=s, **values))
+    return tuple(tuple(_in_P_and_s(wide.constant(entry), ring) for entry in row) for row in rows)
+
+
+class _Symbols:
+    """The symbols of the equations as attributes."""
+
+    def __init__(self, **values: Any) -> None:
+        vars(self).update(values)
+
+
+def _lifted(value: Several, wide: Ring) -> Several:
+    return Several(wide, {(0, 0, *exponents): c for exponents, c in value})
+
+
+def _in_P_and_s(entry: Several, ring: Ring) -> FreePolynomial:
+    out: dict[tuple[int, int], dict[tuple[int, ...], Fraction]] = {}
+    for (i, j, *rest), c in entry:
+        out.setdefault((i, j), {})[tuple(rest)] = c
+    return {key: Several(ring, terms) for key, terms in out.items()}
+
+
+def _vehicle(pencil: Pencil, base: Reduced, ring: Ring) -> tuple[tuple[Any, Any, Any], Any]:
+    """S and B of the felt motions, in the coordinates and scales of the base."""
+    M, C, K, B = (
+        [[ring.constant(x) for x in row] for row in rows] for rows in (pencil.M, pencil.C, pencil.K, pencil.B)
+    )
+    size, neutral, basis = base.bodies, base.neutral, base.parts.basis
+    if basis is not None:
+        columns = [[row[k] for row in basis] for k in range(len(basis))]
+        M, C, K = (_congruent(rows, columns, ring) for rows in (M, C, K))
+        B = [[_dot(column, [row[j] for row in B], ring) for j in range(pencil.contacts)] for column in columns]
+        coupled = any(rows[i][j] for rows in (M, C, K) for i in range(size) for j in range(size, len(columns)))
+        lost = any(any(row) for row in K[size - neutral : size]) or any(map(any, B[size - neutral : size]))
+        if coupled or lost or any(map(any, B[size:])):
+            stated = "change which motions of the vehicles their contacts feel"
+            raise InputError("over", f"holds parameters that {stated}: fix one of them, or make equal bodies differ")
+        M, C, K, B = ([row[:size] for row in rows[:size]] for rows in (M, C, K, B))
+    guide, rate = base.guide, Fraction(2) ** -base.guide.time
+    S = [conjugate(times(rows, guide.g * rate**k), base.scales) for k, rows in enumerate((K, C, M))]
+    right = tuple(tuple(x * Fraction(2) ** base.scales[i] for x in row) for i, row in enumerate(B))
+    free = without_neutral(S, neutral)
+    return (_constants(free[0], ring), _constants(free[1], ring), _constants(free[2], ring)), right
+
+
+def _values(rows: Any, x: Sequence[Fraction]) -> Rows:
+    return tuple(tuple(c.at(x) for c in row) for row in rows)
+
+
+def _constants(rows: Any, ring: Ring) -> Any:
+    return tuple(tuple(ring.constant(x) for x in row) for row in rows)
+
+
+def _congruent(rows: Any, columns: Any, ring: Ring) -> Any:
+    images = [[_dot(row, column, ring) for row in rows] for column in columns]
+    return [[_dot(a, image, ring) for image in images] for a in columns]
+
+
+def _dot(a: Any, b: Any, ring: Ring) -> Several:
+    total = ring.constant(0)
+    for x, y in zip(a, b, strict=True):
+        if x and y:
+            total = total + ring.constant(x) * y
+    return total
+
+
+def _moving(a: FreePolynomial, v: Several) -> FreePolynomial:
+    """With s = σ − vP."""
+    return moving(a, v)  # type: ignore[arg-type,return-value]
+
+
+def _require_order(places: tuple[Several, ...], over: Mapping[str, Interval], units: tuple[Fraction, ...]) -> None:
+    """Neighbours in the order of the middle keep it at every corner, and so everywhere: places are multilinear."""
+    ends = [(a / u, b / u) for (a, b), u in zip(over.values(), units, strict=True)]
+    for a, b in pairwise(places):
+        if any(max(e, default=0) > 1 for place in (a, b) for e, _ in place):
+            raise InputError("over", "moves contacts along curves: give other paths")
+        if any((b - a).at(corner) < 0 for corner in product(*ends)):
+            raise InputError(
+                "over", "lets contacts overtake each other: give ranges within which they keep their order"
+            )
