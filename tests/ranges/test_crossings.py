@@ -56,13 +56,16 @@ def test_masses_are_those_of_the_engine_for_one_beam() -> None:
     [
         (Problem(BEAM, PAIR, v="0.9"), {"gap[0]": ("0.5", 6)}),
         (Problem(BEAM, PAIR, v="0.9"), {"track.c": ("0.02", "0.5")}),
-        (Problem(LAYERS, [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")], v=1300), {"vehicles[1].M": (10, 2000)}),
+        (
+            Problem(LAYERS, [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")], v=1300),
+            {"vehicles[1].M": (10, 2000)},
+        ),
     ],
 )
 def test_counts_between_are_those_that_floats_see(problem: Problem, over: dict[str, tuple[object, object]]) -> None:
     found = crossings(problem, over=over, check=False)
     assert found.status is Status.UNVERIFIED
-    (path, (low, high)), = found.over.items()
+    ((path, (low, high)),) = found.over.items()
     ends = [low, *(Fraction(float(c.value)) for c in found.crossings), high]
     assert found.counts is not None
     for a, b, count in zip(ends, ends[1:], found.counts, strict=True):
