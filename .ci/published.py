@@ -12,9 +12,9 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-FOLDERS = ("mpsolve", "tests", "examples", "certs", ".ci")
+FOLDERS = ("mpsolve", "tests", "examples", "certs", "docs", ".ci")
 FILES = ("README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE", "pyproject.toml", "MANIFEST.in")
-IGNORED = ("__pycache__", ".pyc")
+IGNORED = ("__pycache__", ".pyc", "docs/_build", "jupyter_execute", "_generated")
 
 
 def here(folder: str) -> set[str]:

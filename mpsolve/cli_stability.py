@@ -211,19 +211,20 @@ def _answer(
         case = given.case.dimensionless if isinstance(given.case, PhysicalCase) else given.case
         with progress() as tell:
             found = answer(Source(case, physical, given.title), tell)
-        _report(found, path, as_json)
+        _report(found, path, as_json, output is None)
     sys.exit(0 if found.proved else UNDECIDED)
 
 
-def _report(found: Answer, path: Path, as_json: bool) -> None:
+def _report(found: Answer, path: Path, as_json: bool, by_default: bool) -> None:
     """Saves the certificate, and prints the report even if that fails; CertificateError then."""
+    from mpsolve.certificate.own_name import own_name
     from mpsolve.errors import CertificateError
     from mpsolve.report.answer import answer_data, answer_document
 
     saved, failure = None, None
     if found.certificate is not None:
         try:
-            saved = found.certificate.save(path)
+            saved = found.certificate.save(own_name(path, found.certificate.content) if by_default else path)
         except CertificateError as error:
             failure = error
     if as_json:

@@ -33,7 +33,7 @@ LONG = "x" * 300
             "omega: has points where the receptance is infinite, or out of float64's reach",
         ),
         ("report table.toml", "quantity: is unknown"),
-        ("chart study.toml -o c.svg", "study: is unknown"),
+        ("chart study.toml -o c.svg", "study.toml: is a study, as its [study] shows: use mpsolve study study.toml"),
         ("status case", "case does not exist"),
         ("export . --to csv", ". is a directory"),
     ],

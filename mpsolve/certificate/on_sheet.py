@@ -14,7 +14,7 @@ from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.rootball import RootBall
 from mpsolve.outcome import Reason
-from mpsolve.problem.cases import Given
+from mpsolve.problem.cases import Given, as_paper
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import MORE_EFFORT, Effort
 from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Sheet
@@ -69,11 +69,43 @@ def certify_on_sheet(
 
 def sheet_of(spectrum: AnySpectrum) -> SheetSpectrum:
     """The answer on the paper's beam, in dimensionless terms; InputError where there is none."""
-    found = spectrum.sheet if isinstance(spectrum, Spectrum) else spectrum
+    found = (spectrum.sheet or _as_sheet(spectrum)) if isinstance(spectrum, Spectrum) else spectrum
     if not isinstance(found, SheetSpectrum):
         given = "one of another region or track" if found is None else f"of type {type(found).__name__}"
         raise InputError("spectrum", f'is {given}: pass certify(case, region="sheet") of the paper\'s beam')
     return found
+
+
+def _as_sheet(spectrum: Spectrum) -> SheetSpectrum | None:
+    """The answer of the general engine about the whole sheet, in dimensionless terms; None where it is another."""
+    paper = as_paper(spectrum.problem)
+    if paper is None or not isinstance(spectrum.region, Sheet):
+        return None
+    case = paper if isinstance(paper, Case) else paper.dimensionless
+    with precision(working_bits(spectrum.digits)):
+        unit = None if isinstance(paper, Case) else paper.time_scale.ball()
+        roots = tuple(_dimensionless(root, unit) for root in spectrum.roots)
+    reason = spectrum.reason
+    return SheetSpectrum(
+        case,
+        "sheet",
+        spectrum.digits,
+        spectrum.status,
+        "" if reason is None else str(reason),
+        spectrum.count,
+        spectrum.unstable,
+        roots,
+        certificate=spectrum.certificate,
+        evaluations=spectrum.cost.evaluations,
+        why=reason,
+        verified=spectrum.verified,
+    )
+
+
+def _dimensionless(root: Root, unit: Any) -> RootBall:
+    q = root.q if unit is None else acb(root.q.real / unit, root.q.imag / unit)
+    _, exponent = q.abs_lower().man_exp()
+    return RootBall(q, int(exponent), root.multiplicity, root.symmetry)
 
 
 def _timed(progress: Progress, budget: Effort) -> Progress:

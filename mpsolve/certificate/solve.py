@@ -7,24 +7,30 @@ from fractions import Fraction
 from time import process_time
 from typing import Any
 
+from mpsolve.certificate.format import Certificate
+from mpsolve.certificate.sheet_file import sheet_certificate
 from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
+from mpsolve.certificate.whole_sheet import closing_words, sheet_halves, unstable_part
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.model import shown
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
+from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.count import AT_REST, Count, count_roots
+from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.premises import require_premises
-from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
+from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet, checked_region
+from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
 from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.tracks.at_rest import lowest_cut
 
+AnyCount = Count | SheetCount
 MAX_DIGITS, MIN_DIGITS = 10_000, 15
 _EVALUATIONS = 200_000  # about a minute; most problems take some thousands
 _ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
@@ -42,19 +48,29 @@ def certify_problem(
 ) -> Spectrum:
     """Every root of Δ in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
-    region: "unstable" (Im q < 0), Below(h) (with it Im q < h as far as the answer's region says), a Rectangle, or
-    None: below a height near the lowest cut, else "unstable". Heights and sides are kept exactly. check: have the
-    standalone verifier pass the certificate. Raises InputError for a track that is unstable by itself or has no
-    damping, and for regions without meaning.
+    region: "unstable" (Im q < 0), Below(h) (with it Im q < h as far as the answer's region says), a Rectangle,
+    "sheet" (the whole physical sheet, of masses on a beam whose cuts lie on one line), or None: below a height near
+    the lowest cut, else "unstable". Of an undamped beam "unstable" is answered by its whole sheet, and None is it.
+    Heights and sides are kept exactly. check: have the standalone verifier pass the certificate. Raises InputError
+    for a track that is unstable by itself or, but for such a beam, has no damping, and for regions without meaning.
     """
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
-    require_premises(reduced, HalfPlane())
-    wanted = _region(reduced, region)
-    found = solve(reduced, wanted, checked_digits(digits), budget, tell)
-    return _spectrum(reduced, wanted, digits, found, budget, started, check, tell)
+    line = on_line(reduced)
+    lossless = line is not None and not line.height and region in ("unstable", None)
+    if region == "sheet" or lossless:
+        wanted: Answered = Sheet()
+        asked: Region | Line = sheet_halves(line)
+    elif isinstance(region, Rectangle) and line_for(reduced, region) is not None:
+        wanted = asked = region
+    else:
+        require_premises(reduced, HalfPlane())
+        wanted = asked = _region(reduced, region)
+    found = solve(reduced, asked, checked_digits(digits), budget, tell)
+    answer = _spectrum(reduced, wanted, asked, digits, found, budget, started, check, tell)
+    return unstable_part(answer) if lossless and region == "unstable" else answer
 
 
 def checked_digits(digits: object) -> int:
@@ -116,7 +132,8 @@ def _lower(name: str, low: Fraction) -> str:
 
 def _spectrum(
     reduced: Reduced,
-    wanted: Region,
+    wanted: Answered,
+    asked: Region | Line,
     digits: int,
     found: Found,
     budget: Effort,
@@ -143,17 +160,17 @@ def _spectrum(
             problem, count.region, digits, Status.UNDECIDED, found.reason, known=_known(count), cost=cost, **common
         )
     unstable = unstable_number(found.balls)
-    certificate = spectrum_certificate(reduced, count, _entries(found.balls), unstable)
+    certificate = _certificate(reduced, count, _entries(found.balls), unstable)
     if check:
         tell("verifying", 0.0)
     status, reason, verified, seconds = _checked(certificate, check)
     pieces = count.pieces
     for room in _ROOMS if reason is not None and "piece" in reason.message else ():
         # the verifier's bounds are wider on some piece: the same proof again, in shorter pieces
-        again = _recounted(reduced, wanted, budget, room)
+        again = _recounted(reduced, asked, budget, room)
         if again is None or (again.total, again.region) != (count.total, count.region):
             break
-        certificate = spectrum_certificate(reduced, again, _entries(found.balls), unstable)
+        certificate = _certificate(reduced, again, _entries(found.balls), unstable)
         status, reason, verified, more = _checked(certificate, check)
         pieces, seconds = again.pieces, seconds + more
         if reason is None:
@@ -174,16 +191,26 @@ def _spectrum(
     )
 
 
-def _recounted(reduced: Reduced, wanted: Region, budget: Effort, room: float) -> Count | None:
+def _certificate(reduced: Reduced, count: AnyCount, roots: list[RootEntry], unstable: int) -> Certificate:
+    if isinstance(count, SheetCount):
+        return sheet_certificate(reduced, count, roots, unstable)
+    return spectrum_certificate(reduced, count, roots, unstable)
+
+
+def _recounted(reduced: Reduced, wanted: Region | Line, budget: Effort, room: float) -> AnyCount | None:
     """The count with pieces that are planned on discs larger by `room`; None where it stays open."""
     try:
+        if isinstance(wanted, Line):
+            return count_sheet(wanted, budget, room)
         return count_roots(reduced, wanted, budget, silent, room)
     except PrecisionError:
         return None
 
 
-def _closing(reduced: Reduced, count: Count) -> str:
+def _closing(reduced: Reduced, count: AnyCount) -> str:
     """What proves that no root is missed."""
+    if isinstance(count, SheetCount):
+        return closing_words(reduced, count)
     at_rest = count.beyond is None and isinstance(count.region, (HalfPlane, Below)) and count.region.radius is None
     if at_rest:
         return AT_REST
@@ -197,7 +224,7 @@ def _closing(reduced: Reduced, count: Count) -> str:
     return f"the track takes up power at all frequencies with |q| ≥ {far}, so that none with Im q < 0 is there"
 
 
-def _known(count: Count) -> dict[str, Any]:
+def _known(count: AnyCount) -> dict[str, Any]:
     """What is proved where not every root could be enclosed."""
     return {"count": count.total}
 

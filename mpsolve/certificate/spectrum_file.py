@@ -9,13 +9,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
+from types import MappingProxyType
 from typing import Any
 
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.errors import CertificateError
 from mpsolve.passivity.tail import Tail
+from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import Reduced
-from mpsolve.spectrum.count import Count
+from mpsolve.spectrum.count import Count, on_its_half
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
 VERSION = 2
@@ -37,7 +39,7 @@ class RootEntry:
 def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEntry], unstable: int) -> Certificate:
     """The certificate of a count and of the discs that explain it."""
     unit = reduced.frequency_unit
-    lines = _lines(count.region, unit)
+    lines = _lines(_of_points(reduced, count), unit)
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -45,13 +47,13 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
         "equations": equations(reduced),
         "basis": _basis(reduced),
         "bits": 64,
-        "start": _dyadic(Fraction(count.start.depth) * unit),
+        "start": dyadic(Fraction(count.start.depth) * unit),
         "paths": [
-            {"kind": p.kind, "points": [_point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
+            {"kind": p.kind, "points": [point(q, unit, lines) for q in p.points.tolist()]} for p in count.paths
         ],
-        "theorem": _theorem(reduced, count.beyond.tail) if count.beyond is not None else None,
+        "theorem": {"half": count.half} if count.half else _closing(reduced, count),
         "claim": {"region": _region(count.region), "count": count.total, "unstable": unstable},
-        "roots": [_root(root) for root in roots],
+        "roots": [root_entry(root) for root in roots],
     }
     return Certificate(content | {"sha256": digest(content)})
 
@@ -98,6 +100,10 @@ def _require_reach(region: Below) -> None:
         raise CertificateError("a region below a height that does not say how far it reaches cannot be written")
 
 
+def _closing(reduced: Reduced, count: Count) -> dict[str, Any] | None:
+    return _theorem(reduced, count.beyond.tail) if count.beyond is not None else None
+
+
 def _theorem(reduced: Reduced, tail: Tail) -> dict[str, Any]:
     """The tail theorem in the problem's units: p = p̂/L, q = q̂/T, N/D = 2^n N̂/D̂."""
     guide = reduced.guide
@@ -113,12 +119,12 @@ def _theorem(reduced: Reduced, tail: Tail) -> dict[str, Any]:
     return {
         "gamma": [tail.gamma.numerator, tail.gamma.denominator],
         "blocks": [
-            [_dyadic(Fraction(z1) * z), _dyadic(Fraction(z2) * z), _dyadic(Fraction(k) * kappa)]
+            [dyadic(Fraction(z1) * z), dyadic(Fraction(z2) * z), dyadic(Fraction(k) * kappa)]
             for z1, z2, k in tail.blocks
         ],
         "alpha": tail.alpha,
-        "omega": _dyadic(Fraction(tail.omega0) * reduced.frequency_unit),
-        "envelope": _dyadic(Fraction(tail.C) * envelope),
+        "omega": dyadic(Fraction(tail.omega0) * reduced.frequency_unit),
+        "envelope": dyadic(Fraction(tail.C) * envelope),
     }
 
 
@@ -132,15 +138,23 @@ def _whole(x: Fraction, what: str) -> int:
     return int(x)
 
 
-def _root(root: RootEntry) -> dict[str, Any]:
+def root_entry(root: RootEntry) -> dict[str, Any]:
     return {
         "re": hex(root.re),
         "im": hex(root.im),
         "exponent": root.exponent,
-        "radius": _dyadic(root.radius),
+        "radius": dyadic(root.radius),
         "multiplicity": root.multiplicity,
         "pair": root.pair,
     }
+
+
+def _of_points(reduced: Reduced, count: Count) -> Region:
+    """The region in the plane in which the points of the paths lie."""
+    line = on_line(reduced) if count.half else None
+    if line is None or not isinstance(count.region, Rectangle):
+        return count.region
+    return on_its_half(line, count.region)
 
 
 def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
@@ -153,7 +167,7 @@ def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
     return {float(x / unit): x for x in sides}
 
 
-def _point(q: complex, unit: Fraction, lines: Mapping[float, Fraction]) -> list[Any]:
+def point(q: complex, unit: Fraction, lines: Mapping[float, Fraction] = MappingProxyType({})) -> list[Any]:
     """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
     re, im = (lines.get(x, Fraction(x) * unit) for x in (q.real, q.imag))
     if any(x.denominator & (x.denominator - 1) for x in (re, im)):
@@ -165,7 +179,7 @@ def _point(q: complex, unit: Fraction, lines: Mapping[float, Fraction]) -> list[
     return [m, n, e if m or n else 0]
 
 
-def _dyadic(x: Fraction) -> list[int]:
+def dyadic(x: Fraction) -> list[int]:
     """[m, e]: m·2^e."""
     m, e = x.numerator, -(x.denominator.bit_length() - 1)
     while m and m % 2 == 0:

@@ -18,7 +18,7 @@ import sys
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations, combinations_with_replacement, pairwise, product
 from math import comb
@@ -28,6 +28,7 @@ import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 1e9, 1_000, 20_000
+ARCS = 24
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 SMALL = 8  # matrices up to this size are eliminated entry by entry
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
@@ -293,6 +294,10 @@ def read_track(value: Any, velocity: Any) -> Track:
     loaded = integer(value["loaded"], 0, size - 1, "loaded")
     v = rational(velocity, "velocity")
     require(v >= 0, "the velocity is negative")
+    return moving_track(rows, loaded, v)
+
+
+def moving_track(rows: list[list[Any]], loaded: int, v: Any) -> Track:
     big = determinant(rows)
     cofactor = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded])
     require(big and cofactor, "the track's determinant or cofactor vanishes")
@@ -629,8 +634,9 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
             break
     top = max(map(abs, z), default=1.0)
     for i, k in combinations(range(len(z)), 2):
-        if abs(z[i] - z[k]) < 1e-6 * top:  # nodes must be apart
-            z[k] += 1e-3 * top
+        scale = max(abs(z[i]), abs(z[k]), 1e-12 * top)
+        if abs(z[i] - z[k]) < 1e-6 * scale:  # nodes must be apart
+            z[k] += 1e-3 * scale
     return z
 
 
@@ -780,23 +786,28 @@ def bent_polynomial(c: list[list[Any]], root: Bent, e: Any, r: Any) -> Bent:
     return c[0][0] + slope * root[0], slope * root[1] + time, rest
 
 
+def bent_root(split: Split, k: int, e: Any, r: Any) -> tuple[Bent, Bent]:
+    """The one root in the disc of radius e round node k, and N/D_P there."""
+    nodes, local = split.nodes, split.nodes.local
+    n, rows, z = local.degree + 1, local.n.nrows(), nodes.z[k]
+    c = (shift(z, n, n) * local.d).tolist()
+    require(not c[1][0].contains(0), "a p-root may be double on a piece")
+    # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
+    higher = bent_polynomial(c, (acb(0), acb(0), arb(0)), e, r)[2]
+    first = c[0][1] if len(c[0]) > 1 else acb(0)
+    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
+    e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
+    slopes = [[x * i for x in row] for i, row in enumerate(c)][1:]
+    above = bent_polynomial((shift(z, rows, rows) * local.n).tolist(), root, e, r)
+    weight = bent_product(above, bent_inverse(bent_polynomial(slopes, root, e, r), r), r)
+    return (z + root[0], root[1], root[2]), weight
+
+
 def bent_by_roots(split: Split, side: int, r: Any, gaps: Sequence[Any], radii: Sequence[Any]) -> list[Bent]:
     """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
-    nodes, local = split.nodes, split.nodes.local
-    n, rows, total = local.degree + 1, local.n.nrows(), [NOTHING for _ in gaps]
-    for k, e in zip(nodes.side[side], radii, strict=True):
-        z = nodes.z[k]
-        c = (shift(z, n, n) * local.d).tolist()
-        require(not c[1][0].contains(0), "a p-root may be double on a piece")
-        # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
-        higher = bent_polynomial(c, (acb(0), acb(0), arb(0)), e, r)[2]
-        first = c[0][1] if len(c[0]) > 1 else acb(0)
-        root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
-        e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
-        slopes = [[x * i for x in row] for i, row in enumerate(c)][1:]
-        above = bent_polynomial((shift(z, rows, rows) * local.n).tolist(), root, e, r)
-        weight = bent_product(above, bent_inverse(bent_polynomial(slopes, root, e, r), r), r)
-        wave = (z + root[0], root[1], root[2])
+    total = [NOTHING for _ in gaps]
+    for k, e in zip(split.nodes.side[side], radii, strict=True):
+        wave, weight = bent_root(split, k, e, r)
         for g, xi in enumerate(gaps):
             one = weight if xi == 0 else bent_product(weight, bent_wave(wave, xi, r), r)
             a, b, rest = total[g]
@@ -1158,7 +1169,23 @@ class Walker:
                 x, y = (float(arb(c)) for c in a)
                 raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
             mark, total = end, total + turned
-        self.marks[points[-1]] = mark
+            self.marks[b] = mark
+        return total
+
+    def around(self, points: Sequence[Point]) -> Any:
+        """The change of arg Δ̂ along a closed path that begins at a mark and comes back to its pair."""
+        require(points[0] in self.marks and points[-1] == points[0], "a loop does not begin on its path, or is open")
+        first = mark = self.marks[points[0]]
+        total = arb(0)
+        for a, b in pairwise(points):
+            try:
+                mark, turned = self.piece("turn", mark, b, None)
+            except Refused as error:
+                raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
+            total += turned
+        about = first.split.nodes.split(abs(first.split.nodes.local.m) * 2.0**-30)  # of one pair at the point itself
+        back = about.links(first.split) and about.links(mark.split)
+        require(back, "a loop does not come back to the splitting that it began with")
         return total
 
     def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None) -> tuple[Mark, Any]:
@@ -1391,13 +1418,17 @@ class Region:
 
     @property
     def words(self) -> str:
+        if self.kind == "sheet":
+            return "any real part and any imaginary part, on the whole physical sheet (the plane without the cuts)"
         if self.re and self.im:
             return f"{self.re[0]} < Re q < {self.re[1]}, {self.im[0]} < Im q < {self.im[1]}"
         strip = f" or Im q < {self.height}, |Re q| < {self.reach}" if self.height > 0 else ""
         return "Im q < 0" + (f", |q| < {self.reach}" if "disc" in self.kind else "") + strip
 
     def holds(self, z: Point, r: Any) -> bool:
-        """Whether the closed disc of radius r round z lies inside."""
+        """Whether the closed disc of radius r round z lies inside (that it meets no cut, its splitting shows)."""
+        if self.kind == "sheet":
+            return True
         if self.re and self.im:
             return bool(
                 self.re[0] < z[0] - r and z[0] + r < self.re[1] and self.im[0] < z[1] - r and z[1] + r < self.im[1]
@@ -1418,6 +1449,7 @@ def read_region(value: Any) -> Region:
         "below": "height reach",
         "below disc": "height radius",
         "rectangle": "re im",
+        "sheet": "",
     }
     require(kind in names, "the region's kind is not known to this verifier")
     keys(value, f"kind {names[kind]}")
@@ -1426,7 +1458,7 @@ def read_region(value: Any) -> Region:
         require(re_[0] < re_[1] and im[0] < im[1], "the rectangle is empty")
         return Region(kind, max(im[1], fmpq(0)), None, (re_[0], re_[1]), (im[0], im[1]))
     height = rational(value["height"], "height") if "height" in value else fmpq(0)
-    reach = rational(value.get("radius", value.get("reach")), "radius") if kind != "unstable" else None
+    reach = rational(value.get("radius", value.get("reach")), "radius") if names[kind] else None
     require(
         (height > 0 or "below" not in kind) and (reach is None or reach > 0), "a height or radius is not positive"
     )
@@ -1445,8 +1477,7 @@ def read_paths(values: Any, kinds: str) -> list[Path]:
     for value, kind in zip(items(values, 4, "paths", len(kinds.split())), kinds.split(), strict=True):
         keys(value, "kind points", "special")
         require(value["kind"] == kind, f"a path is of another kind than {kind}")
-        points = [point(x) for x in items(value["points"], MAX_PIECES + 1, "points")]
-        require(points, "a path has no points")
+        points = read_points(value["points"])
         special = {}
         for one in items(value.get("special", []), MAX_PIECES, "special pieces"):
             keys(one, "piece nodes")
@@ -1456,6 +1487,12 @@ def read_paths(values: Any, kinds: str) -> list[Path]:
         out.append(Path(kind, points, special))
     require(sum(len(p.points) for p in out) <= MAX_PIECES, "there are too many pieces")
     return out
+
+
+def read_points(value: Any) -> list[Point]:
+    points = [point(x) for x in items(value, MAX_PIECES + 1, "points")]
+    require(points, "a path has no points")
+    return points
 
 
 def check_lines(points: Sequence[Point], corners: Sequence[Point]) -> None:
@@ -1551,16 +1588,16 @@ def accretive(b: Bordered, sigma: Any, G: list[list[Any]]) -> list[list[Any]]:
     return a
 
 
-def closing(walker: Walker, rho: Any) -> Any:
-    """Σ Arg of the pivots of M = [[S/σ, −B], [Bᵀ, σ(G + h)]] at σ = iρ: an accretive matrix.
+def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
+    """Σ Arg of the pivots of M = [[S/σ, −B], [Bᵀ, σ(G + h)]] at a mark σ = iρ: an accretive matrix.
 
     The more contacts, the more digits elimination loses: G is taken with as many as leave the sum sharp.
     """
-    b, mark = walker.bordered, walker.marks[rho, fmpq(0)]
+    rho = mark.q[0]
     split, bits, order = mark.split, flint.ctx.prec, None
     for more in (1, 2, 4, 8, 16):
         with precision(bits * more):
-            waves = Waves(walker.waves.track, walker.waves.sites)
+            waves = Waves(waves.track, waves.sites)
             try:
                 split = mark.split if more == 1 else sharper(waves, mark)
                 a = accretive(b, acb(0, arb(rho)), kernels(waves, split, arb(0), 1))
@@ -1600,12 +1637,314 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
                 check_decay(track)
                 check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
         rho = paths[1].points[-1][0]
-        number = (closing(walker, rho) + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
+        closed = closing(b, walker.waves, walker.marks[rho, fmpq(0)])
+        number = (closed + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
     else:
         number = turned / (2 * pi) if region.kind == "rectangle" else -turned / pi
     n = number.unique_fmpz()
     require(n is not None, "the change of the argument does not tell the number of roots")
     return int(n)
+
+
+# --- the whole sheet --------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A beam whose cuts lie on Im q = height: undamped in τ = σ + height; the vehicles below and above that line."""
+
+    height: Any
+    track: Track
+    lower: Vehicle
+    upper: Vehicle
+
+    @classmethod
+    def of(cls, track: Track, vehicle: Vehicle) -> Sheet:
+        t = terms(track.D)
+        known = set(t) <= {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)} and set(terms(track.N)) == {(0, 0)}
+        sizes = [t.get((4, 0), 0), t.get((0, 2), 0), terms(track.N).get((0, 0), 0)]
+        require(known and all(x > 0 for x in sizes), "the whole sheet is known for a beam on one layer only")
+        height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
+        rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
+        undamped = moving_track(rows, track.loaded, track.v)
+        require(height >= 0 and nonnegative(in_y(terms(undamped.D))[0], True), "the cuts do not lie on one line")
+        require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
+        M, C, K = vehicle.M, vehicle.C, vehicle.K
+        C, K = C - 2 * height * M, K - height * C + height * height * M
+        return cls(height, undamped, replace(vehicle, C=C, K=K), replace(vehicle, C=-1 * C, K=K))
+
+    def along(self, square: Any) -> list[Any]:
+        """EI y² + (T − m v²) y + k + m·square, ascending: D for real p = √y, or with −m z² for `square` at v = 0."""
+        t = terms(self.track.D)
+        return [t[0, 0] + t[0, 2] * square, -t.get((2, 0), fmpq(0)) - t[0, 2] * self.track.v**2, t[4, 0]]
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A closed path several times round the one branch point in |z − centre| ≤ radius, first below the real axis."""
+
+    centre: Any
+    radius: Any
+    points: list[Point]
+
+    def holds(self, z: Point) -> bool:
+        return bool((z[0] - self.centre) ** 2 + z[1] ** 2 <= self.radius**2)
+
+    @property
+    def below(self) -> list[tuple[Point, Point]]:
+        """The first pieces, until the path is back on the real axis."""
+        back = next((k for k, z in enumerate(self.points) if k and z[1] == 0), 0)
+        return list(pairwise(self.points[: back + 1]))
+
+
+def read_loops(values: Any) -> list[Loop]:
+    out = []
+    for value in items(values, 8, "loops"):
+        keys(value, "centre radius points")
+        loop = Loop(
+            dyadic(value["centre"], "centre"), dyadic(value["radius"], "radius"), read_points(value["points"])
+        )
+        require(0 < loop.radius < loop.centre, "a loop holds no branch point alone")
+        require(all(map(loop.holds, loop.points)), "a loop leaves its disc")
+        out.append(loop)
+    return out
+
+
+def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> None:
+    """No root on any sheet round the one branch point in the disc: Δ̂ turns as often as its pole there asks."""
+    centre, radius = arb(loop.centre), arb(loop.radius)
+    inside = []
+    for square, times in meeting(track):
+        for z in (square.sqrt(), -square.sqrt()):
+            if not abs(z - centre) > radius:
+                require(abs(z - centre) < radius, "a branch point may lie on the rim of a loop's disc")
+                inside.append((z, times))
+    require(len(inside) == 1, "a loop's disc does not hold one branch point alone")
+    (z, times), at_rest = inside[0], track.v == 0 and (2, 0) not in terms(track.D)
+    require(times < 3 or (times == 3 and at_rest), "more p-roots meet in a loop than is known")
+    turns, poles = (4, 4 if sites > 1 else 3) if times == 3 else (2, min(times, sites))
+    winding = arb(0)
+    for a, b in pairwise([acb(arb(x), arb(y)) - z for x, y in loop.points]):
+        step = (b / a).arg()
+        require(step > 0, "a loop does not go round its branch point counterclockwise")
+        winding += step
+    once = (len(loop.points) - 1) // turns
+    same = loop.points[once:] == loop.points[: len(loop.points) - once] and turns * once == len(loop.points) - 1
+    turned = (winding / (2 * arb.pi())).unique_fmpz()
+    require(same and turned == turns, "a loop does not go round its branch point as it must")
+    turned = (walker.around(loop.points) / (2 * arb.pi())).unique_fmpz()
+    require(turned == -poles, "a root lies next to a branch point")
+
+
+def meeting(track: Track) -> list[tuple[Any, int]]:
+    """The z² at which p-roots meet, z = −iσ, in balls, with multiplicities: roots of the discriminant, even in σ."""
+    moved, squares = track.D.compose(P_, S_ - track.v * P_, ctx=RING), [fmpq(0)] * 13
+    for (_, j), c in terms(moved.discriminant("P")).items():
+        squares[j // 2] += c * (-1) ** (j // 2)
+    return list(fmpq_poly(squares).complex_roots())
+
+
+def check_edge(points: Sequence[Point], loops: Sequence[Loop]) -> None:
+    """Each piece runs on the real axis, or is one of the first of a loop, below it."""
+    below = {piece for loop in loops for piece in loop.below}
+    for a, b in pairwise(points):
+        require(a[1] == 0 == b[1] or (a, b) in below, "a piece leaves the edge of the cut")
+
+
+def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
+    """No root with |z| ≥ ρ, Im z ≤ 0: masses reflect waves at |λ| ≥ W, τ = c₀λ², as nearly passive points."""
+    t, v, masses = terms(sheet.track.D), sheet.track.v, sheet.lower
+    n, B, sites = len(masses.h), masses.B, masses.sites
+    single = all(
+        sum(B[i, j] != 0 for j in range(n)) == 1 and sum(B[j, i] != 0 for j in range(B.nrows())) == 1
+        for i in range(n)
+    )
+    diagonal = all(i == j or masses.M[i, j] == 0 for i in range(n) for j in range(n)) and B.nrows() == n and single
+    at_rest = (masses.C + 2 * sheet.height * masses.M, masses.K - sheet.height**2 * masses.M)
+    rigid = all(a == a * 0 for a in at_rest)
+    require(diagonal and rigid and not any(masses.h), "the theorem far out is known for tight masses only")
+    EI, T, k, m = t[4, 0], t.get((2, 0), fmpq(0)), t[0, 0], t[0, 2]
+    c0 = (arb(EI) / arb(m)).sqrt()
+    require(W > 0 and arb(rho) > c0 * arb(W) ** 2, "the path ends where the theorem does not begin")
+    meet = [abs(z) for square, _ in meeting(sheet.track) for z in [square.sqrt()]]
+    require(all(z < c0 * arb(W) ** 2 for z in meet), "p-roots may meet beyond where the theorem begins")
+    # D(λP̂, c₀λ²)/(EI λ⁴) in P̂ and u = 1/λ
+    rows = [[arb(0)] * 5 for _ in range(5)]
+    rows[4][0] = rows[0][0] = arb(1)
+    rows[1][1], rows[2][2], rows[0][4] = -2 * arb(v) / c0, arb((T + m * v * v) / EI), arb(k / EI)
+    at_contact, square, skewed, decay, size = far_waves(Local(acb(0), acb_mat(rows), acb_mat([[1]])), 1 / arb(W))
+    half, one = arb(fmpq(1, 2)).sqrt(), arb(1)
+    active = arb(sheet.height) / (c0 * arb(W) ** 2)
+    require(active < 0.5, "damping is not small far out")
+    shift_ = 2 / half * at_contact + 1 / (1 - active) ** 2 - 1
+    require(shift_ < 0.5 and square < 0.5, "waves far out are not what they tend to")
+    change = half * (square + shift_) / (1 - shift_)
+    skew, g = (skewed + 2 * square) / (1 - square), half + change
+    floor, Z = one, g
+    for _ in range(len(sites) - 1):
+        require(g * Z < 1, "the masses may reflect more than they get")
+        floor *= 1 - g * Z
+        lossy = 1 - (3 - arb(5).sqrt()) * (1 - Z * Z) / (2 * half + Z) ** 2
+        ideal = lossy if Z <= 1 else 1 + (Z * Z - 1) / (2 * half - Z) ** 2
+        require(Z <= 1 or Z > 1, "it is open whether the masses reflect more than they get")
+        passive = ideal.sqrt()
+        Z = (passive + (Z * (2 * change + g * skew) + change + passive * Z * change) / (1 - g * Z)).upper()
+    if len(sites) > 1:
+        gap = arb(min(y - x for x, y in pairwise(sites)))
+        coupling, rest = size * 2 / half / (1 - shift_), len(sites) - 1
+        require(decay < half, "evanescent waves are not told far out")
+        lost = coupling * (-arb(W) * (half - decay) * gap).exp()
+        rows_ = (1 + rest * (coupling + lost) ** 2).sqrt() ** rest
+        require(
+            len(sites) * arb(rest).sqrt() * lost * rows_ < floor, "evanescent waves may cancel the others far out"
+        )
+
+
+def far_waves(local: Local, r: Any) -> list[Any]:
+    """How G(0), the product and sum of the travelling waves, and the evanescent P̂, depart from u = 0; the weights.
+
+    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside. The roots are
+    followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that touch are one.
+    """
+    corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
+    table_, before, bounds = local.d, [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
+    steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
+    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)) for i in range(ARCS)]
+    for i, (middle, e) in enumerate([*steps, *arcs]):
+        center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
+        here = Local(center, table_ * shift(center, 5, 5).transpose(), local.n)
+        z = float_roots(here, [complex(x) for x, _ in before])
+        split = Nodes([acb(x) for x in z], 2, here).split(arb(e))
+        radii = [x for side in split.nodes.side for x in (split.isolated(side) or [])]
+        require(len(radii) == 4, "p-roots far out are not told apart")
+        now = list(zip(split.nodes.z, radii, strict=True))
+        touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
+        require(touch == [[i == j for j in range(4)] for i in range(4)], "p-roots far out are not followed")
+        before = now
+        if i < len(steps):
+            continue
+        waves, weights = zip(*(bent_root(split, j, d, arb(e)) for j, d in enumerate(radii)), strict=True)
+        ahead, near_ahead, near_behind, behind = (
+            weights[j] if j < 2 else (-weights[j][0], -weights[j][1], weights[j][2]) for j in range(4)
+        )
+        root_half, unit = arb(fmpq(1, 2)).sqrt(), corner[3]
+        found = [
+            departs(bent_sum(ahead, near_ahead), root_half / 2, e),
+            16 * departs(bent_product(ahead, behind, arb(e)), unit * unit / 16, e),
+            4 * departs(bent_sum(ahead, behind), unit / 2, e),
+            max_bound(*(departs(waves[j], corner[j], e) for j in (1, 2))),
+            max_bound(*(departs(x, acb(0), e) for x in (ahead, near_ahead, near_behind, behind))),
+        ]
+        bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
+    return bounds
+
+
+def departs(x: Bent, value: Any, r: Any) -> Any:
+    """A bound of |f − value| on the disc."""
+    return abs(x[0] - value) + abs(x[1]) * r + x[2]
+
+
+def bent_sum(x: Bent, y: Bent) -> Bent:
+    return x[0] + y[0], x[1] + y[1], x[2] + y[2]
+
+
+def max_bound(*values: Any) -> Any:
+    """An upper bound of all of them."""
+    most = arb(0)
+    for x in values:
+        most = most.max(arb(x.upper()))
+    return most
+
+
+def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
+    """The number of roots on the physical sheet, proved; points are z = q − i height."""
+    theorem, values, zero = content["theorem"], content["paths"], fmpq(0)
+    keys(theorem, "begin end reach lower upper")
+    begin, end = (dyadic(theorem[name], name) for name in ("begin", "end"))
+    loops, above = read_loops(theorem["lower"]), read_loops(theorem["upper"])
+    number = len(items(values, 4, "paths"))
+    paths = read_paths(values, " ".join(["link", "turn", "link", "turn"][:number]))
+    damped = sheet.height > 0
+    passive = semidefinite(sheet.upper.C) and semidefinite(sheet.upper.K)
+    require(passive, "above the cuts the vehicle is not passive")
+    require(0 <= begin <= end and number >= 1, "the count begins or ends elsewhere")
+    require(begin == 0 or in_gap(sheet, begin), "the count does not begin in the gap of the cuts")
+    require(nonnegative(fmpq_poly(sheet.along(end**2)), False), "the track is not passive beyond the end")
+    waves = Waves(sheet.track, sheet.upper.sites)
+    below, up = Walker(waves, Bordered(sheet.lower, waves)), Walker(waves, Bordered(sheet.upper, waves))
+    sites, chains = len(sheet.upper.sites), [(below, paths[:2], loops), (up, paths[2:], above)]
+    turned = [arb(0), arb(0)]
+    for k, (walker, chain, rounds) in enumerate(chains):
+        require(chain or not rounds, "loops without a path")
+        if not chain:
+            continue
+        link, turn = chain[0].points, chain[1].points if len(chain) > 1 else [(begin, zero)]
+        require(
+            link[0] == (zero, -start) and link[-1] == (begin, zero), "a link does not lead to where the count begins"
+        )
+        require(all(y <= 0 for _, y in link) and turn[0] == (begin, zero), "a path is above the line, or not joined")
+        require(not any(path.special for path in chain), "no piece is special here")
+        edge = turn
+        if damped and not k:
+            rho = max(x for x, y in turn if y == 0)
+            corner = turn.index((rho, zero))
+            edge = turn[: corner + 1]
+            check_far(sheet, dyadic(theorem["reach"], "reach"), rho)
+            check_lines(turn[corner:], [(rho, zero), (rho, -rho), (zero, -rho)])
+        else:
+            require(turn[-1] == (end, zero), "a path does not end where the count closes")
+        check_edge(edge, rounds)
+        walker.begin(start)
+        walker.path("link", link, {})
+        turned[k] = walker.path("turn", turn, {}) if len(turn) > 1 else arb(0)
+        for loop in rounds:
+            check_loop(loop, sheet.track, sites, walker)
+        spent.pieces += walker.pieces
+    require(
+        damped or (number <= 2 and not in_gap(sheet, end)),
+        "without damping the path ends on the cut, for both halves",
+    )
+    require(not damped or len(paths) == (4 if end > begin else 2), "a path is missing")
+    marks = (up if len(paths) == 4 else below).marks
+    require((end, zero) in marks, "the count does not come to its end")
+    b, pi, last = up.bordered, arb.pi(), marks[end, zero]
+    closed = closing(b, waves, last) + (b.nb - b.nc) * pi / 2
+    total = closed - turned[0] - turned[1] if damped else 2 * (closed - turned[0])
+    n = (total / pi).unique_fmpz()
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
+
+
+def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:
+    """The number of roots in a rectangle on one half of the sheet, or across its gap; points are z, or z̄ above."""
+    keys(content["theorem"], "half")
+    (a, b), (c, d) = region.re or (0, 0), region.im or (0, 0)
+    c, d, waves = c - sheet.height, d - sheet.height, Waves(sheet.track, sheet.lower.sites)
+    lower = content["theorem"]["half"] == "lower"
+    if lower:
+        require(d < 0 or (c <= 0 and in_gap(sheet, a) and in_gap(sheet, b)), "the rectangle meets a cut")
+    else:
+        require(content["theorem"]["half"] == "upper" and c > 0, "the rectangle is not above the cuts")
+        c, d = -d, -c
+    walker = Walker(waves, Bordered(sheet.lower if lower else sheet.upper, waves))
+    link, turn = read_paths(content["paths"], "link turn")
+    ends = link.points[0] == (0, -start) and link.points[-1] == (a, c)
+    require(ends and all(y <= 0 for _, y in link.points), "the first path does not lead to the rectangle's corner")
+    check_lines(turn.points, [(a, c), (b, c), (b, d), (a, d), (a, c)])
+    walker.begin(start)
+    walker.path("link", link.points, link.special)
+    n = (walker.path("turn", turn.points, turn.special) / (2 * arb.pi())).unique_fmpz()
+    spent.pieces += walker.pieces
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
+
+
+def in_gap(sheet: Sheet, z: Any) -> bool:
+    """No p-root is real at this z: D(ip, iz) > 0 for all real p."""
+    t, v = terms(sheet.track.D), sheet.track.v
+    m = t[0, 2]
+    c = [t[0, 0] - m * z * z, 2 * m * v * z, -t.get((2, 0), fmpq(0)) - m * v * v, fmpq(0), t[4, 0]]
+    return all(nonnegative(fmpq_poly([x * sign**i for i, x in enumerate(c)]), True) for sign in (1, -1))
 
 
 # --- roots ------------------------------------------------------------------------------------------------
@@ -1784,15 +2123,20 @@ def spectrum(content: dict[str, Any]) -> str:
     require(start > 0, "the start is not below the real axis")
     at_rest = region.kind == "unstable" and track.v == 0
     with precision(bits):
-        kinds = "" if at_rest else "link turn" if track.v == 0 else KINDS[region.kind]
-        paths = read_paths(content["paths"], kinds)
-        check_no_cut(track, region.height)
         walker = Walker(waves := Waves(track, vehicle.sites), Bordered(vehicle, waves))
-        if at_rest:
+        if region.kind == "sheet":
+            number = count_sheet(Sheet.of(track, vehicle), walker, content, start)
+        elif region.re and content["theorem"] is not None:
+            number = count_beside(Sheet.of(track, vehicle), region, walker, content, start)
+        elif at_rest:
+            read_paths(content["paths"], "")
+            check_no_cut(track, region.height)
             require(content["theorem"] is None, "at rest no theorem is needed")
             check_passive_track(track)
             number = 0
         else:
+            paths = read_paths(content["paths"], "link turn" if track.v == 0 else KINDS[region.kind])
+            check_no_cut(track, region.height)
             check_paths(region, paths, start)
             walker.begin(start)
             number = count_roots(walker, region, paths, content["theorem"], track)
@@ -1801,7 +2145,13 @@ def spectrum(content: dict[str, Any]) -> str:
     found = sum(root.number for root in roots)
     require(found == number, f"the file names {found} of {number} roots")
     below = sum(root.number for root in roots if root.z[1] + root.radius < 0)
-    require(all(abs(root.z[1]) > root.radius for root in roots), "a root may lie on either side of the real axis")
+    even = all(j % 2 == 0 for p in (track.D, track.N) for _, j in terms(p))
+    lossless = even and vehicle.C == vehicle.C * 0 and vehicle.neutral == 0  # q and q̄ are roots together
+    real = [lossless and root.z[1] == 0 and root.multiplicity == 1 for root in roots]  # its ball is its own mirror
+    require(
+        all(x or abs(root.z[1]) > root.radius for x, root in zip(real, roots, strict=True)),
+        "a root may lie on either side of the real axis",
+    )
     require(
         below == integer(claim["unstable"], 0, 10_000, "unstable"), f"{below} roots have Im q < 0, not as claimed"
     )

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import Splittings, contraction, linked, nodes
+from mpsolve.characteristic.discs import Splittings, contraction, linked, side_nodes
 from mpsolve.characteristic.start import start
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
@@ -99,7 +99,7 @@ class FreeTrack:
         y, rho = boxes.variables
         D, still, up = self.D(y, rho), self.D(y, 0 * rho), self.up
         n = D.k.shape[-1] - 1
-        z0 = nodes(D.k[0], up)
+        z0 = side_nodes(D.k[0][:, None, :], up)
         lead = D[:, n]
         low = (np.abs(lead.a) - lead.spread) * (1 - 64 * U)
         z = _spread(D, z0, low, up)

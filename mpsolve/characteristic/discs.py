@@ -20,6 +20,8 @@ import numpy as np
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import TINY, UP, Jet, U, powers_up_to
 
+_TIE, _AHEAD = 1e-9, 1e-7  # relative, and in σ: how roots on the edge of a cut are told apart; nothing rests on it
+
 
 @dataclass(frozen=True)
 class Splittings:
@@ -41,11 +43,11 @@ class Splittings:
         return Splittings(m, r, z, self.up, box, tight, good, T, error)
 
 
-def split(table: Table, m: Any, r: Any, up: int) -> Splittings:
-    """Splittings on the discs |σ − m| ≤ r with `up` roots in U."""
+def split(table: Table, m: Any, r: Any, up: int, nodes: Any = None) -> Splittings:
+    """Splittings on the discs |σ − m| ≤ r with `up` roots in U: those of smallest Re P, or the first of `nodes`."""
     with np.errstate(all="ignore"):
         T, error = table.in_time(m)
-        z = nodes(T[:, 0, :], up)
+        z = side_nodes(T, up) if nodes is None else _kept_apart(nodes, up)
         n = z.shape[1]
         c, lost = table.at(z, T, error)
         gap = z[:, :, None] - z[:, None, :]
@@ -80,8 +82,8 @@ def contraction(W: Any, size: Any, up: int) -> tuple[Any, Any, Any]:
     return box, image, done
 
 
-def nodes(coefficients: Any, up: int) -> Any:
-    """Floats near the roots of each polynomial (coefficients ascending), those of U first, never two the same."""
+def near_roots(coefficients: Any) -> Any:
+    """Floats near the roots of each polynomial (coefficients ascending), in no order."""
     n = coefficients.shape[1] - 1
     monic = coefficients[:, :n] / coefficients[:, n:]
     companion = np.zeros((len(monic), n, n), complex)
@@ -89,16 +91,43 @@ def nodes(coefficients: Any, up: int) -> Any:
     companion[:, n - 1, :] = -np.where(np.isfinite(monic), monic, 0)
     z: Any = np.linalg.eigvals(companion)
     for _ in range(2):
-        value, slope = np.zeros_like(z), np.zeros_like(z)
-        for k in range(n, -1, -1):
-            slope = slope * z + value
-            value = value * z + coefficients[:, k, None]
+        value, slope = _value(coefficients, z)
         step = value / slope
         z = np.where(np.isfinite(step) & (np.abs(step) < 0.1 * np.abs(z)), z - step, z)
-    z = np.take_along_axis(z, np.argsort(z.real, axis=1), 1)
-    size = np.abs(z)
-    for i in range(n):
-        for k in range(i + 1, n):
+    return z
+
+
+def _value(coefficients: Any, z: Any) -> tuple[Any, Any]:
+    """The polynomial and its derivative."""
+    value, slope = np.zeros_like(z), np.zeros_like(z)
+    for k in range(coefficients.shape[1] - 1, -1, -1):
+        slope = slope * z + value
+        value = value * z + coefficients[:, k, None]
+    return value, slope
+
+
+def side_nodes(T: Any, up: int) -> Any:
+    """Floats near the roots of Σ T[:, 0, i] P^i, those of U first, never two the same.
+
+    T[:, j, i] belongs to P^i t^j. Of roots with one real part those come first that would have the smaller one further
+    to the right in σ: a wave on the edge of a cut belongs to the side from which it comes.
+    """
+    z = near_roots(T[:, 0, :])
+    key = z.real.copy()
+    if 0 < up < z.shape[1] and T.shape[1] > 1:
+        ranks = np.sort(key, 1)
+        tie = ranks[:, up] - ranks[:, up - 1] < _TIE * np.abs(z).max(1)
+        if tie.any():
+            drift = -_value(T[tie, 1, :], z[tie])[0] / _value(T[tie, 0, :], z[tie])[1]
+            key[tie] += _AHEAD * np.nan_to_num(drift.real)
+    return _kept_apart(np.take_along_axis(z, np.argsort(key, axis=1), 1), up)
+
+
+def _kept_apart(z: Any, up: int) -> Any:
+    """The nodes, moved a little where two nearly coincide."""
+    z, size = z.copy(), np.abs(z)
+    for i in range(z.shape[1]):
+        for k in range(i + 1, z.shape[1]):
             scale = np.maximum(np.maximum(size[:, i], size[:, k]), 1e-12 * size.max(1))
             near = np.abs(z[:, i] - z[:, k]) < 1e-5 * scale
             z[:, k] = np.where(near, z[:, k] + (1e-3 if k < up else 1e-3j) * scale, z[:, k])
@@ -137,8 +166,7 @@ class Receptances:
 def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
     """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), where they are apart on the disc."""
     with np.errstate(all="ignore"):
-        roots, alone = _roots(D, s)
-        weight, p = _weights(N, s, roots)
+        weight, p, alone = waves(N, D, s)
         ahead, behind = distances >= 0, distances < 0
         parts = []
         for side, mask, sign in ((slice(0, s.up), ahead, 1.0), (slice(s.up, None), behind, -1.0)):
@@ -155,8 +183,16 @@ def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptance
         e = np.zeros((len(s.m), len(distances)))
         for mask, jet in parts:
             a[:, mask], b[:, mask], e[:, mask] = jet.a, jet.b, jet.e
-        good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(a).all(1)
+        good = alone & np.isfinite(e).all(1) & np.isfinite(a).all(1)
         return Receptances(Jet(a, b, e, s.r), good)
+
+
+def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
+    """(N/D_P, P) at all p-roots, those of U first, as jets of shape (discs, roots), and where they are told apart."""
+    with np.errstate(all="ignore"):
+        roots, alone = _roots(D, s)
+        weight, p = _weights(N, s, roots)
+        return weight, p, alone & s.good
 
 
 @dataclass(frozen=True)

@@ -131,6 +131,15 @@ class Proved:
         """n₊, proved."""
         return upper_count(self.symbols.D)
 
+    @cached_property
+    def lossless(self) -> bool:
+        """Whether nothing damps: then roots off the cuts come in pairs q, q̄."""
+        track = all(
+            j % 2 == 0
+            for j in (*(j for _, j in self.reduced.guide.D_rest), *(j for _, j in self.reduced.guide.N_rest))
+        )
+        return track and not any(map(any, self.reduced.S[1])) and not self.reduced.neutral
+
     def splitting(self, sigma: Any) -> ProvedSplitting:
         """The splitting over the ball σ."""
         split = split_ball(self.symbols, sigma, self.upper)

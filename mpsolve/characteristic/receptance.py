@@ -114,7 +114,7 @@ def dual_residues(K: Arithmetic, A: Dual, B: Dual, F: Dual, xi: Sequence[Any], l
     tail = K.solve(over, K.product(_at_dual(K, F.value, F.slope, C, m), last))
     out = []
     for x in xi:
-        moved = tail if x == 0 else K.product(K.exp(K.times(C, like + x)), tail)
+        moved = tail if (x == 0) is True else K.product(K.exp(K.times(C, like + x)), tail)
         out.append((K.entry(moved, m, 0), K.entry(moved, 0, 0)))
     return out
 

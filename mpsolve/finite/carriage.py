@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.kernel import completed, kernel
 from mpsolve.vehicles.vehicle import Pencil, Rows
 
 
@@ -52,10 +53,10 @@ class Carriage:
 def carriage(pencil: Pencil) -> Carriage:
     """The vehicle's equations, reduced; every step of the reduction is exact."""
     size = pencil.size
-    massless = _kernel(pencil.M)
-    at_once = _kernel((*pencil.M, *pencil.C)) if massless else []
-    damped = _completed(at_once, massless)
-    heavy = _completed([*at_once, *damped], _units(size)) if massless else _units(size)
+    massless = kernel(pencil.M)
+    at_once = kernel((*pencil.M, *pencil.C)) if massless else []
+    damped = completed(at_once, massless)
+    heavy = completed([*at_once, *damped], _units(size)) if massless else _units(size)
     kept = [*heavy, *damped]
     M, C, K = (_congruent(rows, kept, kept) for rows in (pencil.M, pencil.C, pencil.K))
     B = _rows_times(kept, pencil.B)
@@ -74,68 +75,8 @@ def carriage(pencil: Pencil) -> Carriage:
     return Carriage(_floats(M), _floats(C), Kf, Bf, H, len(heavy), motion, give, fixed)
 
 
-def rigid_bounce(pencil: Pencil) -> tuple[Fraction, ...] | None:
-    """The motion that lifts every contact by 1 and strains nothing, unique where there is one; None where not."""
-    size = pencil.size
-    rows = [[*row, Fraction(0)] for row in (*pencil.K, *pencil.C)]
-    rows += [[*(row[j] for row in pencil.B), Fraction(-1)] for j in range(pencil.contacts)]
-    found = [vector for vector in _kernel(rows) if vector[size]]
-    if not found:
-        return None
-    return tuple(x / found[0][size] for x in found[0][:size])
-
-
 def _units(size: int) -> list[list[Fraction]]:
     return [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
-
-
-def _kernel(rows: Any) -> list[list[Fraction]]:
-    """A basis of the kernel."""
-    width = len(rows[0])
-    echelon: dict[int, list[Fraction]] = {}
-    for row in rows:
-        rest = _reduced(row, echelon)
-        lead = next((i for i, x in enumerate(rest) if x), None)
-        if lead is None:
-            continue
-        rest = [x / rest[lead] for x in rest]
-        for other, known in echelon.items():
-            if known[lead]:
-                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
-        echelon[lead] = rest
-    out = []
-    for free in (i for i in range(width) if i not in echelon):
-        vector = [-echelon[i][free] if i in echelon else Fraction(0) for i in range(width)]
-        vector[free] = Fraction(1)
-        out.append(vector)
-    return out
-
-
-def _reduced(row: Any, echelon: dict[int, list[Fraction]]) -> list[Fraction]:
-    rest = list(row)
-    for lead, known in echelon.items():
-        if rest[lead]:
-            factor = rest[lead]
-            rest = [a - factor * b for a, b in zip(rest, known, strict=True)]
-    return rest
-
-
-def _completed(first: list[list[Fraction]], space: list[list[Fraction]]) -> list[list[Fraction]]:
-    """Vectors of `space` that, with `first`, are a basis of their span."""
-    echelon: dict[int, list[Fraction]] = {}
-    out = []
-    for vector in [*first, *space]:
-        rest = _reduced(vector, echelon)
-        lead = next((i for i, x in enumerate(rest) if x), None)
-        if lead is None:
-            continue
-        rest = [x / rest[lead] for x in rest]
-        for other, known in echelon.items():
-            if known[lead]:
-                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
-        echelon[lead] = rest
-        out.append(vector)
-    return out[len(first) :]
 
 
 def _congruent(rows: Rows, left: Any, right: Any) -> list[list[Fraction]]:

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.finite.carriage import Carriage
-from mpsolve.finite.loads import Outer
 from mpsolve.numbers.float64 import Float64
+from mpsolve.vehicles.loads import Outer
 
 
 @dataclass(frozen=True)

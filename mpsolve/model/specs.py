@@ -16,7 +16,7 @@ from typing import Any, Literal, TypeAlias
 
 from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case
-from mpsolve.model.toml import check_keys, kind, parsed, text_of
+from mpsolve.model.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.ranges import checked_range
 
@@ -67,7 +67,9 @@ def load(spec: Mapping[str, Any] | str | os.PathLike[str], known: Mapping[str, s
     if isinstance(spec, Mapping):
         content = dict(spec)
     elif isinstance(spec, (str, os.PathLike)):
-        content = parsed(text_of(Path(spec)), os.fspath(spec))
+        file = Path(spec)
+        content = parsed(text_of(file), name_of(file))
+        refuse_other_kind(content, known, file)
     else:
         raise InputError("spec", f"is {kind_of(spec)}: give a mapping, or the path of a TOML file")
     check_keys(content, known, "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import tomllib
 from collections.abc import Mapping
 from difflib import get_close_matches
@@ -20,8 +21,13 @@ class Written(str):
     __slots__ = ()
 
 
+def name_of(file: Path) -> str:
+    """How messages call the file; "-" is standard input."""
+    return "standard input" if str(file) == "-" else str(file)
+
+
 def text_of(file: Path) -> str:
-    """Return the text of a regular UTF-8 file of at most `MAX_BYTES`."""
+    """Return the text of a regular UTF-8 file of at most `MAX_BYTES`, or of standard input for "-"."""
     try:
         content = _bytes(file)
         return content.decode("utf-8-sig")
@@ -29,24 +35,31 @@ def text_of(file: Path) -> str:
         reason = f"cannot be read ({error.strerror}): give the path of a readable TOML file"
     except UnicodeDecodeError as error:
         reason = f"is not UTF-8 at byte {error.start}: save it as UTF-8 text"
-    raise InputError(str(file), reason)
+    raise InputError(name_of(file), reason)
 
 
 def _bytes(file: Path) -> bytes:
+    if str(file) == "-":
+        return _short_enough(sys.stdin.buffer.read(MAX_BYTES + 1), file)
     if not file.is_file():
         state = "does not exist"
         if file.exists():
             state = "is a directory" if file.is_dir() else "is not a regular file"
         raise InputError(str(file), f"{state}: give the path of a TOML file")
     with file.open("rb") as stream:
-        content = stream.read(MAX_BYTES + 1)
+        return _short_enough(stream.read(MAX_BYTES + 1), file)
+
+
+def _short_enough(content: bytes, file: Path) -> bytes:
     if len(content) > MAX_BYTES:
-        raise InputError(str(file), f"is longer than {MAX_BYTES} bytes: give a file with one case")
+        raise InputError(name_of(file), f"is longer than {MAX_BYTES} bytes: give a file with one case")
     return content
 
 
 def parsed(text: str, key: str) -> dict[str, Any]:
     """The tables of a TOML text, floats as they are written; InputError under `key` for a text that is none."""
+    if text.lstrip().startswith("{"):
+        raise InputError(key, "is JSON, not TOML: a certificate is checked by mpsolve verify")
     try:
         return tomllib.loads(text, parse_float=Written)
     except tomllib.TOMLDecodeError as error:
@@ -55,6 +68,28 @@ def parsed(text: str, key: str) -> dict[str, Any]:
         raise InputError(key, "has an integer with too many digits: give at most 400") from None
     except RecursionError:
         raise InputError(key, "is nested too deeply: lists in lists have no meaning here") from None
+
+
+_KINDS = {
+    "study": ("a study", "mpsolve study"),
+    "rows": ("a table", "mpsolve table"),
+    "columns": ("a table", "mpsolve table"),
+    "x": ("a chart", "mpsolve chart"),
+    "track": ("a problem", "mpsolve certify"),
+    "physical": ("a case", "mpsolve certify"),
+    "dimensionless": ("a case", "mpsolve certify"),
+}
+"""The key by which a kind of file is known, what it is, and the command for it."""
+
+
+def refuse_other_kind(content: Mapping[str, Any], known: Mapping[str, Any], file: Path) -> None:
+    """InputError that names the right command, where the tables are those of another kind of file.
+
+    known: the keys of the kind that is wanted.
+    """
+    for key, (kind_, command) in _KINDS.items():
+        if key in content and key not in known:
+            raise InputError(name_of(file), f"is {kind_}, as its [{key}] shows: use {command} {file}")
 
 
 def check_keys(table: Mapping[str, Any], known: Mapping[str, str], prefix: str) -> None:

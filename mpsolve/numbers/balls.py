@@ -40,6 +40,18 @@ def bits_now() -> int:
     return int(flint.ctx.prec)
 
 
+@contextmanager
+def terms(number: int) -> Iterator[None]:
+    """Power series may have so many terms inside the block; what was set before is put back after it."""
+    with _lock:
+        before = flint.ctx.cap
+        flint.ctx.cap = max(number, before)
+        try:
+            yield
+        finally:
+            flint.ctx.cap = before
+
+
 def rational_ball(x: Fraction) -> Any:
     """The real ball of a rational, at the precision that is set."""
     return arb(flint.fmpq(x.numerator, x.denominator))

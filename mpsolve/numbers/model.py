@@ -16,6 +16,7 @@ import msgspec
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.units import measured
 
 Rational: TypeAlias = Any
 """An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""
@@ -33,7 +34,7 @@ class Quantity:
 
     def checked(self, value: object, key: str) -> Fraction:
         """The exact value of `value`; InputError under `key` where it breaks a bound."""
-        number = rational(value, key)
+        number = rational(value, key, self.unit, self.meaning)
         if self.above is not None and not number > self.above:
             raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self.told}")
         if self.at_least is not None and not number >= self.at_least:
@@ -55,9 +56,13 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Entries(Quantity):
-    """A list of numbers, or a matrix as a list of rows (depth 2)."""
+    """A list of numbers, or a matrix as a list of rows (depth 2).
+
+    alike: units that an entry may have besides: rotations stand in one matrix with displacements.
+    """
 
     depth: int = 1
+    alike: tuple[str, ...] = ()
 
     def checked(self, value: object, key: str) -> Any:
         """The exact entries as nested tuples; InputError names the entry that is none."""
@@ -65,11 +70,19 @@ class Entries(Quantity):
 
     def _level(self, value: object, key: str, depth: int) -> Any:
         if not depth:
-            return rational(value, key)
+            return self._entry(value, key)
         if isinstance(value, (str, bytes, Mapping, Set)) or not isinstance(value, Iterable):
             wanted = "a list of rows" if depth == 2 else "a list of numbers"
             raise InputError(key, f"is of type {type(value).__name__}: give {wanted}, the {self.told}")
         return tuple(self._level(entry, f"{key}[{j}]", depth - 1) for j, entry in enumerate(value, 1))
+
+    def _entry(self, value: object, key: str) -> Fraction:
+        for unit in self.alike:
+            try:
+                return rational(value, key, unit)
+            except InputError:
+                continue
+        return rational(value, key, self.unit, self.meaning)
 
 
 @dataclass(frozen=True)
@@ -154,9 +167,12 @@ def defaults(model: type[Any]) -> dict[str, Any]:
     return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}
 
 
-def rational(value: Number | object, key: str) -> Fraction:
-    """The exact rational that `value` stands for; InputError under `key` where it is none."""
-    exact = Exact.parse(value, key)
+def rational(value: Number | object, key: str, unit: str | None = None, told: str = "") -> Fraction:
+    """The exact rational that `value` stands for; InputError under `key` where it is none.
+
+    unit: what it is measured in; a text may then have a unit of its own, which is converted ("12.5 t" for kg).
+    """
+    exact = Exact.parse(value if unit is None else measured(value, unit, key, told), key)
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()

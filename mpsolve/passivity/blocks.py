@@ -46,14 +46,14 @@ def _passive(envelope: Envelope, low: Any, high: Any, side: int) -> Any:
         q, v = between(low[:, :1], high[:, :1], "q"), subject.speed(parameters)
         density = densities(subject, q, v, parameters, ends)
         fastest = np.ravel(v.high) * np.ones(len(low))
-        tail = _tail(envelope, low[:, 0], fastest, ends[:, -1])
-        passed = _holds(subject, density, parameters, tail)
+        tail = _tail(envelope, low[:, 0], fastest, ends[:, 1:])
+        passed = _holds(subject, *density.ended(tail), parameters)
         rest = np.flatnonzero(~passed)
         if len(rest):  # what is given, over cells of Ω, which do not move with q and the velocity
             q, v, *parameters = (_rows(f, rest, len(low)) for f in (q, v, *parameters))
             given, end = _given(subject, q, v, parameters, ends[rest], middle[rest, 0])
-            tail = given + _tail(envelope, low[rest, 0], fastest[rest], end)
-            passed[rest] = _holds(subject, density.taking(rest), parameters, tail)
+            tail = given + _tail(envelope, low[rest, 0], fastest[rest], end[:, None])[:, 0]
+            passed[rest] = _holds(subject, density.taking(rest), tail, parameters)
         return passed
 
 
@@ -62,7 +62,7 @@ def _rows(f: Affine, rows: Any, count: int) -> Affine:
     return Affine((f.a * whole)[rows], {name: (b * whole)[rows] for name, b in f.b.items()}, (f.e * whole)[rows])
 
 
-def _holds(subject: Subject, density: Density, parameters: list[Affine], tail: Any) -> Any:
+def _holds(subject: Subject, density: Density, tail: Any, parameters: list[Affine]) -> Any:
     if len(subject.places) == 1:
         return positive(density, tail)
     return definite(density, *subject.distances(parameters), tail)
@@ -138,11 +138,12 @@ def _least(f: Affine) -> Any:
 
 
 def _tail(envelope: Envelope, q: Any, v: Any, end: Any) -> Any:
-    """What is given at most beyond the cells, for Σ|u|² = 1."""
-    p = np.maximum(end, q / v * (1 - 8 * U))
+    """What is given at most beyond each end (boxes, ends), for Σ|u|² = 1."""
+    q, v = q[:, None], v[:, None]
+    p = np.maximum(np.maximum(end, q / v * (1 - 8 * U)), TINY)
     alpha, count = envelope.subject.power.alpha, len(envelope.subject.places)
     if alpha <= 1:
-        return np.where(v > 0, np.inf, 0.0)
+        return np.where(v > 0, np.inf, 0.0) * np.ones_like(end)
     C = envelope.constants(np.minimum(p, 1e12))
-    given = count * C * p ** (1 - alpha) / (alpha - 1) * UP
+    given = count * C * p ** (1.0 - alpha) / (alpha - 1) * UP
     return np.where(v > 0, np.where(np.isnan(given), np.inf, given), 0.0)

@@ -29,6 +29,21 @@ class Density:
     turn: Any
     takes: Any
 
+    def ended(self, tail: Any) -> tuple[Density, Any]:
+        """The same with cells up to one end of each box, where most is left; and what is given beyond it.
+
+        tail: what is given beyond the end of each cell, at most.
+        """
+        length = 2 * self.half
+        total = (self.a * length).cumsum(1)
+        off = sum((np.abs((b * length).cumsum(1)) for b in self.b.values()), np.zeros_like(total))
+        left = total - off - tail
+        last = np.argmax(np.where(np.isnan(left), -np.inf, left), axis=1)
+        used = np.arange(length.shape[1]) <= last[:, None]
+        b = {name: np.where(used, x, 0.0) for name, x in self.b.items()}
+        a, turn = np.where(used, self.a, 0.0), np.where(used, self.turn, 0.0)
+        return Density(self.middle, self.half, a, b, turn, self.takes), tail[np.arange(len(last)), last]
+
     def taking(self, rows: Any) -> Density:
         """Those of some boxes, with 0 in place of what the track may give."""
         takes = self.takes[rows]

@@ -9,7 +9,7 @@ import numpy as np
 
 from mpsolve.passivity.subject import Subject, floats_of
 
-_REACH = 4.0  # of the cells, in the largest wavenumber that counts
+_REACH = 12.0  # of the cells, in the largest wavenumber that counts
 _FAR = 100.0  # times the median: a root that is as good as infinite
 _LEAST = 1e-6  # of the reach: the width that is given to a wave without damping
 

@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
-from numpy.polynomial.polynomial import polyval2d
 
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.float64 import distinct, value_at
 from mpsolve.numbers.jets import UP, U
 from mpsolve.passivity.decay import Edge, edges
 from mpsolve.problem.reduced import Guide
@@ -116,13 +116,19 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
 
 def overtakes(absorption: Absorption, v: Fraction) -> bool:
     """In floats: some short wave of the track runs at a speed up to v, so that no envelope exists."""
+    return slowest_short_wave(absorption) <= float(v)
+
+
+def slowest_short_wave(absorption: Absorption) -> float:
+    """In floats: the least speed of the waves of the track as they become short; infinite where there is none."""
     (_, i2), (_, n2), _ = _orders(absorption)
     speeds = np.zeros(i2 + 1)
     for (i, j), c in absorption.D2.items():
         if i + j == n2:
             speeds[i] = float(c * (-1) ** j)  # of r^(i2 − i), descending
     roots = np.roots(speeds)
-    return bool(((np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0) & (roots.real <= float(v))).any())
+    real = roots[(np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0)].real
+    return float(real.min(initial=np.inf))
 
 
 class _Search:
@@ -139,7 +145,7 @@ class _Search:
         steps = 2.0 ** (-np.arange(1, 40) / 2)
         near = np.concatenate([steps, [0.0], -steps])
         z = np.concatenate([np.linspace(-width, width, 61) * scale, *(root * (1 + near) for root in real)])
-        self.z = np.unique(z.astype(np.float32).astype(float))
+        self.z = distinct(z.astype(np.float32).astype(float))
 
     def shortest(self, sieve: float) -> float:
         """The X below which no block is as long as the sieve's loss."""
@@ -233,7 +239,7 @@ def _with(plan: Tail, z1: float, z2: float, kappa: float) -> Tail:
 
 def _ratio(x: Any, y: Any, top: Any, bottom: Any) -> Any:
     x, y = np.broadcast_arrays(x, y)
-    return polyval2d(x, y, top) / polyval2d(x, y, bottom)
+    return value_at(x, y, top) / value_at(x, y, bottom)
 
 
 def _sampled_envelope(absorption: Absorption, v: Fraction, X: float, alpha: int) -> float:

@@ -18,11 +18,14 @@ from typing import Any
 import msgspec
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Entries, Model, Part, Quantity, positive, quantities, rational, shown
+from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational, shown
 from mpsolve.numbers.several import Several
 from mpsolve.vehicles.vehicle import Placed
 
 _MASSES = ("kg", "kg m²")
+_VELOCITY = nonnegative("m/s", "velocity")
+_GAP = positive("m", "distance from one middle to the next")
+_FACTOR = positive("", "factor")
 _INDEXED = re.compile(r"(vehicles|gap)\[(\d+)\](?:\.(.+))?")
 
 
@@ -41,6 +44,37 @@ def parameters_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction) -> dict
     return out | ({"scale.gap": Fraction(1)} if len(placed) > 1 else {})
 
 
+def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str) -> Quantity:
+    """Unit, meaning and bound of the parameter at `path`; InputError names a path that there is not."""
+    placed = _ascending(vehicles)
+    indexed = _INDEXED.fullmatch(path)
+    if path == "v":
+        return _VELOCITY
+    if path == "scale.mass" or (path == "scale.gap" and len(placed) > 1):
+        return _FACTOR
+    if indexed and indexed[1] == "gap" and not indexed[3] and int(indexed[2]) < len(placed) - 1:
+        return _GAP
+    found = None
+    if path.startswith("track.") and isinstance(track, Model):
+        found = _inner(track, path.removeprefix("track."))
+    elif path.startswith("vehicles."):
+        found = _inner(placed[0].vehicle, path.removeprefix("vehicles."))
+    elif indexed and indexed[1] == "vehicles" and indexed[3] and int(indexed[2]) < len(placed):
+        found = _inner(placed[int(indexed[2])].vehicle, indexed[3])
+    if found is None:
+        raise _unknown(path, parameters_of(track, vehicles, v))
+    return found
+
+
+def _inner(model: Any, path: str) -> Quantity | None:
+    """The quantity of a numeric parameter, or of one of a part after a dot."""
+    name, _, inner = path.partition(".")
+    quantity = _described(model).get(name)
+    if quantity is None or not inner:
+        return quantity
+    return _inner(getattr(model, name), inner) if isinstance(quantity, Part) else None
+
+
 def changed(
     track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str, value: object
 ) -> tuple[Any, tuple[Placed, ...], Fraction]:
@@ -48,8 +82,9 @@ def changed(
 
     A value of class `Several`, a parameter that is left free, is put in as it is, unchecked.
     """
+    asked = quantity_of(track, vehicles, v, path)
     placed = _ascending(vehicles)
-    number: Any = value if isinstance(value, Several) else rational(value, path)
+    number: Any = value if isinstance(value, Several) else rational(value, path, asked.unit, asked.meaning)
     if path == "v":
         return track, vehicles, number
     if path.startswith("track.") and isinstance(track, Model):

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import rational, shown
-from mpsolve.problem.parameters import changed, parameters_of
+from mpsolve.numbers.model import Quantity, rational, shown
+from mpsolve.problem.parameters import changed, parameters_of, quantity_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
 
@@ -18,6 +18,7 @@ from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil,
 class Problem:
     """Vehicles that move at the velocity v along a track; one consistent set of units, SI by default.
 
+    A text may carry a unit of its own ("360 km/h"), which is converted to SI.
     vehicles: any number of vehicles at their places (`Mass("900").at("2.5")`) and trains of them, in any order; a
     bare one stands at 0.
     v ≥ 0. InputError names the argument that cannot be used.
@@ -30,7 +31,7 @@ class Problem:
     def __init__(self, track: Any, vehicles: Any, v: object) -> None:
         if not isinstance(track, (Track, Waveguide)):
             raise InputError("track", f"is of type {type(track).__name__}: give one of mpsolve.tracks")
-        velocity = rational(v, "v")
+        velocity = rational(v, "v", "m/s", "velocity")
         if velocity < 0:
             raise InputError(
                 "v", f"is {shown(velocity)}, but must not be below 0: x runs ahead, turn the vehicles round"
@@ -44,6 +45,10 @@ class Problem:
     def parameters(self) -> dict[str, Fraction]:
         """Every parameter by its path (mpsolve/problem/parameters.py) with its value."""
         return parameters_of(self.track, self.vehicles, self.v)
+
+    def quantity(self, path: str) -> Quantity:
+        """Unit, meaning and bound of the parameter at `path`; InputError lists the paths there are."""
+        return quantity_of(self.track, self.vehicles, self.v, path)
 
     def changed(self, path: str, value: object) -> Problem:
         """The same problem with the parameter at `path` set to `value`; InputError lists the paths there are.

@@ -98,7 +98,7 @@ def _at_zero(proved: FreeProved, seed: float, size: float, goal: int) -> Crossin
     f = _AtZero(proved, _reduction(proved, arb(0), arb(seed)))
     middle = newton.polished(f, arb(seed))
     found = newton.isolated(f, acb(middle.real.mid()), arb(size) * 2**8)
-    x = newton.sharpened(f, found.image, goal + 8, real=True).real
+    x = newton.sharpened(f, found.image, goal + 8, newton.real_part).real
     with precision(BASE_BITS):
         A, (A_sigma, A_x) = proved.matrices(acb(0), [x])
         f_sigma, f_x = (f.reduction.scalar_slope(A, slope) for slope in (A_sigma, A_x))

@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import Any
 
-from rich.box import SIMPLE_HEAD
-from rich.console import Group
-from rich.table import Table
-from rich.text import Text
-
-from mpsolve.model.parameters import Case
+from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, defaults, quantities
-from mpsolve.problem.cases import as_problem
+from mpsolve.numbers.spoken import rounded, said_in, spoken
+from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.problem import Problem
-from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
-from mpsolve.report.text import certificate_text, columns_of, motion_rows, ratio_rows, root_rows, section, shown
-from mpsolve.report.vibration import Vibration, own_vibrations
+from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
+from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown
+from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
+from mpsolve.report.vibration import Trend, Vibration, own_vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track
 
@@ -31,26 +28,35 @@ _PLACES = 8
 
 def spectrum_document(
     spectrum: Spectrum, title: str = "", certificate: str | os.PathLike[str] | None = None
-) -> Group:
-    """The report for a rich console; certificate: the path where it was saved."""
-    stated = verdict(spectrum)
-    parts: list[Any] = [Text(title, style="bold"), Text("")] if title else []
-    parts += [Text(stated, style=_COLOUR.get(stated.partition(":")[0], "bold")), Text("")]
-    motions = own_vibrations(spectrum)
+) -> Document:
+    """The report as blocks; certificate: the path where it was saved."""
+    stated, motions = verdict(spectrum), own_vibrations(spectrum)
+    blocks: list[Line | Section] = [Line(title, "bold")] if title else []
+    blocks += [Line(stated, _COLOUR.get(re.split(r"[ :]", stated)[0], "bold")), *warnings_of(spectrum)]
     if motions:
-        parts += section("Vibrations", _motions(motions, spectrum))
-        parts += section(f"Roots q in {units_of(spectrum).q}, certified digits", _roots(motions, spectrum.digits))
+        blocks.append(Section("Vibrations", _motions(motions, spectrum)))
     if spectrum.unfelt:
-        parts += section("Roots of motions that no contact feels", _unfelt(spectrum))
-    parts += section("Problem", _problem(spectrum))
-    parts += section("Proved", Text("\n".join(proved(spectrum) or ("Nothing yet.",))))
+        blocks.append(Section("Roots of motions that no contact feels", Columns(list(_unfelt(spectrum)))))
+    blocks.append(Section("Problem", Columns(list(_problem(spectrum)))))
+    if motions:
+        roots = Columns(_roots(motions, spectrum.digits))
+        blocks.append(Section(f"Roots q in {units_of(spectrum).q}, certified digits", roots))
+    blocks.append(Section("Proved", "\n".join(proved(spectrum) or ("Nothing yet.",))))
     if verified(spectrum):
-        parts += section("Verified", Text(verified(spectrum)))
-    parts += section("Assumed, not proved", Text(ASSUMED))
-    parts += section("Cost", Text(cost_words(spectrum)))[:-1]
+        blocks.append(Section("Verified", verified(spectrum)))
+    blocks.append(Section("Assumed, not proved", ASSUMED))
+    ratios = paper_rows(spectrum.problem)
+    if ratios:
+        blocks.append(Section("In the ratios of the paper", Columns(ratios)))
+    blocks.append(Section("Cost", cost_words(spectrum)))
     if certificate is not None:
-        parts += [Text(""), *section("Certificate", certificate_text(os.fspath(certificate)))[:-1]]
-    return Group(*parts)
+        blocks.append(Section("Certificate", certificate_words(os.fspath(certificate))))
+    return Document(tuple(blocks))
+
+
+def warnings_of(spectrum: Spectrum) -> Iterator[Line]:
+    """A sentence for each warning."""
+    return (Line(f"Warning: {warning}.", "yellow") for warning in spectrum.warnings)
 
 
 def cost_words(spectrum: Spectrum) -> str:
@@ -66,7 +72,7 @@ def cost_words(spectrum: Spectrum) -> str:
 
 def problem_rows(problem: Problem) -> Iterator[tuple[str, str, str]]:
     """Rows of quantity, value and meaning: the velocity, the track, every vehicle."""
-    yield "v", f"{_exact(problem.v)} m/s", "velocity"
+    yield "v", _valued(problem.v, "m/s"), "velocity"
     track = problem.track
     if isinstance(track, Track):
         yield "track", track.name, ""
@@ -86,7 +92,7 @@ def _parameters(model: Model) -> Iterator[tuple[str, str, str]]:
         if name in left_out and left_out[name] == value:
             continue
         if isinstance(value, Fraction):
-            yield f"  {name}", f"{_exact(value)} {quantity.unit}".strip(), quantity.meaning
+            yield f"  {name}", _valued(value, quantity.unit), quantity.meaning
         elif isinstance(value, Model):
             yield f"  {name}", getattr(value, "name", ""), quantity.meaning
             yield from ((f"  {key}", text, meaning) for key, text, meaning in _parameters(value))
@@ -98,39 +104,53 @@ def _exact(x: Fraction) -> str:
     return shown(Exact.parse(x))
 
 
-def _problem(spectrum: Spectrum) -> Table:
-    table = columns_of(3)
+def _valued(x: Fraction, unit: str) -> str:
+    """Exactly, and in the unit that people use: "6400000 N m² (6.4 MN m²)"."""
+    own = f"{_exact(x)} {unit}".strip()
+    return own if not x or said_in(x, unit) == unit else f"{own} ({spoken(x, unit)})"
+
+
+def paper_rows(given: Given) -> list[tuple[str, str, str]]:
+    """The ratios of the paper, where a problem in SI has them; empty for all else."""
+    paper = None if isinstance(given, Case) else as_paper(given)
+    if not isinstance(paper, PhysicalCase):
+        return []
+    units = [row for row in beam_rows(paper) if row[0] in ("√(k/m)", "χ", "v_cr", "v_cr′")]
+    return [*units, *ratio_rows(paper.dimensionless)]
+
+
+def _problem(spectrum: Spectrum) -> Iterable[tuple[str, str, str]]:
     given = spectrum.problem
-    rows = ratio_rows(given) if isinstance(given, Case) else problem_rows(as_problem(given))
-    for row in rows:
-        table.add_row(*(Text(cell) for cell in row))
-    return table
+    return ratio_rows(given) if isinstance(given, Case) else problem_rows(as_problem(given))
 
 
-def _motions(motions: tuple[Vibration, ...], spectrum: Spectrum) -> Table:
+def _motions(motions: tuple[Vibration, ...], spectrum: Spectrum) -> Columns:
     units = units_of(spectrum)
-    table = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False)
-    for heading in ("", f"frequency [{units.frequency}]", f"growth [{units.rate}]", f"time [{units.time}]", ""):
-        table.add_column(Text(heading), justify="right" if heading else "left")
-    for row in motion_rows(motions):
-        table.add_row(*(Text(cell) for cell in row))
-    return table
+    heading = ("", f"frequency [{units.frequency}]", f"growth [{units.rate}]", "what it does")
+    with precision(working_bits(spectrum.digits)):
+        rows = [motion_row(j, motion, units) for j, motion in enumerate(motions, 1)]
+    return Columns(rows, heading, frozenset((1, 2)))
 
 
-def _roots(motions: tuple[Vibration, ...], digits: int) -> Table:
-    table = columns_of(2)
+def motion_row(j: int, motion: Vibration, units: Units) -> tuple[str, str, str, str]:
+    """Name, frequency, growth rate, and what the vibration does in which time, in few figures."""
+    does = motion.trend.value
+    if motion.time is not None:
+        time = spoken(motion.time, "s") if units.time == "s" else f"{rounded(motion.time)} {units.time}"
+        does = f"GROWS, doubles every {time}" if motion.trend is Trend.GROWS else f"decays, halves every {time}"
+    number = motion.root.multiplicity
+    several = f" ({number} roots)" if number > 1 else ""
+    return f"q{j}", rounded(motion.frequency), rounded(motion.rate), does + several
+
+
+def _roots(motions: tuple[Vibration, ...], digits: int) -> list[tuple[str, str]]:
     with precision(working_bits(digits)):
-        for j, motion in enumerate(motions, 1):
-            for label, number in root_rows(j, motion, digits):
-                table.add_row(Text(label), Text(number))
-    return table
+        return [row for j, motion in enumerate(motions, 1) for row in root_rows(j, motion, digits)]
 
 
-def _unfelt(spectrum: Spectrum) -> Table:
-    table = columns_of(1)
+def _unfelt(spectrum: Spectrum) -> Iterator[tuple[str]]:
     with precision(working_bits(_PLACES)):
         for q in spectrum.unfelt:
             if not q.real < 0:
-                re, im = proved_digits(abs(q.real), _PLACES), proved_digits(q.imag, _PLACES)
-                table.add_row(Text(f"{'' if q.real == 0 else '±'}{re} + {im} i"))
-    return table
+                re_, im = proved_digits(abs(q.real), _PLACES), proved_digits(q.imag, _PLACES)
+                yield (f"{'' if q.real == 0 else '±'}{re_} + {im} i",)

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 
 from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
-from mpsolve.numbers.decimals import outward, proved_digits
+from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.outcome import Status
+from mpsolve.problem.cases import as_problem
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet
-from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.spectrum.spectrum import Root, Spectrum
 
 ASSUMED = (
     "The model: an endless track that is the same everywhere, small motions, vehicles that move at a constant "
@@ -39,14 +41,16 @@ def units_of(spectrum: Spectrum) -> Units:
 
 
 def verdict(spectrum: Spectrum) -> str:
-    """One sentence that begins with STABLE, UNSTABLE, NO GROWTH (in a part of the half-plane) or UNDECIDED."""
+    """One sentence that begins with STABLE, UNSTABLE, NO GROWTH (in a part of the half-plane) or UNDECIDED.
+
+    It is for whoever decides: the velocity, what grows, how fast. Figures are few, and hold for all of their balls.
+    """
     if not spectrum.proved:
         return f"UNDECIDED: {spectrum.reason}."
     if spectrum.unstable:
-        growing = "roots grow" if spectrum.unstable > 1 else "root grows"
-        return f"UNSTABLE: {spectrum.unstable} {growing} (Im q < 0), {_vibrations(spectrum)}, without bound."
+        return f"UNSTABLE {at_velocity(spectrum)}: {_growing(spectrum)}."
     if spectrum.stable:
-        return f"STABLE: no root with Im q < 0, so {_all_decay(spectrum)}."
+        return f"STABLE {at_velocity(spectrum)}: {_all_decay(spectrum)}."
     if isinstance(spectrum.region, Rectangle):
         return "NO GROWTH in this rectangle: no root with Im q < 0 there; outside it, none was looked for."
     radius = getattr(spectrum.region, "radius", None)
@@ -75,18 +79,36 @@ def verified(spectrum: Spectrum) -> str:
     return f"The standalone verifier confirms: {spectrum.verified}." if spectrum.verified else ""
 
 
-def _vibrations(spectrum: Spectrum) -> str:
+def at_velocity(spectrum: Spectrum) -> str:
+    """At which velocity, as people say it: "at 252 km/h (70 m/s)", "at rest", "at α = 0.67"."""
+    given = spectrum.problem
+    if isinstance(given, Case):
+        return f"at α = {given.alpha.short()}"
+    v = as_problem(given).v
+    return f"at {spoken(v, 'm/s')} ({rounded(v)} m/s)" if v else "at rest"
+
+
+def _growing(spectrum: Spectrum) -> str:
     """The unstable roots as vibrations: a pair q, −q̄ is one."""
     growing = [root for root in spectrum.roots if root.q.imag < 0 and not root.q.real < 0]
-    number = len(growing)
-    if number == 1:
-        (root,) = growing
-        if root.q.real == 0:
-            return "one motion without oscillation"
-        unit = units_of(spectrum).frequency
-        with precision(max(64, root.q.bits() + 32)):
-            return f"one vibration at {proved_digits(root.frequency, 6)} {unit}"
-    return f"{number} vibrations"
+    if not growing:
+        return f"{spectrum.unstable} roots q with Im q < 0, so that vibrations grow"
+    with precision(max(64, *(root.q.bits() + 32 for root in growing))):
+        first = max(growing, key=lambda root: float(root.growth.mid()))
+        time = f"doubles every {_doubling(spectrum, first)}"
+        swings = first.q.real != 0
+        where = f"{rounded(first.frequency)} {units_of(spectrum).frequency}" if swings else "without oscillation"
+        if len(growing) == 1:
+            several = f" ({first.multiplicity} times)" if first.multiplicity > 1 else ""
+            return f"a vibration at {where} {time}{several}" if swings else f"a deflection {time}, {where}"
+        leads = all(other.growth < first.growth for other in growing if other is not first)
+        place = f"at {where}" if swings else where
+        return f"{len(growing)} vibrations grow; {'the fastest' if leads else 'one'}, {place}, {time}"
+
+
+def _doubling(spectrum: Spectrum, root: Root) -> str:
+    unit = units_of(spectrum).time
+    return spoken(root.doubling_time, unit) if unit == "s" else f"{rounded(root.doubling_time)} {unit}"
 
 
 def _all_decay(spectrum: Spectrum) -> str:

@@ -7,6 +7,7 @@ many roots are found as were counted.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +17,7 @@ from mpsolve.characteristic.floats import Floats
 from mpsolve.problem.reduced import Reduced
 
 _STEPS = 40
+_CROWD = 1e-3  # relative: hints that are closer give one start
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
 
 
@@ -41,20 +43,59 @@ class Area:
         return max(self.re_max - self.re_min, self.im_max - self.im_min)
 
 
-def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any, symmetric: bool = True) -> Any:
+Weight = Callable[[complex], int]
+"""How many roots of a region one with Re q ≥ 0 and its mirror −q̄ stand for."""
+
+
+def both(q: complex) -> int:
+    """Of a symmetric region: 2, but 1 for a root on the imaginary axis."""
+    return 1 if abs(q.real) < 1e-9 * abs(q) else 2
+
+
+def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any, weight: Weight = both) -> Any:
     """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found.
 
     hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid.
     """
     function = Floats(reduced)
     found = np.zeros(0, complex)
-    for level in range(-1, 5):
-        if _number(found, symmetric) >= count:
-            break
-        for area in areas:
-            starts = _best(function, hints, np.inf, 8 * count + 20) if level < 0 else _starts(function, area, level)
-            found = _newton(function, area, starts, found)
+
+    def all_found(roots: Any) -> bool:
+        return sum(map(weight, roots.tolist())) >= count
+
+    for level in range(-3, 5):
+        for area in areas if level > -3 else areas[:1]:
+            if all_found(found):
+                return found
+            starts = _near(function, hints, count, level) if level < 0 else _starts(function, area, level)
+            found = _newton(function, area, starts, found, all_found)
     return found
+
+
+def _near(function: Floats, hints: Any, count: int, level: int) -> Any:
+    """Starts from the hints: a few of the best, then more, then those that are left without their crowds."""
+    most = 2 * count + 8 if level < -2 else 8 * count + 20
+    return _best(function, hints if level < -1 else _spread(hints), np.inf, most)
+
+
+def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
+    """Approximate roots q̂ of an area whose number is not known, from `hints` and from grids: some may be missed."""
+    function = Floats(reduced)
+    found = np.zeros(0, complex)
+    if len(hints):
+        found = _newton(function, area, np.asarray(hints, complex), found)
+    for level in range(levels):
+        found = _newton(function, area, _starts(function, area, level), found)
+    return found
+
+
+def _spread(points: Any) -> Any:
+    """The points without those that all but repeat the one before: where p-roots nearly meet, pieces crowd."""
+    kept: list[complex] = []
+    for q in np.asarray(points, complex).tolist():
+        if not kept or abs(q - kept[-1]) > _CROWD * abs(q):
+            kept.append(q)
+    return np.array(kept, complex)
 
 
 def nearest_root(reduced: Reduced, q: complex) -> complex | None:
@@ -68,12 +109,6 @@ def nearest_root(reduced: Reduced, q: complex) -> complex | None:
         if abs(step[0]) < 1e-9 * abs(at[0]):  # at a root itself the next step is not finite
             return complex(at[0])
     return None
-
-
-def _number(found: Any, symmetric: bool) -> int:
-    if not symmetric:
-        return len(found)
-    return int(sum(1 if abs(q.real) < 1e-9 * abs(q) else 2 for q in found))
 
 
 def _starts(function: Floats, area: Area, level: int) -> Any:
@@ -95,11 +130,11 @@ def _best(function: Floats, q: Any, reach: Any, most: int) -> Any:
     return q[order] + step[order]
 
 
-def _newton(function: Floats, area: Area, q: Any, found: Any) -> Any:
-    """Roots in the area, old and new ones."""
+def _newton(function: Floats, area: Area, q: Any, found: Any, enough: Callable[[Any], bool] = lambda _: False) -> Any:
+    """Roots in the area, old and new ones, until there are enough."""
     slack = 1e-9 * area.size
     for _ in range(_STEPS):
-        if not len(q):
+        if not len(q) or enough(found):
             return found
         step = _step(function, q, found)
         limit = 0.2 * area.size

@@ -12,6 +12,11 @@ from typing import Any
 import numpy as np
 from flint import acb, arb, fmpq
 
+from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.proved import ProvedSplitting
+from mpsolve.characteristic.roots import root_balls
+from mpsolve.characteristic.symbol import Symbols
+from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, U
@@ -121,10 +126,40 @@ def _accretive(reduced: Reduced, sigma: acb, middle: Any) -> list[list[acb]]:
             out[n + j][i] = acb(_ball(reduced.B[i][j]))
     for i, a in enumerate(reduced.index):
         for j, b in enumerate(reduced.index):
-            out[n + i][n + j] = sigma * acb(complex(middle[a, b]))
+            g = middle[a, b]
+            out[n + i][n + j] = sigma * (g if isinstance(g, acb) else acb(complex(g)))
         out[n + i][n + i] += sigma * _ball(reduced.h[i])
     return out
 
 
 def _ball(x: Any) -> arb:
     return arb(fmpq(x.numerator, x.denominator))
+
+
+def pivot_sum(reduced: Reduced, up: int, q: float) -> arb:
+    """Σ Arg(pivots of M) at the real q̂ from G in balls, where M is known to be accretive; PrecisionError if open.
+
+    The waves on the edge of a cut are told apart as in `split`.
+    """
+    symbols = Symbols.of(reduced.guide)
+    nodes = split(Table.of(reduced.guide.D), np.array([1j * q]), np.zeros(1), up).z[0]
+    for bits in (64, 256, 1024):
+        with precision(bits):
+            sigma = acb(0, q)
+            try:
+                roots = tuple(root_balls(symbols.D, sigma, nodes))
+                distances = sorted({a - b for a in reduced.places for b in reduced.places})
+                values = ProvedSplitting(symbols, sigma, up, roots, None, False).receptances(distances, False)[0]
+            except PrecisionError:
+                continue
+            G = dict(zip(distances, values, strict=True))
+            total = _pivot_arguments(
+                _accretive(
+                    reduced,
+                    sigma,
+                    {(i, j): G[a - b] for i, a in enumerate(reduced.places) for j, b in enumerate(reduced.places)},
+                )
+            )
+            if total is not None and total.rad() < 0.1:
+                return total
+    raise PrecisionError("a root lies on the line of the cuts where the count closes")

@@ -18,12 +18,16 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
+from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.reduced import Reduced
+from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
-from mpsolve.spectrum.premises import open_at_rest, require_premises
+from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
+from mpsolve.tracks.at_rest import lowest_cut
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
 _LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
@@ -37,6 +41,8 @@ class Count:
     """The proved number of roots in `region`, with all that the proof rests on (points are scaled, q̂).
 
     beyond: the theorem that closes a half-plane; None for a disc or a rectangle, with `why` it is not there.
+    half: which half of the sheet of a beam with its cuts on one line the points of a rectangle belong to, "lower" or
+    "upper"; they are then z = q − iη, in the upper half z̄. "" for points q.
     """
 
     region: Region
@@ -46,6 +52,7 @@ class Count:
     beyond: Beyond | None
     why: str
     evaluations: int
+    half: str = ""
 
     @property
     def pieces(self) -> int:
@@ -57,6 +64,8 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, ro
 
     A half-plane whose theorem fails comes back as the half-disc that was counted. InputError where a premise fails.
     """
+    if isinstance(region, Rectangle) and (line := line_for(reduced, region)) is not None:
+        return _box_on_line(reduced, line, region, effort, room)
     require_premises(reduced, region)
     arrays = Arrays(reduced)
     first = start(reduced.guide)
@@ -99,7 +108,7 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
         _require_passive(rho, middle, radius)
         closing = closing_argument(reduced, rho, middle, radius)
         order = reduced.bodies - reduced.contacts - reduced.neutral
-        total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
+        total = _zeros((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
     held = Below(height, reach=exact) if height else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
@@ -123,7 +132,7 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
-        total = _integer(-_turn(proved) / arb.pi())
+        total = _zeros(-_turn(proved) / arb.pi())
     asked = getattr(region, "radius", None)
     exact = asked if asked is not None else _unscaled(reduced, radius)
     held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
@@ -131,8 +140,12 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
 
 
 def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
-    reduced = paths.arrays.reduced
-    unit = reduced.frequency_unit
+    total, proved = _round(paths, first, box, paths.arrays.reduced.frequency_unit, effort)
+    return Count(box, total, first, proved.paths, None, "", effort.spent)
+
+
+def _round(paths: Paths, first: Start, box: Rectangle, unit: Fraction, effort: Effort) -> tuple[int, Proved]:
+    """The number of zeros inside, by the turn along the sides."""
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
     corners = [complex(a, c), complex(b, c), complex(b, d), complex(a, d), complex(a, c)]
     around = np.concatenate([_line(x, y, 12)[:-1] for x, y in pairwise(corners)] + [corners[-1:]])
@@ -140,18 +153,42 @@ def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
     link = _line(below, corners[0], 12)
     proved = paths.prove((paths.plan("link", link, effort), paths.plan("turn", around, effort)), effort)
     with precision(64):
-        total = _integer(_turn(proved) / (2 * arb.pi()))
-    return Count(box, total, first, proved.paths, None, "", effort.spent)
+        return _zeros(_turn(proved) / (2 * arb.pi())), proved
 
 
-def _integer(value: arb) -> int:
-    """The only integer in the ball; PrecisionError if there is none or more than one."""
-    number = value.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(
-            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
-        )
-    return int(number)
+def line_for(reduced: Reduced, box: Rectangle) -> Line | None:
+    """The beam undamped on the line of its cuts, where a rectangle needs it: above the lowest cut, or undamped."""
+    line = on_line(reduced)
+    if line is None or reduced.neutral or (line.height and box.im_max <= lowest_cut(reduced.problem.track)[0]):
+        return None
+    return line
+
+
+def _box_on_line(reduced: Reduced, line: Line, box: Rectangle, effort: Effort, room: float) -> Count:
+    """A rectangle below the line of the cuts, above it, or across it in the gap."""
+    unit = reduced.frequency_unit
+    require_off_cuts(line, box)
+    above = box.im_min > line.height * unit
+    half = line.upper if above else line.lower
+    first = start(half.guide)
+    paths = Paths(Arrays(half), first, room)
+    try:
+        total, proved = _round(paths, first, on_its_half(line, box), unit, effort)
+    except OpenPieceError as error:
+        at = error.place.conjugate() if above else error.place
+        raise OpenPieceError(at + 1j * float(line.height), error.length) from None
+    return Count(box, total, first, proved.paths, None, "", effort.spent, "upper" if above else "lower")
+
+
+def on_its_half(line: Line, box: Rectangle) -> Rectangle:
+    """The rectangle of z, or of z̄ above the line of the cuts."""
+    height = line.height * line.lower.frequency_unit
+    low, high = box.im_min - height, box.im_max - height
+    return Rectangle(box.re_min, box.re_max, -high, -low) if low > 0 else Rectangle(box.re_min, box.re_max, low, high)
+
+
+def _zeros(turns: arb) -> int:
+    return number_of_zeros(turns, "the characteristic function")
 
 
 def _turn(proved: Proved) -> arb:

@@ -2,12 +2,14 @@
 
 Near a root the determinant is reduced to the scalar s of `numbers.reduction`, whose zeros are those of Δ̂; interval
 Newton isolates the zero and sharpens it. A box that is symmetric to the imaginary q-axis (σ real) and holds one root
-holds one on that axis, as roots come in pairs q, −q̄.
+holds one on that axis, as roots come in pairs q, −q̄; without any damping one that is symmetric to the real q-axis
+does so too.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -27,6 +29,14 @@ _TRIED = 640
 """Bits at which a root that no box isolates is left to the search for clusters."""
 _NEAR_AXIS = 2.0**-30
 _APPROACH, _CLOSE = 3, 2.0**-16
+
+
+_ONTO: dict[Symmetry, Callable[[Any], Any] | None] = {
+    Symmetry.NONE: None,
+    Symmetry.IMAGINARY: lambda sigma: acb(sigma.real),
+    Symmetry.REAL: lambda sigma: acb(0, sigma.imag),
+}
+"""Onto the line on which a root lies by its symmetry."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +86,12 @@ def _isolate(proved: Proved, seed: Any) -> Box:
             return Box(function, Isolated(found.box, acb(found.image.real)), Symmetry.IMAGINARY)
         except PrecisionError:
             pass
+    if proved.lossless and abs(float(start.real.mid())) < _NEAR_AXIS * float(size):
+        try:
+            found = isolated(function, acb(0, start.imag.mid()), size)
+            return Box(function, Isolated(found.box, acb(0, found.image.imag)), Symmetry.REAL)
+        except PrecisionError:
+            pass
     return Box(function, isolated(function, start, size), Symmetry.NONE)
 
 
@@ -97,8 +113,7 @@ def _function(proved: Proved, start: Any) -> tuple[Scalar, Any]:
 def refine(box: Box, digits: int) -> RootBall:
     """The root of `box` in a ball of relative radius below 10^−digits in the problem's own units."""
     goal = math.ceil(digits * math.log2(10)) + 1
-    real = box.symmetry is Symmetry.IMAGINARY
-    image = sharpened(box.function, box.sigma.image, goal + _GUARD, real)
+    image = sharpened(box.function, box.sigma.image, goal + _GUARD, _ONTO[box.symmetry])
     with precision(goal + 3 * _GUARD):
         ball = on_grid(in_units(image, box.unit), goal, 1, box.symmetry)
         if not (in_units(box.sigma.box, box.unit).contains(ball.q) and ball.q.contains(in_units(image, box.unit))):

@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import shown
+from mpsolve.problem.line import Line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.regions import Below, Rectangle, Region
 from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
@@ -54,6 +55,17 @@ def _require_no_cut(reduced: Reduced, region: Region) -> None:
     raise InputError(name, f"{stated}: give a smaller height")
 
 
+def require_off_cuts(line: Line, box: Rectangle) -> None:
+    """A rectangle lies below the line of the cuts, above it, or crosses it in the gap."""
+    unit = line.lower.frequency_unit
+    height = line.height * unit
+    beside = box.im_max < height or box.im_min > height
+    if not beside and not all(line.in_gap(x / unit) for x in (box.re_min, box.re_max)):
+        stated = f"and im_min hold the cut line Im q = {shown(height)} between them, beyond the gap of the cuts"
+        raise InputError("region.im_max", f"{stated}: take one rectangle below the line and one above it")
+    _require_forces(line.lower)
+
+
 def _require_forces(reduced: Reduced) -> None:
     """No set of contact forces is felt by nobody: B f = 0, h f = 0 and no resultant at any place only for f = 0."""
     contacts = range(reduced.contacts)
@@ -77,6 +89,33 @@ def _rank(rows: list[list[Fraction]]) -> int:
             rows[i] = [a - factor * b for a, b in zip(rows[i], rows[rank], strict=True)]
         rank += 1
     return rank
+
+
+def open_on_sheet(line: Line) -> str:
+    """Why the theorems of the whole sheet do not hold for the vehicle; "" where they do.
+
+    Above the line of the cuts it must be passive: S(−τ − η) with matrices that are positive semidefinite. On a damped
+    track it must be made of tight masses, each alone under its contact, for the theorem far out.
+    """
+    reduced = line.upper
+    if reduced.neutral:
+        return "a coordinate of the vehicle has neither spring nor contact"
+    if line.height:
+        return "" if _tight_masses(line) else "the vehicles are more than masses on the beam"
+    return "the vehicle has dampers" if any(map(any, reduced.S[1])) else ""
+
+
+def _tight_masses(line: Line) -> bool:
+    """Whether each body is a mass with a tight contact of its own, and nothing else is there."""
+    reduced, h = line.upper, line.height
+    rows = (*reduced.B, *zip(*reduced.B, strict=True))
+    single = reduced.bodies == reduced.contacts and all(sum(map(bool, row)) == 1 for row in rows)
+    pairs = [(i, j) for i in range(reduced.bodies) for j in range(reduced.bodies)]
+    K, C, M = reduced.S
+    bare = all(
+        K[i][j] == h * h * M[i][j] and C[i][j] == 2 * h * M[i][j] and (i == j or not M[i][j]) for i, j in pairs
+    )
+    return single and bare and not any(reduced.h)
 
 
 def open_at_rest(reduced: Reduced) -> str:

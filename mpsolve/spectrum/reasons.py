@@ -6,8 +6,10 @@ import numpy as np
 
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.outcome import Reason
+from mpsolve.problem.line import Line
 from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.proof.cover import OpenPieceError
+from mpsolve.proof.effort import MORE_EFFORT
 from mpsolve.spectrum.candidates import nearest_root
 
 _NEAR = 1e-6  # relative: a root this close to the line is named as the reason
@@ -34,6 +36,25 @@ def reason_of(reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
     if isinstance(error, OpenPieceError):
         return _at_place(reduced, error.place)
     return Reason("count", str(error), {}, "ask for a Rectangle that keeps away from the real axis")
+
+
+def sheet_reason(line: Line, reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
+    """Why the whole sheet stays open; places are those of q."""
+    damped = bool(line.height)
+    other = 'ask for "unstable"' if damped else "change the velocity a little, or give some damping"
+    if isinstance(error, EffortError):
+        return Reason("effort", str(error), {}, f"{MORE_EFFORT}, or {other}" if damped else MORE_EFFORT)
+    if not isinstance(error, OpenPieceError):
+        return Reason("sheet", str(error), {}, other)
+    unit, place = float(reduced.frequency_unit), error.place + 1j * float(line.height)
+    root = nearest_root(reduced, place)
+    numbers = {"re": f"{place.real * unit:.10g}", "im": f"{place.imag * unit:.10g}"}
+    if root is not None and abs(root - place) <= _NEAR * abs(place):
+        at = f"{root.real * unit:.10g}{root.imag * unit:+.10g}i"
+        message = f"a root at q = {at}, or one closer to the cut than can be told, lies on the edge of the cut"
+        return Reason("root-on-line", message, {**numbers, "root": at}, other)
+    message = f"nothing is proved near q = {place.real * unit:.6g}{place.imag * unit:+.6g}i on the edge of the cut"
+    return Reason("line", message, numbers, other)
 
 
 def _at_place(reduced: Reduced, place: complex) -> Reason:

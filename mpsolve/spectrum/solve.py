@@ -14,14 +14,16 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.candidates import Area, find_roots
+from mpsolve.spectrum.candidates import Area, Weight, both, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
-from mpsolve.spectrum.reasons import reason_of
-from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
+from mpsolve.spectrum.reasons import reason_of, sheet_reason
+from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
+from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.spectrum import disjoint
 
 Tell = Callable[[str, float], None]
@@ -31,22 +33,30 @@ Tell = Callable[[str, float], None]
 class Found:
     """A count (None where it stayed open), the balls that explain it, and the reason where they do not."""
 
-    count: Count | None
+    count: Count | SheetCount | None
     balls: tuple[RootBall, ...]
     reason: Reason | None
 
 
-def solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
-    """All roots of Δ̂ in the region; never raises for what stays undecided. Matrices are multiplied in one thread."""
+def solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell) -> Found:
+    """All roots of Δ̂ in the region, or on the whole sheet of a beam with its cuts on one line.
+
+    Never raises for what stays undecided. Matrices are multiplied in one thread.
+    """
     with one_thread():
         return _solve(reduced, region, digits, effort, tell)
 
 
-def _solve(reduced: Reduced, region: Region, digits: int, effort: Effort, tell: Tell) -> Found:
+def _solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell) -> Found:
     try:
-        count = count_roots(reduced, region, effort, tell)
+        if isinstance(region, Line):
+            tell("contour", 0.0)
+            count: Count | SheetCount = count_sheet(region, effort)
+        else:
+            count = count_roots(reduced, region, effort, tell)
     except (EffortError, PrecisionError) as error:
-        return Found(None, (), reason_of(reduced, error))
+        line = region if isinstance(region, Line) else None
+        return Found(None, (), sheet_reason(line, reduced, error) if line else reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
     try:
@@ -81,11 +91,15 @@ def _sign(ball: RootBall) -> bool | None:
     return True if ball.q.imag < 0 else None
 
 
-def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
-    """Scaled rectangles that hold the right half of all counted roots."""
+def _areas(reduced: Reduced, count: Count | SheetCount) -> tuple[Area, ...]:
+    """Scaled rectangles that hold the right half of all counted roots, small ones first."""
+    if isinstance(count, SheetCount):
+        return _on_sheet(count)
     region, unit = count.region, reduced.frequency_unit
     if isinstance(region, Rectangle):
-        return (Area(*(float(x / unit) for x in (region.re_min, region.re_max, region.im_min, region.im_max))),)
+        ends = [abs(float(x / unit)) for x in (region.re_min, region.re_max)]
+        least = 0.0 if region.re_min < 0 < region.re_max else min(ends)
+        return (Area(least, max(ends), float(region.im_min / unit), float(region.im_max / unit)),)
     if count.beyond is not None:
         width, depth = count.beyond.rho, count.beyond.depth
     else:
@@ -98,27 +112,62 @@ def _areas(reduced: Reduced, count: Count) -> tuple[Area, ...]:
     return tuple(areas)
 
 
-def _enclosed(reduced: Reduced, count: Count, digits: int, tell: Tell) -> tuple[RootBall, ...]:
-    symmetric = not isinstance(count.region, Rectangle)
-    hints = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
-    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, symmetric)
+def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
+    """Both sides of the line of the cuts, in sizes that grow."""
+    h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
+    small = max(2 * high, 1.5)
+    sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
+    below = [Area(0.0, size, h - size, h) for size in sizes]
+    none_above = count.far is not None and not count.upper.paths  # the track is passive on the whole upper half
+    return tuple(below[:1] + ([] if none_above else [Area(0.0, small, h, h + small)]) + below[1:])
+
+
+def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
+    """Points at which Δ̂ turns fast."""
+    if isinstance(count, SheetCount):
+        halves = (count.lower, count.upper)
+        rings = [loop.points for half in halves for loop in half.loops]
+        turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
+        points = np.concatenate([*turns, *rings, [count.begin + 0j]])
+        near = points[np.abs(points) < max(16.0, 4 * count.end)]
+        return np.concatenate([near, near.conj()]) + 1j * float(count.line.height)
+    points = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
+    if not count.half:
+        return points
+    line = on_line(reduced)
+    height = float(line.height) if line is not None else 0.0
+    return (points.conj() if count.half == "upper" else points) + 1j * height
+
+
+def _enclosed(reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell) -> tuple[RootBall, ...]:
+    hints = _hints(reduced, count)
+    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, _weight(reduced, count.region))
     proved = Proved(reduced)
     balls: list[RootBall] = []
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
-            _add(balls, ball, count.region, symmetric)
+            _add(balls, ball, count.region)
         tell("roots", 0.5 + 0.5 * (k + 1) / len(seeds))
     for q in seeds.tolist():  # floats may take roots for one that are closer than they can tell
         if sum(ball.multiplicity for ball in balls) >= count.total:
             break
         for ball in _separated(proved, 1j * q, digits):
-            _add(balls, ball, count.region, symmetric)
+            _add(balls, ball, count.region)
     return tuple(balls)
 
 
-def _add(balls: list[RootBall], ball: RootBall, region: Region, symmetric: bool) -> None:
+def _weight(reduced: Reduced, region: Answered) -> Weight:
+    """How many roots of the region a point of its right half stands for, in floats."""
+    if not isinstance(region, Rectangle):
+        return both
+    unit = float(reduced.frequency_unit)
+    low, high = float(region.re_min) / unit, float(region.re_max) / unit
+    return lambda q: sum(low < x < high for x in {q.real, -q.real}) if both(q) > 1 else 1
+
+
+def _add(balls: list[RootBall], ball: RootBall, region: Answered) -> None:
     """Add a ball and its mirror where they lie in the region and hold more roots than those that they meet."""
-    for each in {False, symmetric and ball.symmetry is not Symmetry.IMAGINARY}:
+    for each in {False, ball.symmetry is not Symmetry.IMAGINARY}:
         one = ball.mirrored if each else ball
         met = [other for other in balls if one.q.overlaps(other.q)]
         if _inside(region, one) and one.multiplicity > sum(other.multiplicity for other in met):
@@ -139,8 +188,10 @@ def _separated(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
         return []
 
 
-def _inside(region: Region, ball: RootBall) -> bool:
-    """Whether the ball is proved to lie in the region."""
+def _inside(region: Answered, ball: RootBall) -> bool:
+    """Whether the ball is proved to lie in the region; that a ball meets no cut, its isolation shows."""
+    if isinstance(region, Sheet):
+        return True
     re, im = ball.q.real, ball.q.imag
     if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))

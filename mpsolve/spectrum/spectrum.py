@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
@@ -14,8 +14,11 @@ from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.warned import warned
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Sheet
-from mpsolve.spectrum.shape import Shape, root_shape
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.shape import Shape
 
 _GUARD = 32
 
@@ -52,6 +55,8 @@ class Root(Portable):
     @property
     def shape(self) -> Shape:
         """The motion of the rail under the contacts and of every body in this root."""
+        from mpsolve.spectrum.shape import root_shape
+
         return root_shape(as_problem(self.problem), self.q, self.multiplicity)
 
     @property
@@ -118,6 +123,11 @@ class Spectrum(Portable):
             isinstance(self.region, (HalfPlane, Below)) and self.region.radius is None
         )
         return True if self.proved and whole and self.unstable == 0 else None
+
+    @property
+    def warnings(self) -> tuple[Reason, ...]:
+        """What is likely to be a mistake in the problem, a sentence each; no part of any proof."""
+        return warned(self.problem, [float(root.frequency.mid()) for root in self.roots])
 
     def __bool__(self) -> bool:
         raise TypeError("a spectrum has no truth value: ask for .proved or .stable")

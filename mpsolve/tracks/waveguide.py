@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, ClassVar
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -41,14 +42,19 @@ class Track(Model, frozen=True):
 
     def with_values(self, changed: Mapping[str, Fraction]) -> Waveguide:
         """The same with some parameters changed; the bounds of a track's parameters do not hold here."""
-        names = tuple(self.parameters)
-        context = fmpq_mpoly_ctx.get(("P", "s", *names), "lex")
-        variables = dict(zip(("P", "s", *names), context.gens(), strict=True))
-        rows = self.equations(_Names(variables, context))
         given = self.parameters | dict(changed)
         values = {name: fmpq(value.numerator, value.denominator) for name, value in given.items()}
-        matrix = tuple(tuple(_exact(context.constant(0) + entry, values) for entry in row) for row in rows)
+        matrix = tuple(tuple(_exact(entry, values) for entry in row) for row in symbolic(type(self), tuple(values)))
         return Waveguide(matrix, self.loaded)
+
+
+@lru_cache(maxsize=64)
+def symbolic(kind: type[Track], names: tuple[str, ...]) -> tuple[tuple[fmpq_mpoly, ...], ...]:
+    """The equations of a track as exact polynomials in P, s and its named parameters."""
+    context = fmpq_mpoly_ctx.get(("P", "s", *names), "lex")
+    variables = dict(zip(("P", "s", *names), context.gens(), strict=True))
+    rows = kind.equations(_Names(variables, context))
+    return tuple(tuple(context.constant(0) + entry for entry in row) for row in rows)
 
 
 class _Names:

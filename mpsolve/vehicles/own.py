@@ -22,10 +22,10 @@ class Vehicle(AnyVehicle, frozen=True):
     name: ClassVar[str] = "matrices"
     drawing: ClassVar[str] = "   M ÿ + C ẏ + K y = B λ\n   ●     ●     ●     places\n"
 
-    M: Annotated[Any, Entries("kg", "mass matrix", depth=2)]
-    C: Annotated[Any, Entries("N s/m", "damping matrix", depth=2)]
-    K: Annotated[Any, Entries("N/m", "stiffness matrix", depth=2)]
-    B: Annotated[Any, Entries("", "matrix of the contacts: one row for each coordinate", depth=2)]
+    M: Annotated[Any, Entries("kg", "mass matrix", depth=2, alike=("kg m", "kg m²"))]
+    C: Annotated[Any, Entries("N s/m", "damping matrix", depth=2, alike=("N s", "N m s"))]
+    K: Annotated[Any, Entries("N/m", "stiffness matrix", depth=2, alike=("N", "N m"))]
+    B: Annotated[Any, Entries("", "matrix of the contacts: one row for each coordinate", depth=2, alike=("m",))]
     places: Annotated[Any, Entries("m", "places of the contacts, ahead of the middle")]
     k_contact: Annotated[Rational | None, contact_spring()] = None
     names: Annotated[Any, Texts("", "names of the coordinates", optional=True)] = None

@@ -20,7 +20,7 @@ def train(vehicle: AnyVehicle, count: int, spacing: object) -> tuple[Placed, ...
         raise InputError("vehicle", f"is of type {type(vehicle).__name__}: give one of mpsolve.vehicles, not placed")
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= _MOST:
         raise InputError("count", f"is {count!r}: give a whole number from 1 to {_MOST}")
-    gap = rational(spacing, "spacing")
+    gap = rational(spacing, "spacing", "m", "distance of the vehicles")
     if gap <= 0:
         raise InputError("spacing", f"is {shown(gap)}, but must be above 0: give the distance in m")
     return tuple(vehicle.at(k * gap) for k in range(count))

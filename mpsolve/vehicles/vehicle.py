@@ -61,7 +61,7 @@ class AnyVehicle(Model, frozen=True):
 
     def at(self, x: object) -> Placed:
         """This vehicle with its middle at x."""
-        return Placed(self, rational(x, "position"))
+        return Placed(self, rational(x, "position", "m", "place of the middle"))
 
 
 def assemble(

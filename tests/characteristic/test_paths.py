@@ -146,7 +146,7 @@ def test_a_wrong_pair_is_not_linked_along_a_path(monkeypatch: pytest.MonkeyPatch
     whole = some_paths()
     link, turn = chain(whole)
 
-    def exchanged(table: Any, m: Any, r: Any, up: int) -> Any:
+    def exchanged(table: Any, m: Any, r: Any, up: int, _nodes: Any = None) -> Any:
         s = split(table, m, r, up)
         z = np.where((s.m.imag > 1)[:, None], s.z[:, [2, 1, 0, 3]], s.z)
         return replace(s, z=z)

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from vehicle_models import TYPICAL, random_vehicles
 
 from mpsolve import vehicles
-from mpsolve.finite.carriage import carriage, rigid_bounce
+from mpsolve.finite.carriage import carriage
 from mpsolve.vehicles.vehicle import Pencil
 
 HELD = [[5, -2, 0], [-2, 7, -3], [0, -3, 3]]
@@ -45,22 +42,3 @@ def test_the_reduced_vehicle_has_the_same_compliance(M: Any, C: Any, K: Any, sec
             sum(np.array(a, float) * s**k for k, a in enumerate((K, C, M))), np.array(pencil.B, float)
         )
         assert found.motion @ inner + found.give == pytest.approx(y, rel=1e-12, abs=1e-14)
-
-
-@settings(max_examples=20)
-@given(random_vehicles())
-def test_a_free_vehicle_rises_without_strain(vehicle: Any) -> None:
-    pencil = vehicle.pencil
-    bounce = rigid_bounce(pencil)
-    assert bounce is not None
-    for rows in (pencil.K, pencil.C):
-        assert all(sum(a * b for a, b in zip(row, bounce, strict=True)) == 0 for row in rows)
-    assert all("pitch" in name or x == 1 for name, x in zip(pencil.names, bounce, strict=True))
-    assert all(x == 0 for name, x in zip(pencil.names, bounce, strict=True) if "pitch" in name)
-
-
-def test_a_held_vehicle_has_no_weight_that_is_known() -> None:
-    assert rigid_bounce(vehicles.Vehicle([[1]], [[0]], [[3]], [[1]], [0]).pencil) is None
-    assert rigid_bounce(TYPICAL["coach"].pencil) == tuple(
-        Fraction(int("pitch" not in name)) for name in TYPICAL["coach"].pencil.names
-    )

@@ -8,8 +8,8 @@ import pytest
 from mpsolve import vehicles
 from mpsolve.finite.carriage import carriage
 from mpsolve.finite.coupling import vehicle_tables
-from mpsolve.finite.loads import outer_forces
 from mpsolve.model.load import Load
+from mpsolve.vehicles.loads import outer_forces
 
 
 def test_a_step_of_a_damped_oscillator_is_that_of_many_small_ones() -> None:

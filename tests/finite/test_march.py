@@ -13,9 +13,9 @@ from mpsolve import tracks, vehicles
 from mpsolve.finite.carriage import carriage
 from mpsolve.finite.discretization import discretized
 from mpsolve.finite.exponentials import exponentials
-from mpsolve.finite.loads import outer_forces
 from mpsolve.finite.march import Setting, march
 from mpsolve.model.load import Load
+from mpsolve.vehicles.loads import outer_forces
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1)
 

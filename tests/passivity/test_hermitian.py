@@ -32,9 +32,7 @@ def a_density() -> Density:
     """Three cells of which one absorbs, over one box of a variable q."""
     takes = np.array([[True, True, False]])
     a, b, turn = np.array([[0.0, 2.0, -0.1]]), {"q": np.array([[0.0, 0.3, 0.0]])}, np.array([[0.0, 0.5, 0.0]])
-    return Density(
-        np.array([[-1.0, 0.5, 2.0]]), np.array([[0.5, 1.0, 0.5]]), a, b, turn, np.array([[True, True, False]])
-    )
+    return Density(np.array([[-1.0, 0.5, 2.0]]), np.array([[0.5, 1.0, 0.5]]), a, b, turn, takes)
 
 
 def test_one_contact() -> None:

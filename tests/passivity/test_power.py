@@ -27,7 +27,7 @@ def test_parts_are_those_of_the_quotient(name: str) -> None:
         )
         assert complex(real, imaginary * float(omega)) == pytest.approx(D, rel=1e-12)
         assert w * float(omega) == pytest.approx(-(N * np.conj(D)).imag, rel=1e-10, abs=1e-12)
-    (iw, nw), (i2, n2) = power.degrees
+    (iw, nw), (i2, n2) = power.quotient.degrees
     assert i2 == 2 * max(i for i, _ in reduced.guide.D_rest)
     assert n2 == 2 * max(i + j for i, j in reduced.guide.D_rest)
     assert power.alpha == min(i2 - iw, n2 - nw)

@@ -177,3 +177,77 @@ def test_mistakes_are_named_by_their_key(written: Path, text: str, key: str, sai
     with pytest.raises(InputError, match=said) as caught:
         read_problem(written)
     assert caught.value.key == (key or str(written))
+
+
+def test_values_may_carry_units(written: Path) -> None:
+    text = """
+v = "360 km/h"
+[track]
+model = "euler-bernoulli"
+EI = "6.4 MN m²"
+m = "60 kg/m"
+k = "1 MN/m²"
+c = "0.77 kN s/m²"
+N = "-200 kN"
+[[vehicle]]
+model = "oscillator"
+position = "250 cm"
+wheel = "900 kg"
+body = "12.5 t"
+k = "35 kN/mm"
+c = "4 kN s/m"
+count = 2
+spacing = "20 m"
+[[load]]
+constant = "98 kN"
+frequency = "20 rad/s"
+[[load]]
+"""
+    problem = read(written, text)
+    beam = tracks.EulerBernoulli(EI=6_400_000, m=60, k=10**6, c=770, N=-200_000)
+    quarter = vehicles.Oscillator(wheel=900, body=12_500, k=35 * 10**6, c=4000)
+    assert problem == Problem(beam, [quarter.at("2.5"), quarter.at("22.5")], v=100)
+    assert read_problem(written).loads == (Load(98_000, 0, 20, 0), Load())
+
+
+def test_units_in_a_file_of_the_paper(written: Path) -> None:
+    written.write_text(
+        '[physical]\nEI = "6.4 MN m²"\nm = "60 kg/m"\nk = "1 MPa"\nv = "360 km/h"\n'
+        '[[mass]]\nM = "10 t"\nposition = "50 cm"\nP = "98 kN"\n',
+        "utf-8",
+    )
+    case = read_problem(written).case
+    assert isinstance(case, PhysicalCase)
+    assert (case.EI, case.k, case.v, case.masses[0].M) == (6_400_000, 10**6, 100, 10_000)
+    assert (case.masses[0].position, case.masses[0].P) == (Fraction(1, 2), 98_000)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        ("T = 27000", 'T = "27 kN m"', "track.T", "'27 kN m', whose unit is N m, but the tension is in N"),
+        ("m = 1.07", 'm = "1,07 kg/m"', "track.m", "'1,07 kg/m', with a comma"),
+        ("M = 8.5", 'M = "8.5 KG"', "vehicle[1].M", "did you mean kg"),
+        ("v = 40.5", 'v = "40.5 km"', "v", "'40.5 km', whose unit is m, but the velocity is in m/s"),
+    ],
+)
+def test_a_wrong_unit_is_told_in_the_words_of_the_file(
+    written: Path, old: str, new: str, key: str, said: str
+) -> None:
+    with pytest.raises(InputError, match=said) as caught:
+        read(written, BOTH.replace(old, new))
+    assert caught.value.key == key
+
+
+def test_matrices_take_units_of_rotations_too(written: Path) -> None:
+    text = TRACK + (
+        '[[vehicle]]\nmodel = "matrices"\nM = [["3 t", 0], [0, "5 t m²"]]\nC = [[0, 0], [0, 0]]\n'
+        'K = [["5 kN/mm", 0], [0, "2 kN m"]]\nB = [[1, 1], ["-125 cm", "1.25 m"]]\nplaces = ["-125 cm", 1.25]\n'
+    )
+    own = read(written, text).vehicles[0].vehicle
+    assert isinstance(own, vehicles.Vehicle)
+    assert own.M == ((3000, 0), (0, 5000))
+    assert own.K == ((5_000_000, 0), (0, 2000))
+    assert own.B[1] == own.places == (Fraction(-5, 4), Fraction(5, 4))
+    with pytest.raises(InputError, match="whose unit is m/s"):
+        read(written, text.replace('"3 t"', '"3 m/s"'))

@@ -57,7 +57,7 @@ def test_all_vehicles_at_once() -> None:
 @pytest.mark.parametrize(
     ("path", "value", "said"),
     [
-        ("track.kk", 1, "did you mean k"),
+        ("track.kk", 1, "did you mean track.k"),
         ("speed", 1, "the parameters are v = 100"),
         ("gap[2]", 1, "did you mean gap"),
         ("gap[0]", -1, "must be above 0"),

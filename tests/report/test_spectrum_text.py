@@ -7,57 +7,56 @@ from dataclasses import replace
 from flint import acb
 from reported import SPRUNG, WIRE, fast, wire
 
-from mpsolve import Case, Problem, certify
+from mpsolve import Case, PhysicalCase, Problem, certify
 from mpsolve.problem.problem import Problem as Asked
-from mpsolve.report.spectrum_text import cost_words, problem_rows, spectrum_document
-from mpsolve.report.text import plain
+from mpsolve.report.spectrum_text import cost_words, paper_rows, problem_rows, spectrum_document
 from mpsolve.spectrum.spectrum import Cost
 from mpsolve.tracks import Slab
-from mpsolve.vehicles import Vehicle
+from mpsolve.vehicles import Mass, Vehicle
 
 
 def test_the_whole_report() -> None:
-    text = plain(spectrum_document(wire(), "A wire", "a b.json"))
+    text = spectrum_document(wire(), "A wire", "a b.json").text()
     lines = text.splitlines()
-    assert lines[:3] == ["A wire", "", "STABLE: no root with Im q < 0, so every vibration decays."]
+    assert lines[:3] == ["A wire", "", "STABLE at 360 km/h (100 m/s): every vibration decays."]
     assert max(map(len, lines)) <= 88
     (row,) = (line.split() for line in lines if "decays, halves" in line)
-    assert row == ["q1", "2.4894820", "-0.71598811", "0.96809873", "decays,", "halves"]
+    assert row == ["q1", "2.489", "-0.716", "decays,", "halves", "every", "0.9681", "s"]
     assert "q1 =  ±15.641876611743" in text
-    assert ["T", "27000", "N"] in [line.split()[:3] for line in lines]
+    assert ["T", "27000", "N", "(27", "kN)"] in [line.split()[:5] for line in lines]
     assert "at x = 0 m" in text
     assert "mpsolve verify 'a b.json'" in text
     assert text.index("Vibrations") < text.index("Problem") < text.index("Proved") < text.index("Cost")
 
 
 def test_growing() -> None:
-    text = plain(spectrum_document(fast()))
-    assert text.startswith("UNSTABLE: 2 roots grow")
+    text = spectrum_document(fast()).text()
+    assert text.startswith("UNSTABLE at ")
     assert "GROWS, doubles" in text
 
 
 def test_undecided_without_roots_has_no_table() -> None:
     empty = replace(wire(), roots=(), count=0)
-    assert "Vibrations" not in plain(spectrum_document(empty))
+    assert "Vibrations" not in spectrum_document(empty).text()
 
 
 def test_motions_that_no_contact_feels() -> None:
-    text = plain(spectrum_document(replace(wire(), unfelt=(acb(-2, 1), acb(2, 1), acb(0, 3)))))
+    text = spectrum_document(replace(wire(), unfelt=(acb(-2, 1), acb(2, 1), acb(0, 3)))).text()
     assert "±2 + 1 i" in text
     assert "0 + 3 i" in text
 
 
 def test_a_case_is_shown_by_its_ratios() -> None:
     found = certify(Case(alpha="0.5", eta_b="0.05", eta_m=20), region="unstable", digits=15, check=False)
-    assert "velocity ratio v/v_cr" in plain(spectrum_document(found))
+    assert "velocity ratio v/v_cr" in spectrum_document(found).text()
 
 
 def test_rows_name_models_units_and_places_and_leave_out_what_is_not_given() -> None:
     rows = list(problem_rows(SPRUNG))
-    assert ("v", "60 m/s", "velocity") in rows
+    assert ("v", "60 m/s (216 km/h)", "velocity") in rows
     assert ("track", "euler-bernoulli", "") in rows
     assert ("vehicle", "oscillator", "at x = 0 m") in rows
-    assert any(row[0] == "  EI" and row[1] == "6400000 N m²" for row in rows)
+    assert any(row[0] == "  EI" and row[1] == "6400000 N m² (6.4 MN m²)" for row in rows)
     assert not any(row[0].strip() in ("kp", "N", "eta", "k_contact") for row in rows)
     own = Vehicle(M=[[1]], C=[[0]], K=[[0]], B=[[1]], places=[0])
     named = list(problem_rows(Problem(SPRUNG.track.waveguide, [own.at(2)], v=0)))
@@ -73,3 +72,18 @@ def test_cost() -> None:
         "1.23 s of processor time, 0.50 s to verify, 70 evaluations, 12 pieces of paths"
     )
     assert cost_words(replace(wire(), cost=Cost(0.1))) == "0.10 s of processor time"
+
+
+def test_a_warning_follows_the_verdict() -> None:
+    text = spectrum_document(replace(wire(), problem=Problem(WIRE.track, [Mass(8), Mass(9)], v=100))).text()
+    lines = text.splitlines()
+    assert lines[0].startswith("STABLE")
+    assert lines[2].startswith("Warning: two contacts stand at one place, x = 0 m, and move as one: give one")
+
+
+def test_the_ratios_of_the_paper_are_folded_below() -> None:
+    case = PhysicalCase(EI="6.4e6", m=60, k="1e6", c=770, v=100, masses=[(10000, 0)])
+    text = spectrum_document(certify(case, digits=15, check=False)).text()
+    assert "Roots q in rad/s" in text
+    assert text.index("frequency [Hz]") < text.index("Proved") < text.index("velocity ratio v/v_cr")
+    assert paper_rows(WIRE) == []

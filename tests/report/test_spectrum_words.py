@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import log
 
 import pytest
-from flint import acb
+from flint import acb, arb
 from reported import SPRUNG, fast, wire, without_theorem
 
 from mpsolve import Case, Rectangle, Status, certify
@@ -15,7 +16,7 @@ from mpsolve.spectrum.regions import HalfPlane
 
 
 def test_stable() -> None:
-    assert verdict(wire()) == "STABLE: no root with Im q < 0, so every vibration decays."
+    assert verdict(wire()) == "STABLE at 360 km/h (100 m/s): every vibration decays."
     said = " ".join(proved(wire()))
     assert "has exactly 2 zeros, counted with multiplicity, in the region below the branch cuts Im q < 0.876" in said
     assert (
@@ -26,16 +27,31 @@ def test_stable() -> None:
 
 def test_unstable_counts_vibrations_too() -> None:
     """Two roots q and −q̄ are one vibration, near the onset's 673.4/2π = 107.2 Hz."""
-    assert verdict(fast()).startswith("UNSTABLE: 2 roots grow (Im q < 0), one vibration at 108.1")
+    said = verdict(fast())
+    assert said.startswith("UNSTABLE at ")
+    assert ": a vibration at 108.1 Hz doubles every " in said
+    (root,) = (root for root in fast().roots if root.q.real > 0)
+    assert float(said.split()[-2]) / (1000 if said.endswith("ms.") else 1) == pytest.approx(
+        log(2) / -float(root.q.imag.mid()), rel=1e-3
+    )
     assert "in the whole unstable half-plane Im q < 0" in proved(fast())[0]
 
 
 def test_a_motion_without_oscillation() -> None:
     (root, *_) = fast().roots
     alone = replace(root, q=acb(0, -1))
-    assert "1 root grows (Im q < 0), one motion without oscillation," in verdict(
-        replace(fast(), roots=(alone,), unstable=1, count=1)
+    said = verdict(replace(fast(), roots=(alone,), unstable=1, count=1))
+    assert said.endswith(": a deflection doubles every 0.6931 s, without oscillation.")
+
+
+def test_the_fastest_of_several_is_named_where_it_is_proved() -> None:
+    (root, *_) = fast().roots
+    slow, quick = (replace(root, q=acb(3, y)) for y in (-1, -2))
+    wide = replace(root, q=acb(5, arb(-2, 0.5)))
+    assert verdict(replace(fast(), roots=(slow, quick), unstable=4)).endswith(
+        ": 2 vibrations grow; the fastest, at 0.4775 Hz, doubles every 0.3466 s."
     )
+    assert "; one, at " in verdict(replace(fast(), roots=(quick, wide), unstable=4))
 
 
 def test_a_half_disc_proves_no_stability() -> None:

@@ -1,0 +1,285 @@
+"""Counts and roots of a problem over arrays of its parameters, in float64, each entry with its own status."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.batch.beam import OFF_LINE, UNKNOWN, on_sheet
+from mpsolve.batch.count import count_group
+from mpsolve.batch.entries import Entries, entries_of
+from mpsolve.batch.groups import Group, groups_of
+from mpsolve.batch.order import alike
+from mpsolve.batch.passive import first_passive, outrun
+from mpsolve.batch.premises import OVERTAKES, premises
+from mpsolve.batch.roots import Search, weight, whole
+from mpsolve.errors import InputError
+from mpsolve.parallel.pool import run
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress
+from mpsolve.spectrum.regions import Below, Rectangle, checked_region
+from mpsolve.tracks.at_rest import lowest_cut
+
+STATUSES = ("ok", "unresolved", "refused")
+_CHUNK = 4096  # entries of a piece of work, which bounds the memory
+_PART = 2048  # contacts of the entries that are counted together: enough to make few calls, few enough for memory
+_LEAST = 2.0  # scaled: how far at least a count above the real axis goes
+_AT_REST = "at rest the track is not known to be passive"
+
+
+@dataclass(frozen=True)
+class Frequencies:
+    """Counts and roots in a region for every entry of a batch, in float64: nothing is proved.
+
+    over: the arrays that were given, broadcast to `shape`. count: int, −1 where it is not told. status: "ok";
+    "unresolved" (float64 does not tell; `certify` may); "refused" (a track that buckles, or has no damping).
+    reason: a sentence where the status is not "ok", else "". roots: complex, shape (…, n) with n the largest count,
+    each row sorted by (Re q, Im q), then nan; None where only counts were asked for. q is in the problem's units.
+    """
+
+    problem: Given
+    region: str
+    over: Mapping[str, Any]
+    count: Any
+    status: Any
+    reason: Any
+    roots: Any = None
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the broadcast arrays."""
+        return tuple(self.count.shape)
+
+    @property
+    def unstable(self) -> Any:
+        """The number of roots with Im q < 0, −1 where it is not known."""
+        if self.region == "unstable":
+            return self.count
+        if self.roots is None:
+            raise InputError("roots", "were not asked for, and the region goes above Im q = 0: ask for them")
+        with np.errstate(invalid="ignore"):
+            return np.where(self.count < 0, -1, (self.roots.imag < 0).sum(-1))
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Columns by name, an entry a row: the parameters, status, reason, count, and re_1, im_1, … (None: none)."""
+        out: dict[str, list[Any]] = {path: np.ravel(values).tolist() for path, values in self.over.items()}
+        out |= {name: np.ravel(getattr(self, name)).tolist() for name in ("status", "reason")}
+        out["count"] = [None if n < 0 else n for n in self.count.ravel().tolist()]
+        if self.roots is not None:
+            for k in range(self.roots.shape[-1]):
+                column = self.roots[..., k].ravel()
+                for part, values in (("re", column.real), ("im", column.imag)):
+                    out[f"{part}_{k + 1}"] = [None if x != x else x for x in values.tolist()]
+        return out
+
+    def to_frame(self) -> Any:
+        """`to_dict` as a pandas DataFrame; InputError where pandas is not installed."""
+        try:
+            import pandas
+        except ImportError:
+            raise InputError("to_frame", "needs pandas: pip install pandas, or use to_dict()") from None
+        return pandas.DataFrame(self.to_dict())
+
+
+@dataclass
+class _Answer:
+    """Flat arrays over the entries of a piece of work."""
+
+    size: int
+    width: int = 0
+    count: Any = field(init=False)
+    status: Any = field(init=False)
+    reason: Any = field(init=False)
+    roots: dict[int, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.count = np.full(self.size, -1)
+        self.status = np.ones(self.size, np.int8)
+        self.reason = np.full(self.size, "", object)
+
+    def open(self, rows: Any, reason: str, status: int = 1) -> None:
+        self.reason[rows], self.status[rows] = reason, status
+
+    def ok(self, rows: Any, count: Any) -> None:
+        self.count[rows], self.status[rows], self.reason[rows] = count, 0, ""
+
+
+def frequencies(
+    problem: Given,
+    over: Mapping[str, Any] | None = None,
+    region: object = "unstable",
+    *,
+    roots: bool = True,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> Frequencies:
+    """Counts and roots of q in a region for arrays of parameters that broadcast, any track and vehicles.
+
+    over: arrays by path, such as {"v": [50, 60], "track.k": …, "vehicles.M": …, "gap[0]": …}, with the paths and
+    units of `problem.parameters`. region: "unstable" (Im q < 0); ("below", h) with h below every cut (Im q < h as far
+    as |Re q| is below a frequency from which on nothing can grow); or "sheet", the whole physical sheet of an
+    Euler–Bernoulli beam with one or two masses, damped or not, by a kernel of its own.
+    Each count comes from the turn of Δ along half of a contour that passivity closes; roots are then sought until as
+    many are found. Where that does not work out the entry is "unresolved", with a reason; only `certify` proves.
+    workers: processes, spawned, so that a script with more than one must call this under
+    `if __name__ == "__main__":`. progress(stage, fraction) hears of the work.
+
+    InputError names the path or argument that cannot be used.
+
+    >>> from mpsolve import tracks, vehicles
+    >>> beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+    >>> pair = Problem(beam, vehicles.train(vehicles.Mass(70), 2, "1.5"), v="0.66")
+    >>> frequencies(pair, {"v": [0.66, 0.67]}).count.tolist()
+    [0, 2]
+    """
+    plain = as_problem(problem)
+    flat = entries_of(plain, over or {})
+    if region == "sheet":
+        return _on_sheet(problem, flat, workers, progress)
+    height = _height(region)
+    order = alike(flat.over, len(flat))
+    jobs = [
+        _Job(plain, {path: values[order[k : k + _CHUNK]] for path, values in flat.over.items()}, height, roots)
+        for k in range(0, max(len(order), 1), _CHUNK)
+    ]
+    parts = run(_answer, jobs, workers, progress, "counting")
+    width = max((part.width for part in parts), default=0)
+    answer, q = _Answer(len(flat)), np.full((len(flat), width), np.nan, complex)
+    for k, part in enumerate(parts):
+        place = order[k * _CHUNK : (k + 1) * _CHUNK]
+        answer.count[place], answer.status[place], answer.reason[place] = part.count, part.status, part.reason
+        for row, values in part.roots.items():
+            q[place[row], : len(values)] = values
+    shape = flat.shape
+    return Frequencies(
+        problem,
+        "unstable" if not height else f"below {float(height):.6g}",
+        {path: values.reshape(shape) for path, values in flat.over.items()},
+        answer.count.reshape(shape),
+        np.array(STATUSES)[answer.status].reshape(shape),
+        answer.reason.astype(str).reshape(shape),
+        q.reshape(*shape, width) if roots else None,
+    )
+
+
+def _on_sheet(problem: Given, flat: Entries, workers: int, progress: Progress | None) -> Frequencies:
+    q, count, inside = on_sheet(flat, workers, progress)
+    status = np.where(count >= 0, 0, np.where(inside, 1, 2))
+    shape = flat.shape
+    return Frequencies(
+        problem,
+        "sheet",
+        {path: values.reshape(shape) for path, values in flat.over.items()},
+        count.reshape(shape),
+        np.array(STATUSES)[status].reshape(shape),
+        np.array(["", UNKNOWN, OFF_LINE])[status].reshape(shape),
+        q.reshape(*shape, q.shape[1]),
+    )
+
+
+def _height(region: object) -> Fraction:
+    given = checked_region(region)
+    if isinstance(given, Below):
+        return given.height
+    if isinstance(given, Rectangle):
+        raise InputError("region", 'is a Rectangle: give "unstable" or ("below", h), or ask certify')
+    return Fraction(0)
+
+
+@dataclass(frozen=True)
+class _Job:
+    problem: Problem
+    over: dict[str, Any]
+    height: Fraction
+    roots: bool
+
+
+def _answer(job: _Job) -> _Answer:
+    with one_thread(), np.errstate(all="ignore"):
+        return _answered(job)
+
+
+def _answered(job: _Job) -> _Answer:
+    entries = entries_of(job.problem, job.over)
+    answer = _Answer(len(entries))
+    for group in groups_of(entries, _usable(entries, job.height, answer))[0]:
+        size = max(64, _PART // group.contacts)
+        for k in range(0, len(group), size):
+            _count(group[k : k + size], job, answer)
+    open_ = np.flatnonzero((answer.status == 1) & (answer.reason == ""))
+    answer.open(open_, "the track's waves cannot be told apart in float64, or the velocity is that of a wave")
+    return answer
+
+
+def _usable(entries: Entries, height: Fraction, answer: _Answer) -> Any:
+    """The entries that are to be counted; the others are answered."""
+    known, which = premises(entries)
+    left = np.ones(len(entries), bool)
+    many = len(entries.formations[0].places) > 1
+
+    def settle(rows: Any, reason: str, status: int = 1) -> None:
+        answer.open(rows[left[rows]], reason, status)
+        left[rows] = False
+
+    for k, one in enumerate(known):
+        mine = np.flatnonzero(which == k)
+        if one.refused:
+            settle(mine, one.refused, 2)
+            continue
+        if height and height > lowest_cut(one.track)[0]:
+            settle(mine, "the region reaches above the lowest cut of the track: give a smaller height", 2)
+        rest = mine[entries.v[mine] == 0]
+        if one.passive and not height:
+            rest = rest[left[rest]]
+            answer.ok(rest, 0)
+            left[rest] = False
+        elif not one.passive:
+            settle(rest, _AT_REST)
+        moving = mine[entries.v[mine] > 0]
+        if not one.vanishes:
+            settle(moving, "the receptance is not known to vanish at infinity")
+        if many:
+            answer.open(moving[entries.v[moving] >= one.speed], OVERTAKES)
+    return np.flatnonzero(left)
+
+
+def _count(group: Group, job: _Job, answer: _Answer) -> None:
+    if not job.height and outrun(group):
+        answer.ok(group.index, 0)
+        return
+    group = group[answer.reason[group.index] == ""]
+    if not len(group):
+        return
+    rho = first_passive(group)
+    lost, height = ~np.isfinite(rho), float(job.height) / group.unit
+    answer.open(group.index[lost], "no frequency is found from which on the contacts cannot give energy")
+    group, rho, height = group[~lost], rho[~lost], height[~lost]
+    if not len(group):
+        return
+    rho = np.where(height > 0, np.maximum(rho, _LEAST), rho)
+    counted = count_group(group, rho, height)
+    for row, reason in counted.why.items():
+        answer.open(group.index[row], reason)
+    fine = counted.count >= 0
+    answer.ok(group.index[fine], counted.count[fine])
+    some = counted.count > 0
+    if not job.roots or not some.any():
+        return
+    search = Search(group, counted, rho, height)
+    solved = search.solve()
+    bad = fine & ~solved
+    numbers = weight(search.q)
+    for row in np.flatnonzero(bad).tolist():
+        found = f"{counted.count[row]} roots are counted, but {numbers[row]} are found"
+        answer.open(group.index[row], found)
+        answer.count[group.index[row]] = -1
+    q = whole(search.q) * group.unit[:, None]
+    for row in np.flatnonzero(solved & some).tolist():
+        answer.roots[int(group.index[row])] = q[row, : counted.count[row]]
+    answer.width = max(answer.width, int(counted.count[solved & some].max(initial=0)))

@@ -1,0 +1,313 @@
+"""Receptances and the characteristic matrix at very many points, each of one entry of a group.
+
+Sums of residues at the p-roots; companion matrices at the few points where two roots of one side nearly meet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.batch.groups import Group
+from mpsolve.batch.waves import by_companions, from_near, polynomial_and_slope, upper_first
+from mpsolve.characteristic.receptance import Dual, dual_residues
+from mpsolve.characteristic.splitting import monic, sharpened
+from mpsolve.characteristic.splitting import sylvester as sylvester_rows
+from mpsolve.numbers.float64 import Float64
+
+_K = Float64()
+_NEAR = 2e-3
+"""Roots of one side that are nearer than this, relative to the larger, are taken together."""
+_REACH = 1200.0
+"""Exponents up to this are taken as products of waves; beyond it the distances are taken one by one."""
+_EQUAL = 1e-14
+_CELLS = 1 << 16  # of the matrices of one chunk: they stay in the processor's cache
+
+
+@dataclass(frozen=True)
+class Values:
+    """At each point: the p-roots, G between the contacts and its slope in σ (or None)."""
+
+    z: Any
+    G: Any
+    G_sigma: Any
+
+
+def chunk_of(group: Group) -> int:
+    """How many points are computed at a time."""
+    size = max(group.contacts, len(group.kept) + group.contacts, 2)
+    return max(64, min(4096, _CELLS // size**2))
+
+
+def coefficients(table: Any, rows: Any, sigma: Any) -> Any:
+    """Σ_j table[row, i, j] σ^j for each point, shape (points, i)."""
+    some = table[rows]
+    out = some[:, :, -1].astype(complex)
+    for j in range(some.shape[2] - 2, -1, -1):
+        out = out * sigma[:, None] + some[:, :, j]
+    return out
+
+
+def wave_roots(group: Group, rows: Any, sigma: Any, near: Any = None) -> Any:
+    """The p-roots at each point, upper ones first; near: those of points close by, or None."""
+    D = coefficients(group.D, rows, sigma)
+    z = from_near(D, by_companions(D) if near is None else near)
+
+    def drift(tied: Any, at: Any) -> Any:
+        slope = _value(coefficients(group.D_s, rows[tied], sigma[tied]), at)
+        with np.errstate(all="ignore"):
+            return np.nan_to_num(-slope / polynomial_and_slope(D[tied], at)[1])
+
+    return upper_first(z, group.up, drift)
+
+
+def _value(a: Any, z: Any) -> Any:
+    """Σ a_i z^i at several z for each row of a."""
+    out = np.zeros_like(z) + a[:, -1:]
+    for i in range(a.shape[1] - 2, -1, -1):
+        out = out * z + a[:, i : i + 1]
+    return out
+
+
+def receptances(group: Group, rows: Any, sigma: Any, near: Any = None, slope: bool = False) -> Values:
+    """G between the contacts, shape (points, contacts, contacts)."""
+    with np.errstate(all="ignore"):
+        z = wave_roots(group, rows, sigma, near)
+        local = _Local(group, rows, sigma)
+        weights = local.weights(z, slope)
+        x = group.x[rows]
+        G, G_sigma = _sums(z, weights, x, group.up)
+        met = np.flatnonzero(_meet(z, group.up, 0.05 if slope else _NEAR))
+        if len(met):
+            values = _by_companions(group, rows[met], sigma[met], z[met], slope)
+            G[met] = values[0]
+            if slope:
+                G_sigma[met] = values[1]
+    return Values(z, G, G_sigma)
+
+
+@dataclass(frozen=True)
+class _Local:
+    """D, N and their slopes in σ at points."""
+
+    group: Group
+    rows: Any
+    sigma: Any
+
+    def weights(self, z: Any, slope: bool) -> tuple[Any, Any, Any]:
+        """Of e^{zξ} in G; and a, b of (a + bξ) e^{zξ} in its slope."""
+        D = coefficients(self.group.D, self.rows, self.sigma)
+        N = coefficients(self.group.N, self.rows, self.sigma)
+        over = 1 / polynomial_and_slope(D, z)[1]
+        if not slope:
+            return _value(N, z) * over, None, None
+        D_s = coefficients(self.group.D_s, self.rows, self.sigma)
+        N_s = coefficients(self.group.N_s, self.rows, self.sigma)
+        n, d_s = _value(N, z), _value(D_s, z)
+        lost = n * d_s * over * over
+        bend = _value(_in_P(_in_P(D)), z) * over
+        turn = (_value(_in_P(N), z) * d_s + n * _value(_in_P(D_s), z)) * over * over
+        return n * over, _value(N_s, z) * over - turn + lost * bend, -lost
+
+
+def _in_P(a: Any) -> Any:
+    out = a[:, 1:] * np.arange(1, a.shape[1])
+    return out if out.shape[1] else np.zeros((len(a), 1), complex)
+
+
+def _sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, Any]:
+    """G_ij and its slope: over the upper roots where ξ_i ≥ ξ_j, minus those over the lower ones elsewhere."""
+    w, a, b = weights
+    middle = (x[:, :1] + x[:, -1:]) / 2
+    shifted = x - middle
+    wide = np.abs(z.real).max(1, initial=0) * (x[:, -1] - x[:, 0]) > _REACH
+    grown = _waves(z, shifted, wide)
+    shrunk = 1 / grown
+    ahead = np.tri(x.shape[1], dtype=bool)
+    same = np.flatnonzero((np.diff(x) == 0).any(1))
+    shrunk = np.ascontiguousarray(shrunk.transpose(2, 0, 1))
+
+    def sided(weight: Any) -> Any:
+        weighted = np.ascontiguousarray((grown * weight[:, None, :]).transpose(2, 0, 1))
+        one, other = (_added(weighted[part], shrunk[part]) for part in (slice(0, up), slice(up, None)))
+        out = np.negative(other, other)
+        np.copyto(out, one, where=ahead)
+        if len(same):  # contacts at one place: ξ = 0 belongs to the upper roots
+            level = x[same][:, :, None] == x[same][:, None, :]
+            out[same] = np.where(level, one[same], out[same])
+        far = np.flatnonzero(wide)
+        if len(far):
+            out[far] = _one_by_one(z[far], weight[far], x[far], up)
+        return out
+
+    G = sided(w)
+    if a is None:
+        return G, None
+    xi = x[:, :, None] - x[:, None, :]
+    return G, sided(a) + xi * sided(b)
+
+
+def _waves(z: Any, x: Any, wide: Any) -> Any:
+    """e^{zx}, shape (points, contacts, roots), 1 where `wide`; powers of one wave where all gaps are equal."""
+    gaps = np.diff(x)
+    first, z = gaps[:, :1], np.where(wide[:, None], 0, z)
+    if x.shape[1] < 4 or (np.abs(gaps - first) > _EQUAL * first).any():
+        return np.exp(z[:, None, :] * x[:, :, None])
+    out = np.empty((*x.shape, z.shape[1]), complex)
+    out[:, 0], out[:, 1:] = np.exp(z * x[:, :1]), np.exp(z * first)[:, None, :]
+    return np.multiply.accumulate(out, 1, out=out)
+
+
+def _added(left: Any, right: Any) -> Any:
+    """Σ_k left_k right_kᵀ for each point."""
+    size = left.shape[2]
+    if not len(left):
+        return np.zeros((left.shape[1], size, size), complex)
+    out = left[0][:, :, None] * right[0][:, None, :]
+    for one, other in zip(left[1:], right[1:], strict=True):
+        out += one[:, :, None] * other[:, None, :]
+    return out
+
+
+def _one_by_one(z: Any, weight: Any, x: Any, up: int) -> Any:
+    """The same from gap to gap, where products of waves leave the range of float64."""
+    count = x.shape[1]
+    out = np.zeros((len(z), count, count), complex)
+    gaps = np.diff(x)
+    for k in range(z.shape[1]):
+        ahead = k < up
+        factor = np.exp((1 if ahead else -1) * z[:, k, None] * gaps)
+        E = np.zeros_like(out)
+        E[:, 0, 0] = 1 if ahead else 0
+        for i in range(1, count):
+            E[:, i, :i] = E[:, i - 1, :i] * factor[:, i - 1, None]
+            if ahead:
+                E[:, i, i] = 1
+            else:
+                E[:, i, i - 1] = factor[:, i - 1]
+        out += weight[:, k, None, None] * (E if ahead else -E.swapaxes(1, 2))
+    same = np.flatnonzero((gaps == 0).any(1))
+    for i in range(1, count):  # contacts at one place: ξ = 0 belongs to the upper roots
+        here = same[gaps[same, i - 1] == 0]
+        out[here, i - 1] = out[here, i]
+    return out
+
+
+def _meet(z: Any, up: int, near: float) -> Any:
+    """Where two roots of one side are near to one another."""
+    out = np.zeros(len(z), bool)
+    size = np.abs(z)
+    for i in range(z.shape[1]):
+        for j in range(i):
+            if (i < up) == (j < up):
+                out |= np.abs(z[:, i] - z[:, j]) < near * np.maximum(size[:, i], size[:, j])
+    return out
+
+
+def _by_companions(group: Group, rows: Any, sigma: Any, z: Any, slope: bool) -> tuple[Any, Any]:
+    """G and its slope where roots of one side meet, by the formula of characteristic/receptance.py."""
+    D = coefficients(group.D, rows, sigma)
+    lead = D[:, -1]
+    columns = [D[:, i] for i in range(D.shape[1])]
+    U, L = (list(monic([part[:, k] for k in range(part.shape[1])])) for part in (z[:, : group.up], z[:, group.up :]))
+    for _ in range(2):
+        U, L = sharpened(_K, columns, U, L)
+    N, dN, dU, dL = _slopes(group, rows, sigma, U, L, lead)
+    x, like = group.x[rows], sigma * 0
+    count = group.contacts
+    G, G_sigma = np.zeros((len(rows), count, count), complex), np.zeros((len(rows), count, count), complex)
+    pairs = [(i, j) for i in range(count) for j in range(count)]
+    for one, other, sign in ((Dual(U, dU), Dual(L, dL), 1), (Dual(L, dL), Dual(U, dU), -1)):
+        side = [(i, j) for i, j in pairs if (i >= j) is (sign > 0)]
+        found = dual_residues(_K, one, other, Dual(N, dN), [x[:, i] - x[:, j] + 0j for i, j in side], like)
+        for (i, j), (g, g_s) in zip(side, found, strict=True):
+            G[:, i, j], G_sigma[:, i, j] = sign * g, sign * g_s
+    for i in range(count - 1):  # places that are one
+        same = np.flatnonzero(x[:, i] == x[:, i + 1])
+        if len(same):
+            G[same, i, i + 1], G_sigma[same, i, i + 1] = G[same, i, i], G_sigma[same, i, i]
+    return G, G_sigma if slope else None
+
+
+def _slopes(group: Group, rows: Any, sigma: Any, U: Any, L: Any, lead: Any) -> tuple[Any, Any, Any, Any]:
+    """N/lead and the slopes in σ of it, of U and of L."""
+    n = len(U) + len(L)
+    D, D_s, N, N_s = (coefficients(a, rows, sigma) / lead[:, None] for a in (group.D, group.D_s, group.N, group.N_s))
+    grown = D_s[:, n]
+    rest = [[D_s[:, i] - D[:, i] * grown] for i in range(n)]
+    moved = _K.solve(_K.matrix([[sigma * 0 + c for c in row] for row in sylvester_rows(U, L)]), _K.matrix(rest))
+    parts = [moved[:, i, 0] for i in range(n)]
+    N_s = N_s - N * grown[:, None]
+    return list(N.T), list(N_s.T), parts[: len(U)], parts[len(U) :]
+
+
+def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, Any]:
+    """The characteristic matrix with direct contacts eliminated, and its slope in σ where that of G is known."""
+    S, S_s = _pencil(group, rows, sigma)
+    A = _assembled(group, rows, S, values.G)
+    if values.G_sigma is None:
+        return A, None
+    slope = np.zeros_like(A)
+    _put_pencil(group, slope, S_s)
+    kept = len(group.kept)
+    for place, (i, contact, b) in group.through.items():
+        factor = 1 / group.B[rows, b, contact]
+        slope[:, i, kept:] -= (S_s[:, place] * factor)[:, None] * values.G[:, contact]
+        slope[:, i, kept:] -= (S[:, place] * factor)[:, None] * values.G_sigma[:, contact]
+    slope[:, group.bodies :, kept:] = values.G_sigma[:, group.indirect]
+    return A, slope
+
+
+def _pencil(group: Group, rows: Any, sigma: Any) -> tuple[Any, Any]:
+    """The entries of S that are not 0, and their slopes in σ."""
+    S0, S1, S2 = (a[rows] for a in group.pencil)
+    s = sigma[:, None]
+    return (S2 * s + S1) * s + S0, 2 * S2 * s + S1
+
+
+def _put_pencil(group: Group, A: Any, S: Any) -> None:
+    """The entries of S whose columns are unknowns."""
+    column = {body: k for k, body in enumerate(group.kept)}
+    for place, (i, j) in enumerate(group.cells):
+        if j in column:
+            A[:, i, column[j]] = S[:, place]
+
+
+def _assembled(group: Group, rows: Any, S: Any, G: Any) -> Any:
+    kept, indirect, bodies = group.kept, group.indirect, group.bodies
+    A = np.zeros((len(rows), bodies + len(indirect), len(kept) + group.contacts), complex)
+    B = group.B[rows]
+    A[:, :bodies, len(kept) :] = -B
+    _put_pencil(group, A, S)
+    own = [(place, i, contact) for place, (i, contact, b) in group.through.items() if i == b]
+    if own:
+        places, bodies_, contacts = (list(part) for part in zip(*own, strict=True))
+        factor = S[:, places] / B[:, bodies_, contacts]
+        if bodies_ == contacts == list(range(group.contacts)):
+            A[:, : group.contacts, len(kept) :] -= factor[:, :, None] * G
+        else:
+            A[:, bodies_, len(kept) :] -= factor[:, :, None] * G[:, contacts]
+    for place, (i, contact, b) in group.through.items():
+        if i != b:
+            A[:, i, len(kept) :] -= (S[:, place] / B[:, b, contact])[:, None] * G[:, contact]
+    if indirect:
+        A[:, bodies:, : len(kept)] = B.swapaxes(1, 2)[:, indirect][:, :, kept]
+        A[:, bodies:, len(kept) :] = G[:, indirect]
+        for place, j in enumerate(indirect):
+            A[:, bodies + place, len(kept) + j] += group.h[rows, j]
+    return A
+
+
+def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[Any, Any]:
+    """log Δ̂ (its imaginary part modulo 2π, up to a constant of the entry) and the p-roots at each point."""
+    out, roots = np.empty(len(rows), complex), np.empty((len(rows), group.D.shape[1] - 1), complex)
+    step = chunk_of(group)
+    for k in range(0, len(rows), step):
+        part = slice(k, k + step)
+        values = receptances(group, rows[part], sigma[part], None if near is None else near[part])
+        with np.errstate(all="ignore"):
+            sign, size = np.linalg.slogdet(matrices(group, rows[part], sigma[part], values)[0])
+        out[part], roots[part] = size + 1j * np.angle(sign), values.z
+    return out, roots

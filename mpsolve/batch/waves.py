@@ -1,0 +1,121 @@
+"""The p-roots of very many dispersion polynomials at once, those that decay ahead of a force first."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+_STEPS = 10
+_SETTLED = 1e-6
+_LEAST = 1e-15
+_TIE = 1e-9
+_AHEAD = 1e-7
+_SIDES = 0.4
+
+
+def by_companions(D: Any) -> Any:
+    """The roots of Σ D[:, i] z^i by eigenvalues, shape (len(D), degree); nan where D is not finite."""
+    n = D.shape[1] - 1
+    C = np.zeros((len(D), n, n), complex)
+    C[:, range(n - 1), range(1, n)] = 1
+    C[:, -1] = -D[:, :-1] / D[:, -1:]
+    fine: Any = np.isfinite(C).all((1, 2))
+    out = np.linalg.eigvals(np.where(fine[:, None, None], C, np.eye(n)))
+    return np.where(fine[:, None], out, np.nan)
+
+
+def polynomial_and_slope(D: Any, z: Any) -> tuple[Any, Any]:
+    """Values and slopes in z at several z for each polynomial; D ascending, shape (…, n + 1)."""
+    value = np.broadcast_to(D[:, -1:], z.shape)
+    slope = np.zeros_like(z)
+    for i in range(D.shape[1] - 2, -1, -1):
+        slope = slope * z + value
+        value = value * z + D[:, i : i + 1]
+    return value, slope
+
+
+def from_near(D: Any, z: Any) -> Any:
+    """The roots by Aberth's method from those of a neighbour; by eigenvalues where it does not settle."""
+    open_ = np.arange(len(z))
+    out = z.copy()
+    for _ in range(_STEPS):
+        some, at = D[open_], out[open_]
+        value, slope = polynomial_and_slope(some, at)
+        newton = value / slope
+        step = newton / (1 - newton * _repulsion(at))
+        at = at - step
+        out[open_] = at
+        size = np.abs(at)
+        floor = _LEAST * size.max(1, keepdims=True)
+        moving = ~(np.abs(step) <= _SETTLED * size + floor).all(1)  # cubic: the step after this one is rounding
+        open_ = open_[moving]
+        if not len(open_):
+            return out
+    out[open_] = by_companions(D[open_])
+    return out
+
+
+def _repulsion(z: Any) -> Any:
+    """Σ 1/(z_k − z_j) over the other roots of each row."""
+    out = np.zeros_like(z)
+    n = z.shape[1]
+    for k in range(n):
+        for j in range(k):
+            over = 1 / (z[:, k] - z[:, j])
+            out[:, k] += over
+            out[:, j] -= over
+    return out
+
+
+def upper_first(z: Any, up: int, drift: Any) -> Any:
+    """Each row with its `up` roots of smallest real part first; drift(rows, z) = dP/dσ settles ties on the axis."""
+    key = z.real.copy()
+    n = z.shape[1]
+    if 0 < up < n:
+        ranks = np.sort(key, 1)
+        tie = np.flatnonzero(ranks[:, up] - ranks[:, up - 1] < _TIE * np.abs(z).max(1))
+        if len(tie):
+            key[tie] += _AHEAD * drift(tie, z[tie]).real
+    return np.take_along_axis(z, np.argsort(key, 1), 1)
+
+
+def passes_branch(z: Any, up: int) -> Any:
+    """Whether G may have a branch point between a point and the next: an upper and a lower p-root come together.
+
+    That is so where a root moves by more than a part of its distance to the other side.
+    """
+    before, after = z[:-1], z[1:]
+    out = np.zeros(len(after), bool)
+    for one, other in ((before, after), (after, before)):
+        for k in range(z.shape[1]):
+            rest = range(up, z.shape[1]) if k < up else range(up)
+            room = np.full(len(after), np.inf)
+            for j in rest:
+                room = np.minimum(room, np.abs(one[:, k] - one[:, j]))
+            out |= ~(_nearest(one[:, k], other) < _SIDES * room)
+    return out
+
+
+def moved_between(z: Any, weight: Any) -> Any:
+    """The largest move of a p-root from each point to the next; weight: of each root at the later points."""
+    before, after = z[:-1], z[1:]
+    out = np.zeros(len(after))
+    for k in range(z.shape[1]):
+        out = np.maximum(out, _nearest(after[:, k], before) * weight[:, k])
+    return out
+
+
+def felt(z: Any, shortest: Any, longest: Any) -> Any:
+    """The largest ξ |e^{zξ}| over the distances between these: how much a move of a root turns what it adds to G."""
+    decay = np.abs(z.real)
+    with np.errstate(all="ignore"):
+        xi = np.clip(1 / decay, np.minimum(shortest, longest)[:, None], longest[:, None])
+        return xi * np.exp(-decay * xi)
+
+
+def _nearest(one: Any, other: Any) -> Any:
+    out = np.abs(one - other[:, 0])
+    for j in range(1, other.shape[1]):
+        out = np.minimum(out, np.abs(one - other[:, j]))
+    return out

@@ -1,0 +1,41 @@
+"""The command `explore`: a local page with sliders, live roots, and proofs on request."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from mpsolve.cli_tools import one_sentence
+
+
+@click.command()
+@click.argument("file", required=False, type=click.Path(path_type=Path))
+@click.option("--port", type=int, default=8080, show_default=True, help="Port of the page on this machine.")
+@click.option("--browser/--no-browser", default=True, show_default=True, help="Open the page in a browser.")
+def explore(file: Path | None, port: int, browser: bool) -> None:
+    """Open a page on this machine on which the problem in FILE is changed, looked at and proved.
+
+    Without FILE it begins with a preset. Nothing leaves the machine. Ctrl-C ends it. Needs the extra `explore`.
+
+    Example: mpsolve explore examples/two_layer_bogie.toml
+    """
+    with one_sentence():
+        from mpsolve.errors import InputError
+
+        try:
+            from mpsolve.explorer.page import serve
+        except ModuleNotFoundError as error:
+            if error.name != "nicegui":
+                raise
+            raise InputError(
+                "explore", "needs NiceGUI, which is not installed: pip install 'mpsolve[explore]'"
+            ) from None
+        from mpsolve.explorer.begin import begun
+
+        problem, title = begun(file)
+        click.echo(f"http://127.0.0.1:{port}  (Ctrl-C ends it)")
+        serve(problem, title, port, browser)
+
+
+COMMANDS = (explore,)

@@ -1,0 +1,109 @@
+"""The command `work-out`: values for an input file from what an engineer knows, with the formula."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from mpsolve.cli_tools import one_sentence
+
+if TYPE_CHECKING:
+    from mpsolve.engineering import Worked
+
+
+@click.group("work-out")
+def work_out() -> None:
+    """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes.
+
+    Exit status 0: shown. 2: a value cannot be used.
+    """
+
+
+def _show(*found: Worked) -> None:
+    """Each value, and what they assume once."""
+    for one in found:
+        click.echo(one.text.removesuffix(f"{one.assumes}\n"), nl=False)
+    click.echo(found[-1].assumes)
+
+
+@work_out.command("per-metre")
+@click.option("--k", required=True, help='Stiffness of a pad at one rail seat, such as "180 kN/mm".')
+@click.option("--spacing", required=True, help='Distance of the sleepers, such as "0.6 m".')
+@click.option("--c", default="0", help='Damping of a pad at one rail seat, such as "18 kN s/m".')
+@click.option("--m", default="0", help="Mass on a rail seat: half a sleeper, such as 150 kg.")
+def per_metre(k: str, spacing: str, c: str, m: str) -> None:
+    """A layer per metre of track, from its rail seats.
+
+    Example: mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m" --m "150 kg"
+    """
+    with one_sentence():
+        from mpsolve.engineering import per_metre as found
+
+        _show(*found(k, spacing, c, m))
+
+
+@work_out.command()
+@click.option("--pad", required=True, help='Stiffness of a pad, such as "180 kN/mm".')
+@click.option("--ballast", required=True, help='Stiffness of the ballast under one rail seat, such as "60 kN/mm".')
+@click.option("--spacing", required=True, help='Distance of the sleepers, such as "0.6 m".')
+def foundation(pad: str, ballast: str, spacing: str) -> None:
+    """Pads and ballast as one foundation under a beam.
+
+    Example: mpsolve work-out foundation --pad "180 kN/mm" --ballast "60 kN/mm" --spacing "0.6 m"
+    """
+    with one_sentence():
+        from mpsolve.engineering import foundation as found
+
+        _show(found(pad, ballast, spacing))
+
+
+@work_out.command()
+@click.option("--loss", required=True, help="Loss factor of the material, such as 0.2.")
+@click.option("--frequency", required=True, help='Where the damping counts most, such as "100 Hz".')
+@click.option("--k", help='Stiffness of the layer, such as "300 MN/m²"; without it, for the bending of the rail.')
+def damping(loss: str, frequency: str, k: str | None) -> None:
+    """Viscous damping from a hysteretic loss factor, at one frequency.
+
+    Example: mpsolve work-out damping --loss 0.2 --k "300 MN/m²" --frequency "100 Hz"
+    """
+    with one_sentence():
+        from mpsolve.engineering import rail_damping, viscous
+
+        _show(rail_damping(loss, frequency) if k is None else viscous(k, loss, frequency))
+
+
+@work_out.command("axial-force")
+@click.option("--area", required=True, help='Cross section of one rail, such as "76.7 cm²" of 60E1.')
+@click.option(
+    "--warmer", required=True, help='Degrees above the neutral temperature, such as "30 K"; below 0: colder.'
+)
+@click.option("--modulus", default="210 GPa", show_default=True, help="Young's modulus.")
+@click.option("--expansion", default="1.15e-5 1/K", show_default=True, help="Thermal expansion.")
+def axial_force(area: str, warmer: str, modulus: str, expansion: str) -> None:
+    """The axial force in a welded rail, from its temperature.
+
+    Example: mpsolve work-out axial-force --area "76.7 cm²" --warmer "30 K"
+    """
+    with one_sentence():
+        from mpsolve.engineering import thermal_force
+
+        _show(thermal_force(area, warmer, modulus, expansion))
+
+
+@work_out.command("pinned-pinned")
+@click.option("--bending", required=True, help='Bending stiffness of the rail, such as "6.4 MN m²".')
+@click.option("--mass", required=True, help='Mass of the rail, such as "60 kg/m".')
+@click.option("--spacing", required=True, help='Distance of the sleepers, such as "0.6 m".')
+def pinned_pinned(bending: str, mass: str, spacing: str) -> None:
+    """The frequency up to which smeared sleepers mean something.
+
+    Example: mpsolve work-out pinned-pinned --bending "6.4 MN m²" --mass "60 kg/m" --spacing "0.6 m"
+    """
+    with one_sentence():
+        from mpsolve.engineering import pinned_pinned as found
+
+        _show(found(bending, mass, spacing))
+
+
+COMMANDS = (work_out,)

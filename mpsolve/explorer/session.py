@@ -1,0 +1,197 @@
+"""What one tab of the explorer holds: the problem and its history, the view, the chosen root, the proof under way."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.batch.view import View, Window, look
+from mpsolve.errors import MpsolveError
+from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
+from mpsolve.explorer.history import History
+from mpsolve.explorer.proving import Proving
+from mpsolve.pictures.plane import plane_picture
+from mpsolve.pictures.shape import moving_shape
+from mpsolve.problem.outputfile import problem_toml
+from mpsolve.problem.problem import Problem
+from mpsolve.spectrum.shape import root_shape
+
+_SHAPE_POINTS = 121
+_SPREAD = 1e-12
+_QUICK = 1.0  # s
+
+
+@dataclass
+class Session:
+    """All that a page shows is asked from here; nothing here knows the page."""
+
+    history: History[Problem]
+    title: str = ""
+    window: Window | None = None
+    view: View | None = None
+    chosen: int | None = None
+    proving: Proving | None = None
+    chart: Chart | None = None
+    proved: tuple[ProvedPoint, ...] = ()
+    _near: Any = field(default=(), repr=False)
+    _moved: tuple[str, float] = ("", 0.0)
+
+    @classmethod
+    def of(cls, problem: Problem, title: str = "") -> Session:
+        session = cls(History(problem), title)
+        session.refresh()
+        return session
+
+    @property
+    def problem(self) -> Problem:
+        return self.history.now
+
+    def parameters(self) -> dict[str, Fraction]:
+        """The paths that stand on the page: all but factors and what several vehicles share."""
+        own = self.problem.parameters
+        return {path: x for path, x in own.items() if not path.startswith(("scale.", "vehicles."))}
+
+    def change(self, path: str, value: object, step: bool = True) -> None:
+        """Set a parameter; InputError says why it cannot be. step: whether undo comes back to what was before."""
+        problem = self.problem.changed(path, value)
+        if step:
+            self.history.change(problem)
+        else:
+            self.history.replace(problem)
+        self.refresh()
+
+    def nudge(self, path: str, value: object) -> None:
+        """As `change`; moves of one parameter that follow each other quickly are one step for undo."""
+        now = time.monotonic()
+        same = path == self._moved[0] and now - self._moved[1] < _QUICK
+        self.change(path, value, step=not same)
+        self._moved = (path, now)
+
+    def open(self, problem: Problem, title: str) -> None:
+        """Another problem altogether; undo leads back."""
+        self.title, self.window = title, None
+        self.history.change(problem)
+        self.refresh()
+
+    def undo(self) -> None:
+        self.history.undo()
+        self.refresh()
+
+    def redo(self) -> None:
+        self.history.redo()
+        self.refresh()
+
+    def zoom(self, factor: float | None) -> None:
+        """Show more or less of the plane; None: what fits."""
+        self.window = None if factor is None or self.view is None else self.view.window.zoomed(factor)
+        self.refresh()
+
+    def refresh(self) -> View:
+        """Compute what is to be seen now."""
+        q = self._chosen_root()
+        self.view = look(self.problem, self.window, self._near)
+        self.window = self.view.window
+        self._near = self.view.roots
+        self.chosen = self._choice(q)
+        return self.view
+
+    def _chosen_root(self) -> complex | None:
+        roots = self._near
+        return complex(roots[self.chosen]) if self.chosen is not None and self.chosen < len(roots) else None
+
+    def _choice(self, before: complex | None) -> int | None:
+        """The root nearest to the one that was chosen, else the one that grows most or decays least."""
+        roots = self.view.roots if self.view is not None else np.zeros(0)
+        if not len(roots):
+            return None
+        if before is not None:
+            return int(np.argmin(np.abs(roots - before)))
+        right = np.where(roots.real >= 0, roots.imag, np.inf)
+        return int(np.argmin(right))
+
+    def choose(self, k: int) -> None:
+        if self.view is not None and 0 <= k < len(self.view.roots):
+            self.chosen = k
+
+    def plane(self) -> str:
+        """The picture of the plane."""
+        view = self.view
+        if view is None:
+            return ""
+        window = view.window
+        return plane_picture(view.roots, view.cuts, window.width, window.depth, window.height, self.chosen)
+
+    def shape(self) -> str:
+        """The picture of the chosen vibration, or a sentence why there is none."""
+        if self.view is None or self.chosen is None:
+            return ""
+        q = complex(self.view.roots[self.chosen])
+        try:
+            return _shape(self.problem, q)
+        except (MpsolveError, ZeroDivisionError):
+            return "<p>The shape of this vibration cannot be told in floats.</p>"
+
+    def verdict(self) -> str:
+        """What the floats say, in words that promise nothing."""
+        if self.view is None:
+            return ""
+        if self.view.refused:
+            return self.view.refused
+        grow = self.view.growing
+        if not grow:
+            return "No growing vibration found in the window (computed, not proved)"
+        worst = self.view.roots[int(np.argmin(self.view.roots.imag))]
+        return (
+            f"{grow} of the roots found grow; the fastest at {abs(worst.real) / (2 * np.pi):.3g} Hz doubles every "
+            f"{np.log(2) / -worst.imag:.3g} s (computed, not proved)"
+        )
+
+    def draw_chart(self, x: str, y: str) -> None:
+        """Count over two parameters round the present problem; InputError says why that cannot be."""
+        self.chart = chart_of(self.problem, x, y)
+
+    def chart_picture(self) -> str:
+        return "" if self.chart is None else self.chart.picture(self.problem, self.proved)
+
+    def note_proof(self) -> bool:
+        """Keep what a finished proof has shown, once; whether there was something new."""
+        proving = self.proving
+        if proving is None or proving.answer is None or proving.answer.stable is None:
+            return False
+        point = ProvedPoint(proving.problem, bool(proving.answer.stable))
+        if point in self.proved:
+            return False
+        self.proved = (*self.proved, point)
+        return True
+
+    def toml(self) -> str:
+        """The state as an input file."""
+        return problem_toml(self.problem, self.title)
+
+    def start_proof(self, seconds: float = 60.0) -> Proving:
+        """Prove what is shown; a proof under way is stopped."""
+        self.stop_proof()
+        self.proving = Proving(self.problem, seconds)
+        self.proving.start()
+        return self.proving
+
+    def stop_proof(self) -> None:
+        if self.proving is not None:
+            self.proving.stop()
+
+
+def _shape(problem: Problem, q: complex) -> str:
+    from flint import acb, arb
+
+    places = [float(x) for x in problem.pencil.places]
+    reach = max(6.0, 0.6 * (max(places) - min(places)))
+    x = np.linspace(min(places) - reach, max(places) + reach, _SHAPE_POINTS).round(4)
+    ball = acb(arb(q.real, _SPREAD * abs(q)), arb(q.imag, _SPREAD * abs(q)))
+    shape = root_shape(problem, ball, places=[*x.tolist(), *places])
+    rail = np.array([complex(w.mid()) for w in shape.rail[: len(x)]])
+    bodies = {name: complex(a.mid()) for name, a in shape.bodies.items()}
+    return moving_shape(x, rail, places, bodies, 2.0)

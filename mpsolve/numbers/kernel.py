@@ -1,0 +1,55 @@
+"""Kernels and bases of exact matrices, by elimination of rationals."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+
+def kernel(rows: Any) -> list[list[Fraction]]:
+    """A basis of the kernel."""
+    width = len(rows[0])
+    echelon: dict[int, list[Fraction]] = {}
+    for row in rows:
+        rest = _reduced(row, echelon)
+        lead = next((i for i, x in enumerate(rest) if x), None)
+        if lead is None:
+            continue
+        rest = [x / rest[lead] for x in rest]
+        for other, known in echelon.items():
+            if known[lead]:
+                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
+        echelon[lead] = rest
+    out = []
+    for free in (i for i in range(width) if i not in echelon):
+        vector = [-echelon[i][free] if i in echelon else Fraction(0) for i in range(width)]
+        vector[free] = Fraction(1)
+        out.append(vector)
+    return out
+
+
+def _reduced(row: Any, echelon: dict[int, list[Fraction]]) -> list[Fraction]:
+    rest = list(row)
+    for lead, known in echelon.items():
+        if rest[lead]:
+            factor = rest[lead]
+            rest = [a - factor * b for a, b in zip(rest, known, strict=True)]
+    return rest
+
+
+def completed(first: list[list[Fraction]], space: list[list[Fraction]]) -> list[list[Fraction]]:
+    """Vectors of `space` that, with `first`, are a basis of their span."""
+    echelon: dict[int, list[Fraction]] = {}
+    out = []
+    for vector in [*first, *space]:
+        rest = _reduced(vector, echelon)
+        lead = next((i for i, x in enumerate(rest) if x), None)
+        if lead is None:
+            continue
+        rest = [x / rest[lead] for x in rest]
+        for other, known in echelon.items():
+            if known[lead]:
+                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
+        echelon[lead] = rest
+        out.append(vector)
+    return out[len(first) :]

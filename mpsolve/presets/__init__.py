@@ -1,0 +1,1 @@
+"""Tracks and vehicles with their sources, as data files; and the input file that they make together."""

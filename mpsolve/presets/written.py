@@ -1,0 +1,142 @@
+"""The input file of a track and a vehicle from the presets, with a comment on every line."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import Any
+
+from mpsolve import tracks, vehicles
+from mpsolve.errors import InputError
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.model import Part, Quantity, defaults, quantities
+from mpsolve.numbers.spoken import decimal
+from mpsolve.numbers.units import in_unit, split
+from mpsolve.presets.catalogue import Preset, names, preset
+
+_WIDTH, _COLUMN = 118, 28
+_SHARED = ("kg", "kg m²", "N/m", "N s/m")
+"""Units of what a rail takes half of."""
+_OF = {"rail": "one rail", "track": "both rails and the whole vehicle", "wire": "one wire", "ice": "a strip of ice"}
+
+
+def input_file(
+    track: str, vehicle: str | None = None, v: str | None = None, count: int | None = None, spacing: str | None = None
+) -> str:
+    """The text of an input file: the preset `track` under the preset `vehicle`, or the track's usual one.
+
+    A vehicle given as a whole is halved for one rail, a half one doubled for both. v, count, spacing: instead of the
+    presets' own, with or without units. InputError where the vehicle does not run on such a track.
+    """
+    below, above = preset("track", track), preset("vehicle", vehicle or preset("track", track).vehicle)
+    share = _share(below, above)
+    velocity = v or below.v
+    in_unit(velocity, "m/s", "v", "velocity")
+    number = above.count if count is None else count
+    if number < 1:
+        raise InputError("count", f"is {number}: give a whole number from 1")
+    gap = spacing or above.spacing
+    in_unit(gap, "m", "spacing", "distance of the vehicles")
+    lines = [
+        *_comment("Values are exact. They may have other units of the same kind, or none: then they are in SI. "
+                  f"Everything is for {_OF[below.on]}."),
+        f'title = "{below.title}; {above.title}"',
+        "",
+        _line("v", velocity, "velocity of the vehicles"),
+        "",
+        *_sources(below),
+        "[track]",
+        *_model(below.model, tracks.CATALOGUE, below.notes, Fraction(1)),
+        "",
+        *_sources(above),
+        "[[vehicle]]",
+        *_row(number, gap),
+        *_model(above.model, vehicles.CATALOGUE, above.notes, share, "vehicle"),
+    ]  # fmt: skip
+    return "\n".join(lines) + "\n"
+
+
+def _share(track: Preset, vehicle: Preset) -> Fraction:
+    """What part of the vehicle's values the track takes."""
+    shares = {("rail", "track"): Fraction(1, 2), ("track", "rail"): Fraction(2)}
+    if track.on == vehicle.on:
+        return Fraction(1)
+    if (track.on, vehicle.on) not in shares:
+        stated = f"is {vehicle.name!r}, which is for {_OF[vehicle.on]}, but {track.name} is {_OF[track.on]}"
+        raise InputError("vehicle", f"{stated}: take another, such as {track.vehicle}")
+    return shares[track.on, vehicle.on]
+
+
+def _row(count: int, spacing: str) -> Iterator[str]:
+    if count > 1:
+        yield _line("count", count, "how many of them run in a row")
+        yield _line("spacing", spacing, "from the middle of one to that of the next")
+    else:
+        yield _line("position", "0 m", "where its middle is")
+        yield f'# count = 4, spacing = "{spacing}" instead of position: four of them in a row'
+
+
+def _model(
+    section: Mapping[str, Any], catalogue: Any, notes: Mapping[str, str], share: Fraction, key: str = ""
+) -> Iterator[str]:
+    model = next(model for model in catalogue if model.name == section["model"])
+    yield _line("model", section["model"], "mpsolve models explains it")
+    yield from _values(section, model, notes, share, key, "")
+
+
+def _values(
+    section: Mapping[str, Any], model: Any, notes: Mapping[str, str], share: Fraction, key: str, inside: str
+) -> Iterator[str]:
+    described = quantities(model)
+    parts = {name for name, quantity in described.items() if isinstance(quantity, Part)}
+    for name, value in section.items():
+        if name != "model" and name not in parts:
+            yield _line(name, *_shared(value, share, described[name], notes.get(inside + name, "")))
+    left = [name for name in defaults(model) if name not in section]
+    if left:
+        told = ", ".join(f"{name} ({described[name].told})" for name in left)
+        yield from _comment(f"May be given too: {told}.")
+    for name in parts:
+        yield f"\n[{key}.{name}]"
+        yield from _values(section[name], described[name].kind, notes, share, key, f"{name}.")  # type: ignore[attr-defined]
+
+
+def _shared(value: Any, share: Fraction, quantity: Quantity, note: str) -> tuple[Any, str]:
+    """The value for the rail or the track, and what is said of it."""
+    said = f"{quantity.meaning}: {note}" if note else quantity.meaning
+    if share == 1 or quantity.unit not in _SHARED or isinstance(value, list):
+        return value, said
+    number, unit = split(value)
+    part = Exact.parse(number).as_fraction() * share
+    whole = "half of" if share < 1 else "twice"
+    return f"{decimal(part)} {unit}", f"{quantity.meaning}, {whole} {value}" + (f": {note}" if note else "")
+
+
+def _line(key: str, value: Any, comment: str) -> str:
+    return f"{f'{key} = {_toml(value)}'.ljust(_COLUMN)}  # {comment}"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, list):
+        return f"[{', '.join(map(_toml, value))}]"
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
+def _sources(one: Preset) -> Iterator[str]:
+    yield from _comment(f"{one.title[0].upper()}{one.title[1:]}. {'; '.join(one.sources)}.")
+
+
+def _comment(text: str) -> list[str]:
+    return textwrap.wrap(text, _WIDTH, initial_indent="# ", subsequent_indent="# ", break_long_words=False)
+
+
+def listing() -> str:
+    """All presets, for the terminal."""
+    lines = ["Tracks (mpsolve new TRACK):"]
+    for name in names("track"):
+        one = preset("track", name)
+        lines.append(f"  {name.ljust(14)}{one.title}; {one.v}, {one.vehicle}")
+    lines += ["", "Vehicles (--vehicle NAME):"]
+    lines += [f"  {name.ljust(14)}{preset('vehicle', name).title}" for name in names("vehicle")]
+    return "\n".join(lines) + "\n"

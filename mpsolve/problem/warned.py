@@ -1,0 +1,169 @@
+"""Warnings, a sentence each, about what people get wrong in a problem that can be computed all the same.
+
+They are guesses about what was meant and decide nothing. Each is a `Reason`: a code for programs, the sentence, its
+numbers, what to do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import pi, sqrt
+from typing import Any
+
+from mpsolve.model.parameters import Case
+from mpsolve.numbers.model import Quantity, quantities, shown
+from mpsolve.numbers.spoken import beside, rounded, spoken
+from mpsolve.outcome import Reason
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.tracks.floating_ice import FloatingIce
+from mpsolve.tracks.waveguide import Track
+from mpsolve.vehicles.bogie import Bogie
+from mpsolve.vehicles.coach import Coach
+from mpsolve.vehicles.oscillator import Oscillator
+
+_SOUND = 5100  # m/s in steel: √(EI/m) over it is the radius of gyration of a solid section
+_THINNEST, _THICKEST = 5e-4, 3.0  # radii of gyration in m
+_FASTEST, _ON_ICE = 150, 40  # m/s
+_SHEARLESS = 0.2  # p times the radius of gyration up to which a beam without shear is right to some per cent
+_SPACING = 0.6  # m, of sleepers
+_SMEARED = ("two-layer", "three-layer", "slab")
+
+
+def warned(given: Given, frequencies: Sequence[float] = ()) -> tuple[Reason, ...]:
+    """What is likely to be a mistake; empty where nothing is.
+
+    frequencies: of the vibrations that were found, in Hz. A case in the paper's ratios has no units that could be
+    wrong, and neither has a problem whose rail has the mass 1.
+    """
+    if isinstance(given, Case):
+        return tuple(_of_ratios(given))
+    problem = as_problem(given)
+    found = list(_at_one_place(problem))
+    track = problem.track
+    if isinstance(track, Track):
+        found += _overdamped(problem)
+        if getattr(track, "m", None) != 1:
+            found += [*_bending(track), *_velocity(problem), *_too_high(track, frequencies)]
+    return tuple(found)
+
+
+def _of_ratios(case: Case) -> Iterator[Reason]:
+    for j, (a, b) in enumerate(pairwise(case.positions), 1):
+        if a == b:
+            yield _one_place(f"positions[{j}] and positions[{j + 1}] are both {a.short()}")
+    if case.eta_b > 1:
+        stated = f"eta_b is {case.eta_b.short()}, above 1, the critical damping of the foundation"
+        yield Reason("overdamped", stated, {"ratio": case.eta_b.short()}, "check it, if that is not meant")
+
+
+def _at_one_place(problem: Problem) -> Iterator[Reason]:
+    places = problem.pencil.places
+    for place in sorted({a for a, b in pairwise(places) if a == b}):
+        yield _one_place(f"two contacts stand at one place, x = {shown(place)} m")
+
+
+def _one_place(stated: str) -> Reason:
+    remedy = "give one of them another position, if that is not meant"
+    return Reason("contacts-at-one-place", f"{stated}, and move as one", {}, remedy)
+
+
+def _bending(track: Any) -> Iterator[Reason]:
+    radius = _radius(track)
+    if radius is None or _THINNEST <= radius <= _THICKEST:
+        return
+    factor = 10**6 if radius < _THINNEST else Fraction(1, 10**6)
+    thickness = spoken(radius * sqrt(12), "m", 2)
+    stated = f"track.EI is {beside(track.EI, 'N m²')}, that of a solid steel section {thickness} high"
+    meant = f'write EI = "{rounded(track.EI * factor / 10**6)} MN m²", if that is meant'
+    yield Reason("bending-stiffness-unlikely", stated, {"EI": str(track.EI)}, meant)
+
+
+def _velocity(problem: Problem) -> Iterator[Reason]:
+    limit = _ON_ICE if isinstance(problem.track, FloatingIce) else _FASTEST
+    if problem.v > limit:
+        stated = f"v is {rounded(problem.v)} m/s, which is {spoken(problem.v, 'm/s')}"
+        meant = f'write v = "{rounded(problem.v)} km/h", if km/h is meant'
+        yield Reason("velocity-unlikely", stated, {"v": str(problem.v)}, meant)
+
+
+def _overdamped(problem: Problem) -> Iterator[Reason]:
+    """Dampers above 2√(k m) of the spring beside them and of the mass that it carries."""
+    track: Any = problem.track
+    mass = getattr(track, "m", Fraction(0))
+    sleepers = getattr(track, "m_sleeper", Fraction(0))
+    below = mass + getattr(track, "m_slab", Fraction(0))
+    for key, spring, carried in (
+        ("c", "k", below),
+        ("c_pad", "k_pad", mass),
+        ("c_ballast", "k_ballast", mass + sleepers),
+        ("c_ground", "k_ground", mass + sleepers + getattr(track, "m_ballast", Fraction(0))),
+    ):
+        yield from _damper(track, f"track.{key}", key, spring, carried)
+    seen = []
+    for placed in problem.vehicles:
+        if placed.vehicle not in seen:
+            seen.append(placed.vehicle)
+            yield from _suspension(placed.vehicle)
+
+
+def _suspension(vehicle: Any) -> Iterator[Reason]:
+    if isinstance(vehicle, Oscillator):
+        yield from _damper(vehicle, "the vehicle's c", "c", "k", vehicle.body)
+    if isinstance(vehicle, Bogie):
+        yield from _damper(vehicle, "the bogie's c", "c", "k", (vehicle.frame + (vehicle.body or 0)) / 2)
+        yield from _damper(vehicle, "the bogie's c2", "c2", "k2", vehicle.body or Fraction(0))
+    if isinstance(vehicle, Coach):
+        yield from _damper(vehicle, "the coach's c2", "c2", "k2", vehicle.body / 2)
+        bogie = vehicle.bogie
+        yield from _damper(bogie, "the bogie's c", "c", "k", (bogie.frame + vehicle.body / 2) / 2)
+
+
+def _damper(model: Any, name: str, key: str, spring: str, carried: Fraction) -> Iterator[Reason]:
+    c, k = getattr(model, key, None), getattr(model, spring, None)
+    if not (isinstance(c, Fraction) and isinstance(k, Fraction) and k and carried) or c * c <= 4 * k * carried:
+        return
+    unit = _described(model)[key].unit
+    times = rounded(float(c) / (2 * sqrt(float(k * carried))), 2)
+    stated = f"{name} is {beside(c, unit)}, {times} times the critical damping 2√({spring} · mass)"
+    yield Reason("overdamped", stated, {key: str(c), "times": times}, "check it and its unit, if that is not meant")
+
+
+def _too_high(track: Any, frequencies: Sequence[float]) -> Iterator[Reason]:
+    radius, highest = _radius(track), max(frequencies, default=0.0)
+    if radius is None or hasattr(track, "S"):
+        return
+    bound = _SHEARLESS**2 * _SOUND / radius / (2 * pi)
+    if highest > bound and not hasattr(track, "J"):
+        stated = (
+            f"a vibration has {rounded(highest, 3)} Hz, "
+            f"and a rail without shear means little above some {rounded(bound, 2)} Hz"
+        )
+        yield Reason(
+            "beam-without-shear",
+            stated,
+            {"frequency": f"{highest:.6g}"},
+            "take timoshenko to see how much it matters",
+        )
+    pinned = pi / (2 * _SPACING**2) * sqrt(float(track.EI / track.m))
+    if track.name in _SMEARED and highest > pinned:
+        stated = (
+            f"a vibration has {rounded(highest, 3)} Hz, and a track of smeared sleepers means little above the "
+            f"pinned-pinned frequency, {rounded(pinned, 2)} Hz for sleepers {_SPACING} m apart"
+        )
+        yield Reason(
+            "sleepers-smeared", stated, {"frequency": f"{highest:.6g}"}, "read such vibrations as rough ones"
+        )
+
+
+def _radius(track: Any) -> float | None:
+    """√(EI/m) over the speed of sound in steel, or None for a track that has no EI."""
+    EI, m = getattr(track, "EI", None), getattr(track, "m", None)
+    return sqrt(float(EI / m)) / _SOUND if EI and m else None
+
+
+def _described(model: Any) -> dict[str, Quantity]:
+    kind: Any = type(model)
+    return quantities(kind)

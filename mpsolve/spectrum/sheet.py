@@ -1,0 +1,169 @@
+"""How many roots the whole physical sheet of a beam holds, whose cuts lie on one line (SPEC2, the whole sheet).
+
+z = q − iη, scaled. The lower half is counted along the lower edge of the cut: from a point in the gap (or 0, where
+the cuts are joined) below the branch points to ρ, and down and back to −iρ: a theorem leaves no root outside. In the
+upper half vehicle and track are passive where |z| is large, so that pivots tell the argument at one point, and Δ̂ is
+followed to there. A loop round each branch point shows that no root is next to it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from flint import arb
+
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved
+from mpsolve.characteristic.start import Start, start
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import precision
+from mpsolve.problem.line import Line
+from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
+from mpsolve.spectrum.closing import pivot_sum
+from mpsolve.spectrum.far_line import FarLine, prove_far
+from mpsolve.spectrum.regions import Sheet
+
+_STRIDE = 0.5  # of the phase √z·(span of the places) that a first piece of the edge goes through
+_GROWTH = 1.6
+
+
+@dataclass(frozen=True)
+class Half:
+    """What is walked for one half of the sheet: the link to the begin, the path from there, if any, and the loops."""
+
+    paths: tuple[Path, ...] = ()
+    loops: tuple[Loop, ...] = ()
+
+    @property
+    def pieces(self) -> int:
+        return sum(path.pieces for path in self.paths) + sum(len(loop.points) - 1 for loop in self.loops)
+
+
+@dataclass(frozen=True)
+class SheetCount:
+    """The proved number of roots, with all that the proof rests on (points are z in scaled units).
+
+    lower: from `begin` round the lower half; upper: from the same point to `end`, where it closes, or nothing where
+    the two are one. far: None without damping: then the halves are mirror images, and `lower` leads to `end`.
+    """
+
+    line: Line
+    total: int
+    start: Start
+    begin: float
+    end: float
+    lower: Half
+    upper: Half
+    far: FarLine | None
+    evaluations: int
+
+    @property
+    def region(self) -> Sheet:
+        return Sheet()
+
+    @property
+    def why(self) -> str:
+        """Nothing is left out."""
+        return ""
+
+    @property
+    def pieces(self) -> int:
+        return self.lower.pieces + self.upper.pieces
+
+
+def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
+    """The number of roots; PrecisionError or EffortError where it stays open.
+
+    The vehicle is one for which the upper half closes: that of `Line.upper` is passive, and on a damped track it is
+    made of tight masses (`open_on_sheet`).
+    """
+    joined = line.joined
+    if joined is None:
+        raise PrecisionError("the velocity is exactly the one at which the cuts join, so that they touch at Re q = 0")
+    first = start(line.lower.guide)
+    below, above = (Paths(Arrays(half), first, room) for half in (line.lower, line.upper))
+    far = prove_far(line) if line.height else None
+    end = _passive_end(line)
+    points = edge_points(line)
+    inner = [point for point in points if point.z < end] if joined else points[:1]  # up to where a half closes
+    round_below = [find_loop(line, below, point, effort) for point in (points if far else inner)]
+    round_above = [find_loop(line, above, point, effort) for point in inner] if far and joined else []
+    begin = 0.0 if joined else round_below[0].first
+    end = max([end, begin, *(loop.last for loop in (round_above if far else round_below))])
+    ways = [_way(line, begin, far.reach if far else end, round_below, far is not None)]
+    if far and end > begin:
+        ways.append(_way(line, begin, end, round_above, False))
+    proved = [_proved(paths, first, way, effort) for paths, way in zip((below, above), ways, strict=False)]
+    with precision(64):
+        closing = pivot_sum(line.upper, first.up, end) + (line.upper.bodies - line.upper.contacts) * arb.pi() / 2
+        turned = sum((arb(*turn) for one in proved for turn in one.turns), arb(0))
+        total = _integer((closing - turned) / arb.pi() * (1 if far else 2))
+    lower = Half(proved[0].paths, tuple(round_below))
+    upper = Half(proved[1].paths, tuple(round_above)) if len(proved) > 1 else Half()
+    return SheetCount(line, total, first, begin, end, lower, upper, far, effort.spent)
+
+
+def _passive_end(line: Line) -> float:
+    """0, or a float e with e² > ρ₋² exactly: beyond it the mobility is passive."""
+    squared = line.passive_from
+    if not squared:
+        return 0.0
+    e = float(np.float32(math.sqrt(float(squared)) * 1.01))
+    if not Fraction(e) ** 2 > squared:
+        raise PrecisionError("the radius of passivity is out of range")
+    return e
+
+
+def _way(line: Line, begin: float, end: float, loops: list[Loop], down: bool) -> Any:
+    """From begin along the edge, below the branch points, to `end`; down: and on to end − i end and −i end."""
+    points, at = [np.array([begin + 0j])], begin
+    for loop in loops:
+        points += [_edge(line, at, loop.first)[1:], loop.half[1:]]
+        at = loop.last
+    points.append(_edge(line, at, end)[1:])
+    if down:
+        steps = np.linspace(0, 1, 9)[1:] ** 2  # finer where waves still run
+        wall = (end - 1j * end * steps).astype(np.complex64).astype(complex)
+        points += [wall, np.linspace(wall[-1], complex(0, -end), 5)[1:]]
+    return np.concatenate(points)
+
+
+def _edge(line: Line, a: float, b: float) -> Any:
+    """From a to b on the real axis, in steps that grow with the distance from a until waves turn fast."""
+    if b <= a:
+        return np.array([a + 0j])
+    EI, _, _, m = (float(x) for x in line.beam)
+    span = float(line.lower.places[-1] - line.lower.places[0]) + 1
+    widest = _STRIDE / span / (m / EI) ** 0.25  # in √z
+    step, out, x = min((b - a) / 2, 0.15 * a + 0.02 * (b - a)), [a], a
+    while x < b:
+        x = x + step
+        step = min(_GROWTH * step, 2 * widest * math.sqrt(x) + widest**2)
+        out.append(x if x + step / 2 < b else b)
+        x = out[-1]
+    short = np.array(out, np.float32).astype(float)
+    short[0], short[-1] = a, b
+    return short[np.concatenate([[True], np.diff(short) > 0])] + 0j
+
+
+def _proved(paths: Paths, first: Start, way: Any, effort: Effort) -> Proved:
+    """The link from the start to the begin of the way, and the turn along it."""
+    below = complex(0, -first.depth)
+    link = np.linspace(below, way[0], 7)
+    link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[:1]])
+    turn = (paths.plan("turn", way, effort),) if len(way) > 1 else ()
+    return paths.prove((paths.plan("link", link, effort), *turn), effort)
+
+
+def _integer(value: arb) -> int:
+    number = value.unique_fmpz()
+    if number is None or int(number) < 0:
+        raise PrecisionError(
+            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
+        )
+    return int(number)

@@ -1,0 +1,169 @@
+"""The page in a real browser: its numbers are the library's, the last quick change counts, the certificate holds."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from mpsolve import read_problem, verify
+from mpsolve.batch.view import look
+from tests.browsers import NONE, browser
+
+pytest.importorskip("nicegui", reason="the extra `explore` is not installed")
+driver = pytest.importorskip("playwright.sync_api", reason="playwright, which drives a browser, is not installed")
+
+FILE = Path("examples/two_layer_bogie.toml")
+
+
+pytestmark = pytest.mark.skipif(browser() is None, reason=NONE)
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with closing(socket.socket()) as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    command = [sys.executable, "-m", "mpsolve", "explore", str(FILE), "--port", str(port), "--no-browser"]
+    quiet = {key: value for key, value in os.environ.items() if not key.startswith(("PYTEST", "NICEGUI"))}
+    server = subprocess.Popen(command, env=quiet, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        with closing(socket.socket()) as probe:
+            if probe.connect_ex(("127.0.0.1", port)) == 0:
+                break
+        time.sleep(0.1)
+    yield f"http://127.0.0.1:{port}/"
+    server.send_signal(signal.SIGINT)
+    server.communicate(timeout=30)
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Any]:
+    with driver.sync_playwright() as play:
+        opened = play.chromium.launch(executable_path=browser(), args=["--no-sandbox"])
+        yield opened
+        opened.close()
+
+
+class Seen:
+    """A tab, what its console said, and what it asked of other machines."""
+
+    def __init__(self, chromium: Any, address: str) -> None:
+        self.page = chromium.new_page(viewport={"width": 1300, "height": 900})
+        self.said: list[str] = []
+        self.asked: list[str] = []
+        self.page.on("console", lambda m: self.said.append(m.text) if m.type in ("error", "warning") else None)
+        self.page.on("pageerror", lambda e: self.said.append(str(e)))
+        self.page.on(
+            "request",
+            lambda r: (
+                self.asked.append(r.url)
+                if not r.url.startswith((address, "data:", "blob:", address.replace("http", "ws")))
+                else None
+            ),
+        )
+        self.page.goto(address)
+        self.page.wait_for_selector("#plane svg")
+
+    def type(self, name: str, text: str) -> None:
+        field = self.page.locator(f"#field-{name}")
+        field.fill(text)
+        field.blur()
+
+    def verdict(self, pattern: str) -> str:
+        self.page.wait_for_function(
+            "p => new RegExp(p).test(document.querySelector('#verdict').innerText)", arg=pattern, timeout=15_000
+        )
+        return str(self.page.inner_text("#verdict"))
+
+
+@pytest.fixture
+def seen(chromium: Any, address: str) -> Iterator[Seen]:
+    tab = Seen(chromium, address)
+    yield tab
+    assert tab.said == []
+    assert tab.asked == []
+    tab.page.close()
+
+
+def test_numbers_agree_with_the_library(seen: Seen) -> None:
+    seen.type("v", "5040 km/h")
+    said = seen.verdict("roots found grow")
+    view = look(read_problem(FILE).problem.changed("v", 1400))
+    assert said.startswith(f"{view.growing} of")
+    shown = sorted(float(mark.get_attribute("data-re")) for mark in seen.page.locator("#plane [data-root]").all())
+    assert shown == pytest.approx(sorted(view.roots.real), rel=1e-5)
+
+
+def test_a_slider_moves_and_undo_comes_back(seen: Seen) -> None:
+    slider = seen.page.locator("#slider-v [tabindex='0']").first
+    slider.focus()
+    before = seen.page.input_value("#field-v")
+    for _ in range(30):
+        seen.page.keyboard.press("ArrowRight")
+    seen.page.wait_for_function("v => document.querySelector('#field-v').value !== v", arg=before, timeout=15_000)
+    time.sleep(0.5)
+    assert float(seen.page.input_value("#field-v")) > float(before)
+    seen.page.click("#undo")
+    seen.page.wait_for_function("v => document.querySelector('#field-v').value === v", arg=before, timeout=15_000)
+
+
+def test_a_hundred_quick_changes_end_at_the_last(seen: Seen) -> None:
+    for k in range(100):
+        seen.type("v", str(100 + k))
+    seen.type("v", "1400")
+    assert seen.verdict("4 of the roots found grow")
+
+
+def test_what_cannot_be_is_said(seen: Seen) -> None:
+    seen.type("v", "12 kg")
+    assert "v" in seen.verdict("kg")
+
+
+def test_it_proves_and_hands_out_a_certificate_that_verifies(seen: Seen, tmp_path: Path) -> None:
+    seen.page.click("#prove")
+    seen.page.wait_for_selector("#certificate", state="visible", timeout=60_000)
+    assert "STABLE" in seen.page.inner_text("#proof")
+    with seen.page.expect_download() as loading:
+        seen.page.click("#certificate")
+    path = tmp_path / "certificate.json"
+    loading.value.save_as(path)
+    assert verify(path).valid
+    with seen.page.expect_download() as loading:
+        seen.page.click("#save")
+    loading.value.save_as(tmp_path / "state.toml")
+    assert read_problem(tmp_path / "state.toml").problem == read_problem(FILE).problem
+
+
+def test_two_tabs_do_not_share(chromium: Any, address: str, seen: Seen) -> None:
+    other = Seen(chromium, address)
+    other.type("v", "1400")
+    other.verdict("4 of the roots found grow")
+    assert "No growing" in seen.page.inner_text("#verdict")
+    other.page.close()
+
+
+def test_a_phone_can_read_it(seen: Seen) -> None:
+    seen.page.set_viewport_size({"width": 390, "height": 844})
+    time.sleep(0.3)
+    assert seen.page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def test_it_is_bound_to_this_machine(address: str) -> None:
+    port = int(address.rsplit(":", 1)[1].strip("/"))
+    others = {entry[4][0] for entry in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {"127.0.0.1"}
+    for other in others:
+        with closing(socket.socket()) as probe:
+            probe.settimeout(2)
+            if not other.startswith("127."):
+                assert probe.connect_ex((other, port)) != 0

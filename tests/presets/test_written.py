@@ -1,0 +1,79 @@
+"""What is written can be read, means what the source says, and `certify` proves it or says why not."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from mpsolve import Effort, Problem, certify, read_problem, tracks, vehicles
+from mpsolve.errors import InputError
+from mpsolve.presets.catalogue import names
+from mpsolve.presets.written import input_file, listing
+
+PAIRS = [(name, None) for name in names("track")]
+PAIRS += [("ballasted", name) for name in ("shinkansen", "stem", "two-masses", "wheelset")]
+OPEN = {"ice-road": "waves-at-zero"}
+"""What is not proved, and why."""
+
+
+def read(tmp_path: Path, text: str) -> Problem:
+    file = tmp_path / "new.toml"
+    file.write_text(text, "utf-8")
+    return read_problem(file).problem
+
+
+@pytest.mark.parametrize(("track", "vehicle"), PAIRS)
+def test_certify_proves_it_or_says_why_not(tmp_path: Path, track: str, vehicle: str | None) -> None:
+    text = input_file(track, vehicle)
+    assert all(len(line) <= 150 for line in text.splitlines())
+    found = certify(read(tmp_path, text), region="unstable", digits=15, effort=Effort(seconds=60))
+    if track in OPEN:
+        assert found.reason is not None
+        assert found.reason.remedy
+    else:
+        assert found.proved
+        assert found.stable
+
+
+def test_half_a_vehicle_is_on_one_rail(tmp_path: Path) -> None:
+    """The same numbers as in examples/train_8_coaches.toml, which halves them by hand."""
+    own = read(tmp_path, input_file("ballasted", "manchester", "252 km/h", 8, "25 m"))
+    assert own == read_problem(Path(__file__).parents[2] / "examples" / "train_8_coaches.toml").problem
+
+
+def test_the_whole_vehicle_is_on_both_rails(tmp_path: Path) -> None:
+    whole = read(tmp_path, input_file("slab", "stem")).vehicles[0].vehicle
+    assert isinstance(whole, vehicles.Coach)
+    assert (whole.body, whole.bogie.wheel, whole.k2, whole.pivots) == (50_000, 3000, 5_416_000, Fraction(199, 10))
+
+
+def test_the_track_of_zhai_is_that_of_its_rail_seats(tmp_path: Path) -> None:
+    seat = Fraction(6, 10)
+    track = read(tmp_path, input_file("zhai-2004")).track
+    assert track == tracks.ThreeLayer(
+        EI=Fraction("2.059e11") * Fraction("3.217e-5"),
+        m="60.64",
+        k_pad=Fraction("6.5e7") / seat,
+        c_pad=Fraction("7.5e4") / seat,
+        m_sleeper=Fraction("125.5") / seat,
+        k_ballast=Fraction("137.75e6") / seat,
+        c_ballast=Fraction("5.88e4") / seat,
+        m_ballast=Fraction("531.4") / seat,
+        k_ground=Fraction("77.5e6") / seat,
+        c_ground=Fraction("3.115e4") / seat,
+    )
+
+
+def test_what_does_not_belong_together_is_refused() -> None:
+    with pytest.raises(InputError, match="take another, such as pantograph"):
+        input_file("contact-wire", "manchester")
+    with pytest.raises(InputError, match="whose unit is m, but the velocity is in m/s"):
+        input_file("ballasted", v="300 km")
+    with pytest.raises(InputError, match="whole number from 1"):
+        input_file("ballasted", count=0)
+
+
+def test_the_list_names_everything() -> None:
+    assert all(name in listing() for name in (*names("track"), *names("vehicle")))

@@ -1,0 +1,28 @@
+"""The example in each help text runs, and prints formula, value and line."""
+
+from __future__ import annotations
+
+import re
+import shlex
+
+import pytest
+from click.testing import CliRunner
+
+from mpsolve.cli import cli
+from mpsolve.cli_work_out import work_out
+
+
+@pytest.mark.parametrize("name", sorted(work_out.commands))
+def test_the_example_in_the_help_runs(name: str) -> None:
+    example = re.search(r"Example: mpsolve (.+)", work_out.commands[name].help or "")
+    assert example is not None
+    result = CliRunner().invoke(cli, shlex.split(example[1]))
+    assert result.exit_code == 0, result.output
+    assert " = " in result.output.splitlines()[0]
+    assert len(result.output.splitlines()) >= 2
+
+
+def test_a_mistake_is_one_sentence() -> None:
+    result = CliRunner().invoke(cli, ["work-out", "per-metre", "--k", "180 kN/mm", "--spacing", "0.6 kg"])
+    assert result.exit_code == 2
+    assert result.stderr.startswith("mpsolve: spacing: is '0.6 kg', whose unit is kg")

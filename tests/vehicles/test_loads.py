@@ -1,0 +1,27 @@
+"""Weights by default, loads by contacts, and by names."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from vehicle_models import TYPICAL
+
+from mpsolve.model.load import Load
+from mpsolve.vehicles.loads import outer_forces
+
+
+@pytest.mark.parametrize("name", ["mass", "oscillator", "bogie", "coach"])
+def test_weights_act_on_masses_and_not_on_inertias(name: str) -> None:
+    pencil = TYPICAL[name].pencil
+    found = outer_forces(pencil, None)
+    masses = [0 if "pitch" in body else float(pencil.M[i][i]) for i, body in enumerate(pencil.names)]
+    assert found.direction[:, 0] == pytest.approx(9.80665 * np.array(masses), rel=1e-14)
+    assert (found.constant, found.amplitude, found.fastest) == (1, 0, 0)
+
+
+def test_loads_press_the_contacts_or_the_bodies_that_are_named() -> None:
+    pencil = TYPICAL["bogie"].pencil
+    found = outer_forces(pencil, [Load(3), Load(1, 2, 50, "0.5")])
+    assert found.direction[:, 1].tolist() == [0, 1, 0, 0, 0]
+    assert (found.amplitude.tolist(), found.frequency.tolist(), found.fastest) == ([0, 2], [0, 50], 50)
+    assert outer_forces(pencil, {"body": Load(3)}).direction[:, 0].tolist() == [0, 0, 0, 0, 1]
