@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from mpsolve.motion.study import deflection_shape
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
+    from mpsolve.passivity.answer import PassivityVelocity
+    from mpsolve.passivity.band import PassivityBand, passivity_band
+    from mpsolve.passivity.velocity import passivity_velocity
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
@@ -68,6 +71,10 @@ __all__ = [
     "critical_velocities",
     "CriticalVelocities",
     "CriticalVelocity",
+    "passivity_velocity",
+    "PassivityVelocity",
+    "passivity_band",
+    "PassivityBand",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -148,6 +155,10 @@ _HOME = {
     "critical_velocities": "waves.critical",
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
+    "passivity_velocity": "passivity.velocity",
+    "PassivityVelocity": "passivity.answer",
+    "passivity_band": "passivity.band",
+    "PassivityBand": "passivity.band",
     "certify": "certificate.certify",
     "Rectangle": "zeros.regions",
     "Spectrum": "spectrum.spectrum",

@@ -634,8 +634,9 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
             break
     top = max(map(abs, z), default=1.0)
     for i, k in combinations(range(len(z)), 2):
-        if abs(z[i] - z[k]) < 1e-6 * top:  # nodes must be apart
-            z[k] += 1e-3 * top
+        scale = max(abs(z[i]), abs(z[k]), 1e-12 * top)
+        if abs(z[i] - z[k]) < 1e-6 * scale:  # nodes must be apart
+            z[k] += 1e-3 * scale
     return z
 
 
@@ -1899,7 +1900,10 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
         for loop in rounds:
             check_loop(loop, sheet.track, sites, walker)
         spent.pieces += walker.pieces
-    require(damped or number <= 2, "without damping both halves are one")
+    require(
+        damped or (number <= 2 and not in_gap(sheet, end)),
+        "without damping the path ends on the cut, for both halves",
+    )
     require(not damped or len(paths) == (4 if end > begin else 2), "a path is missing")
     marks = (up if len(paths) == 4 else below).marks
     require((end, zero) in marks, "the count does not come to its end")

@@ -22,6 +22,7 @@ from flint import acb, acb_series, arb, fmpq
 
 MAX_BYTES, MAX_STEPS, MAX_POWER, MAX_ROOTS, MAX_CORNERS, MAX_CUTS = 32_000_000, 5_000, 10_000, 5_000, 256, 16
 MAX_PIECES, MAX_WORK, MAX_BITS, MAX_MULTIPLICITY = 400_000, 4e8, 140_000, 4_000
+HALF = fmpq(1, 2)
 MOST_TERMS = 15  # zeros of one factor that meet
 
 Point = tuple[Any, Any]
@@ -346,7 +347,23 @@ def applied(step: tuple[Any, ...], values: dict[int, Any], z: Any, n: int) -> An
         return b.cos() if name == "cosh" else acb(0, -1) * b.sin()
     if name in FUNCTIONS:
         return getattr(a, name)()
-    return composed(name, step[2], a)
+    return by_root(step[2], a) if name == "hyp0f1" and step[2] in (HALF, 3 * HALF) else composed(name, step[2], a)
+
+
+def by_root(parameter: Any, u: Any) -> Any:
+    """₀F₁(1/2; u) = cosh 2√u = cos 2√(−u), ₀F₁(3/2; u) = sinh 2√u/2√u = sin 2√(−u)/2√(−u): any root will do."""
+    if not (off_cut(first(u)) or off_cut(-first(u))):
+        return composed("hyp0f1", parameter, u)
+    if off_cut(-first(u)):
+        s = 2 * (-u).sqrt()
+        top = s.cos() if parameter == HALF else s.sin()
+    else:
+        s = 2 * u.sqrt()
+        t = acb(0, 1) * s
+        top = t.cos() if parameter == HALF else acb(0, -1) * t.sin()
+    if parameter == HALF:
+        return top
+    return top / s if first(s).abs_lower() > 0 else composed("hyp0f1", parameter, u)
 
 
 def composed(name: str, parameter: Any, x: Any) -> Any:

@@ -1,9 +1,9 @@
 """The receptance of a family over boxes: integrals round circles, so that roots of one side may meet.
 
 G(ξ ≥ 0) is the sum of the residues of N e^{Pξ}/D at the upper p-roots. Upper roots that are close to each other are
-taken together, in one circle that leaves all others out, and so it does not matter whether they meet. On a circle the
-trapezoidal rule errs by Σ c_n R^{n+1} over n + 1 = ±SAMPLES, ±2 SAMPLES, …, c_n the coefficients of the Laurent series,
-|c_n| r^n ≤ max |f| on the circles of radius r within which f is analytic (SPEC, circles).
+taken together, in one circle that leaves all others out, and so it does not matter whether they meet. On a circle
+of radius R the trapezoidal rule errs by Σ c_n R^{n+1} over n + 1 = ±SAMPLES, ±2 SAMPLES, …, c_n the coefficients of
+the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within which f is analytic (SPEC, circles).
 """
 
 from __future__ import annotations
@@ -22,7 +22,10 @@ from mpsolve.problem.family import Family
 
 SAMPLES = 24
 _TOGETHER = 0.5  # roots of one side closer than this share of the distance to the other side share a circle
-_INNER, _OUTER = 0.05, 0.85  # where f is bounded, between the roots inside and the circle; of the next root's distance
+_INNER, _OUTER = (
+    0.05,
+    0.85,
+)  # where f is bounded, between the roots inside and the circle; of the next root's distance
 _RADIUS = 0.4  # of a circle, relative to the distance of the next root outside
 _NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
 _CLOSEST = 0.9

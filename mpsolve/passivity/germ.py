@@ -1,4 +1,4 @@
-"""The point receptance G(0, σ) of a moving track as a Taylor polynomial in σ, with its slope in the velocity, in balls.
+"""The point receptance G(0, σ) of a moving track as a Taylor polynomial in σ, and its slope in v, in balls.
 
 G = Σ N/D_P over the p-roots with Re P < 0, P = P(σ, v). Series in t = σ − σ₀ carry a dual part for v. With balls for
 σ₀ and v the coefficients hold those at every point of the balls.
@@ -50,10 +50,10 @@ class _Dual:
 
 
 def germ(D: Polynomial, N: Polynomial, upper: int, sigma: Any, v: Any, order: int) -> Germ:
-    """The germ at the balls sigma and v > 0, of D and N at rest; upper: the number of roots with Re P < 0 in Re σ > 0.
+    """The germ at the balls sigma and v > 0, of D and N at rest; upper: how many roots have Re P < 0 in Re σ > 0.
 
-    Re σ ≥ 0. The roots' sides are read off their balls, which is right on the axis too: a root with Re P ≠ 0 keeps its
-    side as σ moves into Re σ > 0, where none changes it. `PrecisionError` where balls are too wide.
+    Re σ ≥ 0. The roots' sides are read off their balls, on the axis too: a root with Re P ≠ 0 keeps its side as
+    σ moves into Re σ > 0, where none changes it. `PrecisionError` where balls are too wide.
     """
     roots = [root for root in root_balls(D, sigma, v) if not root.real > 0]
     if len(roots) != upper or not all(root.real < 0 for root in roots):
@@ -129,7 +129,8 @@ def _residue(D: Polynomial, N: Polynomial, root: Any, sigma: Any, v: Any, size: 
     P = _Dual(_series([root], size), zero)
     whole, slope = _both(D, P, time - speed * P, speed, size)
     over = 1 / slope.a[0]
-    own, dual = [root], []
+    own: list[Any] = [root]
+    dual: list[Any] = []
     for k in range(size):  # D(P) = 0 order by order: what is not yet known of P enters the next one linearly
         if k:
             own.append(-whole.a[k] * over)

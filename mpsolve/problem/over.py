@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,6 +15,7 @@ from mpsolve.numbers.units import factor, split
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 
+_OF_FILE = re.compile(r"vehicle\[\d+\](.*)")
 _EXAMPLE = "write PATH=LOW..HIGH, such as v=0..400km/h, or v=0.. for a range without an end"
 
 
@@ -96,6 +98,12 @@ def parse_overs(texts: Iterable[str], problem: Problem, key: str = "--over") -> 
 
 
 def _quantity(problem: Problem, path: str, key: str) -> Quantity:
+    of_file = _OF_FILE.fullmatch(path)
+    if of_file:
+        inner, rear = of_file[1], "vehicles are counted from 0 here, from the rear, trains one by one"
+        raise InputError(
+            key, f"names {path!r}: {rear}, so write vehicles[0]{inner} for the rearmost, or vehicles{inner}"
+        )
     try:
         return problem.quantity(path)
     except InputError as error:

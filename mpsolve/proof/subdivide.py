@@ -1,4 +1,4 @@
-"""Subdivision: boxes of several variables are judged in batches, and those that stay open are halved. The tree is kept.
+"""Subdivision: boxes of several variables are judged in batches, those that stay open halved. The tree is kept.
 
 Nothing here knows what is proved of a box. Boxes are given by float corners; a box is halved at a float between its
 corners, so that the two halves have all its points.
@@ -60,7 +60,12 @@ class Covered:
 
 
 def subdivide(
-    low: Any, high: Any, judge: Judge, effort: Effort, smallest: float = 2.0**-24, tell: Callable[[float], None] | None = None
+    low: Any,
+    high: Any,
+    judge: Judge,
+    effort: Effort,
+    smallest: float = 2.0**-24,
+    tell: Callable[[float], None] | None = None,
 ) -> Covered:
     """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort."""
     lows, highs = [np.asarray(low, float)[:, None]], [np.asarray(high, float)[:, None]]

@@ -59,7 +59,7 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
 
 @dataclass(frozen=True)
 class Verdict:
-    """nonzero: boxes of real u in which s is proved to have no zero; weight[v]: what stands against it, by variable."""
+    """nonzero: boxes of real u with no zero of s, proved; weight[v]: what stands against it, by variable."""
 
     nonzero: Any
     weight: Any

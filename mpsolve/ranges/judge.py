@@ -1,7 +1,7 @@
 """What is proved of a box of (q, parameters): no root is real there, or one at most, which is known.
 
-Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real root;
-the box lies where the only real root has been enclosed.
+Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real
+root; the box lies where the only real root has been enclosed.
 """
 
 from __future__ import annotations
@@ -35,7 +35,10 @@ def boxes_of(low: Any, high: Any) -> Boxes:
 
 @dataclass
 class Judge:
-    """Judges boxes of one family. width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, two variables."""
+    """Judges boxes of one family.
+
+    width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, of two variables.
+    """
 
     matrix: FreeMatrix
     envelope: Envelope

@@ -90,13 +90,11 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     far = prove_far(line) if line.height else None
     end = _passive_end(line)
     points = edge_points(line)
-    inner = [point for point in points if joined and point.z < end]
-    round_below = [find_loop(line, below, point, effort) for point in (points if far or not joined else inner)]
-    round_above = [find_loop(line, above, point, effort) for point in inner] if far else []
+    inner = [point for point in points if point.z < end] if joined else points[:1]  # up to where a half closes
+    round_below = [find_loop(line, below, point, effort) for point in (points if far else inner)]
+    round_above = [find_loop(line, above, point, effort) for point in inner] if far and joined else []
     begin = 0.0 if joined else round_below[0].first
-    end = max([end, begin, *(loop.last for loop in (round_above if far else round_below if joined else ()))])
-    if far is None and not joined:
-        round_below = []
+    end = max([end, begin, *(loop.last for loop in (round_above if far else round_below))])
     ways = [_way(line, begin, far.reach if far else end, round_below, far is not None)]
     if far and end > begin:
         ways.append(_way(line, begin, end, round_above, False))

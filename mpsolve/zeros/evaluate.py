@@ -119,6 +119,8 @@ def _applied(step: Step, values: list[Any], z: Any, n: int) -> Any:
         return _quotient(a, values[step[2]])
     if name in CUT and not off_cut(constant_of(a)):
         raise CutError(f"{name} may meet its branch cut")
+    if name == "hyp0f1" and step[2] in ("1/2", "3/2") and (off_cut(constant_of(a)) or off_cut(-constant_of(a))):
+        return _by_root(step[2], a)
     if name in WITH_ORDER:
         return _composed(_COEFFICIENTS[name], step[2], a)
     if name in ("atan", "sinh", "cosh"):
@@ -209,6 +211,19 @@ def _composed(coefficients_at: Callable[[Any, Any, int], list[Any]], parameter: 
     for c in reversed(row[:-1]):
         out = out * offset + c
     return out
+
+
+def _by_root(parameter: str, u: Any) -> Any:
+    """₀F₁(1/2; u) = cosh 2√u = cos 2√(−u), ₀F₁(3/2; u) = sinh 2√u/2√u = sin 2√(−u)/2√(−u): any root will do."""
+    if off_cut(-constant_of(u)):
+        s = 2 * (-u).sqrt()
+        even, odd = s.cos(), s.sin()
+    else:
+        s = 2 * u.sqrt()
+        even, odd = _other("cosh", s), _other("sinh", s)
+    if parameter == "1/2":
+        return even
+    return odd / s if constant_of(s).abs_lower() > 0 else _composed(_hyp0f1, parameter, u)
 
 
 def _hyp0f1(parameter: str, w: Any, n: int) -> list[Any]:

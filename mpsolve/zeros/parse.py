@@ -12,6 +12,7 @@ from mpsolve.zeros.program import NAMES, Program
 _BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "power"}
 _SYNONYMS = {"ln": "log", "besselj": "bessel_j", "airyai": "airy_ai", "airybi": "airy_bi", "Abs": "abs"}
 _MOST = 100_000
+_LONGEST, _EXPONENT = 300, 2
 REMEDY = f"the functions are {', '.join(NAMES)}"
 
 
@@ -49,6 +50,9 @@ def _read(program: Program, node: ast.expr, source: str) -> int:
 
 def _number(program: Program, written: str) -> int:
     imaginary = written[-1:] in "jJ"
+    _, _, exponent = written.rstrip("jJ").lower().partition("e")
+    if len(written) > _LONGEST or len(exponent.lstrip("+-0")) > _EXPONENT:
+        raise InputError("f", f"has the number {written[:40]}: numbers have up to {_LONGEST} digits, exponents {_EXPONENT}")
     x = program.number(Fraction(written.rstrip("jJ")))
     return program.mul(x, program.i) if imaginary else x
 
