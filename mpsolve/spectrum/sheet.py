@@ -106,15 +106,10 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     ]
     with precision(64):
         closing = pivot_sum(line.upper, first.up, end) + (line.upper.bodies - line.upper.contacts) * arb.pi() / 2
-<<<<<<< HEAD
-        turned = sum((arb(*turn) for one in proved for turn in one.turns), arb(0))
-        total = number_of_zeros((closing - turned) / arb.pi() * (1 if far else 2), "the characteristic function")
-=======
         turns = [turn for one in proved for turn in one.turns]
         turns += [loop.half for loops in rounds[: len(proved)] for loop in loops]
         turned = sum((arb(*turn) for turn in turns), arb(0))
-        total = _integer((closing - turned) / arb.pi() * (1 if far else 2))
->>>>>>> sheet
+        total = number_of_zeros((closing - turned) / arb.pi() * (1 if far else 2), "the characteristic function")
     lower = Half(proved[0].paths, tuple(round_below))
     upper = Half(proved[1].paths, tuple(round_above)) if len(proved) > 1 else Half()
     return SheetCount(line, total, first, begin, end, lower, upper, far, effort.spent)
@@ -166,24 +161,8 @@ def _edge(line: Line, a: float, b: float) -> Any:
 def _proved(paths: Paths, first: Start, way: list[Any], loops: list[Loop], effort: Effort) -> Proved:
     """The link from the start to the begin of the way, and the turns along its parts, between which are loops."""
     below = complex(0, -first.depth)
-<<<<<<< HEAD
-    link = np.linspace(below, way[0], 7)
-    link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[:1]])
-    turn = (paths.plan("turn", way, effort),) if len(way) > 1 else ()
-    return paths.prove((paths.plan("link", link, effort), *turn), effort)
-=======
     link = np.linspace(below, way[0][0], 7)
     link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[0][:1]])
     turns = (paths.plan("turn", part, effort) for part in way)
     reached = tuple(complex(loop.last) for loop in loops)
     return paths.prove((paths.plan("link", link, effort), *turns), effort, reached)
-
-
-def _integer(value: arb) -> int:
-    number = value.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(
-            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
-        )
-    return int(number)
->>>>>>> sheet
