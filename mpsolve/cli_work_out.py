@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 
 @click.group("work-out")
 def work_out() -> None:
-    """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes."""
+    """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes.
+
+    Exit status 0: shown. 2: a value cannot be used.
+    """
 
 
 def _show(*found: Worked) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 
 from mpsolve.endless.bloch import Bloch
 
-_POINTS = 3000
+_POINTS = 1200
 _ZOOMS, _ZOOM = 6, 41
 _SHORT = 1e-4
 

@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.endless.axis import closest
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.row import Row
 
@@ -57,36 +56,31 @@ def meeting(row: Row, near: complex) -> Meeting | None:
     return Meeting(here, z) if abs(value) < 1e-8 * abs(z) ** 2 else None
 
 
-def of_long_trains(row: Row, most: float) -> Meeting | None:
-    """The meeting of the middle roots that is reached from the real frequency where they are closest."""
-    _, q = closest(Bloch(row), most)
-    return meeting(row, 1j * q)
+def gathering(row: Row, end: Meeting, angles: Any) -> Any:
+    """σ on the set on which roots of long trains gather, from its end on: where z_{n₊+1}/z_{n₊} = e^{iφ}.
 
+    angles: φ ascending from near 0, in steps small enough to follow the curve. Roots of a train of N vehicles lie
+    near those of φ = 2πj/N.
+    """
+    bloch, out = Bloch(row), []
 
-def roots_of_long_trains(row: Row, count: int, most: float, modes: int = 4) -> Any:
-    """The first roots σ of a train of `count` vehicles for large counts: z_{n₊+1}/z_{n₊} = e^{2πij/count}."""
-    bloch, end = Bloch(row), of_long_trains(row, most)
-    if end is None:
-        return np.zeros(0, complex)
-    scale, out = 1e-3 * abs(end.sigma), []
-    for j in range(1, modes + 1):
-        wanted = 2 * np.cos(2 * np.pi * j / count)  # of z/z' + z'/z, which is analytic at the meeting
-        guess = end.sigma + scale * 1e-2
+    def miss(sigma: complex, wanted: float) -> complex:
+        a, b = bloch.middle(np.array([sigma]))
+        return complex((a / b + b / a)[0]) - wanted  # analytic at the end too
 
-        def miss(sigma: complex, wanted: float = wanted) -> complex:
-            a, b = bloch.middle(np.array([sigma]))
-            return complex((a / b + b / a)[0]) - wanted
-
-        before, here = end.sigma, guess
-        f0, f1 = 2 - wanted, miss(guess)
-        for _ in range(60):
-            if f1 == f0:
+    before, here = end.sigma, end.sigma * (1 + 1e-6)
+    for angle in np.asarray(angles, float):
+        wanted = 2 * float(np.cos(angle))
+        x, y = 2 * here - before, here  # along the curve, from the last point
+        before = here
+        f, g = miss(x, wanted), miss(y, wanted)
+        for _ in range(_STEPS):
+            if f == g or abs(x - y) < _TINY * abs(x):
                 break
-            step = f1 * (here - before) / (f1 - f0)
-            step *= min(1.0, 20 * scale / abs(step)) if step else 1.0
-            before, f0, here = here, f1, here - step
-            f1 = miss(here)
-            if abs(step) < 1e-12 * abs(here):
-                break
+            step = f * (x - y) / (f - g)
+            step *= min(1.0, 0.02 * abs(x) / abs(step)) if step else 1.0
+            y, g, x = x, f, x - step
+            f = miss(x, wanted)
+        here = x
         out.append(here)
     return np.array(out)

@@ -26,8 +26,8 @@ from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
-_GRID = 25
-_HALVINGS = 26
+_GRID = 13
+_HALVINGS = 18
 _WIDTHS = (1e-4, 1e-3, 1e-2)  # of the proved bracket, relative, about, from the narrowest
 
 
@@ -81,7 +81,8 @@ def train_velocities(
     grid = [low + (high - low) * k / (_GRID - 1) for k in range(_GRID)]
     convective = _first(grid, lambda x: _grows(row, x))
     tell("limit", 0.3)
-    limit = _first(grid, lambda x: _meets(row, x))
+    after = [x for x in grid if convective is not None and x > convective]
+    limit = _first([low, *after], lambda x: _meets(row, x))
     if convective is None:
         reason = Reason("no-change", "no velocity in the range is found at which a motion grows", {}, "raise its end")
         return TrainVelocities(low, high, Status.UNDECIDED, None, limit, reason=reason)

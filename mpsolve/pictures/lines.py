@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ from mpsolve.pictures.axes import (
     text,
 )
 
-_APART = 14.0
+_APART, _STEP, _WIDTH = 14.0, 3.5, 7.5
 _LOWEST = HIGH - BOTTOM - 6.0
 
 
@@ -73,10 +73,10 @@ def lines_picture(
         if not inside.all():
             parts.append(line(axes, curve.x, np.where(inside, np.nan, curve.y), f"{curve_class(k)} beyond"))
     parts.append("</g>")
-    parts += _marks(axes, marks)
-    parts += _names(axes, curves)
-    if grows_above is not None:
-        parts.append(text(LEFT + 6, TOP + 15, "grows"))
+    drawn, taken = _marks(axes, marks)
+    parts += drawn
+    taken += [_Word(LEFT + 6, TOP + 15, "grows", "start")] * (grows_above is not None)
+    parts += [text(word.x, word.y, word.said, word.anchor) for word in _apart(_names(axes, curves), taken)]
     parts += axes.titled(x_title, y_title)
     return svg(parts, title)
 
@@ -90,31 +90,54 @@ def _range(values: Sequence[Any], margin: float = 0.0) -> tuple[float, float]:
     return low - margin * wide, high + margin * wide
 
 
-def _marks(axes: Axes, marks: Sequence[Mark]) -> list[str]:
-    parts = []
+@dataclass(frozen=True)
+class _Word:
+    x: float
+    y: float
+    said: str
+    anchor: str
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        wide = _WIDTH * len(self.said)
+        left = {"start": self.x, "end": self.x - wide}[self.anchor]
+        return left, left + wide
+
+
+def _apart(words: list[_Word], taken: list[_Word]) -> list[_Word]:
+    """Each word at the height nearest to its own at which it lies over none that is placed before it."""
+    for word in words:
+        shifts = sorted((k * _STEP for k in range(-40, 41)), key=abs)
+        heights = [word.y + d for d in shifts if TOP + 12 <= word.y + d <= _LOWEST]
+        free = (y for y in heights if not any(_meets(replace(word, y=y), other) for other in taken))
+        taken.append(replace(word, y=next(free, word.y)))
+    return taken
+
+
+def _meets(a: _Word, b: _Word) -> bool:
+    (left, right), (low, high) = a.reach, b.reach
+    return min(right, high) > max(left, low) and abs(a.y - b.y) < _APART
+
+
+def _marks(axes: Axes, marks: Sequence[Mark]) -> tuple[list[str], list[_Word]]:
+    parts, words = [], []
     for k, mark in enumerate(sorted(marks, key=lambda one: one.x)):
         x = float(axes.px(mark.x))
         if not LEFT <= x <= WIDE - RIGHT:
             continue
         parts.append(path(f"M {x:.1f} {TOP} V {HIGH - BOTTOM}", "here"))
         right = x < (LEFT + WIDE - RIGHT) / 2
-        y = HIGH - BOTTOM - 8 - 16 * (k % 3)
-        parts.append(text(x + (5 if right else -5), y, mark.name, "start" if right else "end"))
-    return parts
+        y = _LOWEST - 16 * (k % 3)
+        words.append(_Word(x + (5 if right else -5), y, mark.name, "start" if right else "end"))
+    return parts, words
 
 
-def _names(axes: Axes, curves: Sequence[Curve]) -> list[str]:
-    """Names at the ends of the curves, moved apart."""
-    ends = []
+def _names(axes: Axes, curves: Sequence[Curve]) -> list[_Word]:
+    """The names at the ends of the curves."""
+    words = []
     for curve in curves:
         good = np.flatnonzero(np.isfinite(curve.y))
         if curve.name and len(good):
             x, y = float(axes.px(curve.x[good[-1]])), float(axes.py(curve.y[good[-1]]))
-            ends.append((float(np.clip(y, TOP + 12, _LOWEST)), min(x, WIDE - RIGHT) - 5, curve.name))
-    ends.sort()
-    heights = [y for y, _, _ in ends]
-    for k in range(1, len(heights)):
-        heights[k] = max(heights[k], heights[k - 1] + _APART)
-    for k in range(len(heights) - 1, -1, -1):
-        heights[k] = min(heights[k], _LOWEST if k == len(heights) - 1 else heights[k + 1] - _APART)
-    return [text(x, y - 4, name, "end") for y, (_, x, name) in zip(heights, ends, strict=True)]
+            words.append(_Word(min(x, WIDE - RIGHT) - 5, float(np.clip(y - 4, TOP + 12, _LOWEST)), curve.name, "end"))
+    return sorted(words, key=lambda word: word.y)

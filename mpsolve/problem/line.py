@@ -85,8 +85,7 @@ def line_height(track: Track | Waveguide) -> Fraction | None:
     D, N = waveguide.dispersion, waveguide.numerator
     if not (set(D) <= _TERMS and {(4, 0), (0, 0), (0, 2)} <= set(D) and set(N) == {(0, 0)}):
         return None
-    D = {key: c * (1 if D[4, 0] > 0 else -1) for key, c in D.items()}
-    if D[0, 2] < 0:
+    if not (D[4, 0] > 0 and D[0, 2] > 0 and N[0, 0] > 0):
         return None
     height = D.get((0, 1), Fraction(0)) / (2 * D[0, 2])
     rest = D[0, 0] - height**2 * D[0, 2]

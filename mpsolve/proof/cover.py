@@ -21,7 +21,7 @@ class OpenPieceError(PrecisionError):
 
     def __init__(self, place: complex, length: float) -> None:
         super().__init__(f"pieces of the path shorter than {length:.2g} do not pass near {place:.6g}")
-        self.place = place
+        self.place, self.length = place, length
 
 
 def midpoints(a: Any, b: Any) -> Any:

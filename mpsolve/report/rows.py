@@ -74,8 +74,8 @@ def root_rows(j: int, motion: Vibration, digits: int) -> list[tuple[str, str]]:
     """Label and digits of a root, at the precision that is set: one row, or two where one would be too long."""
     q = motion.root.q
     real, imag = decimal(abs(q.real), digits + 2).text, decimal(q.imag, digits + 2).text
-    pair = "±" if q.real else ""
-    if not q.imag:
+    pair = "" if q.real == 0 else "±"
+    if q.imag == 0:
         return [(f"q{j} =", pair + real)]
     whole = f"{pair}{real} {'-' if imag.startswith('-') else '+'} {imag.removeprefix('-')} i"
     if len(whole) <= _ROW:

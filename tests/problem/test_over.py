@@ -53,6 +53,7 @@ def test_ranges(text: str, low: Fraction, high: Fraction | None, unit: str) -> N
         ("speed=0..5", "'speed', which is unknown: the parameters are v ="),
         ("track.kk=0..5", "did you mean track.k"),
         ("gap[1]=0..5", "is unknown"),
+        ("vehicle[1].M=1..2 t", r"so write vehicles\[0\].M for the rearmost, or vehicles.M"),
         ("v=0..fast", "'fast' is not a number"),
     ],
 )

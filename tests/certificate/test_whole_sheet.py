@@ -1,0 +1,209 @@
+"""The whole sheet as certify answers it: which vehicles, which certificate, and forgeries that are refused."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import pytest
+
+from mpsolve import InputError, Problem, Status, certify, tracks, vehicles
+from mpsolve.certificate import verify2
+from mpsolve.certificate.format import digest
+from mpsolve.certificate.solve import certify_problem
+from mpsolve.numbers.rootball import Symmetry
+from mpsolve.spectrum.regions import HalfPlane, Rectangle, Sheet
+from mpsolve.spectrum.spectrum import Spectrum
+
+PAPER = {"EI": "1/4", "m": 1, "k": 1}
+
+
+@cache
+def answer(v: str = "0.67", c: str = "0.1", masses: int = 2, M: object = 70) -> Spectrum:
+    row = [vehicles.Mass(M).at(1.5 * j) for j in range(masses)]
+    return certify_problem(Problem(tracks.EulerBernoulli(**PAPER, c=c), row, v=v), region="sheet", digits=20)
+
+
+def judged(content: dict[str, Any]) -> verify2.Verdict:
+    signed = {key: value for key, value in content.items() if key != "sha256"}
+    signed["sha256"] = digest(signed)
+    return verify2.verify_bytes(json.dumps(signed).encode("ascii"))
+
+
+@pytest.mark.parametrize(("v", "masses", "count", "unstable"), [("0.67", 2, 4, 2), ("1.2", 1, 4, 2), ("0", 2, 4, 0)])
+def test_a_damped_beam(v: str, masses: int, count: int, unstable: int) -> None:
+    found = answer(v, "0.1", masses)
+    assert (found.status, found.count, found.unstable, found.region) == (Status.PROVED, count, unstable, Sheet())
+    assert found.certificate.content["version"] == 2
+    assert "on the whole physical sheet" in found.verified
+    assert "no root has |q − 0.05i| ≥" in found.closing
+
+
+def test_without_damping_roots_in_the_gap_are_real_and_others_come_in_fours() -> None:
+    slow, fast = answer("0.67", "0"), answer("1.2", "0")
+    assert (slow.proved, slow.count, slow.unstable) == (True, 4, 0)
+    assert {root.symmetry for root in slow.roots} == {Symmetry.REAL}
+    assert (fast.proved, fast.count, fast.unstable) == (True, 4, 2)
+    q = [complex(root.q.mid()) for root in fast.roots]
+    assert sorted(q, key=str) == pytest.approx(sorted((x.conjugate() for x in q), key=str), abs=1e-15)
+
+
+def test_the_unstable_part_of_an_undamped_beam() -> None:
+    row = [vehicles.Mass(70), vehicles.Mass(70).at("1.5")]
+    found = certify(Problem(tracks.EulerBernoulli(**PAPER), row, v="1.2"), region="unstable", digits=15)
+    assert (found.proved, found.count, found.region) == (True, 2, HalfPlane())
+    assert all(root.q.imag < 0 for root in found.roots)
+
+
+def test_other_vehicles() -> None:
+    """Without damping any vehicle of springs and masses; with it a theorem is known for masses only."""
+    sprung = vehicles.Oscillator(wheel=1, body=20, k=2, c=0)
+    found = certify(Problem(tracks.EulerBernoulli(**PAPER), [sprung], v="0.5"), region="sheet", digits=15)
+    assert (found.proved, found.unstable) == (True, 0)
+    with pytest.raises(InputError, match=r"region: .*more than masses on the beam.*give"):
+        certify(Problem(tracks.EulerBernoulli(**PAPER, c="0.1"), [sprung], v="0.5"), region="sheet")
+    damped = vehicles.Oscillator(wheel=1, body=20, k=2, c=1)
+    with pytest.raises(InputError, match="the vehicle has dampers"):
+        certify(Problem(tracks.EulerBernoulli(**PAPER), [damped], v="0.5"), region="sheet")
+    with pytest.raises(InputError, match="whose cuts lie on one line"):
+        certify(Problem(tracks.EulerBernoulli(**PAPER, c=3), [vehicles.Mass(1)], v="0.5"), region="sheet")
+
+
+def test_masses_at_one_place_are_one() -> None:
+    row = [vehicles.Mass(30), vehicles.Mass(40), vehicles.Mass(70).at("1.5")]
+    found = certify(Problem(tracks.EulerBernoulli(**PAPER, c="0.1"), row, v="0.67"), region="sheet", digits=20)
+    assert found.proved
+    for one, other in zip(found.roots, answer().roots, strict=True):
+        assert one.q.overlaps(other.q)
+
+
+@pytest.mark.parametrize(
+    ("c", "v", "box", "count"),
+    [
+        ("0.1", "0.67", ("-0.3", "0.3", "-0.1", "0.3"), 4),  # across the line, in the gap
+        ("0.1", "0.67", ("-0.4", "0.4", "0.05", "1"), 0),  # from the line on
+        ("0.1", "1.2", ("-1", "1", "0.06", "2"), 2),  # above the joined cuts
+        ("0.1", "1.2", ("0.001", "1", "-2", "0.049"), 1),
+        ("0", "1.2", ("0.01", "1", "0.01", "2"), 1),
+        ("0", "0.67", ("0.14", "0.3", "-0.1", "0.3"), 1),
+    ],
+)
+def test_rectangles_beside_the_cuts(c: str, v: str, box: tuple[str, ...], count: int) -> None:
+    row = [vehicles.Mass(70), vehicles.Mass(70).at("1.5")]
+    problem = Problem(tracks.EulerBernoulli(**PAPER, c=c), row, v=v)
+    found = certify(problem, region=Rectangle(*box), digits=15)
+    assert (found.status, found.count) == (Status.PROVED, count)
+    inside = [
+        root.q
+        for root in answer(v, c).roots
+        if float(box[0]) < float(root.q.real) < float(box[1]) and float(box[2]) < float(root.q.imag) < float(box[3])
+    ]
+    assert len(inside) == count
+    forged = copy.deepcopy(found.certificate.content)
+    if float(box[3]) < 0.05 and float(c) > 0:  # below the cuts no half needs to be named
+        assert forged["theorem"] is None
+        return
+    forged["theorem"]["half"] = "upper" if forged["theorem"]["half"] == "lower" else "lower"
+    assert not judged(forged).valid
+
+
+def test_a_rectangle_across_a_cut_is_refused() -> None:
+    row = [vehicles.Mass(70), vehicles.Mass(70).at("1.5")]
+    with pytest.raises(InputError, match="beyond the gap of the cuts"):
+        certify(Problem(tracks.EulerBernoulli(**PAPER, c="0.1"), row, v="0.67"), region=Rectangle(-1, 1, -1, 1))
+
+
+# --- forgeries ---------------------------------------------------------------------------------------------
+
+
+def _theorem(**changed: Any) -> Callable[[dict[str, Any]], None]:
+    return lambda content: content["theorem"].update(changed)
+
+
+def _no_loop(content: dict[str, Any]) -> None:
+    content["theorem"]["lower"] = []
+
+
+def _one_round(content: dict[str, Any]) -> None:
+    loop = content["theorem"]["lower"][0]
+    loop["points"] = loop["points"][: len(loop["points"]) // 2 + 1]
+
+
+def _other_way(content: dict[str, Any]) -> None:
+    content["theorem"]["lower"][0]["points"].reverse()
+
+
+def _wide_disc(content: dict[str, Any]) -> None:
+    content["theorem"]["lower"][0]["radius"][1] -= 8
+
+
+def _above(content: dict[str, Any]) -> None:
+    for piece in content["paths"][1]["points"]:
+        piece[1] = abs(piece[1]) if isinstance(piece[1], int) else piece[1]
+
+
+def _less(content: dict[str, Any]) -> None:
+    content["claim"]["count"] -= 2
+    content["roots"].pop()
+
+
+def _more_mass(content: dict[str, Any]) -> None:
+    content["equations"]["vehicle"]["M"][0][0] = "71"
+
+
+def _damper(content: dict[str, Any]) -> None:
+    content["equations"]["vehicle"]["C"][0][0] = "1"
+
+
+def _shorter(content: dict[str, Any]) -> None:
+    content["paths"][1]["points"].pop()
+
+
+FORGERIES: dict[str, tuple[str, Callable[[dict[str, Any]], None]]] = {
+    "the theorem begins too soon": ("0.67", _theorem(reach=[1, 0])),
+    "the theorem begins beyond the path": ("0.67", _theorem(reach=[1, 9])),
+    "a begin beyond the gap": ("0.67", _theorem(begin=[1, -1])),
+    "an end that is not passive": ("1.2", _theorem(end=[1, -1])),
+    "an end before the begin": ("0.67", _theorem(end=[0, 0])),
+    "no loop": ("0.67", _no_loop),
+    "half a loop": ("0.67", _one_round),
+    "a loop the other way": ("0.67", _other_way),
+    "a disc that the loop leaves": ("0.67", _wide_disc),
+    "a path above the cut": ("0.67", _above),
+    "a root too few": ("0.67", _less),
+    "another mass": ("0.67", _more_mass),
+    "a damper": ("0.67", _damper),
+    "a path too short": ("0.67", _shorter),
+    "no loop above": ("1.2", lambda content: content["theorem"].update(upper=[])),
+    "no path above": ("1.2", lambda content: content.update(paths=content["paths"][:2])),
+}
+
+
+@pytest.mark.parametrize("name", FORGERIES)
+def test_a_forgery_is_refused(name: str) -> None:
+    v, change = FORGERIES[name]
+    content = copy.deepcopy(answer(v).certificate.content)
+    assert judged(content).valid
+    change(content)
+    found = judged(content)
+    assert not found.valid
+    assert not found.reason.startswith("malformed")
+
+
+def test_without_damping_the_gap_is_left_nowhere() -> None:
+    """A count that closes where it begins would miss roots between there and the branch point."""
+    content = copy.deepcopy(answer("0.67", "0").certificate.content)
+    content["theorem"] |= {"end": content["theorem"]["begin"], "lower": []}
+    content["paths"] = content["paths"][:1]
+    assert "the path ends on the cut" in judged(content).reason
+
+
+def test_every_track_parameter_matters() -> None:
+    """A changed coefficient of the beam leaves the roots where they are not."""
+    for place, value in ((0, "1001/1000"), (1, "11/100"), (2, "99/100"), (3, "26/100")):
+        content = copy.deepcopy(answer().certificate.content)
+        content["equations"]["track"]["matrix"][0][0][place][2] = value
+        assert not judged(content).valid
