@@ -3,7 +3,7 @@
     pip install 'mpsolve[mpi]'
     mpiexec -n 17 python -m mpi4py.futures examples/study_mpi.py
 
-The first process hands out the cases and writes the store, the other sixteen compute. The store has to be on a disk
+The first process hands out the entries and writes the store, the other sixteen compute. The store has to be on a disk
 of the first process's own machine. After an interruption the same command goes on.
 """
 
@@ -27,5 +27,5 @@ def run(store: Path = STORE) -> Study:
 
 if __name__ == "__main__":
     made = run()
-    print(f"{made.finished} of {made.total} cases: {dict(made.tally)}")
+    print(f"{made.finished} of {made.total} entries: {dict(made.tally)}")
     made.save(STORE.with_suffix(".csv"))

@@ -5,13 +5,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
+    from mpsolve.batch.frequencies import Frequencies, frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
+    from mpsolve.certificate.roots import real_roots, roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
+    from mpsolve.endless.amplification import Amplification, amplification
+    from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
+    from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
-    from mpsolve.fast.follow import Outcome
-    from mpsolve.fast.frequencies import Frequencies, frequencies
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.model.inputfile import read_case
@@ -19,14 +22,16 @@ if TYPE_CHECKING:
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
-    from mpsolve.motion.solve import harmonic_solution, response
-    from mpsolve.motion.study import deflection_shape, envelope, merged, superposition, transient_importance
+    from mpsolve.motion.solve import harmonic_solution
+    from mpsolve.motion.study import deflection_shape
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
+    from mpsolve.passivity.answer import PassivityVelocity
+    from mpsolve.passivity.band import PassivityBand, passivity_band
+    from mpsolve.passivity.velocity import passivity_velocity
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
-    from mpsolve.spectrum.regions import Rectangle
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
@@ -38,8 +43,16 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.stability.velocities import onset_velocity, unstable_velocities
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.vibration.forcing import Irregularity
+    from mpsolve.vibration.liftoff import Event
+    from mpsolve.vibration.motion import Vibration
+    from mpsolve.vibration.precise import PreciseVibration, response_mp
+    from mpsolve.vibration.response import response
+    from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
+    from mpsolve.zeros.answer import Zero, Zeros
+    from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle
 
 __version__ = "0.1.0"
 
@@ -58,6 +71,10 @@ __all__ = [
     "critical_velocities",
     "CriticalVelocities",
     "CriticalVelocity",
+    "passivity_velocity",
+    "PassivityVelocity",
+    "passivity_band",
+    "PassivityBand",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -67,9 +84,14 @@ __all__ = [
     "Effort",
     "frequencies",
     "Frequencies",
-    "Outcome",
     "seeds",
     "Seeds",
+    "infinite_train",
+    "InfiniteTrain",
+    "train_velocities",
+    "TrainVelocities",
+    "amplification",
+    "Amplification",
     "crossing_masses",
     "unstable_velocities",
     "onset_velocity",
@@ -83,6 +105,11 @@ __all__ = [
     "Load",
     "response",
     "Response",
+    "Vibration",
+    "response_mp",
+    "PreciseVibration",
+    "Irregularity",
+    "Event",
     "harmonic_solution",
     "HarmonicSolution",
     "envelope",
@@ -97,6 +124,14 @@ __all__ = [
     "study",
     "open_study",
     "Study",
+    "roots",
+    "real_roots",
+    "Zeros",
+    "Zero",
+    "Disc",
+    "Polygon",
+    "HalfPlane",
+    "Cut",
     "verify",
     "Verdict",
     "MpsolveError",
@@ -120,18 +155,27 @@ _HOME = {
     "critical_velocities": "waves.critical",
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
+    "passivity_velocity": "passivity.velocity",
+    "PassivityVelocity": "passivity.answer",
+    "passivity_band": "passivity.band",
+    "PassivityBand": "passivity.band",
     "certify": "certificate.certify",
-    "Rectangle": "spectrum.regions",
+    "Rectangle": "zeros.regions",
     "Spectrum": "spectrum.spectrum",
     "Status": "outcome",
     "Reason": "outcome",
     "Root": "spectrum.spectrum",
     "Effort": "proof.effort",
-    "frequencies": "fast.frequencies",
-    "Frequencies": "fast.frequencies",
-    "Outcome": "fast.follow",
+    "frequencies": "batch.frequencies",
+    "Frequencies": "batch.frequencies",
     "seeds": "fast.seeds",
     "Seeds": "fast.seeds",
+    "infinite_train": "endless.infinite_train",
+    "InfiniteTrain": "endless.infinite_train",
+    "train_velocities": "endless.velocities",
+    "TrainVelocities": "endless.velocities",
+    "amplification": "endless.amplification",
+    "Amplification": "endless.amplification",
     "crossing_masses": "stability.masses",
     "unstable_velocities": "stability.velocities",
     "onset_velocity": "stability.velocities",
@@ -143,14 +187,19 @@ _HOME = {
     "onset_table": "stability.table",
     "stability_chart": "stability.chart",
     "Load": "model.load",
-    "response": "motion.solve",
+    "response": "vibration.response",
+    "Vibration": "vibration.motion",
+    "response_mp": "vibration.precise",
+    "PreciseVibration": "vibration.precise",
+    "Irregularity": "vibration.forcing",
+    "Event": "vibration.liftoff",
     "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
     "HarmonicSolution": "motion.solution",
-    "envelope": "motion.study",
-    "superposition": "motion.study",
-    "merged": "motion.study",
-    "transient_importance": "motion.study",
+    "envelope": "vibration.studies",
+    "superposition": "vibration.studies",
+    "merged": "vibration.studies",
+    "transient_importance": "vibration.studies",
     "deflection_shape": "motion.study",
     "finite_beam": "motion.beam",
     "BeamResponse": "motion.beam",
@@ -159,6 +208,14 @@ _HOME = {
     "study": "studies.run",
     "open_study": "studies.run",
     "Study": "studies.run",
+    "roots": "certificate.roots",
+    "real_roots": "certificate.roots",
+    "Zeros": "zeros.answer",
+    "Zero": "zeros.answer",
+    "Disc": "zeros.regions",
+    "Polygon": "zeros.regions",
+    "HalfPlane": "zeros.regions",
+    "Cut": "zeros.regions",
     "verify": "certificate.check",
     "Verdict": "certificate.verify",
     "MpsolveError": "errors",

@@ -12,22 +12,11 @@ import io
 import os
 import sys
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 
 import click
 
-from mpsolve import (
-    cli_audit,
-    cli_certify,
-    cli_explore,
-    cli_new,
-    cli_receptance,
-    cli_report,
-    cli_response,
-    cli_stability,
-    cli_study,
-    cli_work_out,
-)
 from mpsolve.cli_tools import one_sentence
 
 
@@ -39,7 +28,47 @@ def _show_version(context: click.Context, _option: click.Parameter, asked: bool)
         context.exit()
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+_MODULES = {
+    "new": "new",
+    "work-out": "work_out",
+    "certify": "certify",
+    "report": "report",
+    "explore": "explore",
+    "onset": "stability",
+    "crossings": "stability",
+    "critical-distance": "stability",
+    "table": "stability",
+    "chart": "stability",
+    "train": "train",
+    "response": "response",
+    "compare": "response",
+    "critical": "critical",
+    "receptance": "receptance",
+    "study": "study",
+    "status": "study",
+    "export": "study",
+    "roots": "roots",
+    "schema": "schema",
+    "audit": "audit",
+}
+"""The module cli_… that holds each command; it is loaded when the command is asked for."""
+
+
+class _Commands(click.Group):
+    """The commands of this file, and those of `_MODULES`."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [*_MODULES, *super().list_commands(ctx)]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in _MODULES:
+            return super().get_command(ctx, cmd_name)
+        module = import_module(f"mpsolve.cli_{_MODULES[cmd_name]}")
+        commands: tuple[click.Command, ...] = module.COMMANDS
+        return next(command for command in commands if command.name == cmd_name)
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
     "--version", is_flag=True, is_eager=True, expose_value=False, callback=_show_version, help="Show the version."
 )
@@ -101,22 +130,6 @@ def models(name: str | None) -> None:
         from mpsolve.report.models import listing
 
         click.echo(listing(name), nl=False)
-
-
-for module in (
-    cli_new,
-    cli_work_out,
-    cli_certify,
-    cli_explore,
-    cli_stability,
-    cli_response,
-    cli_receptance,
-    cli_study,
-    cli_report,
-    cli_audit,
-):
-    for command in module.COMMANDS:
-        cli.add_command(command)
 
 
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)  # of a stream that takes no more

@@ -25,8 +25,8 @@ _REFUSED = ("verifier", "not-verified")
     "--region",
     metavar="REGION",
     help="unstable (Im q < 0); below=H (Im q < H, below the branch cuts); the rectangle RE_MIN,RE_MAX,IM_MIN,IM_MAX; "
-    "sheet (everything, for masses alone on a beam). In the units of FILE: rad/s in SI.  [default: the one of sheet, "
-    "below and unstable that tells most]",
+    "sheet (everything, for masses alone on a beam). In the units of FILE: rad/s in SI, "
+    "or with a unit, as in --region 'below=50 1/s'.  [default: the one of sheet, below and unstable that tells most]",
 )
 @click.option("--effort", type=float, metavar="SECONDS", help="Processor time that the proof may take.")
 @click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
@@ -52,27 +52,34 @@ def certify(
 
         source = read_source(file)
         path = certificate_path(source.path, output)
-        options = {"region": region_of(region), "digits": digits, "effort": _effort(effort)}
+        options = {"region": region_of(region, source.given), "digits": digits, "effort": _effort(effort)}
         with progress() as tell:
             spectrum = _told(lambda: prove(source.given, progress=tell, **options))
         _report(spectrum, source.title, path, as_json, output is None)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
 
-def region_of(text: str | None) -> Any:
-    """The region that an option names, as `certify` takes it; InputError where it names none."""
+def region_of(text: str | None, given: Any = None) -> Any:
+    """The region that an option names, as `certify` takes it; InputError where it names none.
+
+    Heights and bounds may have units, as in below="50 1/s", unless what is given is a case in the paper's ratios.
+    """
     from mpsolve.errors import InputError
+    from mpsolve.model.parameters import Case
+    from mpsolve.numbers.units import measured
     from mpsolve.spectrum.regions import Rectangle
 
     if text in (None, "sheet", "unstable"):
         return text
     word, equals, height = str(text).partition("=")
     if equals and word.strip() == "below":
-        return ("below", height.strip())
+        return ("below", height.strip() if isinstance(given, Case) else measured(height.strip(), "rad/s", "region"))
     bounds = str(text).split(",")
     if len(bounds) != 4:
         raise InputError("region", f"is {text!r}: give unstable, below=H, RE_MIN,RE_MAX,IM_MIN,IM_MAX, or sheet")
-    return Rectangle(*bounds)
+    if isinstance(given, Case):
+        return Rectangle(*bounds)
+    return Rectangle(*(measured(bound.strip(), "rad/s", "region") for bound in bounds))
 
 
 def _effort(seconds: float | None) -> Effort | None:

@@ -26,9 +26,7 @@ def new(
 ) -> None:
     """Write an input file with comments from presets: TRACK and a vehicle. Without TRACK: list the presets.
 
-    Each preset says where its numbers come from. Example:
-
-        mpsolve new ballasted --vehicle shinkansen -o mine.toml && mpsolve certify mine.toml
+    Each preset says where its numbers come from.
 
     Exit status 0: written. 1: the file could not be written. 2: there is no such preset, or the file exists.
     """

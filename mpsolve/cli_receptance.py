@@ -15,7 +15,8 @@ from mpsolve.cli_tools import checked_output, one_sentence
     "--omega",
     required=True,
     metavar="FIRST,LAST,COUNT",
-    help="Frequencies of the force, in rad/s for a file in SI: COUNT of them, evenly from FIRST to LAST.",
+    help="Frequencies of the force, COUNT of them evenly from FIRST to LAST: rad/s for a file in SI, or with a unit, "
+    "as in '1 Hz,100 Hz,400'.",
 )
 @click.option("--xi", default="0", show_default=True, help="Distances ahead of the force, in m in SI: -1.5,0,1.5.")
 @click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV.")
@@ -29,13 +30,15 @@ def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | No
     """
     with one_sentence():
         from mpsolve.files import write_whole
+        from mpsolve.model.parameters import Case
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.receptances import receptances
 
         given = read_problem(file)
+        si = not isinstance(given.case, Case)
         if output is not None:
             checked_output(output, given.path, "the table")
-        table = receptances(given.problem, given.title, _places(xi), _frequencies(omega))
+        table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si))
         text = table.to_json() if as_json else table.to_csv()
         if output is None:
             click.echo(text, nl=False)
@@ -47,20 +50,29 @@ COMMANDS = (receptance,)
 _MOST = 1_000_000
 
 
-def _places(text: str) -> tuple[float, ...]:
-    from mpsolve.numbers.exact import Exact
-
-    return tuple(float(Exact.parse(word.strip(), "--xi")) for word in text.split(","))
+def _places(text: str, si: bool) -> tuple[float, ...]:
+    return tuple(_real(word, "m" if si else "", "--xi") for word in text.split(","))
 
 
-def _frequencies(text: str) -> tuple[float, ...]:
+def _real(word: str, unit: str, key: str) -> float:
+    """A number that may have a unit of its own; cycles are what floats can turn into rad."""
+    from math import pi
+
+    from mpsolve.numbers.units import in_unit, split
+
+    number, given = split(word)
+    if given == "Hz" and unit == "rad/s":
+        return 2 * pi * float(in_unit(number, unit, key))
+    return float(in_unit(word.strip(), unit, key))
+
+
+def _frequencies(text: str, si: bool) -> tuple[float, ...]:
     import numpy as np
 
     from mpsolve.errors import InputError
-    from mpsolve.numbers.exact import Exact
 
     first, last, count = [*text.split(","), "", ""][:3]
     if text.count(",") != 2 or not (count.strip().isdecimal() and 1 <= int(count) <= _MOST):
         raise InputError("--omega", f"is {text!r}: give FIRST,LAST,COUNT, with a whole COUNT from 1 to {_MOST}")
-    low, high = (float(Exact.parse(end.strip(), "--omega")) for end in (first, last))
+    low, high = (_real(end, "rad/s" if si else "", "--omega") for end in (first, last))
     return tuple(np.linspace(low, high, int(count)).tolist())

@@ -8,15 +8,23 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mpsolve import cli_vibration
 from mpsolve.cli_tools import checked_output, one_sentence
 
 if TYPE_CHECKING:
     from mpsolve.model.inputfile import InputFile
     from mpsolve.motion.scale import Scale
     from mpsolve.motion.solution import Response
+    from mpsolve.problem.inputfile import ProblemFile
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
-_END = click.option("--to", "end", default="100", show_default=True, help="The last time τ.")
+_END = click.option(
+    "--to",
+    "end",
+    default="100",
+    show_default=True,
+    help='The last time: τ of the paper, or "2 s"; in s for a file with [track].',
+)
 _POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="Times.")
 _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 
@@ -26,10 +34,22 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 @click.option("-o", "--output", type=click.Path(path_type=Path), required=True, help=f"FILE{', '.join(_SUFFIXES)}.")
 @_END
 @_POINTS
-@click.option("--xi", help="Positions ξ in the moving frame, as 0,1.5.  [default: those of the masses]")
-def response(file: Path, output: Path, end: str, points: int, xi: str | None) -> None:
-    """Compute the motion from rest of the case in FILE (TOML), in float64 over certified frequencies.
+@click.option("--xi", help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]")
+@click.option(
+    "--initial",
+    type=click.Choice(["rest", "steady"]),
+    default="rest",
+    show_default=True,
+    help="In s: all loads at once, or constant ones since ever.",
+)
+@click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
+def response(
+    file: Path, output: Path, end: str, points: int, xi: str | None, initial: str, animate: Path | None
+) -> None:
+    """Compute the motion from rest of the vehicles in FILE (TOML), in float64.
 
+    A file with [track], or any file in SI where --to ends in s, gives m, s, N and rad, with errors estimated and the
+    first lift-off. Else the file is a case of the paper, over certified frequencies, in its τ and ξ:
     The loads are those of the file: P, P_A, omega_f, phi_f of each [[mass]], or constant, amplitude, frequency, phase
     of each [[load]] beside [dimensionless]. Without any, each mass carries its weight, or one unit constant force. A
     physical file gives s, mm and kN; a dimensionless one τ = √(k/m) t, displacements in units of w_st = χ/(2k) times
@@ -37,8 +57,20 @@ def response(file: Path, output: Path, end: str, points: int, xi: str | None) ->
     input cannot be used.
     """
     with one_sentence():
+        from mpsolve.model.inputfile import InputFile
+
         kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
-        source, tau = _source(file), _times(end, points)
+        source = _source(file, end)
+        if not isinstance(source, InputFile):
+            last = cli_vibration.seconds(end) or _last(end)
+            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial)
+            if animate is not None:
+                cli_vibration.film(source, checked_output(animate, file, "the film"), last, initial)
+            click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
+            return
+        _only_in_seconds(initial != "rest", "--initial")
+        _only_in_seconds(animate is not None, "--animate")
+        tau = _times(end, points)
         from mpsolve.motion.solve import response as respond
 
         places = None if xi is None else [x.strip() for x in xi.split(",")]
@@ -55,15 +87,22 @@ def response(file: Path, output: Path, end: str, points: int, xi: str | None) ->
 @_END
 @_POINTS
 def compare(file: Path, output: Path, end: str, points: int) -> None:
-    """Hold the motion of the rear contact point against superposition, one merged mass, and a finite beam.
+    """Hold the motion of the rear contact point against superposition, one merged mass, and a finite track.
 
     Superposition: each mass alone, results added. Merged: one mass with the sum of all masses and loads at the
     position of the rear mass. Loads and units as for response. Exit status 0: written. 1: it could not be computed
     or written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.model.inputfile import InputFile
+
         kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
-        source, tau = _source(file), _times(end, points)
+        source = _source(file, end)
+        if not isinstance(source, InputFile):
+            cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
+            click.echo(str(output))
+            return
+        tau = _times(end, points)
         scale = _scale(source)
         curves, notes = _curves(source, tau, scale)
         _save_curves(curves, tau, output, kind, source.title, scale)
@@ -79,22 +118,45 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
 COMMANDS = (response, compare)
 
 
-def _source(file: Path) -> InputFile:
-    from mpsolve.model.inputfile import read_input
+def _source(file: Path, end: str) -> ProblemFile | InputFile:
+    """A problem in SI where the file has [track] or the last time is given in s; else the paper's case."""
+    from mpsolve.errors import InputError
+    from mpsolve.model.parameters import PhysicalCase
+    from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
 
-    return read_input(file)
+    source = read_source(file)
+    if isinstance(source, ProblemFile) or cli_vibration.seconds(end) is None:
+        return source
+    if not isinstance(source.case, PhysicalCase):
+        raise InputError("--to", f"is {end}, but the file is dimensionless: give τ, a number without a unit")
+    return problem_file(source)
 
 
-def _times(end: str, points: int) -> Any:
-    import numpy as np
+def _only_in_seconds(given: bool, key: str) -> None:
+    from mpsolve.errors import InputError
 
+    if given:
+        raise InputError(key, 'is for a motion in s: give --to "2 s", and a file in SI')
+
+
+def _last(end: str) -> float:
     from mpsolve.errors import InputError
     from mpsolve.numbers.exact import Exact
 
     last = Exact.parse(end, "--to")
     if not last > 0:
         raise InputError("--to", f"is {end}: give a time above 0")
-    return np.linspace(0.0, float(last), points)
+    return float(last)
+
+
+def _grid(last: float, points: int) -> Any:
+    import numpy as np
+
+    return np.linspace(0.0, last, points)
+
+
+def _times(end: str, points: int) -> Any:
+    return _grid(_last(end), points)
 
 
 def _suffix(path: Path, known: tuple[str, ...]) -> str:

@@ -1,4 +1,4 @@
-"""The commands about studies of many cases: study, export, status."""
+"""The commands about studies of many entries: study, export, status."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
 @click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
 @click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes.")
 def study(file: Path, output: Path, workers: int | None, dask: str | None) -> None:
-    """Compute all cases of the study that SPEC (TOML) describes, and store the results.
+    """Compute all entries of the study that SPEC (TOML) describes, and store the results.
 
     What the store holds already is not computed again: an interrupted study goes on where it was. Exit status 0:
-    every case has an answer. 1: some are undecided, unresolved or refused, it was interrupted, or the store cannot
+    every entry has an answer. 1: some are undecided, unresolved or refused, it was interrupted, or the store cannot
     be written. 2: the input cannot be used.
     """
     with one_sentence():
@@ -64,7 +64,7 @@ def study(file: Path, output: Path, workers: int | None, dask: str | None) -> No
 def export(store: Path, to: str, output: Path | None) -> None:
     """Write the results in STORE to a file for other programs.
 
-    Exit status 0: all cases are there. 1: the study is not complete (the finished cases are written), or a file
+    Exit status 0: all entries are there. 1: the study is not complete (the finished entries are written), or a file
     cannot be read or written. 2: the input cannot be used.
     """
     with one_sentence():
@@ -77,7 +77,7 @@ def export(store: Path, to: str, output: Path | None) -> None:
         click.echo(found.save(path))
         if not found.complete:
             click.echo(
-                f"mpsolve: {found.finished} of {found.total} cases are finished; the others are missing", err=True
+                f"mpsolve: {found.finished} of {found.total} entries are finished; the others are missing", err=True
             )
     sys.exit(0 if found.complete else UNDECIDED)
 
@@ -86,7 +86,7 @@ def export(store: Path, to: str, output: Path | None) -> None:
 @_STORE
 @_JSON
 def status(store: Path, as_json: bool) -> None:
-    """Tell what is in STORE: which study, how many cases are finished, and with what result.
+    """Tell what is in STORE: which study, how many entries are finished, and with what result.
 
     Exit status 0: it is complete. 1: it is not, or the store cannot be read. 2: the input cannot be used.
     """
@@ -103,7 +103,7 @@ COMMANDS = (study, export, status)
 
 def _sentence(found: Study) -> str:
     counts = ", ".join(f"{number} {name}" for name, number in found.tally.items())
-    return f"{found.finished} of {found.total} cases finished{counts and f': {counts}'}.\n{found.path}"
+    return f"{found.finished} of {found.total} entries finished{counts and f': {counts}'}.\n{found.path}"
 
 
 def _report(found: Study) -> str:
@@ -181,6 +181,6 @@ def _progress() -> Iterator[Progress | None]:
         def tell(finished: int, total: int) -> None:
             bar.update(task, completed=finished, total=total)
             speed = bar.tasks[0].speed
-            bar.update(task, rate=f"{speed:.3g} cases/s" if speed else "")
+            bar.update(task, rate=f"{speed:.3g} entries/s" if speed else "")
 
         yield tell

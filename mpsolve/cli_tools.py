@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,7 +16,9 @@ if TYPE_CHECKING:
     from rich.console import Group
 
     from mpsolve.progress import Progress
+    from mpsolve.report.blocks import Document
 
+_NARROW = 40  # columns; a narrower terminal breaks lines itself
 UNDECIDED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130  # as a shell says of a program that ended by Ctrl-C
@@ -67,14 +71,21 @@ def checked_output(path: Path, source: Path, what: str) -> Path:
     return path
 
 
-def show(report: Group) -> None:
-    """To a terminal in its width and with colour; else as plain text."""
-    if sys.stdout.isatty():
+def show(report: Group | Document) -> None:
+    """To a terminal in its width and with colour, unless NO_COLOR is set; else as plain text."""
+    from mpsolve.report.blocks import WIDTH, Document
+
+    if isinstance(report, Document):
+        terminal = sys.stdout.isatty()
+        width = max(shutil.get_terminal_size().columns, _NARROW) if terminal else WIDTH
+        colour = terminal and not os.environ.get("NO_COLOR")
+        click.echo(report.text(width, colour), nl=False, color=colour)
+    elif sys.stdout.isatty():
         from rich.console import Console
 
         Console().print(report)
     else:
-        from mpsolve.report.text import plain
+        from mpsolve.report.layout import plain
 
         click.echo(plain(report), nl=False)
 

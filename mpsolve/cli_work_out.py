@@ -16,9 +16,7 @@ if TYPE_CHECKING:
 def work_out() -> None:
     """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes.
 
-    Example:
-
-        mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m"
+    Exit status 0: shown. 2: a value cannot be used.
     """
 
 

@@ -149,7 +149,7 @@ def _parts(q: Any) -> tuple[str, str]:
     """Re q and Im q in eight digits."""
     with ball_arithmetic(128):
         real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)
-    return ("±" if q.real else "") + real, imag.replace("-", "−")
+    return ("" if q.real == 0 else "±") + real, imag.replace("-", "−")
 
 
 def _mark(case: dict[str, Any]) -> str:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import os
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import click
 import pytest
 from click.testing import CliRunner, Result
 
 import mpsolve
+from mpsolve.cli import EXAMPLES as _EXAMPLES
 from mpsolve.cli import cli
 from mpsolve.model import derivation
 from mpsolve.model.steps import equation_of_motion
@@ -106,3 +109,17 @@ def test_importing_the_command_is_light() -> None:
     loaded = {name.partition(".")[0] for name in done.stdout.split()}
     assert not loaded & {"rich", "sympy", "matplotlib"}
     assert not [name for name in done.stdout.split() if name.startswith("mpsolve.report")]
+
+
+@pytest.mark.parametrize("name", sorted(cli.commands))
+def test_each_help_ends_with_an_example_that_can_be_typed(name: str) -> None:
+    """The words of the example are those that the command takes."""
+    example = _EXAMPLES[name]
+    shown = CliRunner().invoke(cli, [name, "--help"]).stdout.split()
+    assert " ".join(shown).endswith(f"Example: {example}")
+    words = shlex.split(example.partition(" > ")[0])
+    assert words[:2] == ["mpsolve", name]
+    command, rest = cli.commands[name], words[2:]
+    if isinstance(command, click.Group):
+        command, rest = command.commands[rest[0]], rest[1:]
+    command.make_context(name, rest)

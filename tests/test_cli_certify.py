@@ -255,3 +255,17 @@ def test_an_interruption_is_one_line_and_writes_nothing(tmp_path: Path) -> None:
     assert (process.returncode, out) == (130, "")
     assert err == "mpsolve: interrupted\n"
     assert [path.name for path in tmp_path.iterdir()] == ["slow.toml"]
+
+
+@pytest.mark.usefixtures("accepted")
+def test_regions_in_si_may_have_units(run: Run) -> None:
+    Path("wire.toml").write_text(WIRE, encoding="utf-8")
+    regions = ("below=0.5", "below=0.5 1/s", "below=30 1/min", "below=0.5 rad/s")
+    heights = [
+        json.loads(run("certify", "wire.toml", "--json", "--digits", 15, "--region", region).stdout)["region"]
+        for region in regions
+    ]
+    assert all(region == heights[0] for region in heights)
+    refused = run("certify", "wire.toml", "--region", "below=3 kg")
+    assert refused.stderr.startswith("mpsolve: region: is '3 kg', whose unit is kg")
+    assert run("certify", PLAIN, "--region", "below=0.01 1/s").exit_code == 2

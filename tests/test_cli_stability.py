@@ -17,7 +17,7 @@ from mpsolve.errors import CertificateError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.numbers.exact import Exact
 from mpsolve.outcome import Status
-from mpsolve.report.text import WIDTH
+from mpsolve.report.layout import WIDTH
 from mpsolve.stability.distance import CriticalDistance
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -259,13 +259,13 @@ def test_critical_distance(run: Run, distance: Callable[[CriticalDistance], list
         (["onset", "one.toml", "-o", "one.toml"], "output"),
         (["crossings", "one.toml", "--digits", "0"], "digits"),
         (["crossings", "one.toml", "-o", "no/c.json"], "output"),
-        (["table", "one.toml"], "dimensionless"),
+        (["table", "one.toml"], "one.toml"),
         (["table", "none.toml", "-o", "one.csv"], "none.toml"),
         (["table", "table.toml", "-o", "a.txt"], "output"),
         (["table", "table.toml", "--workers", "0"], "workers"),
         (["table", "table.toml", "--certificates", "one.toml"], "certificates"),
         (["chart", "chart.toml", "-o", "a.gif"], "output"),
-        (["chart", "table.toml", "-o", "a.png"], "quantity"),
+        (["chart", "table.toml", "-o", "a.png"], "table.toml"),
     ],
 )
 def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[object], key: str) -> None:

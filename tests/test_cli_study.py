@@ -17,11 +17,13 @@ SPEC = """
 title = "Two velocities"
 [study]
 kind = "certified"
-masses = 1
-[parameters]
-alpha = [0.4, 0.5]
+[dimensionless]
+alpha = 0.4
 eta_b = 0.05
-eta_m = 40
+eta_m = [40]
+positions = [0]
+[parameters]
+v = [0.4, 0.5]
 """
 Run = Callable[..., Result]
 
@@ -31,20 +33,22 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
     """The command in a working directory that holds two specs."""
     monkeypatch.chdir(tmp_path)
     Path("spec.toml").write_text(SPEC, encoding="utf-8")
-    Path("buckles.toml").write_text(SPEC.replace("eta_b", "eta_n = 1\neta_b"), encoding="utf-8")
+    Path("buckles.toml").write_text(
+        SPEC.replace("eta_b", "eta_n = 0.9\neta_b").replace("v =", '"track.N" = 1\nv ='), encoding="utf-8"
+    )
     return lambda *arguments: CliRunner().invoke(cli, [str(x) for x in arguments], catch_exceptions=False)
 
 
 def test_study_status_and_export(run: Run) -> None:
     made = run("study", "spec.toml", "-o", "s.sqlite", "--workers", 1)
     assert (made.exit_code, made.stderr) == (0, "")
-    assert made.stdout == "2 of 2 cases finished: 2 proved.\ns.sqlite\n"
+    assert made.stdout == "2 of 2 entries finished: 2 proved.\ns.sqlite\n"
     assert run("study", "spec.toml", "-o", "s.sqlite", "--workers", 1).stdout == made.stdout
 
     told = run("status", "s.sqlite")
     assert told.exit_code == 0
-    assert told.stdout.startswith('Two velocities\nstudy.kind = "certified"\n')
-    assert told.stdout.endswith('parameters.eta_m = "40"\n' + made.stdout)
+    assert told.stdout.startswith('Two velocities\ndimensionless.alpha = "2/5"\n')
+    assert told.stdout.endswith('parameters.v = ["2/5", "1/2"]\n' + made.stdout)
     data = json.loads(run("status", "s.sqlite", "--json").stdout)
     assert (data["total"], data["finished"], data["tally"]) == (2, 2, {"proved": 2})
 
@@ -59,7 +63,7 @@ def test_study_status_and_export(run: Run) -> None:
 
 def test_refused_cases_are_told_by_the_exit_status(run: Run) -> None:
     made = run("study", "buckles.toml", "-o", "s.sqlite", "--workers", 1)
-    assert (made.exit_code, made.stdout) == (1, "2 of 2 cases finished: 2 refused.\ns.sqlite\n")
+    assert (made.exit_code, made.stdout) == (1, "2 of 2 entries finished: 2 refused.\ns.sqlite\n")
     assert run("status", "s.sqlite").exit_code == 0
 
 
@@ -74,8 +78,8 @@ def test_a_study_that_is_not_complete(run: Run) -> None:
     assert run("status", "s.sqlite").exit_code == 1
     written = run("export", "s.sqlite", "--to", "csv")
     assert (written.exit_code, written.stdout) == (1, "s.csv\n")
-    assert written.stderr == "mpsolve: 1 of 2 cases are finished; the others are missing\n"
-    assert Path("s.csv").read_text("utf-8").splitlines()[1].startswith("1,0.5,0.05,40,proved,")
+    assert written.stderr == "mpsolve: 1 of 2 entries are finished; the others are missing\n"
+    assert Path("s.csv").read_text("utf-8").splitlines()[1].startswith("1,0.5,proved,")
 
 
 @pytest.mark.parametrize(
@@ -111,7 +115,7 @@ def test_a_spec_that_differs_is_told_apart(run: Run) -> None:
     run("study", "spec.toml", "-o", "s.sqlite", "--workers", 1)
     other = run("study", "buckles.toml", "-o", "s.sqlite", "--workers", 1)
     assert other.exit_code == 2
-    assert 'parameters.eta_n is not given there and "1" here' in other.stderr
+    assert 'parameters.track.N is not given there and "1" here' in other.stderr
 
 
 def test_ctrl_c_says_what_is_kept_and_how_to_go_on(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -155,4 +159,4 @@ def test_progress_tells_the_rate(monkeypatch: pytest.MonkeyPatch, capsys: pytest
             tell(finished, 8)
     told = capsys.readouterr().err
     assert "4/8" in told
-    assert "cases/s" in told
+    assert "entries/s" in told

@@ -16,7 +16,7 @@ import mpsolve
 from mpsolve.claims import Verdict
 from mpsolve.claims.load import load
 from mpsolve.cli import cli
-from mpsolve.model.inputfile import _DIMENSIONLESS, _LOAD, _MASS, _PHYSICAL, read_input
+from mpsolve.model.inputfile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_input
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
@@ -47,7 +47,9 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     monkeypatch.chdir(tmp_path)
     names = {name: getattr(mpsolve, name) for name in mpsolve.__all__}
     names["case"] = mpsolve.Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
-    names |= {"times": np.linspace(0, 50, 101), "alphas": np.linspace(0.4, 0.6, 3)}
+    names |= {"times": np.linspace(0, 50, 101), "speeds": np.linspace(0.4, 0.6, 3), "dampings": [[0.1], [0.2]]}
+    names["string"] = mpsolve.Problem(mpsolve.tracks.String(T=9, m=1, k=4, c=1), mpsolve.vehicles.Mass(2), v=1)
+    names["problem"] = mpsolve.read_problem(ROOT / "examples/two_layer_bogie.toml").problem
     balls = 0
     for expression, said in SHOWN:
         if "examples/" in expression:  # a table and a study, whose commands run below
@@ -60,7 +62,7 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
             digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
             assert value.str(60, radius=False).startswith(digits), expression
             balls += 1
-    assert (len(SHOWN), balls) == (16, 5)
+    assert (len(SHOWN), balls) == (19, 5)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
 
 
@@ -84,7 +86,7 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
     shown = re.findall(r"```toml\n(.*?)```", README, flags=re.DOTALL)
     assert len(shown) == 2
-    for text, known in zip(shown, ((_PHYSICAL, _MASS), (_DIMENSIONLESS, _LOAD)), strict=True):
+    for text, known in zip(shown, ((PHYSICAL, MASS), (DIMENSIONLESS, LOAD)), strict=True):
         file = tmp_path / "case.toml"
         file.write_text(text, "utf-8")
         assert read_input(file).title in ("One axle", "")
@@ -92,7 +94,7 @@ def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
         assert keys - {"title"} == {*known[0], *known[1]}
     for command in ("response", "report"):
         said = cli.commands[command].help or ""
-        assert [name for name in (*list(_MASS)[2:], *_LOAD) if name not in said] == []
+        assert [name for name in (*list(MASS)[2:], *LOAD) if name not in said] == []
 
 
 def test_the_paper_on_trial(tmp_path: Path) -> None:

@@ -13,11 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from induced import ALPHA, LAST, check_lines, draw_lines, drawn, groups, lines
+from induced import ALPHA, LAST, check_lines, draw_lines, drawn, groups, lines, on_sheet
 from style import agree, page, run
 from vibration import pair_of_masses
-
-from mpsolve import frequencies
 
 CLOSE = ("0.5", "1", "1.5")
 FAR = ("2", "2.5", "3", "3.5", "4", "4.5")
@@ -29,7 +27,7 @@ def check() -> None:
     """Where both pairs end, on q_lm; the order of the lines; certified frequencies; complex ones from α = 1 on."""
     ends = [(eta_m, d, last) for eta_m in LAST for d, last in LAST[eta_m].items()]
     masses, places, last = np.array([[float(x) for x in end] for end in ends]).T
-    assert np.all(frequencies([last, last + 0.01], 0, masses, places).count.T == [4, 2])
+    assert np.all(on_sheet(np.array([last, last + 0.01]), 0, masses, places).count.T == [4, 2])
     p = np.linspace(0, 3, 300_001)
     for eta_m, d in ((40, "0.5"), (40, "1.5"), (10, "1")):
         higher = max(lines(eta_m, d, alpha=np.arange(60, 92) / 100), key=lambda line: line.q[0].real)

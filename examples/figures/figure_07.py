@@ -11,11 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from induced import LAST, end_of_line
+from induced import LAST, end_of_line, on_sheet
 from style import agree, greys, page, run
 from vibration import checked_vibration, pair_of_masses
 
-from mpsolve import frequencies
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, pairing
 from mpsolve.model.characteristic import characteristic_rate
@@ -34,8 +33,10 @@ def velocities(d: str, points: int = POINTS) -> Any:
 
 def amplitudes(d: str, alpha: Any) -> Any:
     """|A_k| at ξ = 0 in float64, shape (len(alpha), 2), for unit constant forces; nan without both pairs."""
-    found = frequencies(alpha, 0, float(ETA_M), float(d))
-    half = np.sort(np.where(found.q.real > 0, found.q.real, np.nan), axis=-1)  # undamped and subcritical: all real
+    found = on_sheet(alpha, 0, float(ETA_M), float(d))
+    half = np.sort(
+        np.where(found.roots.real > 0, found.roots.real, np.nan), axis=-1
+    )  # undamped and subcritical: all real
     q = np.full((len(alpha), 2), np.nan)
     both = found.count == 4
     q[both] = half[both, :2]

@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from induced import on_sheet
 from style import LIMIT, agree, greys, page, run
 
-from mpsolve import Case, certify, crossing_masses, frequencies
+from mpsolve import Case, certify, crossing_masses
 
 ALPHA = 0.99
 ETA_M = 70.0
@@ -26,7 +27,7 @@ MASSES: Any = np.arange(1.0, 101.0)
 
 def lowest(eta_b: Any, eta_m: Any, d: Any) -> Any:
     """The least Im q at α = 0.99 in float64, nan where there is no induced frequency; the arrays broadcast."""
-    q = frequencies(ALPHA, eta_b, eta_m, d).q
+    q = on_sheet(ALPHA, eta_b, eta_m, d).roots
     least = np.where(np.isnan(q.real), np.inf, q.imag).min(axis=-1, initial=np.inf)
     return np.where(np.isfinite(least), least, np.nan)
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from style import DOUBLED, LIMIT, SINGLE, agree, greys
 
-from mpsolve import Case, certify, cut_points, frequencies
+from mpsolve import Case, Frequencies, Problem, certify, cut_points, frequencies, tracks, vehicles
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
 
@@ -56,12 +56,21 @@ def groups(eta_m: int, distances: Sequence[str], eta_b: str = "0", alpha: Any = 
 
 def lines(eta_m: int, d: str | None, eta_b: str = "0", alpha: Any = ALPHA) -> list[Line]:
     """The frequency lines of two equal masses at the distance d, or of one mass (d None)."""
-    place, ratio = (1.0, 0) if d is None else (float(d), 1)
-    found = frequencies(alpha, float(eta_b), eta_m, place, mass_ratio=ratio)
+    roots = on_sheet(alpha, float(eta_b), eta_m, None if d is None else float(d)).roots
     with np.errstate(invalid="ignore"):
-        kept = (found.q.real >= 0) & ((found.q.imag >= 0) | (float(eta_b) > 0))
-    joined = join(alpha, [row[keep] for row, keep in zip(found.q, kept, strict=True)])
+        kept = (roots.real >= 0) & ((roots.imag >= 0) | (float(eta_b) > 0))
+    joined = join(alpha, [row[keep] for row, keep in zip(roots, kept, strict=True)])
     return joined if d is None or float(eta_b) else _to_the_cut(joined, eta_m, d, alpha)
+
+
+def on_sheet(alpha: Any, eta_b: Any, eta_m: Any, d: Any) -> Frequencies:
+    """Every frequency of two equal masses, or of one (d None), in the paper's ratios; the arrays broadcast."""
+    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1)
+    masses = vehicles.train(vehicles.Mass(1), 1 if d is None else 2, 1)
+    over = {"v": alpha, "track.c": 2 * np.asarray(eta_b), "vehicles[0].M": eta_m}
+    if d is not None:
+        over |= {"vehicles[1].M": eta_m, "gap[0]": d}
+    return frequencies(Problem(beam, masses, v=0), over, region="sheet")
 
 
 def end_of_line(eta_m: int, d: str) -> float:

@@ -9,6 +9,7 @@ beside the line is not stepped over), the waves are resolved between the contact
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +18,7 @@ import numpy as np
 from mpsolve.batch.closing import closing_argument
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import log_delta
-from mpsolve.batch.waves import moved_between, passes_branch
+from mpsolve.batch.waves import felt, moved_between, passes_branch
 
 MAX_STEP = 0.5  # rad, of the argument between neighbouring points
 MAX_GROWTH = 1.2  # of log |Δ̂|
@@ -75,7 +76,10 @@ def count_group(group: Group, rho: Any, height: Any) -> Counted:
     total = (closing_argument(group, rho) + order * np.pi / 2 - turn) / np.pi
     count = np.rint(np.nan_to_num(total, nan=-1.0)).astype(int)
     off = wild | ~(np.abs(total - count) < _INTEGER) | (count < 0) | ~np.isfinite(line.log[ends])
-    why = dict.fromkeys(np.flatnonzero(off).tolist(), "the turn of the characteristic function is no number of roots") | why
+    why = (
+        dict.fromkeys(np.flatnonzero(off).tolist(), "the turn of the characteristic function is no number of roots")
+        | why
+    )
     return Counted(np.where(off | lost, -1, count), why, line)
 
 
@@ -126,11 +130,28 @@ def _first(group: Group, corners: Corners) -> Line:
     if (corners.height > 0).any():
         down = np.linspace(0, 1, 5)[None, 1:]
         t = np.concatenate([t, t[:, -1:] + (1 - t[:, -1:]) * down], 1)
-    row = np.repeat(rows, t.shape[1])
-    t = t.ravel()
-    q = corners.at(row, t)
-    log, z = log_delta(group, row, 1j * q)
-    return Line(row, t, q, log, z)
+    q = corners.at(np.repeat(rows, t.shape[1]), t.ravel()).reshape(t.shape)
+    log, z = np.empty(t.shape, complex), np.empty((*t.shape, group.D.shape[1] - 1), complex)
+    for columns, before in _nested(t.shape[1]):
+        each = np.repeat(rows, len(columns))
+        near = None if before is None else z[:, before].reshape(len(each), -1)
+        values = log_delta(group, each, 1j * q[:, columns].ravel(), near)
+        log[:, columns], z[:, columns] = (
+            values[0].reshape(-1, len(columns)),
+            values[1].reshape(len(rows), len(columns), -1),
+        )
+    return Line(np.repeat(rows, t.shape[1]), t.ravel(), q.ravel(), log.ravel(), z.reshape(t.size, -1))
+
+
+def _nested(size: int) -> Iterator[tuple[list[int], list[int] | None]]:
+    """Columns 0 … size − 1 level by level, with those that are known and nearest before them."""
+    yield [0], None
+    stride = 1 << (size - 1).bit_length()
+    while stride > 1:
+        stride //= 2
+        columns = list(range(stride, size, 2 * stride))
+        if columns:
+            yield columns, [column - stride for column in columns]
 
 
 def _refined(group: Group, corners: Corners) -> tuple[Line, Any]:
@@ -158,9 +179,9 @@ def _coarse(line: Line, span: Any, nearest: Any, up: int) -> Any:
         step = np.diff(line.log)
         step = step.real + 1j * np.angle(np.exp(1j * step.imag))
         out = ~(np.abs(step.imag) < MAX_STEP) | ~(np.abs(step.real) < MAX_GROWTH)
-        row, z = line.row[1:], line.z[1:]
-        felt = np.exp(-np.abs(z.real) * nearest[row, None]) * span[row, None]
-        out |= ~(moved_between(line.z, felt) < MAX_WAVE) | passes_branch(line.z, up)
+        row = line.row[1:]
+        weight = felt(line.z[1:], nearest[row], span[row])
+        out |= ~(moved_between(line.z, weight) < MAX_WAVE) | passes_branch(line.z, up)
         slope = step / length
         bend = np.abs(np.diff(slope)) * (length[1:] + length[:-1]) / 2
         pairs = same[1:] & same[:-1]

@@ -5,18 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Model, Quantity, quantities
-from mpsolve.problem.parameters import changed
+from mpsolve.numbers.model import Model, Quantity, rational
+from mpsolve.problem.parameters import changed, quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.felt import split_felt
 from mpsolve.vehicles.vehicle import AnyVehicle, Placed, checked_pencil
 
 Signature = tuple[Any, ...]
+_CLEAR = 1e-7
 
 
 @dataclass(frozen=True)
@@ -62,7 +64,8 @@ class Entries:
 
 def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
     """The entries for arrays by path; InputError names the path that cannot be."""
-    arrays = {path: _floats(path, values) for path, values in over.items()}
+    asked = {path: quantity_of(problem.track, problem.vehicles, problem.v, path) for path in over}
+    arrays = {path: _floats(path, values, asked[path]) for path, values in over.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
@@ -73,9 +76,8 @@ def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
     track = {name: float(value) for name, value in _track_parameters(problem.track).items()}
     for path, values in flat.items():
         if path.startswith("track."):
-            track[path.removeprefix("track.")] = _checked_track(problem, path, values)
+            track[path.removeprefix("track.")] = values
     v = flat.get("v", np.full(size, float(problem.v)))
-    _require("v", v, v >= 0, "below 0: x runs ahead, turn the vehicles round")
     formations, which = _formations(problem, flat, size)
     return Entries(problem, shape, flat, v, track, formations, which)
 
@@ -84,35 +86,25 @@ def _track_parameters(track: Any) -> dict[str, Any]:
     return dict(track.parameters) if isinstance(track, Model) else {}
 
 
-def _floats(path: str, values: Any) -> Any:
+def _floats(path: str, values: Any, asked: Quantity) -> Any:
+    """An array within the bounds of the parameter; texts may have units of their own."""
     if np.ma.is_masked(values):
         raise InputError(path, "has masked entries: give a number everywhere, or leave those entries out")
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind == "O":
-            array = np.array([float(x) for x in array.ravel()]).reshape(array.shape)
-        if array.dtype.kind not in "iuf":
-            raise TypeError
-    except (TypeError, ValueError):
-        raise InputError(path, "is no array of real numbers: give a number, a list or an array of them") from None
+    array = np.asarray(values)
+    if array.dtype.kind in "OU":
+        exact = [float(rational(x, path, asked.unit, asked.meaning)) for x in array.ravel().tolist()]
+        array = np.array(exact).reshape(array.shape)
+    if array.dtype.kind not in "iuf":
+        raise InputError(path, "is no array of real numbers: give a number, a list or an array of them")
     array = array.astype(float)
     _require(path, array, np.isfinite(array), "not finite: give finite numbers")
+    if asked.above is not None:
+        _require(path, array, array > asked.above, f"but must be above {asked.above}: give the {asked.told}")
+    if asked.at_least is not None:
+        _require(
+            path, array, array >= asked.at_least, f"but must not be below {asked.at_least}: give the {asked.told}"
+        )
     return array
-
-
-def _checked_track(problem: Problem, path: str, values: Any) -> Any:
-    """The values, within the bounds of the parameter; a path that there is not is refused as by `changed`."""
-    name = path.removeprefix("track.")
-    kind: Any = type(problem.track)
-    if not isinstance(problem.track, Model) or name not in problem.track.parameters:
-        changed(problem.track, problem.vehicles, problem.v, path, 1)  # raises, and says which paths there are
-    quantity: Quantity = quantities(kind)[name]
-    if quantity.above is not None:
-        _require(path, values, values > quantity.above, f"but must be above {quantity.above}: give the {quantity.told}")
-    if quantity.at_least is not None:
-        bound = f"but must not be below {quantity.at_least}: give the {quantity.told}"
-        _require(path, values, values >= quantity.at_least, bound)
-    return values
 
 
 def _require(path: str, values: Any, holds: Any, stated: str) -> None:
@@ -161,7 +153,7 @@ def formation(vehicles: tuple[Placed, ...]) -> Formation:
     origin = spots[0][0]
     places = np.array([float(x - origin) for x, _, _ in spots])
     neutral = np.concatenate([one.neutral for _, one in parts])
-    together = np.array([a[0] == b[0] for a, b in zip(spots, spots[1:], strict=False)], bool)
+    together = np.array([a[0] == b[0] for a, b in pairwise(spots)], bool)
     masks = (((M != 0) | (C != 0) | (K != 0)), B != 0, h != 0, neutral, together)
     return Formation(M, C, K, B, h, places, neutral, (bodies, len(spots), *(m.tobytes() for m in masks)))
 
@@ -180,7 +172,39 @@ class _Matrices:
 @lru_cache(maxsize=512)
 def _matrices(vehicle: AnyVehicle) -> _Matrices:
     pencil = checked_pencil(vehicle.pencil)
-    parts = split_felt(pencil)
-    M, C, K, B = (np.array([[float(x) for x in row] for row in rows]) for rows in (parts.M, parts.C, parts.K, parts.B))
-    neutral = np.arange(len(M)) >= len(M) - parts.neutral
+    M, C, K, B = (_array(rows) for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
+    neutral = np.zeros(len(M), bool)
+    if not _clearly_felt(M, C, K, B):
+        parts = split_felt(pencil)
+        M, C, K, B = (_array(rows) for rows in (parts.M, parts.C, parts.K, parts.B))
+        neutral = np.arange(len(M)) >= len(M) - parts.neutral
     return _Matrices(M, C, K, B, np.array([float(x) for x in pencil.h]), neutral, pencil.places)
+
+
+def _array(rows: Any) -> Any:
+    return np.array([[float(x) for x in row] for row in rows])
+
+
+def _clearly_felt(M: Any, C: Any, K: Any, B: Any) -> bool:
+    """Whether floats show beyond doubt that the contacts feel every motion, and that none is neutral.
+
+    As vehicles/felt.py decides exactly. The space that grows from H⁻¹B by H⁻¹M, H⁻¹C, H⁻¹K is the same for every
+    positive combination H of the three.
+    """
+    rate = np.sqrt(np.trace(K) / np.trace(M)) if np.trace(K) > 0 else 1.0
+    parts = (M * rate**2, C * rate, K)
+    size = 1 / np.sqrt(np.maximum(np.diag(parts[0] + parts[1] + parts[2]), 1e-300))
+    parts = tuple(a * size[:, None] * size for a in parts)
+    touch = B * size[:, None]
+    touch = touch / np.maximum(np.abs(touch).max(0), 1e-300)
+    if np.linalg.eigvalsh(parts[2] + touch @ touch.T)[0] < _CLEAR:
+        return False
+    H = parts[0] + parts[1] + parts[2]
+    space = np.linalg.solve(H, touch)
+    for _ in range(len(M)):
+        left, sizes, _ = np.linalg.svd(space, full_matrices=False)
+        space = left[:, sizes > _CLEAR * sizes[0]]
+        if space.shape[1] == len(M):
+            return True
+        space = np.hstack([space, *(np.linalg.solve(H, a @ space) for a in parts)])
+    return False

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.batch.beam import OFF_LINE, UNKNOWN, on_sheet
 from mpsolve.batch.count import count_group
 from mpsolve.batch.entries import Entries, entries_of
 from mpsolve.batch.groups import Group, groups_of
@@ -52,6 +53,7 @@ class Frequencies:
 
     @property
     def shape(self) -> tuple[int, ...]:
+        """Of the broadcast arrays."""
         return tuple(self.count.shape)
 
     @property
@@ -120,11 +122,13 @@ def frequencies(
     """Counts and roots of q in a region for arrays of parameters that broadcast, any track and vehicles.
 
     over: arrays by path, such as {"v": [50, 60], "track.k": …, "vehicles.M": …, "gap[0]": …}, with the paths and
-    units of `problem.parameters`. region: "unstable" (Im q < 0), or ("below", h) with h below every cut. Each count
-    comes from the turn of Δ along half of a contour that passivity closes; roots are then sought until as many are
-    found. An entry for which that does not work out is "unresolved": it is never answered with a wrong number on
-    purpose, but only `certify` proves. workers: processes, spawned, so that a script with more than one must call
-    this under `if __name__ == "__main__":`. progress(stage, fraction) hears of the work.
+    units of `problem.parameters`. region: "unstable" (Im q < 0); ("below", h) with h below every cut (Im q < h as far
+    as |Re q| is below a frequency from which on nothing can grow); or "sheet", the whole physical sheet of an
+    Euler–Bernoulli beam with one or two masses, damped or not, by a kernel of its own.
+    Each count comes from the turn of Δ along half of a contour that passivity closes; roots are then sought until as
+    many are found. Where that does not work out the entry is "unresolved", with a reason; only `certify` proves.
+    workers: processes, spawned, so that a script with more than one must call this under
+    `if __name__ == "__main__":`. progress(stage, fraction) hears of the work.
 
     InputError names the path or argument that cannot be used.
 
@@ -135,8 +139,10 @@ def frequencies(
     [0, 2]
     """
     plain = as_problem(problem)
-    height = _height(region)
     flat = entries_of(plain, over or {})
+    if region == "sheet":
+        return _on_sheet(problem, flat, workers, progress)
+    height = _height(region)
     order = alike(flat.over, len(flat))
     jobs = [
         _Job(plain, {path: values[order[k : k + _CHUNK]] for path, values in flat.over.items()}, height, roots)
@@ -162,12 +168,27 @@ def frequencies(
     )
 
 
+def _on_sheet(problem: Given, flat: Entries, workers: int, progress: Progress | None) -> Frequencies:
+    q, count, inside = on_sheet(flat, workers, progress)
+    status = np.where(count >= 0, 0, np.where(inside, 1, 2))
+    shape = flat.shape
+    return Frequencies(
+        problem,
+        "sheet",
+        {path: values.reshape(shape) for path, values in flat.over.items()},
+        count.reshape(shape),
+        np.array(STATUSES)[status].reshape(shape),
+        np.array(["", UNKNOWN, OFF_LINE])[status].reshape(shape),
+        q.reshape(*shape, q.shape[1]),
+    )
+
+
 def _height(region: object) -> Fraction:
     given = checked_region(region)
     if isinstance(given, Below):
         return given.height
-    if isinstance(given, Rectangle) or given == "sheet":
-        raise InputError("region", f'is {str(given)[:60]}: give "unstable" or ("below", h), or ask certify')
+    if isinstance(given, Rectangle):
+        raise InputError("region", 'is a Rectangle: give "unstable" or ("below", h), or ask certify')
     return Fraction(0)
 
 

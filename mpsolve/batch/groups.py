@@ -7,14 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from math import comb
 from typing import Any
 
 import numpy as np
 
 from mpsolve.batch.entries import Entries
-from mpsolve.batch.waves import by_companions
 from mpsolve.batch.waveguides import expanded
+from mpsolve.batch.waves import by_companions
 
 _APART = 1e-7
 _LOST = 1e-11
@@ -62,6 +63,24 @@ class Group:
     @property
     def contacts(self) -> int:
         return int(self.B.shape[2])
+
+    @cached_property
+    def cells(self) -> list[tuple[int, int]]:
+        """The places in S that are not 0 everywhere."""
+        some = ((self.S0 != 0) | (self.S1 != 0) | (self.S2 != 0)).any(0)
+        return [(int(i), int(j)) for i, j in np.argwhere(some)]
+
+    @cached_property
+    def pencil(self) -> tuple[Any, Any, Any]:
+        """S₀, S₁, S₂ at the cells, each (K, cells)."""
+        i, j = ([cell[k] for cell in self.cells] for k in (0, 1))
+        return self.S0[:, i, j], self.S1[:, i, j], self.S2[:, i, j]
+
+    @cached_property
+    def through(self) -> dict[int, tuple[int, int, int]]:
+        """For the number of each cell whose column is a body that is eliminated: (row, its contact, the body)."""
+        contact = dict(self.direct)
+        return {k: (i, contact[j], j) for k, (i, j) in enumerate(self.cells) if j in contact}
 
     @property
     def kept(self) -> list[int]:
@@ -122,8 +141,9 @@ def _group(entries: Entries, some: Any, D: dict[Any, Any], N: dict[Any, Any]) ->
     B = B * scale[:, :, None]
     for k in range(3):  # row i of S₀ and so on is divided by σ for a neutral i
         S[k][:, first.neutral] = S[k + 1][:, first.neutral] if k < 2 else 0.0
-    group = Group(some, D_table, N_table, _slope(D_table), _slope(N_table), v, S[0], S[1], S[2], B,
-                  h / g[:, None], places * np.exp2(-length)[:, None], first.neutral, rate, _direct(first), 0)  # fmt: skip
+    moving = (D_table, N_table, _slope(D_table), _slope(N_table), v)
+    contacts = (h / g[:, None], places * np.exp2(-length)[:, None])
+    group = Group(some, *moving, S[0], S[1], S[2], B, *contacts, first.neutral, rate, _direct(first), 0)
     return group, lost
 
 

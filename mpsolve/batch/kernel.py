@@ -18,10 +18,11 @@ from mpsolve.characteristic.splitting import sylvester as sylvester_rows
 from mpsolve.numbers.float64 import Float64
 
 _K = Float64()
-_NEAR = 2e-3
-"""Roots of one side that are nearer than this, relative to the larger, are taken together."""
+_NEAR, _NEAR_SLOPE = 2e-3, 0.05
+"""Roots of one side that are nearer than this, relative to the larger, are taken together; slopes lose more."""
 _REACH = 1200.0
 """Exponents up to this are taken as products of waves; beyond it the distances are taken one by one."""
+_EQUAL = 1e-14
 _CELLS = 1 << 16  # of the matrices of one chunk: they stay in the processor's cache
 
 
@@ -78,7 +79,7 @@ def receptances(group: Group, rows: Any, sigma: Any, near: Any = None, slope: bo
         weights = local.weights(z, slope)
         x = group.x[rows]
         G, G_sigma = _sums(z, weights, x, group.up)
-        met = np.flatnonzero(_meet(z, group.up, 0.05 if slope else _NEAR))
+        met = np.flatnonzero(_meet(z, group.up, _NEAR_SLOPE if slope else _NEAR))
         if len(met):
             values = _by_companions(group, rows[met], sigma[met], z[met], slope)
             G[met] = values[0]
@@ -122,14 +123,20 @@ def _sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, 
     middle = (x[:, :1] + x[:, -1:]) / 2
     shifted = x - middle
     wide = np.abs(z.real).max(1, initial=0) * (x[:, -1] - x[:, 0]) > _REACH
-    grown = np.exp(np.where(wide[:, None, None], 0, z[:, None, :] * shifted[:, :, None]))  # (points, contacts, roots)
+    grown = _waves(z, shifted, wide)
     shrunk = 1 / grown
-    ahead = x[:, :, None] >= x[:, None, :]
+    ahead = np.tri(x.shape[1], dtype=bool)
+    same = np.flatnonzero((np.diff(x) == 0).any(1))
+    shrunk = np.ascontiguousarray(shrunk.transpose(2, 0, 1))
 
     def sided(weight: Any) -> Any:
-        one = (grown[:, :, :up] * weight[:, None, :up]) @ shrunk[:, :, :up].swapaxes(1, 2)
-        other = (grown[:, :, up:] * weight[:, None, up:]) @ shrunk[:, :, up:].swapaxes(1, 2)
-        out = np.where(ahead, one, -other)
+        weighted = np.ascontiguousarray((grown * weight[:, None, :]).transpose(2, 0, 1))
+        one, other = (_added(weighted[part], shrunk[part]) for part in (slice(0, up), slice(up, None)))
+        out = np.negative(other, other)
+        np.copyto(out, one, where=ahead)
+        if len(same):  # contacts at one place: ξ = 0 belongs to the upper roots
+            level = x[same][:, :, None] == x[same][:, None, :]
+            out[same] = np.where(level, one[same], out[same])
         far = np.flatnonzero(wide)
         if len(far):
             out[far] = _one_by_one(z[far], weight[far], x[far], up)
@@ -140,6 +147,28 @@ def _sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, 
         return G, None
     xi = x[:, :, None] - x[:, None, :]
     return G, sided(a) + xi * sided(b)
+
+
+def _waves(z: Any, x: Any, wide: Any) -> Any:
+    """e^{zx}, shape (points, contacts, roots), 1 where `wide`; powers of one wave where all gaps are equal."""
+    gaps = np.diff(x)
+    first, z = gaps[:, :1], np.where(wide[:, None], 0, z)
+    if x.shape[1] < 4 or (np.abs(gaps - first) > _EQUAL * first).any():
+        return np.exp(z[:, None, :] * x[:, :, None])
+    out = np.empty((*x.shape, z.shape[1]), complex)
+    out[:, 0], out[:, 1:] = np.exp(z * x[:, :1]), np.exp(z * first)[:, None, :]
+    return np.multiply.accumulate(out, 1, out=out)
+
+
+def _added(left: Any, right: Any) -> Any:
+    """Σ_k left_k right_kᵀ for each point."""
+    size = left.shape[2]
+    if not len(left):
+        return np.zeros((left.shape[1], size, size), complex)
+    out = left[0][:, :, None] * right[0][:, None, :]
+    for one, other in zip(left[1:], right[1:], strict=True):
+        out += one[:, :, None] * other[:, None, :]
+    return out
 
 
 def _one_by_one(z: Any, weight: Any, x: Any, up: int) -> Any:
@@ -216,48 +245,59 @@ def _slopes(group: Group, rows: Any, sigma: Any, U: Any, L: Any, lead: Any) -> t
 
 def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, Any]:
     """The characteristic matrix with direct contacts eliminated, and its slope in σ where that of G is known."""
-    s = sigma[:, None, None]
-    S0, S1, S2, B = (a[rows] for a in (group.S0, group.S1, group.S2, group.B))
-    S = (S2 * s + S1) * s + S0
-    A = _assembled(group, rows, S, B, values.G)
+    S, S_s = _pencil(group, rows, sigma)
+    A = _assembled(group, rows, S, values.G)
     if values.G_sigma is None:
         return A, None
-    S_s = 2 * S2 * s + S1
-    kept, indirect = group.kept, group.indirect
-    size, width = group.bodies + len(indirect), len(kept) + group.contacts
-    slope = np.zeros((len(rows), size, width), complex)
-    slope[:, : group.bodies, : len(kept)] = S_s[:, :, kept]
-    for body, contact in group.direct:
-        b = B[:, body, contact, None]
-        for i in _touched(group, body):
-            slope[:, i, len(kept) :] -= (
-                S_s[:, i, body, None] * values.G[:, contact] + S[:, i, body, None] * values.G_sigma[:, contact]
-            ) / b
-    slope[:, group.bodies :, len(kept) :] = values.G_sigma[:, indirect]
+    slope = np.zeros_like(A)
+    _put_pencil(group, slope, S_s)
+    kept = len(group.kept)
+    for place, (i, contact, b) in group.through.items():
+        factor = 1 / group.B[rows, b, contact]
+        slope[:, i, kept:] -= (S_s[:, place] * factor)[:, None] * values.G[:, contact]
+        slope[:, i, kept:] -= (S[:, place] * factor)[:, None] * values.G_sigma[:, contact]
+    slope[:, group.bodies :, kept:] = values.G_sigma[:, group.indirect]
     return A, slope
 
 
-def _assembled(group: Group, rows: Any, S: Any, B: Any, G: Any) -> Any:
+def _pencil(group: Group, rows: Any, sigma: Any) -> tuple[Any, Any]:
+    """The entries of S that are not 0, and their slopes in σ."""
+    S0, S1, S2 = (a[rows] for a in group.pencil)
+    s = sigma[:, None]
+    return (S2 * s + S1) * s + S0, 2 * S2 * s + S1
+
+
+def _put_pencil(group: Group, A: Any, S: Any) -> None:
+    """The entries of S whose columns are unknowns."""
+    column = {body: k for k, body in enumerate(group.kept)}
+    for place, (i, j) in enumerate(group.cells):
+        if j in column:
+            A[:, i, column[j]] = S[:, place]
+
+
+def _assembled(group: Group, rows: Any, S: Any, G: Any) -> Any:
     kept, indirect, bodies = group.kept, group.indirect, group.bodies
-    A = np.empty((len(rows), bodies + len(indirect), len(kept) + group.contacts), complex)
-    A[:, :bodies, : len(kept)] = S[:, :, kept]
+    A = np.zeros((len(rows), bodies + len(indirect), len(kept) + group.contacts), complex)
+    B = group.B[rows]
     A[:, :bodies, len(kept) :] = -B
-    for body, contact in group.direct:
-        b = B[:, body, contact, None]
-        for i in _touched(group, body):
-            A[:, i, len(kept) :] -= S[:, i, body, None] / b * G[:, contact]
+    _put_pencil(group, A, S)
+    own = [(place, i, contact) for place, (i, contact, b) in group.through.items() if i == b]
+    if own:
+        places, bodies_, contacts = (list(part) for part in zip(*own, strict=True))
+        factor = S[:, places] / B[:, bodies_, contacts]
+        if bodies_ == contacts == list(range(group.contacts)):
+            A[:, : group.contacts, len(kept) :] -= factor[:, :, None] * G
+        else:
+            A[:, bodies_, len(kept) :] -= factor[:, :, None] * G[:, contacts]
+    for place, (i, contact, b) in group.through.items():
+        if i != b:
+            A[:, i, len(kept) :] -= (S[:, place] / B[:, b, contact])[:, None] * G[:, contact]
     if indirect:
         A[:, bodies:, : len(kept)] = B.swapaxes(1, 2)[:, indirect][:, :, kept]
         A[:, bodies:, len(kept) :] = G[:, indirect]
         for place, j in enumerate(indirect):
             A[:, bodies + place, len(kept) + j] += group.h[rows, j]
     return A
-
-
-def _touched(group: Group, body: int) -> list[int]:
-    """Bodies whose equations have this body's motion in them."""
-    some = (group.S0[:, :, body] != 0) | (group.S1[:, :, body] != 0) | (group.S2[:, :, body] != 0)
-    return [int(i) for i in np.flatnonzero(some.any(0))]
 
 
 def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[Any, Any]:

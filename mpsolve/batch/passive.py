@@ -13,7 +13,7 @@ import numpy as np
 
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import chunk_of, receptances
-from mpsolve.batch.waves import moved_between, passes_branch
+from mpsolve.batch.waves import felt, moved_between, passes_branch
 
 _RATIO = 1.3
 _LOW, _HIGH = 2.0**-6, 32.0  # of the grid, in scaled frequencies; the latter beyond the track's own
@@ -66,9 +66,9 @@ def _sampled(group: Group) -> Any:
         same = samples.row[1:] == samples.row[:-1]
         with np.errstate(invalid="ignore"):
             wide = same & passes_branch(samples.z, group.up)
-            row, z = samples.row[1:], samples.z[1:]
-            felt = longest[row, None] * np.exp(-np.abs(z.real) * np.minimum(shortest[row, None], 1e300))
-            wide |= same & ~(moved_between(samples.z, felt) < _TURN)
+            row = samples.row[1:]
+            weight = felt(samples.z[1:], shortest[row], longest[row])
+            wide |= same & ~(moved_between(samples.z, weight) < _TURN)
         wide &= samples.at[:-1] > (1 + _FINEST) * samples.at[1:]
         place = np.flatnonzero(wide)
         if not len(place):
@@ -156,11 +156,11 @@ def _shrunk(V: Any, x: Any) -> Any:
 
 
 def _definite(H: Any) -> Any:
-    try:
-        np.linalg.cholesky(H)
-    except np.linalg.LinAlgError:
-        if len(H) == 1:
-            return np.zeros(1, bool)
-        half = len(H) // 2
-        return np.concatenate([_definite(H[:half]), _definite(H[half:])])
-    return np.ones(len(H), bool)
+    """Whether all pivots are positive; once one is not, the others do not matter."""
+    H, good = H.copy(), np.ones(len(H), bool)
+    for k in range(H.shape[1]):
+        pivot = H[:, k, k].real
+        good &= pivot > 0
+        row = H[:, k, k + 1 :]
+        H[:, k + 1 :, k + 1 :] -= row.conj()[:, :, None] * (row / np.where(good, pivot, np.inf)[:, None])[:, None, :]
+    return good

@@ -21,8 +21,17 @@ _SETTLED = 1e-11
 _AXIS = 1e-9  # relative: a root this near the imaginary axis is on it
 _LEVEL = 1e-13  # of ρ̂: a root nearer to the edge of the region is not told to be in it or out
 _WORK = 1 << 15  # starts at a time: it bounds the memory
+_MORE = (2, 6)  # points than roots: some go to roots that are not counted
+_EFFORT = 300_000  # starts, times the square of the size of the matrix: beyond it a search is not tried
 _GRID = (12, 10)
-_TRIALS = (("from_line", 1), ("from_axis", 1), ("from_line", 3), ("from_grid", 1), ("from_line", 10), ("from_grid", 3))
+_TRIALS = (
+    ("from_line", 1),
+    ("from_axis", 1),
+    ("from_line", 3),
+    ("from_grid", 1),
+    ("from_line", 10),
+    ("from_grid", 3),
+)
 """Where starts come from, and how many of them."""
 
 
@@ -40,8 +49,12 @@ class Search:
         width = max(1, int(self.counted.count.max(initial=0)))
         self.q = np.full((len(self.group), width), np.nan, complex)
 
+    @property
+    def _size(self) -> int:
+        return len(self.group.kept) + self.group.contacts
+
     def solve(self) -> Any:
-        """Whether each entry has as many roots as were counted; entries stand in an order in which neighbours are alike."""
+        """Whether each entry has as many roots as were counted; neighbours among the entries should be alike."""
         n = len(self.group)
         rows = np.arange(n)
         stride = 1 << max(n - 1, 0).bit_length()
@@ -58,12 +71,59 @@ class Search:
         return weight(self.q) == self.counted.count
 
     def _alone(self, places: Any) -> None:
-        """Without neighbours: from the line, then from grids."""
+        """Without neighbours: all roots at once, then those that are missing from the line, the axis and grids."""
+        for more in _MORE:
+            places = places[self._open(places)]
+            if not len(places):
+                return
+            self._together(places, more)
         for guesses, fine in _TRIALS:
             places = places[self._open(places)]
             if not len(places):
                 return
-            self._try(places, getattr(self, guesses)(places, fine), apart=True)
+            starts = getattr(self, guesses)(places, fine)
+            if starts.shape[1] * self._size**2 <= _EFFORT:
+                self._try(places, starts, apart=True)
+
+    def _together(self, places: Any, more: int) -> None:
+        """Aberth's method for as many points as roots are missing, and some more: all move, and keep apart."""
+        lack = -(-(self.counted.count[places] - weight(self.q[places])) // 2) + more
+        size = max(1, _WORK // (8 * int(lack.max())))
+        for k in range(0, len(places), size):
+            rows, number = places[k : k + size], lack[k : k + size]
+            width = int(number.max())
+            starts = np.concatenate([self.from_line(rows, 1), self.from_axis(rows, 1)], 1)
+            order = np.argsort(~np.isfinite(starts), 1, kind="stable")
+            q = np.take_along_axis(starts, order, 1)[:, :width]
+            spread = 0.02 * self.rho[rows, None] * np.exp(2j * np.pi * np.arange(width) / width)[None, :]
+            q = np.where(np.arange(width)[None, :] < number[:, None], q + spread, np.nan)
+            self._add(rows, self._aberth(rows, q))
+
+    def _aberth(self, rows: Any, q: Any) -> Any:
+        result, z = np.full(q.shape, np.nan, complex), None
+        live = np.isfinite(q)
+        for _ in range(_STEPS):
+            each, column = np.nonzero(live)
+            if not len(each):
+                break
+            at = q[each, column]
+            slope, z = log_slope(self.group, rows[each], at, z)
+            with np.errstate(all="ignore"):
+                others = 1 / (at[:, None] - q[each]) + 1 / (at[:, None] + q[each].conj())
+                others[np.arange(len(at)), column] = 0
+                step = -1 / (slope - np.nansum(others, 1) - _poles(at, self.q[rows[each]]))
+                size, limit = np.abs(step), 0.2 * self.rho[rows[each]]
+                step = np.where(size > limit, step * (limit / size), step)
+            at = at + step
+            at = np.where(at.real < 0, -at.conj(), at)
+            settled = size < _SETTLED * np.abs(at)
+            inside = np.isfinite(at) & self._inside(rows[each], at, 0.3)
+            q[each, column] = np.where(inside, at, np.nan)
+            good = settled & self._inside(rows[each], at, 0.0)
+            result[each[good], column[good]] = at[good]
+            keep = ~settled & inside
+            live[each, column], z = keep, z[keep]
+        return self._folded(result)
 
     def _open(self, places: Any) -> Any:
         return weight(self.q[places]) < self.counted.count[places]
@@ -130,10 +190,11 @@ class Search:
         result = np.full(q.shape, np.nan, complex)
         place = np.flatnonzero(np.isfinite(q))
         rows, q = rows[place], q[place]
+        z = None
         for _ in range(_STEPS if apart else _STEPS // 3):
             if not len(place):
                 break
-            step = self._step(rows, q, apart)
+            step, z = self._step(rows, q, z, apart)
             size = np.abs(step)
             limit = 0.2 * self.rho[rows]
             with np.errstate(all="ignore"):
@@ -143,39 +204,44 @@ class Search:
             arrived = settled & self._inside(rows, q, 0.0)
             result[place[arrived]] = q[arrived]
             keep = ~settled & np.isfinite(q) & self._inside(rows, q, 0.3)
-            place, rows, q = place[keep], rows[keep], q[keep]
-        return result if not len(result) else self._folded(result)
+            place, rows, q, z = place[keep], rows[keep], q[keep], z[keep]
+        return self._folded(result)
 
     def _folded(self, q: Any) -> Any:
         with np.errstate(invalid="ignore"):
             q = np.where(q.real < 0, -q.conj(), q)
             return np.where(np.abs(q.real) < _AXIS * np.abs(q), 1j * q.imag, q)
 
-    def _step(self, rows: Any, q: Any, apart: bool) -> Any:
-        out = np.empty(len(q), complex)
-        size = chunk_of(self.group)
-        for k in range(0, len(q), size):
-            part = slice(k, k + size)
-            out[part] = log_slope(self.group, rows[part], q[part])
+    def _step(self, rows: Any, q: Any, near: Any, apart: bool) -> tuple[Any, Any]:
+        slope, z = log_slope(self.group, rows, q, near)
         if apart:
-            out -= _poles(q, self.q[rows])
+            slope = slope - _poles(q, self.q[rows])
         with np.errstate(all="ignore"):
-            return -1 / out
+            return -1 / slope, z
 
 
-def log_slope(group: Group, rows: Any, q: Any) -> Any:
-    """d log Δ̂/dq at each point."""
-    with np.errstate(all="ignore"):
-        values = receptances(group, rows, 1j * q, slope=True)
-        A, A_s = matrices(group, rows, 1j * q, values)
-        fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
-        A = np.where(fine[:, None, None], A, np.eye(A.shape[1]))
-        try:
-            turned = np.linalg.solve(A, np.where(fine[:, None, None], A_s, 0))
-            trace = np.einsum("kii->k", turned)
-        except np.linalg.LinAlgError:  # at a root itself
-            trace = np.array([_trace(a, b) for a, b in zip(A, A_s, strict=True)])
-        return np.where(fine, 1j * trace, np.nan)
+def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, Any]:
+    """d log Δ̂/dq and the p-roots at each point."""
+    out, roots = np.empty(len(q), complex), np.empty((len(q), group.D.shape[1] - 1), complex)
+    step = chunk_of(group)
+    for k in range(0, len(q), step):
+        part = slice(k, k + step)
+        with np.errstate(all="ignore"):
+            values = receptances(group, rows[part], 1j * q[part], None if near is None else near[part], slope=True)
+            out[part] = 1j * _turned(*matrices(group, rows[part], 1j * q[part], values))
+        roots[part] = values.z
+    return out, roots
+
+
+def _turned(A: Any, A_s: Any) -> Any:
+    """tr(A⁻¹A′); nan where it is not known."""
+    fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
+    A, A_s = np.where(fine[:, None, None], A, np.eye(A.shape[1])), np.where(fine[:, None, None], A_s, 0)
+    try:
+        trace = np.einsum("kii->k", np.linalg.solve(A, A_s))
+    except np.linalg.LinAlgError:  # at a root itself
+        trace = np.array([_trace(a, b) for a, b in zip(A, A_s, strict=True)])
+    return np.where(fine, trace, np.nan)
 
 
 def _trace(a: Any, b: Any) -> complex:

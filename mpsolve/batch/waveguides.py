@@ -54,7 +54,9 @@ def expanded(track: Track | Waveguide) -> tuple[Expanded, Expanded]:
 def _of_kind(kind: type[Track], names: tuple[str, ...]) -> tuple[Expanded, Expanded]:
     rows = symbolic(kind, names)
     kept = [k for k in range(len(rows)) if k != kind.loaded]
-    return _sorted(_determinant(rows), names), _sorted(_determinant([[rows[i][j] for j in kept] for i in kept]), names)
+    return _sorted(_determinant(rows), names), _sorted(
+        _determinant([[rows[i][j] for j in kept] for i in kept]), names
+    )
 
 
 def _determinant(rows: Any) -> Any:

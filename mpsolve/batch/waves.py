@@ -20,7 +20,7 @@ def by_companions(D: Any) -> Any:
     C = np.zeros((len(D), n, n), complex)
     C[:, range(n - 1), range(1, n)] = 1
     C[:, -1] = -D[:, :-1] / D[:, -1:]
-    fine = np.isfinite(C).all((1, 2))
+    fine: Any = np.isfinite(C).all((1, 2))
     out = np.linalg.eigvals(np.where(fine[:, None, None], C, np.eye(n)))
     return np.where(fine[:, None], out, np.nan)
 
@@ -37,17 +37,13 @@ def polynomial_and_slope(D: Any, z: Any) -> tuple[Any, Any]:
 
 def from_near(D: Any, z: Any) -> Any:
     """The roots by Aberth's method from those of a neighbour; by eigenvalues where it does not settle."""
-    n = z.shape[1]
     open_ = np.arange(len(z))
     out = z.copy()
     for _ in range(_STEPS):
         some, at = D[open_], out[open_]
         value, slope = polynomial_and_slope(some, at)
         newton = value / slope
-        others = np.zeros_like(at)
-        for k in range(1, n):
-            others += 1 / (at - np.roll(at, k, 1))
-        step = newton / (1 - newton * others)
+        step = newton / (1 - newton * _repulsion(at))
         at = at - step
         out[open_] = at
         size = np.abs(at)
@@ -57,6 +53,18 @@ def from_near(D: Any, z: Any) -> Any:
         if not len(open_):
             return out
     out[open_] = by_companions(D[open_])
+    return out
+
+
+def _repulsion(z: Any) -> Any:
+    """Σ 1/(z_k − z_j) over the other roots of each row."""
+    out = np.zeros_like(z)
+    n = z.shape[1]
+    for k in range(n):
+        for j in range(k):
+            over = 1 / (z[:, k] - z[:, j])
+            out[:, k] += over
+            out[:, j] -= over
     return out
 
 
@@ -96,6 +104,14 @@ def moved_between(z: Any, weight: Any) -> Any:
     for k in range(z.shape[1]):
         out = np.maximum(out, _nearest(after[:, k], before) * weight[:, k])
     return out
+
+
+def felt(z: Any, shortest: Any, longest: Any) -> Any:
+    """The largest ξ |e^{zξ}| over the distances between these: how much a move of a root turns what it adds to G."""
+    decay = np.abs(z.real)
+    with np.errstate(all="ignore"):
+        xi = np.clip(1 / decay, np.minimum(shortest, longest)[:, None], longest[:, None])
+        return xi * np.exp(-decay * xi)
 
 
 def _nearest(one: Any, other: Any) -> Any:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.on_sheet import certify_on_sheet
-from mpsolve.certificate.solve import certify_problem, checked_digits
 from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.problem.cases import Given, as_paper, as_problem
@@ -14,7 +12,9 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.regions import checked_region
-from mpsolve.spectrum.spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 FEW = 2
 """Up to so many masses the whole sheet of the paper's beam is what is asked for by default."""
@@ -49,12 +49,14 @@ def certify(
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem, a Case or a PhysicalCase")
     if effort is not None and not isinstance(effort, Effort):
         raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    from mpsolve.certificate.solve import certify_problem, checked_digits  # what computes is loaded when it is needed
+
     digits = checked_digits(digits)
     paper = as_paper(problem)
     wanted = _default(paper) if region is None else checked_region(region)
     options: dict[str, Any] = {"digits": digits, "effort": effort, "progress": progress, "check": check}
     if isinstance(paper, Case) and wanted in ("sheet", "unstable") and not _rational(paper):
-        return certify_on_sheet(problem, paper, wanted, **options)
+        return _on_sheet(problem, paper, wanted, options)
     found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
     if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
         other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
@@ -72,6 +74,12 @@ def _lossless(paper: Case | PhysicalCase | None) -> bool:
 
 _SHEET = "roots above the cuts, or next to them, are left out, as the count on the whole sheet stayed open"
 _ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
+
+
+def _on_sheet(given: Given, paper: Case | PhysicalCase, region: Any, options: dict[str, Any]) -> Spectrum:
+    from mpsolve.certificate.on_sheet import certify_on_sheet
+
+    return certify_on_sheet(given, paper, region, **options)
 
 
 def _about(given: Given, found: Spectrum) -> Spectrum:

@@ -8,6 +8,7 @@ from typing import Any
 from mpsolve.certificate.verify import Verdict
 
 _MOST = 64_000_001
+_ZEROS = re.compile(rb'"format"\s*:\s*"mpsolve zeros"')
 _VERSION_2 = re.compile(rb'"version"\s*:\s*2\b')
 
 
@@ -23,6 +24,11 @@ def verify(path: Any) -> Verdict:
 
 def verify_bytes(raw: bytes) -> Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold."""
+    if _ZEROS.search(raw):
+        from mpsolve.certificate.verify_roots import verify_bytes as of_zeros
+
+        zeros = of_zeros(raw)
+        return Verdict(zeros.valid, zeros.reason, zeros.claim)
     if _VERSION_2.search(raw):
         from mpsolve.certificate.verify2 import verify_bytes as second
 

@@ -634,8 +634,9 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
             break
     top = max(map(abs, z), default=1.0)
     for i, k in combinations(range(len(z)), 2):
-        if abs(z[i] - z[k]) < 1e-6 * top:  # nodes must be apart
-            z[k] += 1e-3 * top
+        scale = max(abs(z[i]), abs(z[k]), 1e-12 * top)
+        if abs(z[i] - z[k]) < 1e-6 * scale:  # nodes must be apart
+            z[k] += 1e-3 * scale
     return z
 
 

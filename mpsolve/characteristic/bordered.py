@@ -129,6 +129,33 @@ class Arrays:
         low = _beside(self._constant(self.B.T[np.ix_(indirect, rest)], G.r), G[:, indirect, :] + compliance)
         return _joined(top, low, 1)
 
+    def shaken(self, contact: int, m: Any, r: Any) -> Jet:
+        """The right side of `matrix`·x for an unevenness of the rail under one contact, shape (discs, n, 1).
+
+        It has the size 1, or for a direct contact the size b/S of its body where that is coupled to no other body: as
+        b/S times the unevenness acts like a unit force, it has a meaning at σ = 0 too.
+        """
+        held = {d.contact: d for d in self.direct}
+        indirect = [j for j in range(len(self.h)) if j not in held]
+        n = len(self.B) + len(indirect)
+        if contact not in held:
+            unit = np.zeros((n, 1))
+            unit[len(self.B) + indirect.index(contact)] = 1
+            return self._constant(unit, r)
+        body = held[contact].body
+        others = [i for i in range(len(self.B)) if i != body]
+        if not self.S[:, others, body].any():
+            unit = np.zeros((n, 1))
+            unit[body] = -1
+            return self._constant(unit, r)
+        column = self._pencil(m, r)[:, :, body : body + 1] * -nearest(1 / held[contact].b)
+        return _joined(column, self._constant(np.zeros((len(indirect), 1)), r), 1)
+
+    @property
+    def first_force(self) -> int:
+        """The number of the unknown of `matrix` that is the first contact's force; those of the others follow it."""
+        return len(self.B) - len(self.direct)
+
     def _pencil(self, m: Any, r: Any) -> Jet:
         """S on the discs."""
         S0, S1, S2 = self.S[:, None]

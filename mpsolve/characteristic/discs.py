@@ -47,7 +47,7 @@ def split(table: Table, m: Any, r: Any, up: int, nodes: Any = None) -> Splitting
     """Splittings on the discs |σ − m| ≤ r with `up` roots in U: those of smallest Re P, or the first of `nodes`."""
     with np.errstate(all="ignore"):
         T, error = table.in_time(m)
-        z = _nodes(T, up) if nodes is None else _kept_apart(nodes, up)
+        z = side_nodes(T, up) if nodes is None else _kept_apart(nodes, up)
         n = z.shape[1]
         c, lost = table.at(z, T, error)
         gap = z[:, :, None] - z[:, None, :]
@@ -60,20 +60,26 @@ def split(table: Table, m: Any, r: Any, up: int, nodes: Any = None) -> Splitting
         below = size.prod(2) * low[:, None]
         W = W / below * (1 + 64 * n * U) * UP + TINY
         W = np.where((low[:, None] > 0) & (below > TINY), W, np.inf)
-        inverse = (1 + 8 * U) / size
-        inverse[:, :up, :up] = 0
-        inverse[:, up:, up:] = 0
-        box, image = 1.2 * W, W
-        done = np.zeros(len(m), bool)
-        for _ in range(10):
-            s = np.einsum("bkl,bl->bk", inverse, box) * UP
-            image = np.where(done[:, None], image, W / (1 - s) * UP)
-            inside = (s < 0.499).all(1) & (image < 0.999 * box).all(1)
-            done |= inside
-            box = np.where(done[:, None], box, 1.15 * image)
-            if done.all():
-                break
+        box, image, done = contraction(W, size, up)
         return Splittings(m, r, z, up, box, image, done, T, error)
+
+
+def contraction(W: Any, size: Any, up: int) -> tuple[Any, Any, Any]:
+    """(β, the bounds of |a_k| that follow, where a_k = W_k/(1 + Σ b_l/(z_k − z_l)) contracts); size: |z_k − z_l|."""
+    inverse = (1 + 8 * U) / size
+    inverse[:, :up, :up] = 0
+    inverse[:, up:, up:] = 0
+    box, image = 1.2 * W, W
+    done = np.zeros(len(W), bool)
+    for _ in range(10):
+        s = np.einsum("bkl,bl->bk", inverse, box) * UP
+        image = np.where(done[:, None], image, W / (1 - s) * UP)
+        inside = (s < 0.499).all(1) & (image < 0.999 * box).all(1)
+        done |= inside
+        box = np.where(done[:, None], box, 1.15 * image)
+        if done.all():
+            break
+    return box, image, done
 
 
 def near_roots(coefficients: Any) -> Any:
@@ -100,11 +106,11 @@ def _value(coefficients: Any, z: Any) -> tuple[Any, Any]:
     return value, slope
 
 
-def _nodes(T: Any, up: int) -> Any:
-    """Floats near the roots, those of U first, never two the same.
+def side_nodes(T: Any, up: int) -> Any:
+    """Floats near the roots of Σ T[:, 0, i] P^i, those of U first, never two the same.
 
-    Of roots with one real part those come first that would have the smaller one further to the right in σ: a wave on
-    the edge of a cut belongs to the side from which it comes.
+    T[:, j, i] belongs to P^i t^j. Of roots with one real part those come first that would have the smaller one further
+    to the right in σ: a wave on the edge of a cut belongs to the side from which it comes.
     """
     z = near_roots(T[:, 0, :])
     key = z.real.copy()
@@ -160,7 +166,7 @@ class Receptances:
 def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
     """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), where they are apart on the disc."""
     with np.errstate(all="ignore"):
-        weight, p, alone = spectral_weights(N, D, s)
+        weight, p, alone = waves(N, D, s)
         ahead, behind = distances >= 0, distances < 0
         parts = []
         for side, mask, sign in ((slice(0, s.up), ahead, 1.0), (slice(s.up, None), behind, -1.0)):
@@ -177,14 +183,16 @@ def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptance
         e = np.zeros((len(s.m), len(distances)))
         for mask, jet in parts:
             a[:, mask], b[:, mask], e[:, mask] = jet.a, jet.b, jet.e
-        good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(a).all(1)
+        good = alone & np.isfinite(e).all(1) & np.isfinite(a).all(1)
         return Receptances(Jet(a, b, e, s.r), good)
 
 
-def spectral_weights(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
-    """N/D_P and P at the roots, as jets of shape (discs, roots), and where the roots are apart on the disc."""
-    roots, alone = _roots(D, s)
-    return *_weights(N, s, roots), alone
+def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
+    """(N/D_P, P) at all p-roots, those of U first, as jets of shape (discs, roots), and where they are told apart."""
+    with np.errstate(all="ignore"):
+        roots, alone = _roots(D, s)
+        weight, p = _weights(N, s, roots)
+        return weight, p, alone & s.good
 
 
 @dataclass(frozen=True)

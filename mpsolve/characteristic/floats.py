@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.follow import eigenvalues, followed
 from mpsolve.characteristic.receptance import Coefficients, by_companions
 from mpsolve.characteristic.splitting import Splitting, monic, sharpened, upper_count
 from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
@@ -43,14 +44,11 @@ class Receptance:
         """n₊, proved."""
         return upper_count(self.symbols.D)
 
-    def roots(self, sigma: Any) -> Any:
-        """The p-roots, shape (len(σ), degree), upper ones first."""
+    def roots(self, sigma: Any, along: bool = False) -> Any:
+        """The p-roots, shape (len(σ), degree), upper ones first. along: neighbours in σ are near each other."""
         D = np.stack([np.broadcast_to(c, sigma.shape) for c in self.symbols.D.at(_K, sigma)], -1)
-        n = D.shape[1] - 1
-        C = np.zeros((len(sigma), n, n), complex)
-        C[:, range(n - 1), range(1, n)] = 1
-        C[:, -1] = -D[:, :-1] / D[:, -1:]
-        z = np.linalg.eigvals(C)
+        z = followed(D) if along else eigenvalues(D)
+        n = z.shape[1]
         key = z.real.copy()
         ranks = np.sort(key, -1)
         if 0 < self.upper < n:  # on the real axis, waves: those count that decay for Re σ > 0
@@ -80,16 +78,30 @@ class Receptance:
         with np.errstate(all="ignore"):
             G, G_sigma = self._residues(sigma, z, xi, slope)
         if near.any():
-            z, some = z[near], sigma[near]
-            D = [np.broadcast_to(c, some.shape) for c in self.symbols.D.at(_K, some)]
-            U, L = (list(monic([side[:, k] for k in range(side.shape[1])])) for side in self._sides(z))
-            for _ in range(2):
-                U, L = sharpened(_K, D, U, L)
-            exact = by_companions(_K, self.symbols, Splitting(D[-1], tuple(U), tuple(L)), some, xi, slope)
+            exact = self.together(sigma[near], z[near], xi, slope)
             for rows, better in zip((G, G_sigma), exact, strict=True):
                 for row, values in zip(rows, better, strict=True):
                     row[near] = values
         return G, G_sigma
+
+    def together(self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool) -> tuple[list[Any], list[Any]]:
+        """The same from the p-roots z, also where some of one side meet; slower."""
+        D = [np.broadcast_to(c, sigma.shape) for c in self.symbols.D.at(_K, sigma)]
+        U, L = (list(monic([side[:, k] for k in range(side.shape[1])])) for side in self._sides(z))
+        for _ in range(2):
+            U, L = sharpened(_K, D, U, L)
+        return by_companions(_K, self.symbols, Splitting(D[-1], tuple(U), tuple(L)), sigma, xi, slope)
+
+    def waves(self, sigma: Any) -> tuple[Any, Any]:
+        """The p-roots z, upper ones first, and the residues w of N/D there, where they are simple.
+
+        G(ξ ≥ 0) is the sum of w e^{zξ} over the `upper` first, G(ξ < 0) minus that over the others.
+        """
+        local, z = self._local(sigma), self.roots(sigma, along=True)
+        with np.errstate(all="ignore"):
+            slope = slope_in_P(local.D)
+            z = z - horner(local.D, z) / horner(slope, z)
+            return z, horner(local.N, z) / horner(slope, z)
 
     def _sides(self, z: Any) -> tuple[Any, Any]:
         return z[:, : self.upper], z[:, self.upper :]

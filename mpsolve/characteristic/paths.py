@@ -21,6 +21,7 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.cover import cover, halved, midpoints
 from mpsolve.proof.effort import Effort
@@ -126,7 +127,9 @@ class Paths:
         )
 
     def _pass(self, paths: tuple[Path, ...], effort: Effort) -> Proved | tuple[Path, ...]:
-        points, index = np.unique(np.concatenate([path.points for path in paths]), return_inverse=True)
+        every = np.concatenate([path.points for path in paths])
+        points = distinct(every)
+        index = np.searchsorted(points, every)
         effort.spend(len(points) + sum(path.pieces for path in paths))
         thin, G, good = self.arrays.evaluate(1j * points, np.zeros(len(points)), self.up)
         first = thin.take(np.array([index[0]]))

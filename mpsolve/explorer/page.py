@@ -17,6 +17,7 @@ from nicegui import events, run, ui
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.session import Session
 from mpsolve.numbers.spoken import rounded
+from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
 from mpsolve.presets.written import input_file
 from mpsolve.problem.inputfile import read_problem
@@ -24,23 +25,13 @@ from mpsolve.problem.outputfile import number
 from mpsolve.problem.problem import Problem
 
 _TICK = 0.04
-_CSS = """
-.picture { width: 100%; height: auto; font: 12px system-ui, sans-serif; color: currentColor; }
-.picture text { fill: currentColor; }
-.picture .frame { fill: none; stroke: currentColor; stroke-width: 1; }
-.picture .tick { stroke: currentColor; }
-.picture .note { font-size: 11px; }
-.picture .grows { fill: #d98324; fill-opacity: 0.18; }
-.picture .cut { fill: none; stroke: #b3475a; stroke-width: 3; stroke-dasharray: 7 3; }
-.picture .root { fill: #2f6690; stroke: currentColor; }
-.picture .unstable { fill: #d1495b; }
-.picture .ring { fill: none; stroke: currentColor; stroke-width: 2; }
-.picture .rail { fill: none; stroke: #2f6690; stroke-width: 3; }
-.picture .wheel { fill: none; stroke: currentColor; stroke-width: 2; }
-.body--dark .picture .root { fill: #8ecae6; }
-.body--dark .picture .unstable { fill: #ff8fa3; }
-.body--dark .picture .rail { stroke: #8ecae6; }
+_CSS = (
+    STYLE
+    + """
+:root { --blue: #0072b2; --red: #c44e00; --green: #00805f; --pink: #a8588a; --faint: #6d747b; --soft: #55606b; }
+.body--dark { --blue: #64b5f0; --red: #ff9a57; --green: #4fd1a5; --pink: #e39ac6; --faint: #97a0a8; --soft: #a9b2bb; }
 """
+)
 
 
 def serve(problem: Problem, title: str, port: int, show: bool) -> None:
@@ -111,6 +102,15 @@ class Tab:
             .props("id=roots")
         )
         self.shape = ui.html("", sanitize=False).classes("w-full").props("id=shape")
+        with ui.row().classes("items-center gap-2 w-full"):
+            paths = [path for path, value in self.session.parameters().items() if value > 0]
+            second = next((path for path in paths if "wheel" in path or path.endswith(".M")), paths[-1])
+            self.chart_x = ui.select(paths, value="v" if "v" in paths else paths[0], label="Chart over").classes(
+                "w-40"
+            )
+            self.chart_y = ui.select(paths, value=second, label="and over").classes("w-56")
+            ui.button("Draw the chart", on_click=self.draw_chart).props("outline id=draw-chart")
+        self.chart = ui.html("", sanitize=False).classes("w-full").props("id=chart")
         with ui.row().classes("items-center gap-2"):
             ui.button("Prove what is shown", on_click=self.prove).props("id=prove")
             self.stop = ui.button("Stop", on_click=self.session_stop).props("outline id=stop")
@@ -164,6 +164,7 @@ class Tab:
         labels = {} if view is None else {k: vibration(q) for k, q in enumerate(view.roots) if q.real >= 0}
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
+        self.chart.set_content(session.chart_picture())
 
     # --- what is done --------------------------------------------------------------------------------------
 
@@ -258,6 +259,13 @@ class Tab:
         except InputError as error:
             self.verdict.set_text(str(error))
 
+    async def draw_chart(self) -> None:
+        try:
+            await run.io_bound(self.session.draw_chart, self.chart_x.value, self.chart_y.value)
+        except InputError as error:
+            self.verdict.set_text(str(error))
+        self.chart.set_content(self.session.chart_picture())
+
     def prove(self) -> None:
         self.session.start_proof()
         self.certificate.set_visibility(False)
@@ -280,6 +288,8 @@ class Tab:
         self.stop.set_visibility(False)
         self.progress.set_visibility(False)
         text = f"The proof ended: {proving.failure}" if proving.failure else told(proving.answer)
+        if self.session.note_proof():
+            self.chart.set_content(self.session.chart_picture())
         if proving.problem != self.session.problem:
             text += "\n(of the state at which it was started)"
         self.proof.set_text(text)

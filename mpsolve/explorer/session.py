@@ -9,11 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.batch.view import View, Window, look
 from mpsolve.errors import MpsolveError
+from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History
-from mpsolve.explorer.live import View, Window, look
-from mpsolve.explorer.pictures import moving_shape, plane
 from mpsolve.explorer.proving import Proving
+from mpsolve.pictures.plane import plane_picture
+from mpsolve.pictures.shape import moving_shape
 from mpsolve.problem.outputfile import problem_toml
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.shape import root_shape
@@ -33,6 +35,8 @@ class Session:
     view: View | None = None
     chosen: int | None = None
     proving: Proving | None = None
+    chart: Chart | None = None
+    proved: tuple[ProvedPoint, ...] = ()
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
 
@@ -115,7 +119,11 @@ class Session:
 
     def plane(self) -> str:
         """The picture of the plane."""
-        return plane(self.view, self.chosen) if self.view is not None else ""
+        view = self.view
+        if view is None:
+            return ""
+        window = view.window
+        return plane_picture(view.roots, view.cuts, window.width, window.depth, window.height, self.chosen)
 
     def shape(self) -> str:
         """The picture of the chosen vibration, or a sentence why there is none."""
@@ -141,6 +149,24 @@ class Session:
             f"{grow} of the roots found grow; the fastest at {abs(worst.real) / (2 * np.pi):.3g} Hz doubles every "
             f"{np.log(2) / -worst.imag:.3g} s (computed, not proved)"
         )
+
+    def draw_chart(self, x: str, y: str) -> None:
+        """Count over two parameters round the present problem; InputError says why that cannot be."""
+        self.chart = chart_of(self.problem, x, y)
+
+    def chart_picture(self) -> str:
+        return "" if self.chart is None else self.chart.picture(self.problem, self.proved)
+
+    def note_proof(self) -> bool:
+        """Keep what a finished proof has shown, once; whether there was something new."""
+        proving = self.proving
+        if proving is None or proving.answer is None or proving.answer.stable is None:
+            return False
+        point = ProvedPoint(proving.problem, bool(proving.answer.stable))
+        if point in self.proved:
+            return False
+        self.proved = (*self.proved, point)
+        return True
 
     def toml(self) -> str:
         """The state as an input file."""

@@ -13,7 +13,7 @@ from mpsolve.model.parameters import Case, Mass, PhysicalCase, errors_under
 from mpsolve.model.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.numbers.units import measured
 
-_PHYSICAL = {
+PHYSICAL = {
     "EI": "the bending stiffness of the beam in N m²",
     "m": "the mass of the beam in kg/m",
     "k": "the stiffness of the foundation in N/m²",
@@ -22,7 +22,7 @@ _PHYSICAL = {
     "kp": "the Pasternak modulus in N",
     "N": "the axial force in N, compression positive",
 }
-_MASS = {
+MASS = {
     "M": "the mass in kg",
     "position": "the position in m",
     "P": "the constant force in N",
@@ -30,7 +30,7 @@ _MASS = {
     "omega_f": "the excitation frequency in rad/s",
     "phi_f": "the phase in rad",
 }
-_DIMENSIONLESS = {
+DIMENSIONLESS = {
     "alpha": "the velocity ratio",
     "eta_b": "the damping ratio",
     "eta_m": "the list of mass ratios",
@@ -38,19 +38,19 @@ _DIMENSIONLESS = {
     "eta_n": "the axial force ratio, compression positive",
     "eta_s": "the Pasternak modulus ratio",
 }
-_LOAD = {
+LOAD = {
     "constant": "the constant force ratio",
     "amplitude": "the amplitude ratio of the harmonic force",
     "frequency": "the dimensionless excitation frequency",
     "phase": "the phase in rad",
 }
-_UNITS = {
+UNITS = {
     "physical": {"EI": "N m²", "m": "kg/m", "k": "N/m²", "v": "m/s", "c": "N s/m²", "kp": "N", "N": "N"},
     "mass": {"M": "kg", "position": "m", "P": "N", "P_A": "N", "omega_f": "rad/s", "phi_f": "rad"},
 }
 _SECTIONS = ("physical", "mass", "dimensionless", "load")
 _TOP = {"title": "a text"} | dict.fromkeys(_SECTIONS, "a section")
-_REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
+REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
     if "physical" in content:
         return InputFile(_physical(content), title, file)
     if "mass" in content:
-        raise InputError("physical", f"is missing: add [physical] with {', '.join(_PHYSICAL)}")
+        raise InputError("physical", f"is missing: add [physical] with {', '.join(PHYSICAL)}")
     raise InputError(name_of(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
 
 
@@ -114,7 +114,7 @@ def _dimensionless(content: Mapping[str, Any]) -> Case:
     for other in ("physical", "mass"):
         if other in content:
             raise InputError(other, "stands beside [dimensionless]: keep only one of the two descriptions")
-    table = _table(content["dimensionless"], "dimensionless", _DIMENSIONLESS)
+    table = _table(content["dimensionless"], "dimensionless", DIMENSIONLESS)
     with errors_under("dimensionless."):
         for name in ("eta_m", "positions"):
             if not isinstance(table[name], list):
@@ -130,7 +130,7 @@ def _loads(content: Mapping[str, Any], case: Case) -> tuple[Load, ...] | None:
         raise InputError("load", f"is {kind(entries)}: write [[load]] in double brackets for each mass")
     loads = []
     for j, entry in enumerate(entries, 1):
-        table = _table(entry, f"load[{j}]", _LOAD)
+        table = _table(entry, f"load[{j}]", LOAD)
         with errors_under(f"load[{j}]."):
             loads.append(Load(**table))
     if len(loads) != case.count:
@@ -139,7 +139,7 @@ def _loads(content: Mapping[str, Any], case: Case) -> tuple[Load, ...] | None:
 
 
 def _physical(content: Mapping[str, Any]) -> PhysicalCase:
-    table = _table(content["physical"], "physical", _PHYSICAL)
+    table = _table(content["physical"], "physical", PHYSICAL)
     entries = content.get("mass", [])
     if not isinstance(entries, list):
         raise InputError("mass", f"is {kind(entries)}: write [[mass]] in double brackets for each mass")
@@ -154,7 +154,7 @@ def _physical(content: Mapping[str, Any]) -> PhysicalCase:
 
 
 def _mass(entry: object, key: str) -> Mass:
-    table = _table(entry, key, _MASS)
+    table = _table(entry, key, MASS)
     with errors_under(f"{key}."):
         return Mass(**table)
 
@@ -165,8 +165,8 @@ def _table(value: object, key: str, known: Mapping[str, str]) -> dict[str, Any]:
         raise InputError(key, f"is {kind(value)}, not a section: give {', '.join(known)} in it")
     check_keys(value, known, f"{key}.")
     for name, meaning in known.items():
-        if name in _REQUIRED and name not in value:
+        if name in REQUIRED and name not in value:
             raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
-    units = _UNITS.get(key.partition("[")[0], {})
+    units = UNITS.get(key.partition("[")[0], {})
     with errors_under(f"{key}."):
         return {name: measured(x, units[name], name) if name in units else x for name, x in value.items()}

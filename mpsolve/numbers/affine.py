@@ -63,7 +63,7 @@ class Affine:
         return Affine(a, b, (self.e + other.e + 2 * U * size) * UP + TINY)
 
     def __sub__(self, other: Any) -> Affine:
-        return self + (-other)
+        return self.__add__(-other)
 
     def times(self, factor: Any) -> Affine:
         """The product with floats that are meant exactly."""

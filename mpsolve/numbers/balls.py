@@ -17,7 +17,7 @@ import flint
 
 from mpsolve.errors import PrecisionError
 
-arb, acb, acb_mat, acb_poly = flint.arb, flint.acb, flint.acb_mat, flint.acb_poly
+arb, acb, arb_mat, acb_mat, acb_poly = flint.arb, flint.acb, flint.arb_mat, flint.acb_mat, flint.acb_poly
 
 _lock = vars(flint).setdefault("_precision_lock", threading.RLock())
 _THIN = 30
@@ -38,6 +38,18 @@ def precision(bits: int) -> Iterator[None]:
 def bits_now() -> int:
     """The precision that is set."""
     return int(flint.ctx.prec)
+
+
+@contextmanager
+def terms(number: int) -> Iterator[None]:
+    """Power series may have so many terms inside the block; what was set before is put back after it."""
+    with _lock:
+        before = flint.ctx.cap
+        flint.ctx.cap = max(number, before)
+        try:
+            yield
+        finally:
+            flint.ctx.cap = before
 
 
 def rational_ball(x: Fraction) -> Any:

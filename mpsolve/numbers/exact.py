@@ -10,13 +10,12 @@ import math
 import numbers
 import re
 from collections.abc import Iterable
-from decimal import Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, ROUND_HALF_UP, Context, Decimal
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, NoReturn, TypeAlias, final
 
 from flint import arb, fmpq
-from mpmath import libmp
 
 from mpsolve.errors import InputError
 
@@ -35,6 +34,7 @@ _NUMBER = re.compile(rf"(?:{_RATIO}|{_UNSIGNED})")
 _SIGNED = re.compile(r"(?P<sign>[+-]?)(?:root4\(\s*(?P<radicand>[^()]*?)\s*\)|(?P<plain>[^()]+))")
 _BAD_UNDERSCORE = re.compile(r"(?<![0-9])_|_(?![0-9])")
 _GUARD_BITS = 20
+_GUARD_DIGITS, _FLOAT_DIGITS = 6, 20
 _HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
 
 
@@ -208,7 +208,11 @@ class Exact:
         """Return x within 1.2e-16 relative, if not below the normal doubles; OverflowError above."""
         if self._rational is not None:
             return float(self._rational)
-        return float(libmp.to_float(self._raw(53), strict=True))
+        near = self._decimal(_FLOAT_DIGITS)
+        found = float(near)
+        if math.isinf(found):
+            raise OverflowError(f"{self} is beyond the range of floats")
+        return found
 
     def __str__(self) -> str:
         """Return the canonical text, from which `Exact.parse` gives x back."""
@@ -220,7 +224,9 @@ class Exact:
 
     def short(self, digits: int = 6) -> str:
         """Return x rounded to `digits` significant digits, for people to read."""
-        return str(libmp.to_str(self._raw(4 * digits + 53), digits)).removesuffix(".0").replace(".0e", "e")
+        context = Context(prec=digits, rounding=ROUND_HALF_UP, Emax=MAX_EMAX, Emin=MIN_EMIN)
+        rounded = context.normalize(self._decimal(2 * digits + _FLOAT_DIGITS))
+        return _short(rounded, digits)
 
     def beside(self, bound: int) -> str:
         """Return x as `short`, with as many digits as tell it from the bound, or the exact text."""
@@ -242,14 +248,40 @@ class Exact:
         """Return x within one unit in the last place of `context`, an mpmath multiprecision context."""
         return context.make_mpf(self._raw(context.prec))
 
+    def _decimal(self, digits: int) -> Decimal:
+        """Return x within one unit in the last of so many digits."""
+        context = Context(prec=digits + _GUARD_DIGITS, rounding=ROUND_HALF_EVEN, Emax=MAX_EMAX, Emin=MIN_EMIN)
+        exact = self.fourth_power if self._rational is None else self._rational
+        near = context.divide(Decimal(exact.numerator), Decimal(exact.denominator))
+        if self._rational is None:
+            near = context.sqrt(context.sqrt(near))
+            near = near.copy_negate() if self._signed < 0 else near
+        return near
+
     def _raw(self, precision: int) -> Any:
         """Return x as an mpmath raw number of `precision` bits, within one unit in the last place."""
+        from mpmath import libmp  # costs as much at start as the rest of this package
+
         if self._rational is not None:
             return libmp.from_rational(self._rational.numerator, self._rational.denominator, precision, "n")
         fine = precision + _GUARD_BITS
         radicand = self.fourth_power
         root = libmp.mpf_nthroot(libmp.from_rational(radicand.numerator, radicand.denominator, fine), 4, fine)
         return libmp.mpf_pos(libmp.mpf_neg(root) if self._signed < 0 else root, precision, "n")
+
+
+def _short(rounded: Decimal, digits: int) -> str:
+    """A decimal without zeros at its end; with an exponent below 10^−5 (or a third of the digits), from 10^digits."""
+    if not rounded:
+        return "0"
+    sign, figures, _ = rounded.as_tuple()
+    exponent = rounded.adjusted()
+    least = min(-(digits // 3), -5)
+    if least < exponent < digits:
+        return f"{rounded:f}"
+    text = "".join(map(str, figures))
+    mantissa = text[0] + (f".{text[1:]}" if len(text) > 1 else "")
+    return f"{'-' if sign else ''}{mantissa}e{exponent:+d}"
 
 
 def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:

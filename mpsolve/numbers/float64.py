@@ -59,3 +59,23 @@ class Float64:
 
     def det(self, a: Any) -> Any:
         return np.linalg.det(a)
+
+
+def distinct(x: Any) -> Any:
+    """The different entries of an array, ascending: np.unique, which would load masked arrays with it."""
+    ordered = np.sort(np.ravel(x))
+    new = np.ones(len(ordered), bool)
+    new[1:] = ordered[1:] != ordered[:-1]
+    return ordered[new]
+
+
+def value_at(x: Any, y: Any, c: Any) -> Any:
+    """Σ c[i, j] x^i y^j at arrays of one shape, by Horner's rule in x and then in y: numpy.polynomial's polyval2d."""
+    table = np.reshape(c, (*np.shape(c), *(1,) * np.ndim(x)))
+    rows = table[-1] + 0 * x
+    for row in table[-2::-1]:
+        rows = row + rows * x
+    total = rows[-1] + 0 * y
+    for entry in rows[-2::-1]:
+        total = entry + total * y
+    return total

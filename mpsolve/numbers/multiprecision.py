@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-import mpmath
-
 
 class Multiprecision:
     """mpmath numbers with `digits` decimal digits; matrices are those of its context `mp`."""
 
     def __init__(self, digits: int) -> None:
+        import mpmath  # not at the top: proofs do without it, and it costs as much at start as all of them
+
         self.mp = mpmath.MPContext()
         self.mp.dps = digits
 

@@ -54,11 +54,14 @@ def radius_of(exponent: int, multiplicity: int) -> Any:
 _INNER = 0.4  # how far from its grid point, in units, a coordinate of the root may lie
 
 
-def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry) -> RootBall:
-    """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image."""
+def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry, least: float = 0.0) -> RootBall:
+    """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image.
+
+    least: a size below which a root counts as one of this size.
+    """
     if not image.is_finite():
         raise PrecisionError("a root was lost while it was sharpened: raise the precision")
-    size = float(image.abs_lower())
+    size = max(float(image.abs_lower()), least)
     first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
     first -= CLUSTER if multiplicity > 1 else 0
     for exponent in range(first, first - 22, -1):  # two coordinates near grid points: 64 % of all tries

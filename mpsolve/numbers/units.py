@@ -32,7 +32,6 @@ _PREFIXED: dict[str, Factor] = {
     "J": (_F(1), (1, 2, -2)),
 }
 _WHOLE: dict[str, Factor] = {
-    "1": (_F(1), (0, 0, 0)),
     "rad": (_F(1), (0, 0, 0)),
     "%": (_F(1, 100), (0, 0, 0)),
     "min": (_F(60), (0, 0, 1)),
@@ -55,7 +54,7 @@ _MOST = 8  # of an exponent
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans({"μ": "µ", "⋅": "·", "−": "-", "\u00a0": " ", "\u202f": " "})
 _NUMBER = re.compile(r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)")
-_SYMBOL = re.compile(r"([A-Za-zµ]+|%|°|1)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
+_SYMBOL = re.compile(r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
 _JOINED = re.compile(r"([GMk]?N)(mm|m|s)(?![A-Za-z])")  # kNm², Ns/m
 _COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*")
 _SPACED = re.compile(r"\s*[+-]?[0-9]{1,3}( [0-9]{3})+(?![0-9])")
@@ -104,7 +103,7 @@ def _factor(unit: str) -> Factor:
     if not unit:
         return Fraction(1), (0, 0, 0)
     above, *below = unit.replace("(", " ( ").replace(")", " ) ").split("/")
-    size, powers = _product(above, False)
+    size, powers = (Fraction(1), (0, 0, 0)) if above.strip() == "1" and below else _product(above, False)
     for part in below:
         bracketed = part.strip().startswith("(") and part.strip().endswith(")")
         number, dimension = _product(part.strip(" ()") if bracketed else part, not bracketed)

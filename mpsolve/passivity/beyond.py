@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import Path, Paths
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.float64 import distinct
 from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import Absorption, Tail, overtakes, prove_tail
 from mpsolve.proof.effort import Effort
@@ -104,7 +105,7 @@ def _axis(rho: float, X: float) -> Any:
         return np.array([rho + 0j])
     count = max(2, int(4 * np.log2(X / rho)) + 2)
     return (
-        np.unique(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
+        distinct(np.concatenate([[rho, X], np.geomspace(rho, X, count)[1:-1].astype(np.float32).astype(float)])) + 0j
     )
 
 

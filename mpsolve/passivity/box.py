@@ -7,14 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.passivity.blocks import passive_on
+from mpsolve.passivity.blocks import SIDE, passive_on
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
-from mpsolve.passivity.subject import Subject
 
 _RATIO = 1.15  # of one frequency to the next where cells begin
 _HALVINGS = 7  # of a cell, in q and the parameters, before it is left open
-_MOST = 4000  # boxes that are looked at
+_COARSE, _FINE = 2, 36  # halvings after which the mesh is finer, and how fine
+_LOWEST = 1e-4  # of the far frequency
+_MOST = 4000  # boxes, about
 
 
 @dataclass(frozen=True)
@@ -36,41 +37,35 @@ def passive_beyond(envelope: Envelope, box: tuple[Any, Any] | None = None, ceili
     top = far(envelope) if ceiling is None else ceiling
     if top is None:
         return None
-    X, tried, lowest = top, 0, top * 1e-6
+    X, tried, open_ = top, 0, False
     width = 8
-    while X > lowest and tried < _MOST:
+    while not open_ and top * _LOWEST < X and tried < _MOST:
         ends = X * _RATIO ** -np.arange(width + 1.0)
-        found, spent = _covered(envelope, low, high, ends, _MOST - tried)
+        found, open_, spent = _covered(envelope, low, high, ends)
         tried += spent
-        if not found:
-            break
-        X, width = float(ends[found]), 2 * width
-        if found < len(ends) - 1:
-            break
+        X, width = float(ends[found]), min(2 * width, 64)
     return PassiveBeyond(X, top, tried)
 
 
-def _covered(envelope: Envelope, low: Any, high: Any, ends: Any, most: int) -> tuple[int, int]:
-    """(how many of the cells below ends[0] in a row are proved, how many boxes were looked at)."""
+def _covered(envelope: Envelope, low: Any, high: Any, ends: Any) -> tuple[int, bool, int]:
+    """(how many cells in a row below ends[0] are proved, whether the next one failed, how many boxes were looked at).
+
+    Cells far below one that is hard are left for another time.
+    """
     n, k = len(ends) - 1, len(low)
     lows = np.concatenate([ends[1:, None], np.broadcast_to(low, (n, k))], 1)
     highs = np.concatenate([ends[:-1, None], np.broadcast_to(high, (n, k))], 1)
-    cell, failed, tried = np.arange(n), n, 0
+    cell, left, tried = np.arange(n), n, 0
     for depth in range(_HALVINGS + 1):
-        if not len(cell):
-            break
         tried += len(cell)
-        passed = passive_on(envelope, lows, highs)
+        passed = passive_on(envelope, lows, highs, SIDE if depth < _COARSE else _FINE)
         lows, highs, cell = lows[~passed], highs[~passed], cell[~passed]
-        if tried > most or depth == _HALVINGS:
-            failed = min(failed, int(cell.min(initial=failed)))
-            break
         if not len(cell):
-            break
-        keep = cell <= cell.min() + 2  # only the first cells that fail matter
-        failed = min(failed, int(cell[~keep].min(initial=failed)))
+            return left, False, tried
+        keep = cell <= cell.min() + 2
+        left = min(left, int(cell[~keep].min(initial=left)))
         lows, highs, cell = halved(lows[keep], highs[keep], cell[keep])
-    return failed, tried
+    return int(cell.min()), True, tried
 
 
 def halved(low: Any, high: Any, cell: Any) -> tuple[Any, Any, Any]:
@@ -81,8 +76,3 @@ def halved(low: Any, high: Any, cell: Any) -> tuple[Any, Any, Any]:
     first, second = high.copy(), low.copy()
     first[rows, k], second[rows, k] = middle, middle
     return np.concatenate([low, second]), np.concatenate([first, high]), np.concatenate([cell, cell])
-
-
-def passive_subject(subject: Subject, low: Any, high: Any) -> Any:
-    """`passive_beyond` for a subject over one box."""
-    return passive_beyond(Envelope(subject, tuple(map(float, low)), tuple(map(float, high))))

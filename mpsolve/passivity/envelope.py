@@ -13,37 +13,55 @@ import numpy as np
 
 from mpsolve.numbers.affine import Affine, between
 from mpsolve.numbers.jets import UP
-from mpsolve.passivity.power import Terms, moved, value
+from mpsolve.passivity.power import Quotient, Terms, moved, value
 from mpsolve.passivity.subject import Subject
 
 _OMEGA = 4.0  # where the two charts meet
 _MOST = 60000  # boxes that are looked at
+_LEAST_POWER, _MOST_POWER = -3, 12  # of 2 in p₀: nothing is said below 2^−3
 _NEAR = 1.5  # times the largest value met: a bound that is good enough
 
 
 @dataclass(frozen=True)
 class Envelope:
-    """The bounds over one box of parameters; `low` and `high` are those of the scaled parameters."""
+    """The bounds over one box of parameters; `low` and `high` are those of the scaled parameters.
+
+    of: the quotient that is bounded, W/|D|² if left out. beside: Ω may be as far as beside·p from the load's line.
+    """
 
     subject: Subject
     low: tuple[float, ...]
     high: tuple[float, ...]
+    of: Quotient | None = None
+    beside: float = 0.0
     _known: dict[int, float] = field(default_factory=dict, repr=False, compare=False)
 
     def constant(self, power_of_two: int) -> float:
         """C for p₀ = 2^power_of_two; ∞ where it is not found."""
+        if any(k >= power_of_two and np.isinf(C) for k, C in self._known.items()):
+            return float("inf")  # a smaller p₀ asks for more
+        for k in range(power_of_two - 1, power_of_two - 4, -1):
+            if k in self._known:
+                return self._known[k]  # it holds from a smaller p₀ on
         if power_of_two not in self._known:
-            found = charts(self.subject.power, 2.0**power_of_two, self.fastest)
-            self._known[power_of_two] = max(_supremum(self.subject.power, self, chart) for chart in found)
+            found = charts(self.quotient, 2.0**power_of_two, self.fastest + self.beside)
+            self._known[power_of_two] = max(_supremum(self, chart) for chart in found)
         return self._known[power_of_two]
 
     def constants(self, p0: Any) -> Any:
-        """A bound for each p ≥ p₀ > 0 (an array of floats)."""
-        powers = np.clip(np.floor(np.log2(np.maximum(p0, 1e-30)) - 2.0**-20), -30, 30).astype(int)
-        out = np.empty(len(p0))
-        for k in np.unique(powers):
+        """A bound for each p ≥ p₀ > 0 (an array of floats); the same for all p₀ from 2^_MOST_POWER on."""
+        powers = np.clip(np.floor(np.log2(np.maximum(p0, 1e-30)) - 2.0**-20), _LEAST_POWER - 1, _MOST_POWER).astype(
+            int
+        )
+        out = np.full(powers.shape, np.inf)
+        for k in np.unique(powers[powers >= _LEAST_POWER]):
             out[powers == k] = self.constant(int(k))
         return out
+
+    @property
+    def quotient(self) -> Quotient:
+        """What is bounded."""
+        return self.subject.power.quotient if self.of is None else self.of
 
     @property
     def fastest(self) -> float:
@@ -54,50 +72,54 @@ class Envelope:
 
 @dataclass(frozen=True)
 class Chart:
-    """w, D_r and D_i in the chart's variables x and y, the factors of W and of D_i² there, the box and a bound of xy.
+    """The top, D_r and D_i in the chart's variables x and y, the factors of the top, the box and a bound of xy.
 
-    |W| p^α/|D|² = y^a x^b |w|/(D_r² + y^c D_i²).
+    The quotient times p^α is x^a y^b |top|/(D_r² + y^twist D_i²)^copies.
     """
 
-    w: Terms
+    top: Terms
     real: Terms
     imaginary: Terms
     weight: tuple[int, int]
     twist: int
+    copies: int
     box: tuple[tuple[float, float], tuple[float, float]]
     product: float
 
 
-def charts(power: Any, p0: float, v: float) -> tuple[Chart, Chart]:
+def charts(quotient: Quotient, p0: float, v: float) -> tuple[Chart, Chart]:
     """(u, ω) and (r, ζ)."""
-    (iw, nw), (i2, n2) = power.degrees
-    half, whole, alpha = i2 // 2, n2 // 2, power.alpha
+    (iw, nw), (i2, n2) = quotient.degrees
+    power, odd, copies, alpha = quotient.power, quotient.odd, quotient.copies, quotient.alpha
+    half, whole = i2 // 2 // copies, n2 // 2 // copies
     near = Chart(
-        moved(power.w, lambda i, j: (iw - 2 * i, 2 * j)),
+        moved(quotient.top, lambda i, j: (iw - 2 * i, 2 * j)),
         moved(power.real, lambda i, j: (half - 2 * i, 2 * j)),
         moved(power.imaginary, lambda i, j: (half - 2 * i, 2 * j)),
-        (i2 - iw - alpha, 1),
+        (i2 - iw - alpha, odd),
         2,
+        copies,
         ((0.0, 1 / p0 * UP), (0.0, _OMEGA)),
         v * UP,
     )
     far = Chart(
-        moved(power.w, lambda i, j: (iw - 2 * i, nw - 1 - 2 * i - 2 * j)),
+        moved(quotient.top, lambda i, j: (iw - 2 * i, nw - odd - 2 * i - 2 * j)),
         moved(power.real, lambda i, j: (half - 2 * i, whole - 2 * i - 2 * j)),
         moved(power.imaginary, lambda i, j: (half - 2 * i, whole - 1 - 2 * i - 2 * j)),
         (i2 - iw - alpha, n2 - nw - alpha),
         0,
+        copies,
         ((0.0, v * UP), (0.0, 1 / _OMEGA * UP)),
         1 / p0 * UP,
     )
     return near, far
 
 
-def _supremum(power: Any, envelope: Envelope, chart: Chart) -> float:
+def _supremum(envelope: Envelope, chart: Chart) -> float:
     """By branch and bound over the chart and the parameters."""
     low = np.array([[*(a for a, _ in chart.box), *envelope.low]])
     high = np.array([[*(b for _, b in chart.box), *envelope.high]])
-    names, proved, known, tried = ("x", "y", *power.names), 0.0, 0.0, 0
+    names, proved, known, tried = ("x", "y", *envelope.subject.names), 0.0, 0.0, 0
     while len(low):
         tried += len(low)
         if tried > _MOST:
@@ -119,7 +141,7 @@ def _supremum(power: Any, envelope: Envelope, chart: Chart) -> float:
 
 
 def _quotient(chart: Chart, x: Affine, y: Affine, theta: list[Affine]) -> tuple[Affine, Affine]:
-    top = value(chart.w, x, y, theta)
+    top = value(chart.top, x, y, theta)
     for factor, power in zip((x, y), chart.weight, strict=True):
         for _ in range(power):
             top = top * factor
@@ -127,7 +149,10 @@ def _quotient(chart: Chart, x: Affine, y: Affine, theta: list[Affine]) -> tuple[
     bottom = imaginary.square()
     for _ in range(chart.twist):
         bottom = bottom * y
-    bottom = bottom + value(chart.real, x, y, theta).square()
+    one = bottom + value(chart.real, x, y, theta).square()
+    bottom = one
+    for _ in range(chart.copies - 1):
+        bottom = bottom * one
     ones = np.ones(len(x.a))
     return _full(top, ones), _full(bottom, ones)
 

@@ -24,6 +24,7 @@ from mpsolve.passivity.tail import best_blocks
 from mpsolve.tracks.waveguide import Polynomial, moving
 
 _RATIO = 1.25  # of one X to the next that is tried
+_SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh
 _MARGIN = 1 + 2.0**-20  # of what is taken over what is given: for the rounding of the sums
 
@@ -38,10 +39,13 @@ def far(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> float | No
         return None
     charts = [_Chart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
     X = least
-    while X <= most:
+    while X <= most:  # noqa: SIM300 — X is no constant
         given = _given(envelope, X, gap)
         for chart in charts:
-            if np.isfinite(given) and chart.taken(envelope, parameters, X, gap, subject.power.alpha) > given * _MARGIN:
+            if (
+                np.isfinite(given)
+                and chart.taken(envelope, parameters, X, gap, subject.power.alpha) > given * _MARGIN
+            ):
                 return X
         X *= _RATIO
     return None
@@ -114,7 +118,7 @@ class _Chart:
         )
 
     def taken(self, envelope: Envelope, parameters: list[Affine], X: float, gap: float | None, alpha: int) -> float:
-        """A lower bound of what blocks take at q = X, if its quotient by what is given does not fall with q; else 0."""
+        """A lower bound of what blocks take at q = X, if its quotient by what is given does not fall; else 0."""
         if not alpha - 1 >= self.e - self.gamma:
             return 0.0
         growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
@@ -127,7 +131,7 @@ class _Chart:
     def _ends(self, envelope: Envelope, X: float, growth: float) -> Any:
         middle = (np.array([envelope.low]) + np.array([envelope.high])) / 2
         spread = np.array([0.2])
-        ends = np.unique(cells(envelope.subject, np.array([X]), middle, spread)[0] / growth)
+        ends = np.unique(cells(envelope.subject, np.array([X]), middle, spread, _SIDE)[0] / growth)
         parts = np.arange(_FINE) / _FINE
         fine = ends[:-1, None] + (ends[1:] - ends[:-1])[:, None] * parts
         return np.unique(np.append(fine.ravel(), ends[-1]))
@@ -143,7 +147,9 @@ class _Chart:
                 omega = omega * tau
             omega = constant(Fraction(1)) - omega
             y, square = at.square(), omega.square()
-            w, real, imaginary = (value(a, y, square, [tau, *parameters]) for a in (self.w, self.real, self.imaginary))
+            w, real, imaginary = (
+                value(a, y, square, [tau, *parameters]) for a in (self.w, self.real, self.imaginary)
+            )
             bottom = real.square() + square * imaginary.square()
             kappa = np.maximum(omega.low, 0) * np.maximum(w.low, 0) / bottom.high / UP
         return np.where(np.isfinite(kappa), kappa, 0.0) * np.ones(len(z) - 1)

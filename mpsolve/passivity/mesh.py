@@ -9,16 +9,16 @@ import numpy as np
 
 from mpsolve.passivity.subject import Subject, floats_of
 
-_SIDE = 9  # cells on each side of a wave
-_REACH = 4.0  # of the cells, in the largest wavenumber that counts
+_REACH = 12.0  # of the cells, in the largest wavenumber that counts
 _FAR = 100.0  # times the median: a root that is as good as infinite
-_LEAST = 1e-3  # of the reach: the width that is given to a wave without damping
+_LEAST = 1e-6  # of the reach: the width that is given to a wave without damping
 
 
-def cells(subject: Subject, q: Any, x: Any, spread: Any) -> Any:
+def cells(subject: Subject, q: Any, x: Any, spread: Any, side: int) -> Any:
     """The ends of cells of wavenumber, ascending, shape (boxes, ends), for q and the parameters at points.
 
     spread: by how much q and the parameters vary about them, relative: cells need not be finer than what that blurs.
+    side: the number of cells on each side of a wave.
     """
     v = floats_of(subject.v.items(), x)
     roots = wavenumbers(subject, q, v, x)
@@ -26,7 +26,9 @@ def cells(subject: Subject, q: Any, x: Any, spread: Any) -> Any:
     size = np.where(size < _FAR * np.median(size, axis=1)[:, None], size, 0)
     reach = _REACH * np.maximum(size.max(1), 1e-6)
     width = np.maximum(np.abs(roots.imag), (np.abs(roots.real) * spread[:, None] + _LEAST * reach[:, None]) / 2)
-    steps = np.sinh(np.linspace(-1, 1, 2 * _SIDE + 1)[None, None, :] * np.arcsinh(2 * reach[:, None] / width)[..., None])
+    steps = np.sinh(
+        np.linspace(-1, 1, 2 * side + 1)[None, None, :] * np.arcsinh(2 * reach[:, None] / width)[..., None]
+    )
     ends = (roots.real[:, :, None] + width[:, :, None] * steps).reshape(len(q), -1)
     with np.errstate(all="ignore"):
         turn = np.where(v > 0, q / v, reach)

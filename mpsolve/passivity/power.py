@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -29,22 +30,53 @@ class Power:
     names: tuple[str, ...]
 
     @staticmethod
-    def of(D: Mapping[tuple[int, ...], Fraction], N: Mapping[tuple[int, ...], Fraction], names: Sequence[str]) -> Power:
+    def of(
+        D: Mapping[tuple[int, ...], Fraction], N: Mapping[tuple[int, ...], Fraction], names: Sequence[str]
+    ) -> Power:
         """From D and N at rest, polynomials in P, s and the parameters, even in P."""
         (dr, di), (nr, ni) = _halves(D), _halves(N)
         return Power(_less(_times(nr, di), _times(ni, dr)), dr, di, tuple(names))
 
-    @property
-    def degrees(self) -> tuple[tuple[int, int], tuple[int, int]]:
-        """Of W and of |D|²: the degree in p, and that in p and Ω together."""
-        parts = ((self.w, 1, 0), (self.real, 0, 0), (self.imaginary, 0, 1))
-        by_p = [max((2 * key[0] for key in terms), default=0) for terms, _, _ in parts]
-        total = [max((2 * key[0] + 2 * key[1] + own + z for key in terms), default=0) for terms, own, z in parts]
-        return (by_p[0], total[0]), (2 * max(by_p[1:]), 2 * max(total[1:]))
+    @cached_property
+    def quotient(self) -> Quotient:
+        """W/|D|²."""
+        return Quotient(self, self.w, 1, 1)
+
+    @cached_property
+    def slope(self) -> Quotient:
+        """∂/∂z of w/|D|²: (w_z |D|² − w ∂_z|D|²)/|D|⁴."""
+        z: Terms = {(0, 1, *[0] * len(self.names)): Fraction(1)}
+        square = _plus(_times(self.real, self.real), _times(z, _times(self.imaginary, self.imaginary)))
+        return Quotient(self, _less(_times(_slope(self.w), square), _times(self.w, _slope(square))), 0, 2)
 
     @property
     def alpha(self) -> int:
         """|W|/|D|² falls at least as p^−α where waves run no faster than the load."""
+        return self.quotient.alpha
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """Ω^odd · top(y, z)/|D|^(2·copies)."""
+
+    power: Power
+    top: Terms
+    odd: int
+    copies: int
+
+    @cached_property
+    def degrees(self) -> tuple[tuple[int, int], tuple[int, int]]:
+        """Of what stands above and below: the degree in p, and that in p and Ω together."""
+        below = [(2 * key[0], 2 * key[0] + 2 * key[1] + z)
+                 for terms, z in ((self.power.real, 0), (self.power.imaginary, 1)) for key in terms]  # fmt: skip
+        above = [(2 * key[0], 2 * key[0] + 2 * key[1] + self.odd) for key in self.top] or [(0, 0)]
+        most = [max(column) for column in zip(*below, strict=True)]
+        by_p, total = (max(column) for column in zip(*above, strict=True))
+        return (by_p, total), (2 * self.copies * most[0], 2 * self.copies * most[1])
+
+    @property
+    def alpha(self) -> int:
+        """It falls at least as p^−α where waves run no faster than the load."""
         (iw, nw), (i2, n2) = self.degrees
         return min(i2 - iw, n2 - nw)
 
@@ -68,11 +100,20 @@ def _times(a: Terms, b: Terms) -> Terms:
     return {key: c for key, c in out.items() if c}
 
 
-def _less(a: Terms, b: Terms) -> Terms:
+def _plus(a: Terms, b: Terms, sign: int = 1) -> Terms:
     out = dict(a)
     for key, c in b.items():
-        out[key] = out.get(key, Fraction(0)) - c
+        out[key] = out.get(key, Fraction(0)) + sign * c
     return {key: c for key, c in out.items() if c}
+
+
+def _less(a: Terms, b: Terms) -> Terms:
+    return _plus(a, b, -1)
+
+
+def _slope(a: Terms) -> Terms:
+    """∂/∂z."""
+    return {(i, j - 1, *rest): j * c for (i, j, *rest), c in a.items() if j}
 
 
 def value(terms: Terms, x: Affine, y: Affine, parameters: Sequence[Affine]) -> Affine:

@@ -45,11 +45,10 @@ class Subject:
     def of_family(family: Any) -> Subject:
         """The family's track, velocity and places; its parameters x̂ in its order."""
         D, N = (
-            {(*key, *powers): c for key, row in a.items() for powers, c in row} for a in (family.D_rest, family.N_rest)
+            {(*key, *powers): c for key, row in a.items() for powers, c in row}
+            for a in (family.D_rest, family.N_rest)
         )
-        return Subject(
-            Power.of(D, N, family.paths), D, dict(family.v), tuple(dict(place) for place in family.places)
-        )
+        return Subject(Power.of(D, N, family.paths), D, dict(family.v), tuple(dict(place) for place in family.places))
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
-from numpy.polynomial.polynomial import polyval2d
 
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.float64 import distinct, value_at
 from mpsolve.numbers.jets import UP, U
 from mpsolve.passivity.decay import Edge, edges
 from mpsolve.problem.reduced import Guide
@@ -145,7 +145,7 @@ class _Search:
         steps = 2.0 ** (-np.arange(1, 40) / 2)
         near = np.concatenate([steps, [0.0], -steps])
         z = np.concatenate([np.linspace(-width, width, 61) * scale, *(root * (1 + near) for root in real)])
-        self.z = np.unique(z.astype(np.float32).astype(float))
+        self.z = distinct(z.astype(np.float32).astype(float))
 
     def shortest(self, sieve: float) -> float:
         """The X below which no block is as long as the sieve's loss."""
@@ -239,7 +239,7 @@ def _with(plan: Tail, z1: float, z2: float, kappa: float) -> Tail:
 
 def _ratio(x: Any, y: Any, top: Any, bottom: Any) -> Any:
     x, y = np.broadcast_arrays(x, y)
-    return polyval2d(x, y, top) / polyval2d(x, y, bottom)
+    return value_at(x, y, top) / value_at(x, y, bottom)
 
 
 def _sampled_envelope(absorption: Absorption, v: Fraction, X: float, alpha: int) -> float:

@@ -31,18 +31,18 @@ _TOP = {
     "vehicle": "sections",
     "load": "sections",
 }
-_PLACE = {
+PLACE = {
     "position": "where its middle is, in m",
     "count": "how many of it run in a row",
     "spacing": "the distance from one to the next, in m",
 }
-_LOAD = {
+LOAD = {
     "constant": "the constant force in N",
     "amplitude": "the amplitude of the harmonic force in N",
     "frequency": "its frequency in rad/s",
     "phase": "its phase in rad",
 }
-_LOAD_UNITS = {"constant": "N", "amplitude": "N", "frequency": "rad/s", "phase": "rad"}
+LOAD_UNITS = {"constant": "N", "amplitude": "N", "frequency": "rad/s", "phase": "rad"}
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,13 @@ def read_problem(path: str | Path) -> ProblemFile:
     InputError names the key at fault, such as track.k_pad or vehicle[2].wheel (counted from 1).
     """
     source = read_source(path)
-    return source if isinstance(source, ProblemFile) else _of_case(source)
+    return source if isinstance(source, ProblemFile) else problem_file(source)
+
+
+def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:
+    """The problem in the tables of a file, as `read_problem` reads it."""
+    source = source_of(content, file)
+    return source if isinstance(source, ProblemFile) else problem_file(source)
 
 
 def read_source(path: str | Path) -> ProblemFile | InputFile:
@@ -82,6 +88,11 @@ def read_source(path: str | Path) -> ProblemFile | InputFile:
     file = Path(path)
     content = parsed(text_of(file), name_of(file))
     refuse_other_kind(content, _TOP | {"physical": "a section", "dimensionless": "a section"}, file)
+    return source_of(content, file)
+
+
+def source_of(content: Mapping[str, Any], file: Path) -> ProblemFile | InputFile:
+    """The same from the tables of a file."""
     if not {"track", "vehicle", "v"} & content.keys():
         return _known_case(content, file)
     for other in ("physical", "dimensionless", "mass"):
@@ -106,7 +117,8 @@ def _known_case(content: Mapping[str, Any], file: Path) -> InputFile:
     return input_of(content, file)
 
 
-def _of_case(source: InputFile) -> ProblemFile:
+def problem_file(source: InputFile) -> ProblemFile:
+    """The paper's case in a file as a problem, with its own forces."""
     loads, case = source.loads, source.case
     if isinstance(case, PhysicalCase) and gives_forces(case):
         loads = tuple(Load(mass.P, mass.P_A, mass.omega_f, mass.phi_f) for mass in case.masses)
@@ -129,13 +141,13 @@ def _sections(content: Mapping[str, Any], key: str) -> list[Any]:
 
 def _vehicle(entry: object, j: int) -> tuple[Placed, ...]:
     key = f"vehicle[{j}]"
-    model = _model(entry, key, vehicles.CATALOGUE, _PLACE)
+    model = _model(entry, key, vehicles.CATALOGUE, PLACE)
     given = dict(entry) if isinstance(entry, dict) else {}
     with errors_under(f"{key}."):
         at = model.at(given.get("position", 0)).position
         if ("count" in given) != ("spacing" in given):
             missing = "spacing" if "count" in given else "count"
-            raise InputError(missing, f"is missing: give {_PLACE[missing]}, or leave count and spacing out")
+            raise InputError(missing, f"is missing: give {PLACE[missing]}, or leave count and spacing out")
         row = vehicles.train(model, given["count"], given["spacing"]) if "count" in given else (model.at(0),)
     return tuple(Placed(model, at + one.position) for one in row)
 
@@ -180,10 +192,10 @@ def _loads(content: Mapping[str, Any], contacts: int) -> tuple[Load, ...] | None
     for j, entry in enumerate(_sections(content, "load"), 1):
         key = f"load[{j}]"
         if not isinstance(entry, dict):
-            raise InputError(key, f"is {kind(entry)}, not a section: give {', '.join(_LOAD)} in it")
-        check_keys(entry, _LOAD, f"{key}.")
+            raise InputError(key, f"is {kind(entry)}, not a section: give {', '.join(LOAD)} in it")
+        check_keys(entry, LOAD, f"{key}.")
         with errors_under(f"{key}."):
-            loads.append(Load(**{name: measured(x, _LOAD_UNITS[name], name) for name, x in entry.items()}))
+            loads.append(Load(**{name: measured(x, LOAD_UNITS[name], name) for name, x in entry.items()}))
     if len(loads) != contacts:
         stated = f"has {len(loads)} entries for {contacts} contacts"
         raise InputError("load", f"{stated}: give one [[load]] for each contact from rear to front, or none")

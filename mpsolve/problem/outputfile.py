@@ -8,6 +8,7 @@ from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Model, Part, quantities
+from mpsolve.numbers.spoken import decimal
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Track
 
@@ -27,18 +28,9 @@ def problem_toml(problem: Problem, title: str = "") -> str:
 
 
 def number(x: Fraction) -> str:
-    """A decimal where there is a short one, else a ratio in quotes."""
-    denominator, twos, fives = x.denominator, 0, 0
-    while denominator % 2 == 0:
-        denominator, twos = denominator // 2, twos + 1
-    while denominator % 5 == 0:
-        denominator, fives = denominator // 5, fives + 1
-    places = max(twos, fives)
-    if denominator > 1 or places > 40:
-        return f'"{x.numerator}/{x.denominator}"'
-    digits = str(abs(x.numerator) * 10**places // x.denominator).rjust(places + 1, "0")
-    sign = "-" if x < 0 else ""
-    return sign + (digits[:-places] + "." + digits[-places:] if places else digits)
+    """A decimal where there is one, else a ratio in quotes."""
+    said = decimal(x)
+    return f'"{said}"' if "/" in said else said
 
 
 def _model(model: Model, *more: str) -> list[str]:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Quantity, rational, shown
+from mpsolve.numbers.spoken import rounded
 from mpsolve.numbers.units import factor, split
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 
+_OF_FILE = re.compile(r"vehicle\[\d+\](.*)")
 _EXAMPLE = "write PATH=LOW..HIGH, such as v=0..400km/h, or v=0.. for a range without an end"
 
 
@@ -27,9 +32,14 @@ class Over:
     si: str
     unit: str
 
-    def shown(self, value: Fraction) -> Fraction:
-        """A value in `si` as one in `unit`."""
-        return value * factor(self.si)[0] / factor(self.unit)[0]
+    def shown(self, value: Any) -> Any:
+        """A value in `si`, a rational or a ball, as one in `unit`."""
+        ratio = factor(self.si)[0] / factor(self.unit)[0]
+        return value * ratio if isinstance(value, Fraction) else value * ratio.numerator / ratio.denominator
+
+    def told(self, value: Any) -> str:
+        """A value in `si` with the unit that was written, in few figures: "463.6 km/h"."""
+        return f"{rounded(self.shown(value))} {self.unit}".strip()
 
     def holds(self, value: Fraction) -> bool:
         """Whether the value lies in the range, its ends included."""
@@ -76,7 +86,24 @@ def parse_over(text: str, problem: Problem, key: str = "--over") -> Over:
     return Over(path, start, end, quantity.unit, given_high or quantity.unit)
 
 
+def parse_overs(texts: Iterable[str], problem: Problem, key: str = "--over") -> tuple[Over, ...]:
+    """Several ranges, each of another parameter; InputError where one is named twice."""
+    found: dict[str, Over] = {}
+    for text in texts:
+        over = parse_over(text, problem, key)
+        if over.path in found:
+            raise InputError(key, f"names {over.path} twice: give one range for each parameter")
+        found[over.path] = over
+    return tuple(found.values())
+
+
 def _quantity(problem: Problem, path: str, key: str) -> Quantity:
+    of_file = _OF_FILE.fullmatch(path)
+    if of_file:
+        inner, rear = of_file[1], "vehicles are counted from 0 here, from the rear, trains one by one"
+        raise InputError(
+            key, f"names {path!r}: {rear}, so write vehicles[0]{inner} for the rearmost, or vehicles{inner}"
+        )
     try:
         return problem.quantity(path)
     except InputError as error:

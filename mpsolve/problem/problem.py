@@ -18,6 +18,7 @@ from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil,
 class Problem:
     """Vehicles that move at the velocity v along a track; one consistent set of units, SI by default.
 
+    A text may carry a unit of its own ("360 km/h"), which is converted to SI.
     vehicles: any number of vehicles at their places (`Mass("900").at("2.5")`) and trains of them, in any order; a
     bare one stands at 0.
     v ≥ 0. InputError names the argument that cannot be used.

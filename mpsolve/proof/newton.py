@@ -77,16 +77,21 @@ def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
     return image if image.is_finite() and box.contains_interior(image) else None
 
 
-def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | None = None) -> Any:
+def real_part(ball: Any) -> Any:
+    """Of a ball that holds a real root."""
+    return acb(ball.real)
+
+
+def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | None = None, least: Any = 0) -> Any:
     """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
 
-    onto: takes a ball to its part on the line on which the root is known to lie. Precision doubles with what is known
-    of the root, so as to end at the goal: the last step costs one value of f at goal bits and a little more, and one
-    slope at half of them.
+    onto: takes a ball to its part on the line on which the root is known to lie. least: a size below which a root
+    counts as one of this size. Precision doubles with what is known of the root, so as to end at the goal: the last
+    step costs one value of f at goal bits and a little more, and one slope at half of them.
     """
     guard, loss = _GUARD, _LOSS
     image = onto(image) if onto else image
-    known = _accuracy(image)
+    known = _accuracy(image, least)
     while known < goal:
         target = _next(known, goal, loss)
         with precision(known + guard):
@@ -95,7 +100,7 @@ def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | N
             middle = image.mid()
             image = middle - f.value(middle) / slope
             image = onto(image) if onto else image
-        reached = _accuracy(image)
+        reached = _accuracy(image, least)
         if reached < target:
             guard, loss = guard + target - reached, loss + target - reached
             if guard > _MOST_GUARD:
@@ -113,14 +118,15 @@ def _next(known: int, goal: int, loss: int) -> int:
     return target
 
 
-def _accuracy(image: Any) -> int:
-    """Bits of the modulus that the ball fixes."""
+def _accuracy(image: Any, least: Any) -> int:
+    """Bits of the modulus, or of `least` where that is larger, that the ball fixes."""
     if not image.is_finite():
         raise PrecisionError("interval Newton lost the root: raise the precision")
     radius = image.rad()
     if radius == 0:
         return 1 << 40
     size = image.abs_upper()
+    size = size if least == 0 or size > least else arb(least)
     return int(_exponent(size)) - int(_exponent(arb(radius)))
 
 

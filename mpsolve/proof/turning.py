@@ -88,4 +88,5 @@ def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
         total = np.angle(np.diagonal(lu, axis1=1, axis2=2)).sum(1)
         wide = (piece.theta + phi) * UP
         good = piece.good & (wide < _PIVOTS) & np.isfinite(total)
-        return total, n * (phi / (1 - np.minimum(wide, _PIVOTS)) ** 2 + (16 + 2 * n) * U) * UP, good
+        least = 1 - np.minimum(wide, _PIVOTS)  # of the moduli of pivots
+        return total, n * (phi / (least * least) * (1 + 8 * U) + (16 + 2 * n) * U) * UP, good

@@ -10,7 +10,7 @@ from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.exact import Exact
-from mpsolve.numbers.model import Model
+from mpsolve.numbers.model import Model, quantities
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, own_vibration
@@ -41,7 +41,7 @@ def spectrum_data(
     unstable          number of those with Im q < 0; null if not proved
     neutral           how often q = 0 is a root by construction, beside those
     unfelt            roots of motions that no contact feels, beside those, as {"re", "im"}
-    problem           velocity, track and vehicles, or the ratios of a case; numbers as {"exact", "decimal"}
+    problem           velocity, track, vehicles, or the ratios of a case; as {"exact", "decimal"}, in SI with "unit"
     units             the units of q, frequency, growth_rate, and of both times
     roots             sorted by (re, im), each with
         re, im        {"value", "radius"}: decimals; the exact number is within radius of value
@@ -102,14 +102,14 @@ def problem_data(given: Given) -> dict[str, Any]:
     problem = as_problem(given)
     track = problem.track
     told = _model(track) if isinstance(track, Track) else {"model": "matrix", "parameters": {}}
-    vehicles = [_model(one.vehicle) | {"position": number(one.position)} for one in problem.vehicles]
-    return {"velocity": number(problem.v), "track": told, "vehicle": vehicles}
+    vehicles = [_model(one.vehicle) | {"position": number(one.position, "m")} for one in problem.vehicles]
+    return {"velocity": number(problem.v, "m/s"), "track": told, "vehicle": vehicles}
 
 
-def number(x: Any) -> dict[str, str]:
-    """An exact number: its text, and a decimal for people and programs that cannot read it."""
+def number(x: Any, unit: str | None = None) -> dict[str, str]:
+    """An exact number: its text, a decimal for people and programs that cannot read it, its unit if it is told."""
     exact = Exact.parse(x)
-    return {"exact": str(exact), "decimal": exact.short(17)}
+    return {"exact": str(exact), "decimal": exact.short(17)} | ({} if unit is None else {"unit": unit})
 
 
 def _several(value: Any) -> Any:
@@ -117,15 +117,19 @@ def _several(value: Any) -> Any:
 
 
 def _model(model: Any) -> dict[str, Any]:
-    return {"model": model.name, "parameters": {name: _value(x) for name, x in model.parameters.items()}}
+    kind: Any = type(model)
+    described = quantities(kind)
+    values = {name: _value(x, described[name].unit) for name, x in model.parameters.items()}
+    return {"model": model.name, "parameters": values}
 
 
-def _value(value: Any) -> Any:
+def _value(value: Any, unit: str | None) -> Any:
+    """A parameter; the entries of a list have no unit of their own, as rotations stand among displacements."""
     if isinstance(value, Fraction):
-        return number(value)
+        return number(value, unit)
     if isinstance(value, Model):
         return _model(value)
-    return [_value(one) for one in value] if isinstance(value, tuple) else value
+    return [_value(one, None) for one in value] if isinstance(value, tuple) else value
 
 
 def _root(root: Root, digits: int) -> dict[str, Any]:

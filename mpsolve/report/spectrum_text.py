@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import Any
-
-from rich.box import SIMPLE_HEAD
-from rich.console import Group
-from rich.table import Table
-from rich.text import Text
 
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.balls import precision
@@ -20,8 +15,9 @@ from mpsolve.numbers.model import Model, defaults, quantities
 from mpsolve.numbers.spoken import rounded, said_in, spoken
 from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.problem import Problem
+from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
+from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
-from mpsolve.report.text import beam_rows, certificate_text, columns_of, ratio_rows, root_rows, section, shown
 from mpsolve.report.vibration import Trend, Vibration, own_vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track
@@ -32,37 +28,35 @@ _PLACES = 8
 
 def spectrum_document(
     spectrum: Spectrum, title: str = "", certificate: str | os.PathLike[str] | None = None
-) -> Group:
-    """The report for a rich console; certificate: the path where it was saved."""
-    stated = verdict(spectrum)
-    parts: list[Any] = [Text(title, style="bold"), Text("")] if title else []
-    parts += [Text(stated, style=_COLOUR.get(stated.partition(":")[0], "bold")), Text("")]
-    parts += warnings_of(spectrum)
-    motions = own_vibrations(spectrum)
+) -> Document:
+    """The report as blocks; certificate: the path where it was saved."""
+    stated, motions = verdict(spectrum), own_vibrations(spectrum)
+    blocks: list[Line | Section] = [Line(title, "bold")] if title else []
+    blocks += [Line(stated, _COLOUR.get(re.split(r"[ :]", stated)[0], "bold")), *warnings_of(spectrum)]
     if motions:
-        parts += section("Vibrations", _motions(motions, spectrum))
+        blocks.append(Section("Vibrations", _motions(motions, spectrum)))
     if spectrum.unfelt:
-        parts += section("Roots of motions that no contact feels", _unfelt(spectrum))
-    parts += section("Problem", _problem(spectrum))
+        blocks.append(Section("Roots of motions that no contact feels", Columns(list(_unfelt(spectrum)))))
+    blocks.append(Section("Problem", Columns(list(_problem(spectrum)))))
     if motions:
-        parts += section(f"Roots q in {units_of(spectrum).q}, certified digits", _roots(motions, spectrum.digits))
-    parts += section("Proved", Text("\n".join(proved(spectrum) or ("Nothing yet.",))))
+        roots = Columns(_roots(motions, spectrum.digits))
+        blocks.append(Section(f"Roots q in {units_of(spectrum).q}, certified digits", roots))
+    blocks.append(Section("Proved", "\n".join(proved(spectrum) or ("Nothing yet.",))))
     if verified(spectrum):
-        parts += section("Verified", Text(verified(spectrum)))
-    parts += section("Assumed, not proved", Text(ASSUMED))
+        blocks.append(Section("Verified", verified(spectrum)))
+    blocks.append(Section("Assumed, not proved", ASSUMED))
     ratios = paper_rows(spectrum.problem)
     if ratios:
-        parts += section("In the ratios of the paper", _table(ratios))
-    parts += section("Cost", Text(cost_words(spectrum)))[:-1]
+        blocks.append(Section("In the ratios of the paper", Columns(ratios)))
+    blocks.append(Section("Cost", cost_words(spectrum)))
     if certificate is not None:
-        parts += [Text(""), *section("Certificate", certificate_text(os.fspath(certificate)))[:-1]]
-    return Group(*parts)
+        blocks.append(Section("Certificate", certificate_words(os.fspath(certificate))))
+    return Document(tuple(blocks))
 
 
-def warnings_of(spectrum: Spectrum) -> list[Any]:
-    """A sentence for each warning, and an empty line; nothing where there is none."""
-    lines: list[Any] = [Text(f"Warning: {warning}.", style="yellow") for warning in spectrum.warnings]
-    return [*lines, Text("")] if lines else []
+def warnings_of(spectrum: Spectrum) -> Iterator[Line]:
+    """A sentence for each warning."""
+    return (Line(f"Warning: {warning}.", "yellow") for warning in spectrum.warnings)
 
 
 def cost_words(spectrum: Spectrum) -> str:
@@ -125,27 +119,17 @@ def paper_rows(given: Given) -> list[tuple[str, str, str]]:
     return [*units, *ratio_rows(paper.dimensionless)]
 
 
-def _problem(spectrum: Spectrum) -> Table:
+def _problem(spectrum: Spectrum) -> Iterable[tuple[str, str, str]]:
     given = spectrum.problem
-    return _table(ratio_rows(given) if isinstance(given, Case) else problem_rows(as_problem(given)))
+    return ratio_rows(given) if isinstance(given, Case) else problem_rows(as_problem(given))
 
 
-def _table(rows: Iterable[tuple[str, str, str]]) -> Table:
-    table = columns_of(3)
-    for row in rows:
-        table.add_row(*(Text(cell) for cell in row))
-    return table
-
-
-def _motions(motions: tuple[Vibration, ...], spectrum: Spectrum) -> Table:
+def _motions(motions: tuple[Vibration, ...], spectrum: Spectrum) -> Columns:
     units = units_of(spectrum)
-    table = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False)
-    for heading in ("", f"frequency [{units.frequency}]", f"growth [{units.rate}]", "what it does"):
-        table.add_column(Text(heading), justify="right" if "[" in heading else "left")
+    heading = ("", f"frequency [{units.frequency}]", f"growth [{units.rate}]", "what it does")
     with precision(working_bits(spectrum.digits)):
-        for j, motion in enumerate(motions, 1):
-            table.add_row(*(Text(cell) for cell in motion_row(j, motion, units)))
-    return table
+        rows = [motion_row(j, motion, units) for j, motion in enumerate(motions, 1)]
+    return Columns(rows, heading, frozenset((1, 2)))
 
 
 def motion_row(j: int, motion: Vibration, units: Units) -> tuple[str, str, str, str]:
@@ -159,20 +143,14 @@ def motion_row(j: int, motion: Vibration, units: Units) -> tuple[str, str, str, 
     return f"q{j}", rounded(motion.frequency), rounded(motion.rate), does + several
 
 
-def _roots(motions: tuple[Vibration, ...], digits: int) -> Table:
-    table = columns_of(2)
+def _roots(motions: tuple[Vibration, ...], digits: int) -> list[tuple[str, str]]:
     with precision(working_bits(digits)):
-        for j, motion in enumerate(motions, 1):
-            for label, number in root_rows(j, motion, digits):
-                table.add_row(Text(label), Text(number))
-    return table
+        return [row for j, motion in enumerate(motions, 1) for row in root_rows(j, motion, digits)]
 
 
-def _unfelt(spectrum: Spectrum) -> Table:
-    table = columns_of(1)
+def _unfelt(spectrum: Spectrum) -> Iterator[tuple[str]]:
     with precision(working_bits(_PLACES)):
         for q in spectrum.unfelt:
             if not q.real < 0:
-                re, im = proved_digits(abs(q.real), _PLACES), proved_digits(q.imag, _PLACES)
-                table.add_row(Text(f"{'' if q.real == 0 else '±'}{re} + {im} i"))
-    return table
+                re_, im = proved_digits(abs(q.real), _PLACES), proved_digits(q.imag, _PLACES)
+                yield (f"{'' if q.real == 0 else '±'}{re_} + {im} i",)

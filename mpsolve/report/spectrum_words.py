@@ -85,7 +85,7 @@ def at_velocity(spectrum: Spectrum) -> str:
     if isinstance(given, Case):
         return f"at α = {given.alpha.short()}"
     v = as_problem(given).v
-    return f"at {spoken(v, 'm/s')} ({rounded(v, 6)} m/s)" if v else "at rest"
+    return f"at {spoken(v, 'm/s')} ({rounded(v)} m/s)" if v else "at rest"
 
 
 def _growing(spectrum: Spectrum) -> str:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
-from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.errors import InputError
-from mpsolve.fields import ball_arithmetic
 from mpsolve.model.parameters import PhysicalCase
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.spectrum.spectrum import Root, Spectrum
+
+if TYPE_CHECKING:
+    from mpsolve.certificate.on_sheet import AnySpectrum
 
 
 class Trend(Enum):
@@ -44,12 +46,12 @@ class Vibration:
 
 def vibration(root: RootBall | Root, physical: PhysicalCase | None, digits: int) -> Vibration:
     """The vibration of `root`, with no more than 10^−digits lost to rounding, relative to each value."""
-    with ball_arithmetic(working_bits(digits)) as field:
+    with precision(working_bits(digits)):
         omega = arb(1) if physical is None else physical.time_scale.ball()
         rate = -root.q.imag * omega
         state = trend(root)
         time = arb.const_log2() / abs(rate) if state in (Trend.GROWS, Trend.DECAYS) else None
-        return Vibration(root, abs(root.q.real) * omega / (2 * field.pi), rate, time, state)
+        return Vibration(root, abs(root.q.real) * omega / (2 * arb.pi()), rate, time, state)
 
 
 def vibrations(spectrum: AnySpectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
@@ -57,6 +59,8 @@ def vibrations(spectrum: AnySpectrum, physical: PhysicalCase | None = None) -> t
 
     Raises InputError if `physical` is not the case of the spectrum.
     """
+    from mpsolve.certificate.on_sheet import sheet_of
+
     spectrum = sheet_of(spectrum)
     if physical is not None and physical.dimensionless != spectrum.case:
         raise InputError("physical", "is not the case of this spectrum: give the case that was certified")
@@ -78,7 +82,7 @@ def own_vibrations(spectrum: Spectrum) -> tuple[Vibration, ...]:
 def _once(spectrum: Any) -> list[Any]:
     """The roots without those whose mirror image with Re q > 0 is there too."""
     right = [root for root in spectrum.roots if not root.q.real < 0]
-    with ball_arithmetic(working_bits(spectrum.digits)):
+    with precision(working_bits(spectrum.digits)):
         lone = [
             root
             for root in spectrum.roots

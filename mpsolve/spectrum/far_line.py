@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import near_roots, spectral_weights, split
+from mpsolve.characteristic.discs import near_roots, split, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP, Jet
@@ -46,8 +46,8 @@ def prove_far(line: Line) -> FarLine:
     last = math.sqrt(np.abs(np.roots([float(x) for x in reversed(squares)])).max())  # where p-roots meet
     W = max(1.0, float(np.float32(math.sqrt(_BEYOND * last / scale)))) * _LADDER
     for _ in range(_ROUNDS):
-        for one, waves in zip(W.tolist(), _waves(line, W), strict=True):
-            if waves is not None and is_free(line, one, waves):
+        for one, told in zip(W.tolist(), _waves(line, W), strict=True):
+            if told is not None and is_free(line, one, told):
                 return FarLine(one, float(np.float32(scale * one**2 * (1 + 2.0**-20))))
         W = W * (_LADDER[-1] * _LADDER[1])
     raise PrecisionError("no frequency is found beyond which the masses have no root: they are too close together")
@@ -106,7 +106,7 @@ def _waves(line: Line, W: Any) -> list[Waves | None]:
     around = (np.exp(2j * np.pi * np.arange(ARCS) / ARCS) / W[:, None]).ravel()
     s = split(D, around, 1.001 * math.sin(math.pi / ARCS) * np.abs(around), 2, _near(D, around, corners))
     with np.errstate(all="ignore"):
-        weight, p, alone = spectral_weights(Table(np.ones((1, 1))), D, s)
+        weight, p, alone = waves(Table(np.ones((1, 1))), D, s)
         a, na, nb, b = weight[:, 0], weight[:, 1], -weight[:, 2], -weight[:, 3]
         bounds = (
             _departs(a + na, _ROOT_HALF / 2),

@@ -11,6 +11,7 @@ from typing import Literal
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+from mpsolve.zeros.regions import Rectangle
 
 
 @dataclass(frozen=True)
@@ -45,38 +46,6 @@ class Below:
         return f"Im q < {float(self.height):.6g}{reach}, and {lower}"
 
 
-@dataclass(frozen=True, init=False)
-class Rectangle:
-    """The open rectangle re_min < Re q < re_max, im_min < Im q < im_max; the bounds are exact rationals."""
-
-    re_min: Fraction
-    re_max: Fraction
-    im_min: Fraction
-    im_max: Fraction
-
-    def __init__(self, re_min: object, re_max: object, im_min: object, im_max: object) -> None:
-        given = {"re_min": re_min, "re_max": re_max, "im_min": im_min, "im_max": im_max}
-        vars(self).update({name: rational(value, f"region.{name}") for name, value in given.items()})
-        for axis in ("re", "im"):
-            low, high = getattr(self, f"{axis}_min"), getattr(self, f"{axis}_max")
-            if not low < high:
-                stated = f"is {shown(high)}, not above {axis}_min = {shown(low)}"
-                raise InputError(f"region.{axis}_max", f"{stated}: give the bounds in order")
-
-    @property
-    def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """re_min, re_max, im_min, im_max."""
-        return self.re_min, self.re_max, self.im_min, self.im_max
-
-    def as_dict(self) -> dict[str, str]:
-        """The bounds by name as exact texts."""
-        return {name: str(value) for name, value in vars(self).items()}
-
-    def __str__(self) -> str:
-        a, b, c, d = (f"{float(x):.6g}" for x in self.bounds)
-        return f"{a} < Re q < {b}, {c} < Im q < {d}"
-
-
 Region = HalfPlane | Below | Rectangle
 """What the general engine counts in."""
 Answered = Region | Sheet
@@ -94,3 +63,6 @@ def checked_region(given: object) -> Literal["sheet", "unstable"] | Below | Rect
         return Below(height)
     stated = f"is {str(given)[:60]!r}"
     raise InputError("region", f'{stated}: give "sheet", "unstable", ("below", h) with a number h, or a Rectangle')
+
+
+__all__ = ["Answered", "Below", "HalfPlane", "Rectangle", "Region", "Sheet", "checked_region"]

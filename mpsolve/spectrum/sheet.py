@@ -23,6 +23,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
 from mpsolve.spectrum.closing import pivot_sum
 from mpsolve.spectrum.far_line import FarLine, prove_far
@@ -108,7 +109,7 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
         turns = [turn for one in proved for turn in one.turns]
         turns += [loop.half for loops in rounds[: len(proved)] for loop in loops]
         turned = sum((arb(*turn) for turn in turns), arb(0))
-        total = _integer((closing - turned) / arb.pi() * (1 if far else 2))
+        total = number_of_zeros((closing - turned) / arb.pi() * (1 if far else 2), "the characteristic function")
     lower = Half(proved[0].paths, tuple(round_below))
     upper = Half(proved[1].paths, tuple(round_above)) if len(proved) > 1 else Half()
     return SheetCount(line, total, first, begin, end, lower, upper, far, effort.spent)
@@ -165,12 +166,3 @@ def _proved(paths: Paths, first: Start, way: list[Any], loops: list[Loop], effor
     turns = (paths.plan("turn", part, effort) for part in way)
     reached = tuple(complex(loop.last) for loop in loops)
     return paths.prove((paths.plan("link", link, effort), *turns), effort, reached)
-
-
-def _integer(value: arb) -> int:
-    number = value.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(
-            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
-        )
-    return int(number)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
@@ -16,7 +16,9 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.warned import warned
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Sheet
-from mpsolve.spectrum.shape import Shape, root_shape
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.shape import Shape
 
 _GUARD = 32
 
@@ -53,6 +55,8 @@ class Root(Portable):
     @property
     def shape(self) -> Shape:
         """The motion of the rail under the contacts and of every body in this root."""
+        from mpsolve.spectrum.shape import root_shape
+
         return root_shape(as_problem(self.problem), self.q, self.multiplicity)
 
     @property

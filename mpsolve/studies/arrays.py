@@ -13,21 +13,22 @@ from zipfile import ZipFile, ZipInfo
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.specs import ONE_MASS
 from mpsolve.studies.blocks import STATUSES, Result
+from mpsolve.studies.columns import parameter_titles
 from mpsolve.studies.design import Value
 from mpsolve.studies.results import stored_results
+from mpsolve.studies.spec import Spec
 from mpsolve.studies.store import Store
 
-_ROWS = 16_384  # cases in memory at a time
+_ROWS = 16_384  # entries in memory at a time
 _Row = tuple[int, dict[str, Value], Result]
 
 
 def write_npz(source: Store, target: BinaryIO) -> None:
-    """Arrays over the finished cases, as `numpy.load` reads them.
+    """Arrays over the finished entries, as `numpy.load` reads them.
 
-    index int64; each parameter float64 (d: nan for one mass); status int8, an index into status_names; count and
-    unstable int32, −1 where not known; q complex128 (cases, n): each root as often as it counts, then nan.
+    index int64; each parameter float64, named by its path and unit; status int8, an index into status_names; count
+    and unstable int32, −1 where not known; q complex128 (entries, n): each root as often as it counts, then nan.
     """
     number, width = sum(source.tally().values()), source.width()
     columns = _columns(source, width)
@@ -49,7 +50,7 @@ def write_npz(source: Store, target: BinaryIO) -> None:
 
 def _columns(source: Store, width: int) -> dict[str, tuple[str, tuple[int, ...]]]:
     """The type, little-endian on every machine, and the shape of an element of each array."""
-    parameters = dict.fromkeys(source.spec.names, ("<f8", ()))
+    parameters = dict.fromkeys(parameter_titles(source.spec), ("<f8", ()))
     plain = {"status": ("i1", ()), "count": ("<i4", ()), "unstable": ("<i4", ())}
     return {"index": ("<i8", ()), **parameters, **plain, "q": ("<c16", (width,))}
 
@@ -68,7 +69,10 @@ def _arrays(source: Store, rows: list[_Row], width: int) -> dict[str, Any]:
         place[: len(roots)] = roots
     return {
         "index": np.array([index for index, _, _ in rows]),
-        **{name: np.array([_float(values[name]) for _, values, _ in rows]) for name in source.spec.names},
+        **{
+            title: np.array([float(values[name]) for _, values, _ in rows])
+            for name, title in zip(source.spec.names, parameter_titles(source.spec), strict=True)
+        },
         "status": np.array([statuses.index(result.status) for _, _, result in rows]),
         "count": np.array([-1 if result.count is None else result.count for _, _, result in rows]),
         "unstable": np.array([-1 if result.unstable is None else result.unstable for _, _, result in rows]),
@@ -76,12 +80,8 @@ def _arrays(source: Store, rows: list[_Row], width: int) -> dict[str, Any]:
     }
 
 
-def _float(value: Value) -> float:
-    return float("nan") if value == ONE_MASS else float(value)
-
-
 def write_parquet(source: Store, target: BinaryIO) -> None:
-    """index int64; each parameter double (d: null for one mass); status, reason text; count, unstable int32 or null;
+    """index int64; each parameter double, named by its path and unit; status, reason text; count, unstable int32;
     re, im lists of double and multiplicity a list of int32, an element a root; for certified results also re_text,
     im_text: the decimals, right to one unit in the last digit. The spec is in the metadata, under "mpsolve".
     """
@@ -93,22 +93,23 @@ def write_parquet(source: Store, target: BinaryIO) -> None:
 
     certified = source.spec.kind == "certified"
     double, int32, text = pyarrow.float64(), pyarrow.int32(), pyarrow.string()
-    fields = [("index", pyarrow.int64()), *((name, double) for name in source.spec.names)]
+    fields = [("index", pyarrow.int64()), *((title, double) for title in parameter_titles(source.spec))]
     fields += [("status", text), ("reason", text), ("count", int32), ("unstable", int32)]
     fields += [("re", pyarrow.list_(double)), ("im", pyarrow.list_(double)), ("multiplicity", pyarrow.list_(int32))]
     fields += [("re_text", pyarrow.list_(text)), ("im_text", pyarrow.list_(text))] if certified else []
     schema = pyarrow.schema(fields, metadata={"mpsolve": source.spec.text})
     with parquet.ParquetWriter(target, schema) as writer:
         for rows in _bunches(source):
-            writer.write_table(pyarrow.Table.from_pylist([_row(row, certified) for row in rows], schema=schema))
+            table = [_row(row, source.spec, certified) for row in rows]
+            writer.write_table(pyarrow.Table.from_pylist(table, schema=schema))
 
 
-def _row(row: _Row, certified: bool) -> dict[str, Any]:
+def _row(row: _Row, spec: Spec, certified: bool) -> dict[str, Any]:
     index, values, result = row
     roots = result.roots
     content: dict[str, Any] = {
         "index": index,
-        **{name: None if value == ONE_MASS else float(value) for name, value in values.items()},
+        **dict(zip(parameter_titles(spec), map(float, values.values()), strict=True)),
         "status": result.status,
         "reason": result.reason,
         "count": result.count,

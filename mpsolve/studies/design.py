@@ -1,4 +1,4 @@
-"""Designs as functions of an index: case number k has its values without any other case being made.
+"""Designs as functions of an index: entry number k has its values without any other entry being made.
 
 Random and quasi-random numbers are whole multiples of 10^−9, so that a value between two decimals is itself a short
 decimal, the same in exact and in float64 work.
@@ -13,10 +13,7 @@ from functools import cached_property, lru_cache
 from math import lcm
 from typing import Any, TypeAlias
 
-from mpsolve.numbers.exact import Exact
-
-Value: TypeAlias = "Fraction | Exact | str"
-"""A rational number, a fourth root that is irrational, or "one mass" for d."""
+Value: TypeAlias = Fraction
 
 FINE = 10**9
 """Random and quasi-random numbers are k/FINE, 0 ≤ k < FINE."""
@@ -82,7 +79,7 @@ class Span:
 
     @cached_property
     def _integers(self) -> tuple[int, int, int]:
-        """low and (high − low)/FINE over one denominator: a case costs one division."""
+        """low and (high − low)/FINE over one denominator: a entry costs one division."""
         scale = FINE * lcm(self.low.denominator, self.high.denominator)
         first, last = int(self.low * scale), int(self.high * scale)
         return first, (last - first) // FINE, scale
@@ -100,7 +97,7 @@ Axis: TypeAlias = Listed | Steps | Span
 
 
 def draws(kind: str, seed: int, index: int, number: int) -> list[int]:
-    """`number` ≤ STREAMS whole numbers from 0 to FINE − 1 for the case `index` of a design."""
+    """`number` ≤ STREAMS whole numbers from 0 to FINE − 1 for the entry `index` of a design."""
     return random_draws(seed, index, number) if kind == "random" else quasi_random_draws(seed, index, number)
 
 
@@ -118,7 +115,7 @@ def quasi_random_draws(seed: int, index: int, number: int) -> list[int]:
     ]
 
 
-@lru_cache(maxsize=4)  # the same for all cases of a design
+@lru_cache(maxsize=4)  # the same for all entries of a design
 def _shifts(seed: int) -> list[int]:
     return random_draws(seed, -1, STREAMS)
 

@@ -1,7 +1,7 @@
 """Exports of a study: CSV and JSON here, NPZ and Parquet in mpsolve/studies/arrays.py; one block in memory at a time.
 
 Every format has a line, object or row for each finished case, in the order of the design; `index` counts from 0.
-The bytes depend on the study only, not on when and by whom its cases were computed.
+The bytes depend on the study only, not on when and by whom its entries were computed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import json
 import os
 from collections.abc import Callable
 from decimal import Context, Decimal, Inexact
-from fractions import Fraction
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -20,19 +19,21 @@ from mpsolve.errors import StudyError
 from mpsolve.files import checked_suffix, whole_file
 from mpsolve.model.assumed import ASSUMED
 from mpsolve.studies.blocks import ENGINE, Result, Root
+from mpsolve.studies.columns import frequency_units, parameter_titles, root_titles, unit_of
 from mpsolve.studies.design import Value
 from mpsolve.studies.results import stored_results
+from mpsolve.studies.spec import Spec
 from mpsolve.studies.store import Store, store_path
 
 FORMAT = "mpsolve study"
-VERSION = 1
+VERSION = 2
 KINDS = ("csv", "json", "npz", "parquet")
 _DIGITS = Context(prec=15, traps=[Inexact])
 _LONGEST = 24  # characters of a decimal
 
 
 def export(store: str | os.PathLike[str], path: str | os.PathLike[str]) -> Path:
-    """Writes the finished cases of the study in `store` to .csv, .json, .npz or .parquet, whole or not at all.
+    """Writes the finished entries of the study in `store` to .csv, .json, .npz or .parquet, whole or not at all.
 
     Raises InputError for another name, CertificateError if it cannot be written, StudyError if the store is
     damaged or holds nothing.
@@ -51,9 +52,7 @@ def export(store: str | os.PathLike[str], path: str | os.PathLike[str]) -> Path:
 
 
 def value_text(value: Value) -> str:
-    """A decimal if 15 digits hold it, else p/q or root4(p/q)."""
-    if not isinstance(value, Fraction):
-        return str(value)
+    """A decimal if 15 digits hold it, else p/q."""
     try:
         text = f"{_DIGITS.divide(Decimal(value.numerator), Decimal(value.denominator)):f}"
     except Inexact:
@@ -69,8 +68,8 @@ def write_csv(source: Store, target: BinaryIO) -> None:
     names, width = source.spec.names, source.width()
     with _text(target) as stream:
         writer = csv.writer(stream, lineterminator="\n")
-        roots = [f"{part}_{k}" for k in range(1, width + 1) for part in ("re", "im")]
-        writer.writerow(["index", *names, "status", "reason", "count", "unstable", *roots])
+        roots = [title for k in range(1, width + 1) for title in root_titles(source.spec, k)]
+        writer.writerow(["index", *parameter_titles(source.spec), "status", "reason", "count", "unstable", *roots])
         for index, values, result in stored_results(source):
             given = (value_text(values[name]) for name in names)
             parts = [part for root in counted(result) for part in (root.re, root.im)]
@@ -84,15 +83,16 @@ def counted(result: Result) -> list[Root]:
 
 
 def write_json(source: Store, target: BinaryIO) -> None:
-    """An object with these keys, each case on a line of its own.
+    """An object with these keys, each entry on a line of its own.
 
-    format, version   "mpsolve study", 1; a version adds no meaning to a key that is there
+    format, version   "mpsolve study", 2; a version adds no meaning to a key that is there
     title, engine     the version that computed the results
     spec              the spec, its numbers as exact texts
-    total, tally      the number of cases of the study, and of the finished ones by status
+    units             of each parameter, and of re and im
+    total, tally      the number of entries of the study, and of the finished ones by status
     assumed           what the results rest on
-    cases             for each finished case
-        index, parameters (texts: decimals where short ones are exact, else p/q or root4(p/q)), status, reason
+    entries           for each finished one
+        index, parameters (texts: decimals where short ones are exact, else p/q), status, reason
         count, unstable   null where it is not known
         roots             float64: [re, im]; certified: re, im {"value", "radius"}: the exact number is within radius
                           of value; multiplicity; axis, "none", "real" or "imaginary": where it is proved to lie
@@ -105,19 +105,27 @@ def write_json(source: Store, target: BinaryIO) -> None:
         "title": spec.title,
         "engine": ENGINE,
         "spec": spec.canonical,
+        "units": units(spec),
         "total": spec.total,
         "tally": dict(sorted(source.tally().items())),
         "assumed": ASSUMED,
     }
     with _text(target) as stream:
-        stream.write(json.dumps(head, indent=1, ensure_ascii=False).removesuffix("\n}") + ',\n "cases": [')
+        stream.write(json.dumps(head, indent=1, ensure_ascii=False).removesuffix("\n}") + ',\n "entries": [')
         separator = "\n"
         for index, values, result in stored_results(source):
             given = {name: value_text(value) for name, value in values.items()}
-            case = {"index": index, "parameters": given, **_result(result)}
-            stream.write(separator + json.dumps(case, ensure_ascii=False, allow_nan=False))
+            one = {"index": index, "parameters": given, **_result(result)}
+            stream.write(separator + json.dumps(one, ensure_ascii=False, allow_nan=False))
             separator = ",\n"
         stream.write("\n]}\n")
+
+
+def units(spec: Spec) -> dict[str, str]:
+    """Of each parameter, and of re and im; none for a dimensionless case."""
+    re, im = frequency_units(spec)
+    own = {path: unit_of(spec.base, path) if re else "" for path in spec.names}
+    return own | {"re": re, "im": im}
 
 
 def _result(result: Result) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from mpsolve.studies.store import Store
 
 
 def stored_results(store: Store, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
-    """(index, exact parameters, result) of each finished case from the index `start` on.
+    """(index, exact parameters, result) of each finished entry from the index `start` on.
 
     Raises StudyError if the file is damaged.
     """

@@ -1,4 +1,4 @@
-"""Studies: results over as many cases as one likes, by any executor, in a file that a second run completes."""
+"""Studies: results over as many entries as one likes, by any executor, in a file that a second run completes."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 
 from mpsolve.errors import InputError, StudyError
 from mpsolve.parallel.pool import WORKER_ENDED, checked_workers, process_pool
+from mpsolve.problem.problem import Problem
 from mpsolve.studies.blocks import GOOD, Block, Result, work
 from mpsolve.studies.design import Value
 from mpsolve.studies.export import export
@@ -25,7 +26,7 @@ AHEAD = 64  # blocks that are handed to an executor at a time; it bounds the mem
 
 @dataclass(frozen=True)
 class Study:
-    """What a store holds of a study. tally: the number of finished cases of each status."""
+    """What a store holds of a study. tally: the number of finished entries of each status."""
 
     path: Path
     spec: Spec
@@ -33,29 +34,33 @@ class Study:
 
     @property
     def total(self) -> int:
-        """The number of cases."""
+        """The number of entries."""
         return self.spec.total
 
     @property
     def finished(self) -> int:
-        """The number of cases that have a result, of whatever status."""
+        """The number of entries that have a result, of whatever status."""
         return sum(self.tally.values())
 
     @property
     def complete(self) -> bool:
-        """Whether every case is finished, whatever its result."""
+        """Whether every entry is finished, whatever its result."""
         return self.finished == self.total
+
+    def problem(self, index: int) -> Problem:
+        """The exact problem of one entry, to be certified, say; InputError where it cannot be."""
+        return self.spec.problem(index)
 
     @property
     def answered(self) -> bool:
-        """Whether every case is finished and neither undecided, unresolved nor refused.
+        """Whether every entry is finished and neither undecided, unresolved nor refused.
 
-        In a certified study that is a proof of each; in a float64 study only where the status says "certified".
+        In a certified study that is a proof of each; a float64 study proves nothing.
         """
         return sum(self.tally.get(status, 0) for status in GOOD) == self.total
 
     def results(self, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
-        """(index, exact parameters, result) of each finished case from the index `start` on, one block in memory.
+        """(index, exact parameters, result) of each finished entry from the index `start` on, one block in memory.
 
         Raises StudyError if the file is damaged.
         """
@@ -83,23 +88,23 @@ def study(
     """Computes what `spec` (a mapping, or the path of a TOML file) describes and `store` does not hold yet.
 
         title = "…"                      # may be left out
+        problem = "rail.toml"            # a problem file, or what would stand in one: v, [track], [[vehicle]] …
         [study]
-        kind = "certified"               # or "float64": quick, proved only where its status is "certified"
+        kind = "certified"               # or "float64": quick, by `frequencies`, without proof
         digits = 15                      # certified digits of each root, 15 to 10000
-        region = "sheet"                 # or "unstable", or {re_min, re_max, im_min, im_max}
-        certificates = false             # true: keep the certificate of each case
-        masses = 2                       # at 0, d, 2d: 1, 2 or 3
+        region = "unstable"              # or {below = h}, "sheet", {re_min, re_max, im_min, im_max} (certified)
+        roots = true                     # float64 only; false: counts alone
+        certificates = false             # true: keep the certificate of each entry
         design = { kind = "grid" }       # every combination; "list": the first values together, the second, …;
                                          # { kind = "random" or "quasi-random", count = 1000, seed = 0 }
-        [parameters]                     # alpha, eta_b, eta_m, d; mass_ratio (1), eta_n (0), eta_s (0)
-        alpha = { start = 0.1, stop = 1.2, step = 0.01 }
-        eta_b = 0.05
-        eta_m = [50, 70]
-        d = 1.5                          # { low = 1, high = 2 } in a random design
+        [parameters]                     # any paths of the problem's parameters, in its units
+        v = { start = 50, stop = 90, step = 0.5 }
+        "track.k_pad" = [100e6, 300e6]
+        "vehicles.wheel" = 900           # { low = 800, high = 1000 } in a random design
 
     executor: any concurrent.futures.Executor whose workers can import mpsolve; None: `workers` processes (all
     processors if None; 1: this one), spawned, so that a script must call this under `if __name__ == "__main__":`.
-    Results do not depend on it. Each block of cases (one certified case; some thousand in float64) is stored when
+    Results do not depend on it. Each block of entries (one certified entry; some thousand in float64) is stored when
     it is done: after an interruption the same call goes on, and computes damaged blocks anew. `ahead`: blocks that
     are handed out at a time, at least twice the number of workers. progress(finished, total) hears of each block.
 

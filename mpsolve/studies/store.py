@@ -1,7 +1,7 @@
 """The store of a study: one SQLite file, written a block at a time, each in a transaction of its own.
 
 A block is stored whole or not at all, whatever ends the process, and a block that is there stays. Blocks are
-keyed by the engine and their number; with the study's spec, which the file holds, that is the exact cases.
+keyed by the engine and their number; with the study's spec, which the file holds, that is the exact entries.
 
 While a study runs, and after it was killed, its last blocks are in the file NAME-wal beside it, which belongs to it:
 SQLite moves them into the file itself now and then, when the study is next opened for writing, and at its end.
@@ -23,30 +23,13 @@ from urllib.parse import quote
 
 from mpsolve.errors import InputError, StudyError
 from mpsolve.studies.blocks import ENGINE, Block
+from mpsolve.studies.columns import read_block, tables, write_block
 from mpsolve.studies.spec import Spec, differences, spec_of
 
 _APPLICATION = 0x6D707374  # "mpst", in the header of the file
-_VERSION = 1  # of the tables
+_VERSION = 2  # of the tables
 _PATIENCE = 60.0  # seconds to wait for another process that writes
-_LOG = 64  # pages in NAME-wal after which SQLite moves them: some twenty certified cases, one block of float64
-_TABLES = """
-CREATE TABLE IF NOT EXISTS study (spec TEXT NOT NULL, title TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS blocks (
-    engine TEXT NOT NULL,    -- what computed it
-    number INTEGER NOT NULL, -- of the block
-    key TEXT NOT NULL,       -- SHA-256 of the engine, what is asked, and the exact cases
-    data BLOB NOT NULL,      -- results as zlib-compressed JSON
-    width INTEGER NOT NULL,  -- most roots of a case
-    tally TEXT NOT NULL,     -- JSON: the number of cases of each status
-    seal TEXT NOT NULL,      -- SHA-256 of the columns before it
-    PRIMARY KEY (engine, number)
-);
-"""
-_COLUMNS = "number, key, data, width, tally, seal"
-_WRITE = """
-INSERT INTO blocks VALUES (:engine, :number, :key, :data, :width, :tally, :seal)
-ON CONFLICT (engine, number) DO UPDATE SET key = :key, data = :data, width = :width, tally = :tally, seal = :seal
-"""
+_LOG = 64  # pages in NAME-wal after which SQLite moves them: some twenty certified entries, one block of float64
 _ADVICE = {
     "SQLITE_FULL": "the disk is full: free some space and run the study again; every finished block is safe",
     "SQLITE_IOERR": "the disk refuses ({error}): see whether it is full or failing; every finished block is safe",
@@ -126,27 +109,34 @@ class Store:
     def holds(self, number: int) -> bool:
         """Whether the block is there, undamaged."""
         with _explained(self.path):
-            place = ENGINE, number
-            query = f"SELECT {_COLUMNS} FROM blocks WHERE engine = ? AND number = ?"
-            row = self._connection.execute(query, place).fetchone()
-        return row is not None and Block(*row).whole
+            block = read_block(self._connection, self.spec, ENGINE, number)
+        return block is not None and block.whole
 
     def put(self, block: Block) -> None:
         """Stores the block durably, whole or not at all."""
         with _explained(self.path):
-            self._connection.execute(_WRITE, {"engine": ENGINE, **vars(block)})
+            self._connection.execute("BEGIN IMMEDIATE")
+            try:
+                write_block(self._connection, self.spec, ENGINE, block)
+            except BaseException:
+                with suppress(sqlite3.Error):  # a full disk has ended the transaction already
+                    self._connection.execute("ROLLBACK")
+                raise
+            self._connection.execute("COMMIT")
 
     def blocks(self, first: int = 0) -> Iterator[Block]:
         """The stored blocks in order, from the block number `first` on, one at a time."""
         with _explained(self.path):
             rows = self._connection.execute(
-                f"SELECT {_COLUMNS} FROM blocks WHERE engine = ? AND number >= ? ORDER BY number", (ENGINE, first)
+                "SELECT number FROM blocks WHERE engine = ? AND number >= ? ORDER BY number", (ENGINE, first)
             )
-            for row in rows:
-                yield Block(*row)
+            for (number,) in rows:
+                block = read_block(self._connection, self.spec, ENGINE, number)
+                if block is not None:
+                    yield block
 
     def tally(self) -> dict[str, int]:
-        """The number of finished cases of each status."""
+        """The number of finished entries of each status."""
         total: Counter[str] = Counter()
         with _explained(self.path):
             for (text,) in self._connection.execute("SELECT tally FROM blocks WHERE engine = ?", (ENGINE,)):
@@ -211,7 +201,7 @@ def _make(connection: sqlite3.Connection, spec: Spec) -> None:
     """The tables and the spec, all or nothing, unless they are there."""
     connection.execute("BEGIN IMMEDIATE")
     try:
-        for statement in _TABLES.split(";\n"):
+        for statement in tables(spec):
             connection.execute(statement)
         connection.execute(
             "INSERT INTO study SELECT ?, ? WHERE NOT EXISTS (SELECT 1 FROM study)", (spec.text, spec.title)

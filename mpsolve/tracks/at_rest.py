@@ -12,6 +12,7 @@ from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
 from math import comb
+from typing import Any
 
 from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
@@ -68,7 +69,7 @@ def at_rest(track: Track | Waveguide) -> AtRest:
         return AtRest(Status.UNSTABLE, (wavenumber(verge[0]),), buckles=True)
     if len(undamped) > 1:
         return AtRest(Status.UNDAMPED)
-    minors = _minors(damped)
+    minors = hurwitz_minors(damped)
     edge = minors[-1] if len(minors) < 2 else minors[-2] * damped[0]
     touches = [0.0] * (edge[0] == 0) + [wavenumber(root) for root, _ in positive_roots(edge)]
     far = not _bounded_away(damped)
@@ -145,10 +146,10 @@ def wavenumber(y: Fraction | arb) -> float:
 
 def is_stable(D: Row) -> bool:
     """Whether for every real p all roots s have Re s < 0, the leading coefficient being positive."""
-    return all(is_positive(minor) for minor in _minors(D))
+    return all(is_positive(minor) for minor in hurwitz_minors(D))
 
 
-def _hurwitz(coefficients: list[fmpq_poly]) -> list[list[fmpq_poly]]:
+def _hurwitz(coefficients: list[Any]) -> list[list[Any]]:
     """The Hurwitz matrix of Σ c_j s^j; its leading minors are the Hurwitz determinants."""
     n = len(coefficients) - 1
     zero = 0 * coefficients[0]
@@ -156,8 +157,11 @@ def _hurwitz(coefficients: list[fmpq_poly]) -> list[list[fmpq_poly]]:
     return [[coefficients[j] if 0 <= j <= n else zero for j in row] for row in index]
 
 
-def _minors(coefficients: list[fmpq_poly]) -> list[fmpq_poly]:
-    """The Hurwitz determinants in ascending order, by elimination without fractions; it ends with one that is 0."""
+def hurwitz_minors(coefficients: list[Any]) -> list[Any]:
+    """The Hurwitz determinants in ascending order, by elimination without fractions; it ends with one that is 0.
+
+    The coefficients of s⁰, s¹, … may be polynomials in one variable or several.
+    """
     a, last, out = _hurwitz(coefficients), None, []
     for k in range(len(a)):
         out.append(a[k][k])
@@ -176,7 +180,7 @@ def _growing(D: Row) -> Fraction | None:
 
     Where one is 0 for all y, all y but isolated ones have such a root.
     """
-    minors = _minors(D)
+    minors = hurwitz_minors(D)
     if minors and not minors[-1]:
         return max((Fraction(2) ** k for k in range(-20, 21)), key=lambda y: _rate(D, y))
     order = [D[0], *minors] if len(D) > 1 else []
@@ -258,7 +262,7 @@ def _bounded_away(D: Row) -> bool:
     h = context.gens()[0]
     rows = [_two([row], context) for row in D]
     moved = [sum((comb(j, k) * (-h) ** (j - k) * rows[j] for j in range(k, len(D))), 0 * h) for k in range(len(D))]
-    return all(_far_sign(minor) > 0 for minor in _minors(moved))
+    return all(_far_sign(minor) > 0 for minor in hurwitz_minors(moved))
 
 
 def _far_sign(minor: fmpq_mpoly) -> int:

@@ -130,7 +130,7 @@ def test_two_nodes_of_one_side_at_the_same_root_do_not_count_it_twice(monkeypatc
     N = Table.of({(0, 0): Fraction(1)})
     m, r = np.array([0.01 + 0j]), np.zeros(1)
     nodes = np.array([[-1.0 + 0j, -1.02 + 0j, 50.0 + 0j, 60.0 + 0j]])
-    monkeypatch.setattr(discs, "_nodes", lambda *_: nodes)
+    monkeypatch.setattr(discs, "side_nodes", lambda *_: nodes)
     s = split(D, m, r, 2)
     assert s.good.all()  # the splitting itself may have any nodes
     assert not receptances(N, D, s, np.array([0.0])).good.any()
@@ -139,7 +139,7 @@ def test_two_nodes_of_one_side_at_the_same_root_do_not_count_it_twice(monkeypatc
 def test_a_disc_between_two_roots_is_not_taken_for_one_of_them(monkeypatch: pytest.MonkeyPatch) -> None:
     D = Table.of(polynomial([-1.0, -1.001, 50.0, 60.0]))
     nodes = np.array([[-1.00025 + 0j, -1.00075 + 0j, 50.0 + 0j, 60.0 + 0j]])
-    monkeypatch.setattr(discs, "_nodes", lambda *_: nodes)
+    monkeypatch.setattr(discs, "side_nodes", lambda *_: nodes)
     s = split(D, np.array([0.01 + 0j]), np.zeros(1), 2)
     assert s.good.all()
     assert not discs._roots(D, s)[1].any()

@@ -6,7 +6,7 @@ import json
 
 from mpsolve.claims.report import Report
 from mpsolve.claims.tables import as_data, document
-from mpsolve.report.text import plain
+from mpsolve.report.layout import plain
 
 
 def test_json_and_terminal_say_the_same(toy_report: Report) -> None:

@@ -15,9 +15,9 @@ from typing import Any
 
 import pytest
 
-from mpsolve import InputError, read_problem, verify
-from mpsolve.explorer.live import look
-from mpsolve.report.pdf import browser
+from mpsolve import read_problem, verify
+from mpsolve.batch.view import look
+from tests.browsers import NONE, browser
 
 pytest.importorskip("nicegui", reason="the extra `explore` is not installed")
 driver = pytest.importorskip("playwright.sync_api", reason="playwright, which drives a browser, is not installed")
@@ -25,14 +25,7 @@ driver = pytest.importorskip("playwright.sync_api", reason="playwright, which dr
 FILE = Path("examples/two_layer_bogie.toml")
 
 
-def installed() -> str | None:
-    try:
-        return str(browser())
-    except InputError:
-        return None
-
-
-pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium, Chrome or Edge is installed")
+pytestmark = pytest.mark.skipif(browser() is None, reason=NONE)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +50,7 @@ def address() -> Iterator[str]:
 @pytest.fixture(scope="module")
 def chromium() -> Iterator[Any]:
     with driver.sync_playwright() as play:
-        opened = play.chromium.launch(executable_path=installed(), args=["--no-sandbox"])
+        opened = play.chromium.launch(executable_path=browser(), args=["--no-sandbox"])
         yield opened
         opened.close()
 

@@ -309,3 +309,16 @@ def test_a_number_beside_a_bound_is_not_shown_as_the_bound() -> None:
     assert Exact("0.5").beside(1) == "0.5"
     tiny = Exact(1 - Fraction(1, 10**60))
     assert tiny.beside(1) == str(tiny)
+
+
+@given(st.fractions(-(10**9), 10**9, max_denominator=10**6), st.integers(-30, 30), st.integers(1, 40), st.booleans())
+def test_short_texts_are_those_of_mpmath(x: Fraction, power: int, digits: int, root: bool) -> None:
+    """The second way: mpmath's own conversion, at many more digits."""
+    scaled = x * Fraction(10) ** power
+    exact = Exact.root4(abs(scaled)) if root else Exact.parse(scaled)
+    with mpmath.workdps(4 * digits + 100):
+        value = mpmath.mpf(scaled.numerator) / scaled.denominator
+        value = mpmath.root(abs(value), 4) if root else value
+        text = mpmath.nstr(value, digits, strip_zeros=True)
+    assert exact.short(digits) == text.removesuffix(".0").replace(".0e", "e")
+    assert float(exact) == pytest.approx(float(value), rel=3e-16)

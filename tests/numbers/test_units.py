@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 
 import pytest
@@ -37,6 +38,7 @@ from mpsolve.vehicles import CATALOGUE as VEHICLES
         ("1 kip/in", "N/m", Fraction("453.59237") * Fraction("9.80665") / Fraction("0.0254")),
         ("12 N/(m s)", "kg/s³", 12),
         ("1000 ms", "s", 1),
+        ("3 1/min", "1/s", Fraction(1, 20)),
         ("50 mrad/s", "rad/s", None),
         ("0.1", "m/s", Fraction(1, 10)),
         (" 7 ", "kg", 7),
@@ -67,6 +69,8 @@ def test_values_are_exact(text: str, unit: str, value: Fraction | int | None) ->
         ("12,5 t", "kg", "comma"),
         ("12,500", "kg", "comma"),
         ("12 500 kg", "kg", "1_000"),
+        ("5 1", "", "the part '1', which is no unit"),
+        ("5 1 kg", "kg", "the part '1'"),
         ("heavy", "kg", "'heavy' is not a number"),
         ("nan kg", "kg", "not a number|not finite"),
     ],
@@ -99,3 +103,9 @@ def test_what_has_no_unit_stays() -> None:
     assert measured(0.5, "m", "x") == 0.5
     assert split("1e3 N/m") == ("1e3", "N/m")
     assert split("100m") == ("100", "m")
+
+
+@given(st.text(" 0123456789.,/eE+-_()^*·²⁻kMmsNgth%°", max_size=14), st.sampled_from(["m", "N s/m²", ""]))
+def test_any_text_is_a_number_or_refused(text: str, unit: str) -> None:
+    with suppress(InputError):
+        assert isinstance(in_unit(text, unit, "x", "length"), Fraction)

@@ -8,7 +8,7 @@ import pytest
 
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.errors import InputError
-from mpsolve.problem.over import parse_over
+from mpsolve.problem.over import parse_over, parse_overs
 
 PAIR = Problem(
     tracks.EulerBernoulli(EI="6.4 MN m²", m="60 kg/m", k="1 MPa", c="770 N s/m²"),
@@ -53,6 +53,7 @@ def test_ranges(text: str, low: Fraction, high: Fraction | None, unit: str) -> N
         ("speed=0..5", "'speed', which is unknown: the parameters are v ="),
         ("track.kk=0..5", "did you mean track.k"),
         ("gap[1]=0..5", "is unknown"),
+        ("vehicle[1].M=1..2 t", r"so write vehicles\[0\].M for the rearmost, or vehicles.M"),
         ("v=0..fast", "'fast' is not a number"),
     ],
 )
@@ -76,3 +77,9 @@ def test_a_value_outside_the_range_is_told() -> None:
     assert "v is 360 km/h, outside the range from 0 to 90 km/h" in str(told)
     assert parse_over("scale.mass=2..3", PAIR).outside(PAIR) is None
     assert parse_over("v=500km/h..", PAIR).outside(PAIR) is not None
+
+
+def test_several_ranges() -> None:
+    assert [over.path for over in parse_overs(["v=0..100", "vehicles.M=1..20 t"], PAIR)] == ["v", "vehicles.M"]
+    with pytest.raises(InputError, match="names v twice"):
+        parse_overs(["v=0..100", "v=5.."], PAIR)

@@ -6,7 +6,7 @@ import json
 import re
 from fractions import Fraction
 
-from reported import fast, wire, without_theorem
+from reported import SPRUNG, fast, wire, without_theorem
 
 from mpsolve import Case, PhysicalCase, certify
 from mpsolve.report.spectrum_data import number, problem_data, region_data, spectrum_data
@@ -33,7 +33,7 @@ def test_numbers() -> None:
     assert (one["trend"], one["doubling_time"]) == ("decays", None)
     assert abs(float(one["halving_time"]["value"]) - 0.96809873) < 1e-8
     assert one["growth_rate"]["value"].startswith("-0.71598")
-    assert data["problem"]["track"]["parameters"]["m"] == {"exact": "107/100", "decimal": "1.07"}
+    assert data["problem"]["track"]["parameters"]["m"] == {"exact": "107/100", "decimal": "1.07", "unit": "kg/m"}
     assert data["problem"]["vehicle"][0]["model"] == "mass"
     assert data["units"]["frequency"] == "Hz"
     grows = spectrum_data(fast())["roots"][0]
@@ -67,3 +67,10 @@ def test_problems() -> None:
     assert data["velocity"]["exact"] == "1/3"
     assert [one["position"]["exact"] for one in data["vehicle"]] == ["0", "2"]
     assert number(Fraction(1, 3)) == {"exact": "1/3", "decimal": "0.33333333333333333"}
+
+
+def test_parameters_have_their_units() -> None:
+    told = problem_data(SPRUNG)
+    assert told["velocity"] == {"exact": "60", "decimal": "60", "unit": "m/s"}
+    assert told["track"]["parameters"]["EI"]["unit"] == "N m²"
+    assert told["vehicle"][0]["position"]["unit"] == "m"

@@ -10,14 +10,13 @@ from reported import SPRUNG, WIRE, fast, wire
 from mpsolve import Case, PhysicalCase, Problem, certify
 from mpsolve.problem.problem import Problem as Asked
 from mpsolve.report.spectrum_text import cost_words, paper_rows, problem_rows, spectrum_document
-from mpsolve.report.text import plain
 from mpsolve.spectrum.spectrum import Cost
 from mpsolve.tracks import Slab
 from mpsolve.vehicles import Mass, Vehicle
 
 
 def test_the_whole_report() -> None:
-    text = plain(spectrum_document(wire(), "A wire", "a b.json"))
+    text = spectrum_document(wire(), "A wire", "a b.json").text()
     lines = text.splitlines()
     assert lines[:3] == ["A wire", "", "STABLE at 360 km/h (100 m/s): every vibration decays."]
     assert max(map(len, lines)) <= 88
@@ -31,25 +30,25 @@ def test_the_whole_report() -> None:
 
 
 def test_growing() -> None:
-    text = plain(spectrum_document(fast()))
+    text = spectrum_document(fast()).text()
     assert text.startswith("UNSTABLE at ")
     assert "GROWS, doubles" in text
 
 
 def test_undecided_without_roots_has_no_table() -> None:
     empty = replace(wire(), roots=(), count=0)
-    assert "Vibrations" not in plain(spectrum_document(empty))
+    assert "Vibrations" not in spectrum_document(empty).text()
 
 
 def test_motions_that_no_contact_feels() -> None:
-    text = plain(spectrum_document(replace(wire(), unfelt=(acb(-2, 1), acb(2, 1), acb(0, 3)))))
+    text = spectrum_document(replace(wire(), unfelt=(acb(-2, 1), acb(2, 1), acb(0, 3)))).text()
     assert "±2 + 1 i" in text
     assert "0 + 3 i" in text
 
 
 def test_a_case_is_shown_by_its_ratios() -> None:
     found = certify(Case(alpha="0.5", eta_b="0.05", eta_m=20), region="unstable", digits=15, check=False)
-    assert "velocity ratio v/v_cr" in plain(spectrum_document(found))
+    assert "velocity ratio v/v_cr" in spectrum_document(found).text()
 
 
 def test_rows_name_models_units_and_places_and_leave_out_what_is_not_given() -> None:
@@ -76,7 +75,7 @@ def test_cost() -> None:
 
 
 def test_a_warning_follows_the_verdict() -> None:
-    text = plain(spectrum_document(replace(wire(), problem=Problem(WIRE.track, [Mass(8), Mass(9)], v=100))))
+    text = spectrum_document(replace(wire(), problem=Problem(WIRE.track, [Mass(8), Mass(9)], v=100))).text()
     lines = text.splitlines()
     assert lines[0].startswith("STABLE")
     assert lines[2].startswith("Warning: two contacts stand at one place, x = 0 m, and move as one: give one")
@@ -84,7 +83,7 @@ def test_a_warning_follows_the_verdict() -> None:
 
 def test_the_ratios_of_the_paper_are_folded_below() -> None:
     case = PhysicalCase(EI="6.4e6", m=60, k="1e6", c=770, v=100, masses=[(10000, 0)])
-    text = plain(spectrum_document(certify(case, digits=15, check=False)))
+    text = spectrum_document(certify(case, digits=15, check=False)).text()
     assert "Roots q in rad/s" in text
     assert text.index("frequency [Hz]") < text.index("Proved") < text.index("velocity ratio v/v_cr")
     assert paper_rows(WIRE) == []

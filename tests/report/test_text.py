@@ -12,8 +12,10 @@ from mpsolve.certificate.sheet import SheetSpectrum as Spectrum
 from mpsolve.certificate.sheet import certify_sheet as certify
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.rootball import RootBall
+from mpsolve.report.layout import WIDTH
+from mpsolve.report.rows import beam_rows, shown
 from mpsolve.report.statement import proved, verdict
-from mpsolve.report.text import WIDTH, beam_rows, render, shown
+from mpsolve.report.text import render
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNSTABLE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))

@@ -17,11 +17,13 @@ ROOT = Path(__file__).parents[2]
 SPEC = """
 [study]
 kind = "certified"
-masses = 1
-[parameters]
-alpha = { start = 0.4, stop = 0.47, step = 0.01 }
+[dimensionless]
+alpha = 0.4
 eta_b = 0.05
-eta_m = 40
+eta_m = [40]
+positions = [0]
+[parameters]
+v = { start = 0.4, stop = 0.47, step = 0.01 }
 """
 CLUSTER = """
 import os
@@ -75,7 +77,7 @@ def test_a_killed_worker_changes_nothing(tmp_path: Path) -> None:
         timeout=300,
     )
     assert done.returncode == 0, done.stderr
-    assert done.stdout.splitlines() == ["killed 1", "8 of 8 cases finished: 8 proved.", "command.sqlite", "0"]
+    assert done.stdout.splitlines() == ["killed 1", "8 of 8 entries finished: 8 proved.", "command.sqlite", "0"]
     alone = study(tmp_path / "s.toml", store=tmp_path / "alone.sqlite", workers=1)
     for name in ("killed", "command"):
         other = open_study(tmp_path / f"{name}.sqlite")

@@ -13,36 +13,40 @@ from hypothesis import strategies as st
 from mpsolve.studies.design import FINE, STREAMS, Span, Steps, draws, radical_inverse
 from mpsolve.studies.spec import read_spec
 
+PAIR = {"alpha": "0.5", "eta_b": "0.05", "eta_m": [40, 40], "positions": [0, 1]}
+
 
 def spec_of(parameters: dict[str, Any], **study: Any) -> Any:
-    return read_spec({"study": {"kind": "float64", **study}, "parameters": parameters})
+    return read_spec({"study": {"kind": "float64", **study}, "dimensionless": PAIR, "parameters": parameters})
 
 
 def test_a_grid_is_the_product_of_its_axes() -> None:
-    axes = {"alpha": ["0.1", "0.2", "0.3"], "eta_b": ["0.05"], "eta_m": [50, 70], "d": ["one mass", 1, "3/2"]}
-    spec = spec_of(axes | {"eta_n": {"start": 0, "stop": "0.5", "step": "0.2"}})
-    listed = [[Fraction(x) if x != "one mass" else x for x in axis] for axis in axes.values()]
+    axes = {"v": ["0.1", "0.2", "0.3"], "track.c": ["0.05"], "vehicles.M": [50, 70], "gap[0]": ["3/4", 1, "3/2"]}
+    spec = spec_of(axes | {"track.N": {"start": 0, "stop": "0.5", "step": "0.2"}})
+    listed = [[Fraction(x) for x in axis] for axis in axes.values()]
     expected = list(product(*listed, [Fraction(0), Fraction(1, 5), Fraction(2, 5)]))
     assert spec.total == len(expected) == 54
     assert [tuple(spec.values(k).values()) for k in range(spec.total)] == expected
 
 
 def test_a_list_takes_values_together() -> None:
-    spec = spec_of({"alpha": ["0.1", "0.2"], "eta_b": "0.05", "eta_m": [50, 50], "d": 1}, design={"kind": "list"})
-    assert [spec.values(k)["alpha"] for k in range(spec.total)] == [Fraction(1, 10), Fraction(1, 5)]
-    assert [spec.values(k)["eta_m"] for k in range(spec.total)] == [50, 50]
+    spec = spec_of({"v": ["0.1", "0.2"], "track.c": "0.05", "vehicles.M": [50, 50]}, design={"kind": "list"})
+    assert [spec.values(k)["v"] for k in range(spec.total)] == [Fraction(1, 10), Fraction(1, 5)]
+    assert [spec.values(k)["vehicles.M"] for k in range(spec.total)] == [50, 50]
 
 
 @pytest.mark.parametrize("kind", ["random", "quasi-random"])
-def test_a_design_of_any_size_makes_only_the_case_that_is_asked_for(kind: str) -> None:
-    ranges = {"alpha": {"low": "0.1", "high": "1.2"}, "eta_b": "0.05", "eta_m": {"low": 1, "high": 100}, "d": 1}
+def test_a_design_of_any_size_makes_only_the_entry_that_is_asked_for(kind: str) -> None:
+    ranges = {"v": {"low": "0.1", "high": "1.2"}, "vehicles.M": {"low": 1, "high": 100}}
     spec = spec_of(ranges, design={"kind": kind, "count": 10**12, "seed": 3})
-    last, grid = spec.values(10**12 - 1), spec_of(
-        {"alpha": {"start": 0, "stop": 1, "step": "1e-6"}, "eta_b": "0.05", "eta_m": {"start": 1, "stop": 100_000,
-         "step": "0.1"}, "d": 1}
-    )  # fmt: skip
+    last, grid = (
+        spec.values(10**12 - 1),
+        spec_of(
+            {"v": {"start": 0, "stop": 1, "step": "1e-6"}, "vehicles.M": {"start": 1, "stop": 100_000, "step": "0.1"}}
+        ),
+    )
     assert last == spec.values(10**12 - 1) != spec.values(10**12 - 2)
-    assert grid.values(grid.total - 1)["alpha"] == 1
+    assert grid.values(grid.total - 1)["v"] == 1
     assert grid.indices(grid.blocks - 1)[-1] == grid.total - 1 > 10**11
 
 

@@ -17,18 +17,29 @@ from mpsolve import InputError, Study, StudyError, open_study, study
 from mpsolve.errors import CertificateError
 from mpsolve.studies.arrays import write_npz, write_parquet
 from mpsolve.studies.blocks import STATUSES, Block, Result, Root, key, pack
+from mpsolve.studies.columns import parameter_titles, root_titles
 from mpsolve.studies.export import KINDS, value_text, write_csv, write_json
 from mpsolve.studies.spec import read_spec
 from mpsolve.studies.store import Store
 
+PAIR: dict[str, Any] = {"alpha": "0.67", "eta_b": "0.05", "eta_m": [70, 70], "positions": [0, "1.5"]}
 SPECS: dict[str, dict[str, Any]] = {
     "certified": {
-        "study": {"kind": "certified", "digits": 25},
-        "parameters": {"alpha": "0.67", "eta_b": "0.05", "eta_m": "root4(24010001)", "d": ["one mass", "1.5"]},
+        "study": {"kind": "certified", "digits": 25, "region": "sheet"},
+        "dimensionless": PAIR,
+        "parameters": {"vehicles.M": "70.01", "gap[0]": ["1.4", "1.5"]},
     },
     "float64": {
+        "study": {"kind": "float64", "region": "sheet"},
+        "dimensionless": PAIR,
+        "parameters": {"v": ["0.67", "2/3"], "track.c": ["0.1", 2], "gap[0]": ["1.4", "1.5"]},
+    },
+    "SI": {
         "study": {"kind": "float64"},
-        "parameters": {"alpha": ["0.67", "2/3"], "eta_b": ["0.05", 1], "eta_m": 70, "d": ["one mass", "1.5"]},
+        "v": 100,
+        "track": {"model": "euler-bernoulli", "EI": "6.4e6", "m": 60, "k": "1e6", "c": 770},
+        "vehicle": [{"model": "mass", "M": 10000, "count": 2, "spacing": "3.4"}],
+        "parameters": {"v": [150, 210, 240], "vehicles.M": [8000, 12000]},
     },
 }
 
@@ -45,15 +56,15 @@ def test_csv(made: Study) -> None:
     assert len(rows) == made.total
     for row, (index, values, result) in zip(rows, made.results(), strict=True):
         assert int(row["index"]) == index
-        for name, value in values.items():
-            assert row[name] == value_text(value)
-            if isinstance(value, Fraction):
-                assert Fraction(row[name]) == value
+        for title, value in zip(parameter_titles(made.spec), values.values(), strict=True):
+            assert row[title] == value_text(value)
+            assert Fraction(row[title]) == value
         assert (row["status"], row["reason"]) == (result.status, result.reason)
         assert row["count"] == ("" if result.count is None else str(result.count))
         for k, root in enumerate(result.roots, 1):
-            assert (row[f"re_{k}"], row[f"im_{k}"]) == (str(root.re), str(root.im))
-        assert row.get(f"re_{result.width + 1}", "") == ""
+            re, im = root_titles(made.spec, k)
+            assert (row[re], row[im]) == (str(root.re), str(root.im))
+        assert row.get(root_titles(made.spec, result.width + 1)[0], "") == ""
 
 
 def test_json(made: Study) -> None:
@@ -62,7 +73,7 @@ def test_json(made: Study) -> None:
     assert read_spec(content["spec"]).canonical == made.spec.canonical
     assert (content["total"], content["tally"]) == (made.total, dict(made.tally))
     for line, case, (index, values, result) in zip(
-        text.splitlines()[-made.total - 1 : -1], content["cases"], made.results(), strict=True
+        text.splitlines()[-made.total - 1 : -1], content["entries"], made.results(), strict=True
     ):
         assert json.loads(line.removesuffix(",")) == case
         assert case["index"] == index
@@ -79,12 +90,12 @@ def test_json(made: Study) -> None:
 def test_npz(made: Study) -> None:
     with np.load(made.save(made.path.with_suffix(".npz"))) as held:
         arrays = dict(held)
-    assert arrays["q"].shape == (made.total, 4)
+    assert arrays["q"].shape[0] == made.total
     assert arrays["status_names"].tolist() == list(STATUSES[made.spec.kind])
     for k, (index, values, result) in enumerate(made.results()):
         assert arrays["index"][k] == index
-        for name, value in values.items():
-            assert arrays[name][k] == float(value) if value != "one mass" else np.isnan(arrays[name][k])
+        for title, value in zip(parameter_titles(made.spec), values.values(), strict=True):
+            assert arrays[title][k] == float(value)
         assert arrays["status_names"][arrays["status"][k]] == result.status
         assert arrays["count"][k] == (-1 if result.count is None else result.count)
         assert arrays["unstable"][k] == (-1 if result.unstable is None else result.unstable)
@@ -98,7 +109,7 @@ def test_parquet(made: Study) -> None:
     assert read_spec(json.loads(table.schema.metadata[b"mpsolve"])).canonical == made.spec.canonical
     for row, (index, values, result) in zip(table.to_pylist(), made.results(), strict=True):
         assert (row["index"], row["status"], row["reason"]) == (index, result.status, result.reason)
-        assert row["d"] == (None if values["d"] == "one mass" else float(values["d"]))
+        assert [row[title] for title in parameter_titles(made.spec)] == [float(x) for x in values.values()]
         assert (row["count"], row["unstable"]) == (result.count, result.unstable)
         assert row["re"] == [float(root.re) for root in result.roots]
         assert row["multiplicity"] == [root.multiplicity for root in result.roots]
@@ -122,7 +133,6 @@ def test_without_pyarrow(made: Study, monkeypatch: pytest.MonkeyPatch) -> None:
         (Fraction(1, 10**9), "0.000000001"),
         (Fraction(1, 10**30), f"1/{10**30}"),
         (Fraction(1234567890123456, 10), "617283945061728/5"),
-        ("one mass", "one mass"),
     ],
 )
 def test_values_are_written_exactly(value: Any, text: str) -> None:
@@ -146,11 +156,20 @@ def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path, certified: dict[s
     made = study(certified, store=tmp_path / "study.sqlite", workers=1)
     with Store.create(made.path, made.spec) as store:
         last = list(store.blocks())[-1]
-        store.put(Block(last.number, last.key, b"damaged", last.width, last.tally, last.seal))
+        store.put(
+            Block(
+                last.number,
+                last.key,
+                pack([Result("proved", "damaged", 9, 9, ())]),
+                last.width,
+                last.tally,
+                last.seal,
+            )
+        )
     for kind in KINDS:
         file = tmp_path / f"a.{kind}"
         file.write_text("before")
-        with pytest.raises(StudyError, match="damaged results of the cases 3 to 3"):
+        with pytest.raises(StudyError, match="damaged results of the entries 3 to 3"):
             made.save(file)
         assert file.read_text() == "before"
     with pytest.raises(InputError, match=r"does not end in \.csv, \.json, \.npz, \.parquet"):
@@ -175,9 +194,9 @@ def test_memory_does_not_grow_with_the_study(tmp_path: Path, writer: Any, monkey
         pytest.importorskip("pyarrow", reason="Parquet needs the extra `parquet`")
     monkeypatch.setattr("mpsolve.studies.spec._BLOCK", (400, 400))  # less work than real blocks
     monkeypatch.setattr("mpsolve.studies.arrays._ROWS", 300)  # so that blocks and rows take turns
-    parameters = {"alpha": {"start": 0, "stop": 1, "step": "1e-4"}, "eta_b": "0.05", "eta_m": 40}
-    spec = read_spec({"study": {"kind": "float64", "masses": 1}, "parameters": parameters})
-    result = Result("tracked", "", 2, 0, (Root(-0.5, 0.25), Root(0.5, 0.25)))
+    parameters = {"v": {"start": 0, "stop": 1, "step": "1e-4"}}
+    spec = read_spec({"study": {"kind": "float64"}, "dimensionless": PAIR, "parameters": parameters})
+    result = Result("ok", "", 2, 0, (Root(-0.5, 0.25), Root(0.5, 0.25)))
     peaks = []
     for blocks in (2, 8):
         path = tmp_path / f"{blocks}.sqlite"
@@ -186,7 +205,7 @@ def test_memory_does_not_grow_with_the_study(tmp_path: Path, writer: Any, monkey
                 indices = spec.indices(number)
                 name = key(spec, [spec.values(index) for index in indices])
                 data = pack([result] * len(indices))
-                store.put(Block(number, name, data, 2, json.dumps({"tracked": len(indices)})).sealed)
+                store.put(Block(number, name, data, 2, json.dumps({"ok": len(indices)})).sealed)
         with Store.read(path) as store, path.with_suffix(".out").open("wb") as target:
             tracemalloc.start()
             writer(store, target)

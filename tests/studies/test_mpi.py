@@ -33,6 +33,6 @@ def test_an_mpi_job_makes_the_bytes_of_one_process(tmp_path: Path) -> None:
         RUN, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300, check=False
     )
     assert done.returncode == 0, done.stderr
-    assert done.stdout.startswith("12 of 12 cases: {'proved': 12}")
+    assert done.stdout.startswith("12 of 12 entries: {'proved': 12}")
     alone = study(EXAMPLES / "study_certified.toml", store=tmp_path / "alone.sqlite", workers=1)
     assert alone.save(tmp_path / "alone.csv").read_bytes() == (tmp_path / "study_mpi.csv").read_bytes()

@@ -23,9 +23,11 @@ from mpsolve.studies.export import KINDS, export
 from mpsolve.studies.spec import read_spec
 
 ROOT = Path(__file__).parents[2]
+MASS: dict[str, Any] = {"alpha": "0.5", "eta_b": "0.05", "eta_m": [40], "positions": [0]}
 FLOAT64: dict[str, Any] = {
-    "study": {"kind": "float64", "masses": 1, "design": {"kind": "random", "count": 2100, "seed": 7}},
-    "parameters": {"alpha": {"low": "0.4", "high": "0.5"}, "eta_b": "0.05", "eta_m": {"low": 40, "high": 45}},
+    "study": {"kind": "float64", "region": "sheet", "design": {"kind": "random", "count": 2100, "seed": 7}},
+    "dimensionless": MASS,
+    "parameters": {"v": {"low": "0.4", "high": "0.5"}, "vehicles[0].M": {"low": 40, "high": 45}},
 }
 
 
@@ -48,7 +50,8 @@ class Here(Executor):
 def stored(path: Path) -> list[tuple[Any, ...]]:
     """Every row of every table, in order."""
     with closing(sqlite3.connect(path)) as connection:
-        rows = [connection.execute(f"SELECT * FROM {name} ORDER BY 1, 2").fetchall() for name in ("study", "blocks")]
+        names = ("study", "blocks", "entries", "roots", "certificates")
+        rows = [connection.execute(f"SELECT * FROM {name} ORDER BY 1, 2").fetchall() for name in names]
     return [row for table in rows for row in table]
 
 
@@ -59,8 +62,8 @@ def exported(path: Path) -> list[bytes]:
 
 
 def test_one_process_two_processes_and_another_executor_make_the_same_bytes(tmp_path: Path) -> None:
-    plain = {"study": {"kind": "certified", "masses": 1}, "parameters": {"alpha": ["0.4", "0.5"], "eta_b": 0.05}}
-    plain["parameters"] |= {"eta_m": [40, 41]}
+    plain = {"study": {"kind": "certified"}, "dimensionless": MASS}
+    plain["parameters"] = {"v": ["0.4", "0.5"], "vehicles[0].M": [40, 41]}
     for name, spec in (("certified", plain), ("float64", FLOAT64)):
         places = [tmp_path / f"{name}{k}.sqlite" for k in range(3)]
         first = study(spec, store=places[0], workers=1)
@@ -97,10 +100,10 @@ def test_damaged_blocks_are_computed_anew(tmp_path: Path, certified: dict[str, A
     study(certified, Here(), store=path)
     before = stored(path)
     with closing(sqlite3.connect(path)) as connection:
-        connection.execute("UPDATE blocks SET data = substr(data, 1, 10) WHERE number = 1")
+        connection.execute('UPDATE entries SET count = 7 WHERE "index" = 1')
         connection.execute("UPDATE blocks SET tally = '{\"proved\": 5}' WHERE number = 2")
         connection.commit()
-    with pytest.raises(StudyError, match="damaged results of the cases 1 to 1: run the study again on this file"):
+    with pytest.raises(StudyError, match="damaged results of the entries 1 to 1: run the study again on this file"):
         list(open_study(path).results())
     study(certified, again, store=path)
     assert again.numbers == [1, 2]
@@ -172,8 +175,9 @@ def test_a_worker_that_dies_is_an_error_that_says_how_to_go_on(tmp_path: Path, c
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the workers are found through /proc")
 def test_killed_at_random_moments_it_goes_on_to_the_same_bytes(tmp_path: Path) -> None:
     """kill -9 of the command in mid-work, and its workers end with it; the last run completes the study."""
-    parameters = "alpha = { start = 0.4, stop = 0.5, step = 0.0025 }\neta_b = 0.05\neta_m = 40\n"
-    (tmp_path / "s.toml").write_text(f'[study]\nkind = "certified"\nmasses = 1\n[parameters]\n{parameters}')
+    parameters = "v = { start = 0.4, stop = 0.5, step = 0.0025 }\n"
+    problem = "[dimensionless]\nalpha = 0.4\neta_b = 0.05\neta_m = [40]\npositions = [0]\n"
+    (tmp_path / "s.toml").write_text(f'[study]\nkind = "certified"\n{problem}[parameters]\n{parameters}')
     killed, whole = tmp_path / "killed.sqlite", tmp_path / "whole.sqlite"
     moments, finished = random.Random(2), [0]
     for _ in range(2):

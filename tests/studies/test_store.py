@@ -30,7 +30,7 @@ WRITER = """
 import os
 import sys
 from pathlib import Path
-from mpsolve.studies.blocks import Block
+from mpsolve.studies.blocks import Block, Result, pack
 from mpsolve.studies.spec import spec_of
 from mpsolve.studies.store import Store
 
@@ -52,7 +52,8 @@ for _ in sys.stdin:
         tell(os.getpid())
         for number in range(last):
             if not store.holds(number):
-                store.put(Block(number, f"key {number}", bytes([number % 256]) * 50_000, 2, '{"proved": 1}').sealed)
+                data = pack([Result("proved", chr(97 + number % 26) * 50_000, 2, 0, ())])
+                store.put(Block(number, f"key {number}", data, 2, '{"proved": 1}').sealed)
                 tell(number)
     os._exit(0)
 """
@@ -140,8 +141,10 @@ def test_another_study_is_told_what_differs(tmp_path: Path, wide: dict[str, Any]
     path = tmp_path / "study.sqlite"
     with Store.create(path, read_spec(wide)) as store:
         store.put(block(0))
-    other = wide | {"parameters": wide["parameters"] | {"eta_m": 41}}
-    with pytest.raises(InputError, match=r'belongs to another study .*eta_m is "40" there and "41" here') as caught:
+    other = wide | {"dimensionless": wide["dimensionless"] | {"eta_m": [41]}}
+    with pytest.raises(
+        InputError, match=r"belongs to another study .*eta_m is \[40\] there and \[41\] here"
+    ) as caught:
         Store.create(path, read_spec(other))
     assert caught.value.key == "store"
     assert numbers(path) == [0]
@@ -333,7 +336,7 @@ def test_tables_of_another_version(tmp_path: Path, wide: dict[str, Any]) -> None
     Store.create(path, read_spec(wide)).__exit__(None, None, None)
     with closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA user_version = 99")
-    with pytest.raises(StudyError, match="tables of version 99, not 1"):
+    with pytest.raises(StudyError, match="tables of version 99, not 2"):
         Store.read(path)
 
 

@@ -12,7 +12,7 @@ from mpsolve.claims.load import load
 from mpsolve.claims.page import page
 from mpsolve.claims.run import audit
 from mpsolve.claims.tables import as_data, document
-from mpsolve.report.text import plain
+from mpsolve.report.layout import plain
 
 ROOT = Path(__file__).parents[3]
 STORED = ROOT / "certs" / "paper"

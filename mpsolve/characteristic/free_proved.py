@@ -1,0 +1,165 @@
+"""The characteristic matrix of a family in balls: at (σ̂, x̂), with its slopes in σ̂ and in every parameter.
+
+The premise is that of `characteristic.proved`: σ̂ where the upper p-roots are the n₊ with Re P < 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, cast
+
+from mpsolve.characteristic.proved import split_ball
+from mpsolve.characteristic.symbol import Symbols
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, acb_mat, acb_poly, rational_ball
+from mpsolve.numbers.several import Several
+from mpsolve.problem.family import Family, FreePolynomial
+
+
+class BallSymbol:
+    """D or N with balls for the parameters: what `Symbol` is for exact ones."""
+
+    def __init__(self, polynomial: FreePolynomial, x: Sequence[Any], size: int) -> None:
+        self._terms, self._x = polynomial, x
+        self.rows: tuple[Any, ...] = ((),) * size
+
+    def balls(self) -> list[Any]:
+        """The rows as polynomials in σ at the precision that is set."""
+        rows: list[dict[int, Any]] = [{} for _ in self.rows]
+        for (i, j), c in self._terms.items():
+            rows[i][j] = value_at(c, self._x)
+        return [acb_poly([row.get(j, 0) for j in range(max(row, default=0) + 1)]) for row in rows]
+
+    def at(self, _: Any, sigma: Any) -> list[Any]:
+        return [row(sigma) for row in self.balls()]
+
+
+def value_at(c: Several, x: Sequence[Any]) -> Any:
+    """A polynomial in the parameters at balls."""
+    total = acb(0)
+    for exponents, factor in c:
+        term = acb(rational_ball(factor))
+        for y, e in zip(x, exponents, strict=True):
+            if e:
+                term = term * y**e
+        total += term
+    return total
+
+
+def slope_of(c: Several, k: int) -> Several:
+    """The derivative in the k-th parameter."""
+    terms = {(*e[:k], e[k] - 1, *e[k + 1 :]): e[k] * value for e, value in c if e[k]}
+    return Several(c.ring, terms)
+
+
+@dataclass(frozen=True)
+class FreeProved:
+    """A and its slopes in balls, at the precision that is set."""
+
+    family: Family
+    upper: int
+
+    @cached_property
+    def distances(self) -> list[Several]:
+        places = [self.family.places[k] for k in self.family.index]
+        return sorted({a - b for a in places for b in places})
+
+    @cached_property
+    def _which(self) -> list[list[int]]:
+        places = [self.family.places[k] for k in self.family.index]
+        return [[self.distances.index(a - b) for b in places] for a in places]
+
+    @cached_property
+    def _slopes(self) -> list[tuple[FreePolynomial, FreePolynomial]]:
+        """Of D and N in σ and in each parameter."""
+        D, N = self.family.D, self.family.N
+        in_sigma = [{(i, j - 1): j * c for (i, j), c in a.items() if j} for a in (D, N)]
+        out = [(in_sigma[0], in_sigma[1])]
+        for k in range(len(self.family.paths)):
+            first, second = ({key: slope for key, c in a.items() if (slope := slope_of(c, k))} for a in (D, N))
+            out.append((first, second))
+        return out
+
+    def matrices(self, sigma: Any, x: Sequence[Any], slopes: bool = True) -> tuple[Any, list[Any]]:
+        """(A, [∂A/∂σ, ∂A/∂x₁, …]); `PrecisionError` where balls cannot decide."""
+        sigma, x = acb(sigma), [acb(y) for y in x]
+        G, turned = self._receptances(sigma, x, slopes)
+        A = acb_mat(self._rows(sigma, x, G, None))
+        if not slopes:
+            return A, []
+        return A, [acb_mat(self._rows(sigma, x, g, k)) for k, g in enumerate(turned)]
+
+    def _receptances(self, sigma: Any, x: list[Any], slopes: bool) -> tuple[list[Any], list[list[Any]]]:
+        """G at each distance, and for σ and each parameter its slopes."""
+        size = self.family.degree + 1
+        D = BallSymbol(self.family.D, x, size)
+        N = BallSymbol(self.family.N, x, max(i for i, _ in self.family.N) + 1)
+        none = BallSymbol({}, x, 1)
+        split = split_ball(cast(Symbols, _Pairs(D, N, none, none)), sigma, self.upper)
+        if split.roots is None or not split.signed:
+            raise PrecisionError("the p-roots cannot be told apart here: take smaller balls")
+        each = []
+        for D_slope, N_slope in self._slopes if slopes else []:
+            turned = (BallSymbol(D_slope, x, size), BallSymbol(N_slope, x, len(N.rows)))
+            each.append(replace(split, symbols=cast(Symbols, _Pairs(D, N, *turned))).terms)
+        G: list[Any] = []
+        out: list[list[Any]] = [[] for _ in each]
+        weights = [term.w for term in each[0]] if each else list(split.weights)
+        zero = self.distances[0] * 0
+        for distance in self.distances:
+            side, sign = (slice(0, self.upper), 1) if not distance < zero else (slice(self.upper, None), -1)
+            xi = value_at(distance, x)
+            waves = [(xi * z).exp() * sign for z in split.roots[side]]
+            G.append(sum((w * e for w, e in zip(weights[side], waves, strict=True)), acb(0)))
+            for k, terms in enumerate(each):
+                moved = sum(((t.a + xi * t.b) * e for t, e in zip(terms[side], waves, strict=True)), acb(0))
+                if k and (rate := slope_of(distance, k - 1)):
+                    grown = (w * z * e for w, z, e in zip(weights[side], split.roots[side], waves, strict=True))
+                    moved += value_at(rate, x) * sum(grown, acb(0))
+                out[k].append(moved)
+        if not all(g.is_finite() for row in (G, *out) for g in row):
+            raise PrecisionError("the receptance may be infinite over the ball: split the piece")
+        return G, out
+
+    def _rows(self, sigma: Any, x: list[Any], G: list[Any], k: int | None) -> list[list[Any]]:
+        """[[S, −B], [Bᵀ, G + h]], or its slope: k = 0 in σ, k > 0 in the k-th parameter, G then being its slope."""
+        S, B, h = self.family.S, self.family.B, self.family.h
+        bodies, contacts = len(B), len(h)
+
+        def entry(c: Several) -> Any:
+            if k is None:
+                return value_at(c, x)
+            return value_at(slope_of(c, k - 1), x) if k else acb(0)
+
+        rows = []
+        for i in range(bodies):
+            pencil = []
+            for j in range(bodies):
+                if k == 0:
+                    pencil.append(value_at(S[1][i][j], x) + 2 * sigma * value_at(S[2][i][j], x))
+                else:
+                    pencil.append(sum((entry(S[n][i][j]) * sigma**n for n in range(3) if S[n][i][j]), acb(0)))
+            rows.append([*pencil, *(-entry(B[i][j]) for j in range(contacts))])
+        for i in range(contacts):
+            own = [G[self._which[i][j]] + (entry(h[i]) if i == j else 0) for j in range(contacts)]
+            rows.append([*(entry(B[j][i]) for j in range(bodies)), *own])
+        return rows
+
+
+@dataclass(frozen=True)
+class _Pairs:
+    """What `Symbols` holds, in balls."""
+
+    D: BallSymbol
+    N: BallSymbol
+    D_sigma: BallSymbol
+    N_sigma: BallSymbol
+
+    @property
+    def degree(self) -> int:
+        return len(self.D.rows) - 1
+
+
+__all__ = ["BallSymbol", "FreeProved", "slope_of", "value_at"]

@@ -1,0 +1,144 @@
+"""What the commands response and compare do with a file in SI: places in m, times in s, forces in N."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from mpsolve.problem.inputfile import ProblemFile
+    from mpsolve.vibration.motion import Vibration
+
+_FRAMES, _SHAPE_POINTS, _AROUND = 120, 161, 12
+
+
+def seconds(text: str) -> float | None:
+    """The number before " s", or None where the text has no such unit."""
+    from mpsolve.errors import InputError
+    from mpsolve.numbers.exact import Exact
+
+    number, unit, rest = text.strip().partition("s")
+    if not unit or rest:
+        return None
+    last = Exact.parse(number.strip(), "--to")
+    if not last > 0:
+        raise InputError("--to", f"is {text}: give a time above 0")
+    return float(last)
+
+
+def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str) -> list[str]:
+    """Writes the motion; what is to be said of it."""
+    from mpsolve.vibration.response import vibrate
+    from mpsolve.vibration.table import save_arrays, save_table
+
+    places = None if xi is None else [x.strip() for x in xi.split(",")]
+    found = vibrate(source.problem, source.loads, times=times, places=places, initial=initial)
+    if kind == ".csv":
+        save_table(found, output)
+    elif kind == ".npz":
+        save_arrays(found, output)
+    else:
+        from mpsolve.report.figures_vibration import save_motion
+
+        save_motion(found, output, source.title)
+    return _summary(found)
+
+
+def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:
+    """Writes the film of the rail's shape."""
+    import numpy as np
+
+    from mpsolve.problem.reduced import scale_guide
+    from mpsolve.report.figures_vibration import save_film
+    from mpsolve.vibration.response import vibrate
+
+    contacts = [float(x) for x in source.problem.pencil.places]
+    around = max(_AROUND * 2.0 ** scale_guide(source.problem).length, 0.5 * (contacts[-1] - contacts[0]))
+    places = np.linspace(contacts[0] - around, contacts[-1] + around, _SHAPE_POINTS)
+    times = np.linspace(0.0, last, _FRAMES)
+    save_film(vibrate(source.problem, source.loads, times=times, places=places, initial=initial), path, source.title)
+
+
+def _summary(found: Vibration) -> list[str]:
+    size = float(abs(found.rail).max())
+    lines = [
+        "units: m, s, N, rad; the estimated errors are not proved.",
+        f"rail: largest deflection {size:.6g} m, estimated error {found.error.rail:.1e} m; contact forces: estimated "
+        f"error {found.error.contact_force:.1e} N.",
+    ]
+    for part in found.induced:
+        grows = "grows" if part.q.imag < 0 else "decays"
+        lines.append(
+            f"induced frequency {abs(part.q.real) / 6.283185307179586:.6g} Hz {grows} at {abs(part.q.imag):.6g} 1/s: "
+            f"amplitude {abs(part.rail[0]):.6g} m at x = {found.places[0]:g} m"
+        )
+    event = found.lift_off
+    if event is None:
+        lines.append("contact is kept.")
+    else:
+        lines.append(
+            f"contact {event.contact} lifts off at t = {event.time:.8g} s (± {event.tolerance:.1e}): what comes "
+            "later is beyond the model."
+        )
+    return lines
+
+
+def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], list[str]]:
+    """The motion under the rear contact by different ways, the complete solution first, and what is to be said."""
+    from mpsolve.errors import InputError, PrecisionError
+    from mpsolve.finite.finite_track import finite_track
+    from mpsolve.vibration.response import vibrate
+    from mpsolve.vibration.studies import merged, superposition
+
+    problem, loads = source.problem, source.loads
+    rear = [problem.pencil.places[0]]
+    whole = vibrate(problem, loads, times=times, places=rear)
+    out = {"complete": whole.rail[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
+    notes = []
+
+    def finite() -> Any:
+        last = float(times[-1])
+        gap = float(problem.pencil.places[-1] - problem.pencil.places[0])
+        around = 40 * 2.0**whole.solution.image.guide.length
+        length = gap + float(problem.v) * last + 2 * max(around, 0.25 * (gap + float(problem.v) * last))
+        modes = max(100, min(4000, int(8 * length / 2.0**whole.solution.image.guide.length)))
+        found = finite_track(problem, loads, length=length, modes=modes, times=times, places=rear, tolerance=1e-3)
+        notes.append(f"finite track: {length:.4g} m, {modes} modes, estimated error {found.error.total:.2g} m")
+        return found.rail[0]
+
+    others = {
+        "superposition": lambda: sum(
+            part.rail[0] for part in superposition(problem, loads, times=times, places=rear)
+        ),
+        "one merged mass": lambda: merged(problem, loads, times=times, places=rear).rail[0],
+        "finite track": finite,
+    }
+    for name, compute in others.items():
+        if name == "superposition" and len(problem.vehicles) == 1:
+            continue
+        try:
+            out[name] = compute()
+        except (InputError, PrecisionError) as error:  # the other curves stand without it
+            notes.append(f"{name}: left out, {error}")
+    return whole, out, notes
+
+
+def compare(source: ProblemFile, output: Path, kind: str, times: Any) -> None:
+    """Writes the comparison and says how far the curves are apart."""
+    from mpsolve.motion.output import save_columns
+
+    whole, found, notes = curves(source, times)
+    if kind == ".csv":
+        table = {"t [s]": times} | {f"{name} [m]": row for name, row in found.items()}
+        save_columns(table | {"within the model [1]": whole.within.astype(float)}, output)
+    else:
+        from mpsolve.report.figures_vibration import save_comparison
+
+        save_comparison(whole, found, output, source.title)
+    for name, row in list(found.items())[1:]:
+        apart = abs(row - found["complete"])[whole.within].max()
+        click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} m while contact is kept")
+    for note in notes:
+        click.echo(note)

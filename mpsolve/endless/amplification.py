@@ -1,0 +1,146 @@
+"""The verb: how much stronger the last contact force of a train is than the first, when the first is shaken."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from mpsolve.certificate.certify import certify
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.start import start
+from mpsolve.endless.ratio import Ratio
+from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.jets import nearest
+from mpsolve.numbers.model import rational, shown
+from mpsolve.outcome import Reason, Status
+from mpsolve.passivity.tail import prove_tail
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import Reduced, reduce_problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.premises import require_premises
+from mpsolve.spectrum.regions import HalfPlane
+
+_EVALUATIONS = 100_000
+_LEAST = 3000  # evaluations: for large matrices, each of which is dear
+_DIGITS = 15
+
+
+@dataclass(frozen=True)
+class Peak:
+    """low ≤ largest ratio ≤ high, proved; the ratio is at least `low` at the frequency `omega`, a float."""
+
+    low: float
+    high: float
+    omega: float
+
+
+@dataclass(frozen=True)
+class Amplification:
+    """Ratios of contact forces over the band of real frequencies, in the problem's units.
+
+    ahead: the rearmost contact is shaken, the ratio is that of the foremost force to the rearmost. back: the other
+    way round. None where it is not proved, with the `reason`. stable: whether the train is proved to be stable; only
+    then do the ratios describe vibrations that last.
+    """
+
+    problem: Problem
+    band: tuple[Fraction, Fraction]
+    status: Status
+    stable: bool | None
+    ahead: Peak | None
+    back: Peak | None
+    reason: Reason | None = None
+
+    @property
+    def proved(self) -> bool:
+        """Whether the train is stable and both ratios are enclosed, with proof."""
+        return self.status.holds
+
+    def __bool__(self) -> bool:
+        raise TypeError("an amplification has no truth value: ask for .proved")
+
+
+def amplification(
+    problem: Given,
+    *,
+    band: tuple[object, object] | None = None,
+    tolerance: float = 1e-6,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+) -> Amplification:
+    """The largest ratio of the last contact's force to the first's over a band of frequencies, in both directions.
+
+    The rail under one outer contact is uneven, ε e^{iωt}; λ are the harmonic contact forces that follow. The ratio
+    |λ_last/λ_first| does not depend on ε, and is the same if the first vehicle is shaken by any force instead, where
+    it has one contact. band: (from, to) in rad/s; left out, from 0 (for wheels that hang on springs from a
+    thousandth of the end) to the frequency beyond which the track only takes energy from any contacts at these
+    distances. The maximum is enclosed to the relative tolerance, or shown to be below 10⁻⁶.
+    Raises InputError for a train of fewer than two contacts, for a band that is none, and as `certify` does.
+    """
+    train, tell = as_problem(problem), progress or silent
+    reduced = reduce_problem(train)
+    require_premises(reduced, HalfPlane())
+    last = reduced.contacts - 1
+    if not last:
+        raise InputError("problem", "has one contact: give a train of at least two")
+    if isinstance(tolerance, bool) or not 1e-12 <= tolerance <= 1:
+        raise InputError("tolerance", f"is {tolerance!r}: give a relative width from 1e-12 to 1")
+    ends = _band(reduced, band)
+    low, high = (float(x / reduced.frequency_unit) for x in ends)
+    budget = effort.anew() if effort is not None else Effort(evaluations=_evaluations(reduced))
+    tell("stability", 0.0)
+    stable = certify(train, region="unstable", digits=_DIGITS, check=False, effort=effort).stable
+    arrays, peaks, reason = Arrays(reduced), [], None
+    try:
+        up = start(reduced.guide).up
+        for k, (source, target) in enumerate(((0, last), (last, 0))):
+            tell("ratio", 0.4 + 0.3 * k)
+            found = Ratio(arrays, up, source, target).largest(low, high, tolerance, budget)
+            peaks.append(Peak(found.low, found.high, found.q * float(reduced.frequency_unit)))
+    except EffortError as error:
+        reason = Reason("effort", str(error), {}, "allow more effort, or a greater tolerance")
+    except PrecisionError as error:
+        reason = Reason("ratio", str(error), {}, "give a band that keeps away from this frequency")
+    if stable is not True:
+        word = "unstable" if stable is False else "not proved to be stable"
+        reason = Reason("unstable", f"the train is {word}, so its vibrations need not last", {}, "lower the velocity")
+    tell("done", 1.0)
+    ahead, back = [*peaks, None, None][:2]
+    status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
+    return Amplification(train, ends, status, stable, ahead, back, reason)
+
+
+def _evaluations(reduced: Reduced) -> int:
+    """About as much work for any size of the matrix."""
+    size = reduced.bodies + reduced.contacts
+    return max(_LEAST, min(_EVALUATIONS, _EVALUATIONS * 1024 // size**2))
+
+
+def _band(reduced: Reduced, band: object) -> tuple[Fraction, Fraction]:
+    if band is None:
+        tail = prove_tail(reduced.guide, reduced.smallest_gap) if reduced.guide.v else None
+        top = Fraction(4.0 if tail is None else tail.X) * reduced.frequency_unit
+        return (Fraction(0) if _at_zero(reduced) else top / 1000), top
+    try:
+        low, high = (rational(x, "band") for x in band)  # type: ignore[attr-defined]
+    except (TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError("band", "is no range: give (from, to) in rad/s") from None
+    if not 0 <= low < high:
+        raise InputError("band", f"is ({shown(low)}, {shown(high)}): give 0 <= from < to")
+    for x in (low, high):
+        nearest(x)
+    return low, high
+
+
+def _at_zero(reduced: Reduced) -> bool:
+    """Whether the ratio has a plain meaning at frequency 0: the outer wheels are masses of their own."""
+    direct = {d.contact: d.body for d in Arrays(reduced).direct}
+    bodies = [direct.get(0), direct.get(reduced.contacts - 1)]
+    return all(
+        body is not None and not any(rows[i][body] for rows in reduced.S for i in range(reduced.bodies) if i != body)
+        for body in bodies
+    )

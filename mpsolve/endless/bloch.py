@@ -1,0 +1,110 @@
+"""The endless row in float64: Δ̂(z, σ) and its roots z, the factors by which a motion changes from vehicle to vehicle.
+
+Without proof. For a given σ the roots z are found from one cell as a scatterer: amplitudes a of the decaying waves
+enter from the rear, b of the growing ones from the front, and A [y; λ] = [0; f] is the vehicle alone on its track:
+
+    a' = e^{Pd} a − w e^{P(d−x)} λ,    b' = e^{−Pd} b + w e^{−Px} λ,    f = e^{Px} a + e^{−P(d−x)} b.
+
+A Bloch motion has a' = z a and b = z b'. No entry grows, so neither long vehicles nor high frequencies do harm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.receptance import Coefficients, Terms
+from mpsolve.endless.lattice import Lattice
+from mpsolve.endless.row import Row
+from mpsolve.numbers.float64 import Float64
+
+_K = Float64()
+_TURN = np.exp(0.7j)
+
+
+@dataclass(frozen=True)
+class Bloch:
+    """A row in float64, on arrays of scaled σ with Re σ ≥ 0."""
+
+    row: Row
+
+    @cached_property
+    def receptance(self) -> Receptance:
+        return Receptance(self.row.reduced.guide)
+
+    @cached_property
+    def border(self) -> Bordering:
+        return Bordering.of(self.row.reduced, eliminate=False)
+
+    @property
+    def upper(self) -> int:
+        """n₊: so many roots z belong to waves that run ahead of what shakes, as Re σ → ∞."""
+        return self.receptance.upper
+
+    def terms(self, sigma: Any) -> list[Terms]:
+        """The terms of all p-roots, the upper ones first; arrays over σ."""
+        s, z = self.receptance.symbols, self.receptance.roots(sigma)
+        rows = ([np.asarray(c)[..., None] for c in x.at(_K, sigma)] for x in (s.D, s.N, s.D_sigma, s.N_sigma))
+        all_ = Coefficients(*rows).terms(z)
+        return [Terms(*(part[:, k] for part in (all_.z, all_.w, all_.a, all_.b))) for k in range(z.shape[1])]
+
+    def delta(self, sigma: Any, z: Any) -> tuple[Any, Any]:
+        """Δ̂(z, σ) and its slope in σ; σ and z arrays of one shape."""
+        sigma, z = np.atleast_1d(np.asarray(sigma, complex)), np.atleast_1d(np.asarray(z, complex))
+        lattice = Lattice(self.border.distances, self.row.step)
+        with np.errstate(all="ignore"):
+            G, slopes = lattice.sums(self.terms(sigma), self.upper, z, float, np.exp)
+            A = _K.matrix(self.border.rows(_K, sigma, G))
+            value = np.linalg.det(A)
+            turned = np.linalg.solve(A, _K.matrix(self.border.slopes(_K, sigma, G, slopes)))
+        return value, value * turned.trace(axis1=-2, axis2=-1)
+
+    def scatterer(self, sigma: Any) -> Any:
+        """S with [a'; b'] = S [a; b], shape (len(σ), n, n), n p-roots, the upper ones first."""
+        terms, up = self.terms(sigma), self.upper
+        P = np.stack([t.z for t in terms], -1)
+        w = np.stack([t.w for t in terms], -1)
+        d = float(self.row.step)
+        places = np.array([float(self.row.reduced.places[k]) for k in self.row.reduced.index])
+        x = places - places[0] + (d - (places[-1] - places[0])) / 2
+        ahead = np.arange(P.shape[1]) < up
+        # the field of each wave at each contact, and what a force at each contact gives to each wave at its exit
+        field = np.exp(P[:, None, :] * np.where(ahead, x[:, None], x[:, None] - d))
+        given = w[:, :, None] * np.exp(P[:, :, None] * np.where(ahead[:, None], d - x, -x))
+        given = given * np.where(ahead, -1.0, 1.0)[:, None]
+        G = self.receptance(sigma, self.border.distances, slope=False)[0]
+        A = _K.matrix(self.border.rows(_K, sigma, G))
+        bodies = A.shape[-1] - len(x)
+        load = np.concatenate([np.zeros((len(sigma), bodies, P.shape[1])), field], 1)
+        forces = np.linalg.solve(A, load)[:, bodies:, :]
+        own = np.exp(np.where(ahead, P, -P) * d)
+        return own[:, :, None] * np.eye(P.shape[1]) + given @ forces
+
+    def multipliers(self, sigma: Any) -> Any:
+        """The roots z of Δ̂(·, σ), ascending in modulus, shape (len(σ), n).
+
+        Those of modulus far from 1, beyond 1e±12, are known to be so, but not to many digits.
+        """
+        sigma = np.atleast_1d(np.asarray(sigma, complex))
+        S, up = self.scatterer(sigma), self.upper
+        n = S.shape[-1]
+        left, right = np.zeros_like(S), np.zeros_like(S)  # (left − z right)[a; b] = 0
+        left[:, :up], right[:, up:] = S[:, :up], S[:, up:]
+        left[:, range(up, n), range(up, n)] = 1
+        right[:, range(up), range(up)] = 1
+        # (z − t)/(z + t) is bounded for all z but −t, a point off the circle
+        t = 0.9 * _TURN
+        m = np.linalg.eigvals(np.linalg.solve(left + t * right, left - t * right))
+        with np.errstate(all="ignore"):
+            z = t * (1 + m) / (1 - m)
+        return np.take_along_axis(z, np.argsort(np.abs(z), -1), -1)
+
+    def middle(self, sigma: Any) -> tuple[Any, Any]:
+        """The two middle roots by modulus, z_{n₊} and z_{n₊+1}: what runs ahead, and what runs back."""
+        z = self.multipliers(sigma)
+        return z[:, self.upper - 1], z[:, self.upper]

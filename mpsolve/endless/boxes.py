@@ -1,0 +1,147 @@
+"""The endless row over boxes (σ on a disc, z on an arc of the unit circle): rigorous, in float64 arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.discs import Splittings, split, waves
+from mpsolve.characteristic.paths import discs, positive
+from mpsolve.endless.lattice import first_force
+from mpsolve.endless.row import Row
+from mpsolve.numbers.jets import Jet, U, nearest
+from mpsolve.proof.turning import regular
+
+ROUND = 3.1416
+"""The arcs from −ROUND to ROUND are the whole circle, and a little more."""
+
+
+@dataclass(frozen=True)
+class LatticeArrays(Arrays):
+    """The reduced problem of one vehicle of a row, whose receptance between places is the sum over the row.
+
+    `evaluate` gives it at z = 1: all vehicles move alike.
+    """
+
+    step: Fraction = Fraction(0)
+
+    @staticmethod
+    def of(row: Row) -> LatticeArrays:
+        return LatticeArrays(row.reduced, row.step)
+
+    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Any]:
+        """(splittings, Ĝ(1, σ) between the places as jets, where it is bounded)."""
+        s = split(self.D, m, r, up, nodes)
+        G, good, _ = self.on_arcs(s, np.ones(len(m), complex), np.zeros(len(m)))
+        return s, G, good
+
+    def on_arcs(self, s: Splittings, z: Any, off: Any) -> tuple[Jet, Any, Any]:
+        """(Ĝ for all z of the circle within `off` of the given ones, where bounded, where p-roots are told apart)."""
+        with np.errstate(all="ignore"):
+            weight, P, told = waves(self.N, self.D, s)
+            jet = self._sums(weight, P, s.up, z, off + 8 * U)
+        good = told & np.isfinite(jet.e).all(1) & np.isfinite(jet.a).all(1)
+        return jet[:, self.distances[1]], good, told
+
+    def _sums(self, weight: Jet, P: Jet, up: int, z: Any, off: Any) -> Jet:
+        """Ĝ at each distance (lattice.py), shape (discs, distances)."""
+        places = self.reduced.places
+        exact = sorted({a - b for a in places for b in places})
+        total: Jet | None = None
+        for part, ahead in ((slice(0, up), True), (slice(up, None), False)):
+            if not P.a[:, part].shape[1]:
+                continue
+            p, w = P[:, part], weight[:, part]
+            point, back = _constant(z, off, p), _constant(z.conj(), off, p)
+            step = nearest(self.step if ahead else -self.step)
+            over = (-((p * step).exp() * (back if ahead else point)) + 1.0).inverse() * (1.0 if ahead else -1.0)
+            heavy = w * over
+            columns = []
+            for a in exact:
+                first, factor = first_force(a, self.step, ahead)
+                wave = (p * nearest(first)).exp() * heavy
+                columns.append((wave if not factor else wave * (point if factor > 0 else back)).sum(1))
+            own = Jet(
+                np.stack([c.a for c in columns], 1),
+                np.stack([c.b for c in columns], 1),
+                np.stack([c.e for c in columns], 1),
+                P.r,
+            )
+            total = own if total is None else total + own
+        if total is None:
+            shape = (len(z), len(exact))
+            return Jet(np.zeros(shape, complex), np.zeros(shape, complex), np.zeros(shape), P.r)
+        return total
+
+
+def _constant(z: Any, off: Any, like: Jet) -> Jet:
+    shape = like.a.shape
+    return Jet(
+        np.broadcast_to(z[:, None], shape),
+        np.zeros(shape, complex),
+        np.broadcast_to(np.asarray(off)[:, None], shape),
+        like.r,
+    )
+
+
+@dataclass(frozen=True)
+class Boxes:
+    """Tests for boxes in (τ, θ): q̂ = start + τ·(end − start), 0 ≤ τ ≤ 1, a piece of a path; z = e^{iθ}."""
+
+    arrays: LatticeArrays
+    up: int
+
+    def _evaluate(self, start: complex, end: complex, low: Any, high: Any) -> tuple[Any, Any, Jet, Any, Any, Any]:
+        way = end - start
+        a, b = start + low[:, 0] * way, start + high[:, 0] * way
+        m, r = discs(a, b)
+        middle, half = (low[:, 1] + high[:, 1]) / 2, (high[:, 1] - low[:, 1]) / 2
+        off = half * (1 + 8 * U) + 16 * U  # a chord is shorter than its arc; θ and its cosine are rounded
+        with np.errstate(all="ignore"):
+            G, good, told = self.arrays.on_arcs(split(self.arrays.D, m, r, self.up), np.exp(1j * middle), off)
+        return m, r, G, good, told, b - a
+
+    def regular(self, start: complex, end: complex) -> Any:
+        """A test for `cover_boxes`: Δ̂(z, σ) ≠ 0 on the whole box."""
+
+        def test(low: Any, high: Any) -> tuple[Any, Any]:
+            m, r, G, good, told, _ = self._evaluate(start, end, low, high)
+            with np.errstate(all="ignore"):
+                A = self.arrays.matrix(G, m)
+                found = regular(A)
+                size = np.abs(found.R)
+                by_sigma = (np.abs(found.R @ A.b) * r[:, None, None]).sum((1, 2))
+                by_rest = (size @ A.e).sum((1, 2))
+            return good & found.good, _axis(low, high, by_sigma, by_rest, told)
+
+        return test
+
+    def passive(self, start: complex, end: complex) -> Any:
+        """A test for `cover_boxes`: σĜ has a positive definite Hermitian part on the whole box."""
+
+        def test(low: Any, high: Any) -> tuple[Any, Any]:
+            m, r, G, good, told, piece = self._evaluate(start, end, low, high)
+            with np.errstate(all="ignore"):
+                sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
+                V = sigma * G
+                fine = positive(V, 1j * piece / np.abs(piece), 64 * U * (np.abs(m) + r))
+                by_sigma = (np.abs(V.b) * r[:, None, None]).sum((1, 2))
+                by_rest = V.e.sum((1, 2))
+            return good & fine, _axis(low, high, by_sigma, by_rest, told)
+
+        return test
+
+
+def _axis(low: Any, high: Any, by_sigma: Any, by_rest: Any, told: Any) -> Any:
+    """Along what to halve: θ where the rest is larger than what σ moves, and arcs are not already the finer part.
+
+    Where the p-roots are not told apart only shorter pieces help.
+    """
+    long_ = (high[:, 1] - low[:, 1]) / (2 * ROUND) > (high[:, 0] - low[:, 0]) / 16
+    with np.errstate(all="ignore"):
+        rest = ~(by_sigma > by_rest)
+    return np.where(rest & long_ & told, 1, 0)

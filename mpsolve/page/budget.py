@@ -1,0 +1,59 @@
+"""A budget of time for a page: parts are made in order of importance, and what does not fit in is named."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
+
+from mpsolve.errors import MpsolveError
+
+T = TypeVar("T")
+DEFAULT = 60.0
+"""Seconds of processor time for a page."""
+
+
+@dataclass(frozen=True)
+class Part(Generic[T]):
+    """What a part of the page shows, or why it is missing: `late` where time was up."""
+
+    name: str
+    value: T | None = None
+    reason: str = ""
+    late: bool = False
+    seconds: float = 0.0
+
+    @property
+    def there(self) -> bool:
+        return self.value is not None
+
+
+@dataclass
+class Budget:
+    """Seconds of processor time that are left of `seconds`."""
+
+    seconds: float
+    tell: Callable[[str, float], None]
+    clock: Callable[[], float] = time.process_time
+    _start: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._start = self.clock()
+
+    @property
+    def left(self) -> float:
+        return self.seconds - (self.clock() - self._start)
+
+    def part(self, name: str, make: Callable[[float], Any], *, share: float = 1.0, least: float = 0.0) -> Part[Any]:
+        """make(seconds that it may take), unless less than `least` is left; no error of it ends the page."""
+        left = self.left
+        if left <= least:
+            return Part(name, reason="there was no time left for it: allow more with --effort", late=True)
+        self.tell(name, 1 - max(left, 0.0) / self.seconds)
+        start = self.clock()
+        try:
+            value = make(max(share * left, least))
+        except MpsolveError as error:
+            return Part(name, reason=str(error), seconds=self.clock() - start)
+        return Part(name, value, seconds=self.clock() - start)

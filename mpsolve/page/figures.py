@@ -1,0 +1,209 @@
+"""The pictures of a page, from its parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.batch.view import look
+from mpsolve.errors import MpsolveError
+from mpsolve.page.parts import Parts
+from mpsolve.page.words import Speech, ball_of, speech
+from mpsolve.pictures.chart import chart_picture
+from mpsolve.pictures.lines import Curve, Mark, lines_picture
+from mpsolve.pictures.model import model_picture
+from mpsolve.pictures.plane import plane_picture
+from mpsolve.pictures.shape import moving_shape
+from mpsolve.spectrum.shape import root_shape
+from mpsolve.spectrum.spectrum import Root
+
+_SHAPE_POINTS = 121
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure with its caption; name: of its element on the page."""
+
+    name: str
+    svg: str
+    caption: str
+
+
+def drawing(parts: Parts) -> Picture:
+    said = "The track and the vehicles of the file. Lengths along the track are to scale, heights are not."
+    return Picture("model", model_picture(parts.problem), said)
+
+
+def plane(parts: Parts) -> Picture:
+    """The certified roots with the cuts."""
+    q = np.array([complex(root.q.mid()) for root in parts.spectrum.roots])
+    view = look(parts.problem)
+    width = (
+        max([1.25 * float(np.abs(q.real).max()) if len(q) else 0.0, 0.35 * view.window.width]) or view.window.width
+    )
+    low = view.height * 16 / 15
+    height = max([1.3 * low, *(1.2 * q.imag).tolist()]) or width / 4
+    depth = max([height / 4, *(-1.3 * q.imag).tolist()])
+    unit = "rad/s" if speech(parts).si else "√(k/m)"
+    said = (
+        "Each mark is a certified root q: a circle decays, a square grows. Grey dashes are the branch cuts of the "
+        "track, computed."
+    )
+    return Picture("plane", plane_picture(q, view.cuts, width, depth, height, name="plane", unit=unit), said)
+
+
+def worst(parts: Parts) -> Root | None:
+    """The root that grows most, or decays least."""
+    right = [root for root in parts.spectrum.roots if not root.q.real < 0]
+    return max(right, key=lambda root: float(root.growth.mid()), default=None)
+
+
+def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
+    """The shape of the worst root, and its amplitudes: name, size, phase."""
+    root = worst(parts)
+    if root is None:
+        return None
+    contacts = [float(x) for x in parts.problem.pencil.places]
+    reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
+    x = np.linspace(min(contacts) - reach, max(contacts) + reach, _SHAPE_POINTS).round(4)
+    try:
+        found = root_shape(parts.problem, root.q, root.multiplicity, places=x.tolist())
+    except MpsolveError:
+        return None
+    rail = np.array([complex(w.mid()) for w in found.rail])
+    bodies = {name: complex(a.mid()) for name, a in found.bodies.items()}
+    table = [
+        (name, f"{abs(a):.3g}", f"{np.degrees(np.angle(a)):.0f}°".replace("-", "−")) for name, a in bodies.items()
+    ]
+    said = "The shape of the vibration that grows most or decays least: one period, slowed down, without its growth."
+    return Picture("shape", moving_shape(x, rail, contacts, bodies, 2.0), said), table
+
+
+def lines(parts: Parts) -> list[Picture]:
+    """Growth and frequency of all roots below the lowest cut, over the velocity."""
+    found = parts.lines.value
+    if found is None or found.roots is None:
+        return []
+    speak = speech(parts)
+    v = np.asarray(found.over["v"], float)
+    tracks = followed(np.where(found.roots.real >= -1e-9, found.roots, complex(np.nan, np.nan)))
+    v = v * 3.6 if speak.si else v
+    x_title = "velocity, km/h" if speak.si else "velocity ratio α"
+    rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "√(k/m)")
+    cycle = 2 * np.pi if speak.si else 1.0
+    names = [chr(ord("a") + k % 26) for k in range(len(tracks))]
+    growth = [Curve(v, -q.imag, name) for q, name in zip(tracks, names, strict=True)]
+    hertz = [Curve(v, q.real / cycle, name) for q, name in zip(tracks, names, strict=True)]
+    marks = _marks(parts, 3.6 if speak.si else 1.0)
+    grown = lines_picture(
+        growth, x_title, f"growth, {rate}", "Growth of each vibration over the velocity",
+        name="growth", marks=marks, grows_above=0.0, y=_growth_range(growth),
+    )  # fmt: skip
+    swung = lines_picture(
+        hertz, x_title, f"frequency, {swings}", "Frequency of each vibration over the velocity",
+        name="frequency", marks=marks,
+    )  # fmt: skip
+    said = "How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities."
+    return [Picture("growth", grown, said), Picture("frequency", swung, "The frequencies of the same vibrations.")]
+
+
+def _growth_range(curves: list[Curve]) -> tuple[float, float] | None:
+    """A range in which the crossing of 0 is seen."""
+    y = np.concatenate([np.asarray(curve.y)[np.isfinite(curve.y)] for curve in curves]) if curves else np.zeros(0)
+    if not len(y):
+        return None
+    top = max(float(y.max()), 0.08 * float(-y.min()) if y.min() < 0 else 0.0)
+    low = max(float(y.min()), -6 * top) if y.max() > 0 else float(y.min())
+    return low * 1.05, top * 1.15 or 1.0
+
+
+def _marks(parts: Parts, factor: float) -> list[Mark]:
+    marks = [Mark(float(parts.problem.v) * factor, "this case")]
+    found = parts.onset.value
+    if found is not None and str(getattr(found.kind, "value", found.kind)) == "crosses":
+        marks.append(Mark(float(ball_of(found.value).mid()) * factor, "onset"))
+    return marks
+
+
+def followed(roots: Any) -> list[Any]:
+    """Rows of roots over a parameter as lines: each root goes on where the next row has the nearest one."""
+    lines: list[Any] = []
+    ends: list[tuple[int, complex]] = []
+    for k, row in enumerate(roots):
+        free = [complex(q) for q in row if np.isfinite(q)]
+        for index, last in sorted(ends, key=lambda one: min((abs(one[1] - q) for q in free), default=np.inf)):
+            if not free:
+                break
+            q = min(free, key=lambda x: abs(x - last))
+            if abs(q - last) < 0.2 * abs(last) + 1e-9:
+                lines[index][k] = q
+                free.remove(q)
+        for q in free:
+            lines.append(np.full(len(roots), complex(np.nan, np.nan)))
+            lines[-1][k] = q
+        ends = [(j, complex(one[k])) for j, one in enumerate(lines) if np.isfinite(one[k])]
+    return [one for one in lines if np.isfinite(one).sum() > 2]
+
+
+def chart(parts: Parts) -> Picture | None:
+    """How many roots grow, over velocity and masses."""
+    found = parts.chart.value
+    if found is None:
+        return None
+    speak = speech(parts)
+    v, factors = np.asarray(found.over["v"], float)[:, 0], np.asarray(found.over["scale.mass"], float)[0]
+    scale = 3.6 if speak.si else 1.0
+    mass, y_title = _masses(parts, speak)
+    svg = chart_picture(
+        v * scale, factors * mass, found.count, "velocity, km/h" if speak.si else "velocity ratio α", y_title,
+        "How many roots grow, over velocity and masses", here=(float(parts.problem.v) * scale, mass),
+    )  # fmt: skip
+    said = "How many roots grow at each velocity and size of all masses, computed in floats. The cross is this case."
+    return Picture("chart", svg, said)
+
+
+def _masses(parts: Parts, speak: Speech) -> tuple[float, str]:
+    """The mass that the axis tells, and its title: of all bodies together."""
+    pencil = parts.problem.pencil
+    total = sum(float(pencil.M[k][k]) for k, name in enumerate(pencil.names) if "pitch" not in name)
+    return (total / 1000, "mass of all bodies, t") if speak.si else (1.0, "factor on all masses")
+
+
+def motion(parts: Parts) -> list[Picture]:
+    """The rail under the contacts, and the forces there; grey after a wheel has lifted off."""
+    found = parts.response.value
+    if found is None:
+        return []
+    speak, t = speech(parts), np.asarray(found.times, float)
+    end = None if found.lift_off is None else float(found.lift_off.time)
+    rail, force = np.asarray(found.rail), np.asarray(found.contact_force)
+    up_to = _until(t, end)
+    many = len(rail) > 4
+    shown = range(0, len(rail), max(1, len(rail) // 4))
+    names = {k: f"contact {k + 1}" for k in shown}
+    mm, kn = (1000.0, 1e-3) if speak.si else (1.0, 1.0)
+    units = ("mm", "kN", "s") if speak.si else ("unit lengths", "unit forces", "τ")
+    marks = [] if end is None else [Mark(end, "lift-off")]
+    deflection = [Curve(t[up_to], rail[k][up_to] * mm, names[k], end) for k in shown]
+    forces = [Curve(t[up_to], force[k][up_to] * kn, names[k], end) for k in shown]
+    some = f" ({len(names)} of {len(rail)} contacts)" if many else ""
+    x_title = f"time, {units[2]}"
+    bent = lines_picture(
+        deflection, x_title, f"deflection, {units[0]}", "Deflection of the rail under the contacts",
+        name="deflection", marks=marks,
+    )  # fmt: skip
+    pressed = lines_picture(
+        forces, x_title, f"contact force, {units[1]}", "Contact forces", name="force", marks=marks
+    )
+    grey = " After the lift-off the model no longer holds: grey." if end is not None else ""
+    return [
+        Picture("deflection", bent, f"The rail under the contacts{some}; down is positive.{grey}"),
+        Picture("force", pressed, f"The contact forces{some}, weights included.{grey}"),
+    ]
+
+
+def _until(t: Any, end: float | None) -> Any:
+    """All times, or a little beyond the lift-off."""
+    return slice(None) if end is None else t <= max(1.25 * end, t[min(20, len(t) - 1)])

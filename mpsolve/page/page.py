@@ -1,0 +1,156 @@
+"""The page: one HTML file that needs no network, with its numbers as JSON and its certificates inside."""
+
+from __future__ import annotations
+
+import base64
+import json
+from dataclasses import dataclass
+from typing import Any
+
+from mpsolve import __version__
+from mpsolve.model.parameters import Case
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.decimals import decimal, working_bits
+from mpsolve.numbers.model import Model, Part, quantities
+from mpsolve.numbers.spoken import beside, rounded
+from mpsolve.page import figures
+from mpsolve.page.parts import Parts
+from mpsolve.page.template import rendered
+from mpsolve.page.words import Speech, cards, doing, speech
+from mpsolve.pictures.axes import STYLE
+from mpsolve.report.spectrum_data import spectrum_data
+from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
+from mpsolve.spectrum.spectrum import Root, Spectrum
+from mpsolve.tracks.waveguide import Track
+
+
+@dataclass(frozen=True)
+class Download:
+    """A certificate as a link: the address holds the file itself."""
+
+    name: str
+    proves: str
+    address: str
+    sha256: str
+
+
+def page_html(parts: Parts, stem: str) -> str:
+    """The page as HTML. stem: of the names of the certificates."""
+    speak, spectrum = speech(parts), parts.spectrum
+    word, _, rest = verdict(spectrum).partition(": ")
+    shape = figures.shape(parts)
+    return rendered(
+        "page.html.j2",
+        version=__version__,
+        style=STYLE,
+        title=parts.title or stem,
+        word=word,
+        sentence=rest[:1].upper() + rest[1:],
+        mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
+        cards=cards(parts),
+        late=parts.late,
+        drawing=figures.drawing(parts),
+        tables=tables(parts),
+        units=("Hz", "1/s") if speak.si else ("1/τ", "1/τ"),
+        roots=[_root(root, speak, spectrum.digits) for root in _once(spectrum)],
+        proved_roots=spectrum.proved,
+        digits=spectrum.digits,
+        plane=figures.plane(parts),
+        shape=None if shape is None else shape[0],
+        amplitudes=[] if shape is None else shape[1],
+        lines=figures.lines(parts),
+        lines_reason=parts.lines.reason,
+        chart=figures.chart(parts),
+        chart_reason=parts.chart.reason,
+        motion=figures.motion(parts),
+        motion_reason=parts.response.reason,
+        critical=_critical(parts, speak),
+        critical_reason=parts.critical.reason,
+        proved=proved(spectrum),
+        verified=verified(spectrum).split("\n"),
+        also=[card for card in cards(parts) if card.status == "proved"],
+        assumed=ASSUMED,
+        downloads=downloads(parts, stem),
+        data=page_data(parts),
+    )
+
+
+def page_data(parts: Parts) -> dict[str, Any]:
+    """The numbers of the page for programs."""
+    return {
+        "format": "mpsolve page",
+        "version": 1,
+        "spectrum": spectrum_data(parts.spectrum, parts.title),
+        "cards": [vars(card) for card in cards(parts)],
+        "late": list(parts.late),
+    }
+
+
+def downloads(parts: Parts, stem: str) -> list[Download]:
+    """The certificates that came with the answers."""
+    out = []
+    answers = (("", "the induced frequencies", parts.spectrum), ("onset.", "the onset", parts.onset.value))
+    for kind, proves, answer in answers:
+        certificate = getattr(answer, "certificate", None)
+        if certificate is None:
+            continue
+        text = certificate.text
+        address = base64.b64encode(text.encode("ascii")).decode("ascii")
+        name, address = f"{stem}.{kind}certificate.json", f"data:application/json;base64,{address}"
+        out.append(Download(name, proves, address, str(json.loads(text)["sha256"])))
+    return out
+
+
+def tables(parts: Parts) -> list[tuple[str, list[tuple[str, str, str]]]]:
+    """What the file holds: a table of the track, one of each kind of vehicle."""
+    if isinstance(parts.given, Case):
+        rows = [(name, str(value), "") for name, value in vars(parts.given).items()]
+        return [("The case in the paper's ratios", [(n, v.replace("(", "").replace(")", ""), m) for n, v, m in rows])]
+    problem = parts.problem
+    first = [("v", beside(problem.v, "m/s"), "velocity")]
+    track = _rows(problem.track) if isinstance(problem.track, Track) else [("matrix", "", "equations of one's own")]
+    out = [("Track", first + track)]
+    seen: dict[Any, list[str]] = {}
+    for placed in problem.vehicles:
+        seen.setdefault(placed.vehicle, []).append(rounded(placed.position))
+    for vehicle, places in seen.items():
+        at = ", ".join(places[:6]) + (" …" if len(places) > 6 else "")
+        times = f"{len(places)} × " if len(places) > 1 else ""
+        rows = [("position", f"{at} m", "of the middle, ahead is positive"), *_rows(vehicle)]
+        out.append((f"Vehicle: {times}{vehicle.name}", rows))
+    return out
+
+
+def _rows(model: Model) -> list[tuple[str, str, str]]:
+    rows: list[tuple[str, str, str]] = []
+    for name, quantity in quantities(type(model)).items():
+        value = getattr(model, name)
+        if isinstance(quantity, Part):
+            rows += [(f"{name}.{inner}", said, meaning) for inner, said, meaning in _rows(value)]
+        elif value is None or isinstance(value, tuple):
+            rows.append((name, "none" if value is None else "…", quantity.meaning))
+        else:
+            rows.append((name, beside(value, quantity.unit), quantity.meaning))
+    return rows
+
+
+def _once(spectrum: Spectrum) -> list[Root]:
+    """Each vibration once, by ascending frequency."""
+    right = [root for root in spectrum.roots if not root.q.real < 0]
+    return sorted(right, key=lambda root: float(root.q.real.mid()))
+
+
+def _root(root: Root, speak: Speech, digits: int) -> tuple[str, str, str, str, str, int]:
+    """Frequency, growth, what it does, and Re q, Im q in all digits, and how many roots the ball holds."""
+    with precision(working_bits(digits)):
+        real, imag = (decimal(x, digits + 2).text for x in (abs(root.q.real), root.q.imag))
+    pair = "±" if not root.q.real.contains(0) else ""
+    growth = rounded(root.growth).replace("-", "−")
+    return rounded(root.frequency), growth, doing(root, speak), pair + real, imag.replace("-", "−"), root.multiplicity
+
+
+def _critical(parts: Parts, speak: Speech) -> list[tuple[str, str]]:
+    found = parts.critical.value
+    if found is None:
+        return []
+    return [(speak.velocity(one.value), one.name or str(one.kind.value)) for one in found]

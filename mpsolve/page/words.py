@@ -1,0 +1,149 @@
+"""What a page says first: the verdict, and a card for each question that is asked next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from mpsolve.model.parameters import Case
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.spoken import rounded, spoken
+from mpsolve.page.budget import Part
+from mpsolve.page.parts import Parts
+from mpsolve.spectrum.spectrum import Root
+
+
+@dataclass(frozen=True)
+class Card:
+    """A question, its answer in large, a sentence, and how sure it is: "proved", "computed" or "open"."""
+
+    question: str
+    figure: str
+    sentence: str
+    status: str
+
+
+@dataclass(frozen=True)
+class Speech:
+    """How quantities are said: in SI, or in the paper's ratios."""
+
+    si: bool
+
+    def velocity(self, x: Any, figures: int = 4) -> str:
+        return spoken(x, "m/s", figures) if self.si else f"α = {rounded(x, figures)}"
+
+    def frequency(self, x: Any) -> str:
+        return f"{rounded(x)} {'Hz' if self.si else '1/τ'}"
+
+    def rate(self, x: Any) -> str:
+        return f"{rounded(x)} {'1/s' if self.si else '1/τ'}"
+
+    def time(self, x: Any) -> str:
+        return spoken(x, "s") if self.si else f"τ = {rounded(x)}"
+
+    def length(self, x: Any) -> str:
+        return spoken(x, "m") if self.si else rounded(x)
+
+
+def speech(parts: Parts) -> Speech:
+    return Speech(not isinstance(parts.given, Case))
+
+
+def cards(parts: Parts) -> list[Card]:
+    """Velocity, growth, contact, waves."""
+    said = [velocity_card(parts), growth_card(parts), contact_card(parts), wave_card(parts)]
+    return [one for one in said if one is not None]
+
+
+def velocity_card(parts: Parts) -> Card:
+    """How far the velocity is from the one at which stability changes."""
+    question, speak = "When does it change with the velocity?", speech(parts)
+    part, v = parts.onset, parts.problem.v
+    found = part.value
+    if found is None:
+        return missing(question, part)
+    kind = str(getattr(found.kind, "value", found.kind))
+    here = f"It runs at {speak.velocity(v)}."
+    if kind == "stable":
+        return Card(question, "no change", f"Stable all the way up to {speak.velocity(parts.top)}. {here}", "proved")
+    if kind == "unstable_from_start":
+        return Card(
+            question, "unstable from the start", f"A vibration grows at the least velocities too. {here}", "proved"
+        )
+    if kind != "crosses":
+        return Card(question, "undecided", f"{found.reason}. {here}", "open")
+    with precision(128):
+        value = ball_of(found.value)
+        shift = value - rational_ball(v)
+        where = speak.velocity(value)
+        if shift > 0:
+            said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / value, 3)} % of it."
+        else:
+            said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
+        return Card(question, f"stable below {where}", said, "proved")
+
+
+def ball_of(value: Any) -> Any:
+    """The ball of a value that an answer about ranges gives."""
+    return getattr(value, "ball", value)
+
+
+def growth_card(parts: Parts) -> Card | None:
+    """How fast the fastest vibration grows, or how slowly the slowest decays."""
+    speak, spectrum = speech(parts), parts.spectrum
+    ordered = sorted(spectrum.roots, key=lambda root: float(root.growth.mid()), reverse=True)
+    ordered = [root for root in ordered if not root.q.real < 0]
+    if not ordered:
+        return None
+    status = "proved" if spectrum.proved else "open"
+    with precision(128):
+        root = ordered[0]
+        if root.growth > 0:
+            said = f"The vibration at {speak.frequency(root.frequency)} doubles in this time, and doubles again."
+            return Card("How fast does it grow?", f"doubles in {speak.time(root.doubling_time)}", said, status)
+        if root.growth < 0:
+            said = f"The slowest vibration found, at {speak.frequency(root.frequency)}, halves in this time."
+            return Card("How fast does it calm down?", f"halves in {speak.time(root.doubling_time)}", said, status)
+    return None
+
+
+def contact_card(parts: Parts) -> Card:
+    """Whether a wheel lifts off after the vehicle is put on the track."""
+    question, part, speak = "Does a wheel lift off?", parts.response, speech(parts)
+    motion = part.value
+    if motion is None:
+        return missing(question, part)
+    event = motion.lift_off
+    loads = "its weight" if parts.loads is None else "the loads of the file"
+    if event is None:
+        end = speak.time(float(motion.times[-1]))
+        return Card(question, "no", f"Not within {end} after {loads} is put on the track at once.", "computed")
+    when = f"after {speak.time(event.time)}"
+    return Card(
+        question,
+        when,
+        f"Contact {event.contact + 1} lifts off then; the model says nothing of what follows.",
+        "computed",
+    )
+
+
+def wave_card(parts: Parts) -> Card | None:
+    """The least velocity at which a constant force is followed by a wave."""
+    part, speak = parts.critical, speech(parts)
+    if part.value is None or not len(part.value):
+        return None
+    first = part.value.velocities[0]
+    said = "There a constant force without any mass is followed by a free wave of the track, without damping."
+    return Card("What is the critical velocity of a force?", speak.velocity(first.value), said, "proved")
+
+
+def missing(question: str, part: Part[Any]) -> Card:
+    return Card(question, "not in time" if part.late else "not available", f"{part.reason}.", "open")
+
+
+def doing(root: Root, speak: Speech) -> str:
+    """What a vibration does, in words."""
+    with precision(max(64, root.q.bits() + 32)):
+        if root.growth > 0:
+            return f"doubles every {speak.time(root.doubling_time)}"
+        return f"halves every {speak.time(root.doubling_time)}" if root.growth < 0 else "neither grows nor decays"

@@ -1,0 +1,145 @@
+"""The velocity at which −Im G(0, q)/q vanishes at q = 0, and that it is the first loss in its neighbourhood.
+
+F(q, v) = −Re G_σ(iq) is even in q, and −Im G(0, q) = ∫₀^q F dq. Let v_p be a zero of F(0, v). If F_qq(q, v_p) > 0
+for 0 ≤ q ≤ r, and F_v < 0 there for u ≤ v ≤ v_p, then −Im G > 0 for 0 < q ≤ r, u ≤ v < v_p, and just above v_p
+small q have −Im G < 0 (SPEC, section 6.6).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.passivity.cover import Moving
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.newton import isolated, polished, real_part, sharpened
+
+_BITS = 96
+_PARTS = 1500  # boxes at most
+_WIDTHS = (5e-3, 1e-3, 2e-4)
+
+
+@dataclass(frozen=True)
+class _Slope:
+    """−F(0, v) = Re G_σ(0) as a function of v, with its slope."""
+
+    moving: Moving
+
+    def value(self, v: Any) -> Any:
+        return self.both(v)[0]
+
+    def slope(self, v: Any) -> Any:
+        return self.both(v)[1]
+
+    def both(self, v: Any) -> tuple[Any, Any]:
+        found = self.moving.germ(acb(0), arb(v.real), 1)
+        return acb(found.value[1].real), acb(found.by_velocity[1].real)
+
+
+@dataclass(frozen=True)
+class Corner:
+    """The loss: `value`, a ball of the scaled velocity; proved on 0 < q ≤ reach, below ≤ v < value."""
+
+    value: Any
+    below: float
+    reach: float
+
+
+def velocity_of_loss(moving: Moving, near: float, bits: int) -> Any:
+    """The zero of G_σ(0) next to `near` as a ball of that many bits, the only one in some box."""
+    f = _Slope(moving)
+    with precision(_BITS):
+        found = isolated(f, polished(f, acb(near)), arb(near))
+    return sharpened(f, found.image, bits, real_part).real
+
+
+def corner(moving: Moving, value: Any, effort: Effort) -> Corner | None:
+    """The neighbourhood of a loss in which it is proved to be the first, as wide as is found quickly."""
+    with precision(_BITS):
+        reach = _reach(moving, value)
+        for width in _WIDTHS:
+            below = float(value.mid()) * (1 - width)
+            for r in (reach, reach / 4, reach / 16):
+                if not _seems_to_fall(moving, below, value, r):
+                    continue
+                if _bends(moving, value, r, effort) and _falls(moving, below, value, r, effort):
+                    return Corner(value, below, float(r))
+    return None
+
+
+def _seems_to_fall(moving: Moving, below: float, value: Any, reach: float) -> bool:
+    """Whether F_v < 0 at a few points: where it is not, no proof is tried."""
+    top = float(value.mid())
+    points = [(x * reach, below + y * (top - below)) for x in (0.0, 0.5, 1.0) for y in (0.0, 0.5, 1.0)]
+    try:
+        return all(moving.germ(acb(0, q), arb(v), 1).by_velocity[1].real > 0 for q, v in points)
+    except PrecisionError:
+        return False
+
+
+def _reach(moving: Moving, value: Any) -> float:
+    """In balls without proof: how far F_qq stays of one size."""
+    v, r = arb(value.mid()), 2.0**-9
+    first = 6 * moving.germ(acb(0), v, 3).value[3].real
+    while r < 0.5:
+        if not 6 * moving.germ(acb(0, 2 * r), v, 3).value[3].real > first / 3:
+            break
+        r *= 2
+    return r
+
+
+def _bends(moving: Moving, value: Any, reach: float, effort: Effort) -> bool:
+    """Whether F_qq > 0 for 0 ≤ q ≤ reach at the velocity of the loss."""
+
+    def holds(box: tuple[float, float, float, float]) -> bool:
+        q0 = arb(box[0] / 2 + box[1] / 2)
+        q = q0.union(arb(box[0])).union(arb(box[1]))
+        at, wide = moving.germ(acb(0, q0), value, 3), moving.germ(acb(0, q), value, 4)
+        return bool(6 * at.value[3].real - abs(q - q0).upper() * abs(24 * wide.value[4]) > 0)
+
+    return _everywhere((0.0, reach, 0.0, 0.0), holds, effort)
+
+
+def _falls(moving: Moving, below: float, value: Any, reach: float, effort: Effort) -> bool:
+    """Whether F_v < 0 for 0 ≤ q ≤ reach, below ≤ v ≤ value, and a little beyond."""
+    top = float(value.mid()) * (1 + 2.0**-40)
+
+    def holds(box: tuple[float, float, float, float]) -> bool:
+        q, v = (arb(x / 2 + y / 2).union(arb(x)).union(arb(y)) for x, y in (box[:2], box[2:]))
+        return bool(moving.germ(acb(0, q), v, 1).by_velocity[1].real > 0)
+
+    return _everywhere((0.0, reach, below, top), holds, effort)
+
+
+def _everywhere(box: tuple[float, float, float, float], holds: Any, effort: Effort) -> bool:
+    """The test on all of a box, halved where it fails; False where that goes on for too long."""
+    waiting, tried = [(box, 0)], 0
+    span = (box[1] - box[0], box[3] - box[2] or 1.0)
+    while waiting:
+        (a, b, c, d), depth = waiting.pop()
+        tried += 1
+        effort.spend(1)
+        try:
+            held = holds((a, b, c, d))
+        except PrecisionError:
+            held = False
+        if held:
+            continue
+        if depth > 16 or tried > _PARTS:
+            return False
+        if (b - a) / span[0] > (d - c) / span[1]:
+            m = a / 2 + b / 2
+            waiting += [((a, m, c, d), depth + 1), ((m, b, c, d), depth + 1)]
+        else:
+            m = c / 2 + d / 2
+            waiting += [((a, b, c, m), depth + 1), ((a, b, m, d), depth + 1)]
+    return True
+
+
+def unscaled(moving: Moving) -> Fraction:
+    """v = v̂ · this."""
+    guide = moving.guide
+    return Fraction(2) ** (guide.length - guide.time)

@@ -1,0 +1,178 @@
+"""∫ |V|² Φ dp as a Hermitian matrix over cells of wavenumber, and whether it is positive definite over a box.
+
+Over a cell p = m ± h, with x = hΔ: ∫ e^{ipΔ} dp = 2h e^{imΔ} sin(x)/x and ∫ ((p − m)/h) e^{ipΔ} dp =
+2ih e^{imΔ} (sin x − x cos x)/x².
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.numbers.affine import Affine
+from mpsolve.numbers.jets import TINY, UP, U, exponential
+
+_DEFINITE = 0.98
+_SERIES = 12
+
+
+@dataclass(frozen=True)
+class Density:
+    """On each cell Φ ≥ a + b_p ε_p + Σ b_k ε_k; middle, half: of the cells."""
+
+    middle: Any
+    half: Any
+    a: Any
+    b: dict[str, Any]
+    turn: Any
+    takes: Any
+
+    def ended(self, tail: Any) -> tuple[Density, Any]:
+        """The same with cells up to one end of each box, where most is left; and what is given beyond it.
+
+        tail: what is given beyond the end of each cell, at most.
+        """
+        length = 2 * self.half
+        total = (self.a * length).cumsum(1)
+        off = sum((np.abs((b * length).cumsum(1)) for b in self.b.values()), np.zeros_like(total))
+        left = total - off - tail
+        last = np.argmax(np.where(np.isnan(left), -np.inf, left), axis=1)
+        used = np.arange(length.shape[1]) <= last[:, None]
+        b = {name: np.where(used, x, 0.0) for name, x in self.b.items()}
+        a, turn = np.where(used, self.a, 0.0), np.where(used, self.turn, 0.0)
+        return Density(self.middle, self.half, a, b, turn, self.takes), tail[np.arange(len(last)), last]
+
+    def taking(self, rows: Any) -> Density:
+        """Those of some boxes, with 0 in place of what the track may give."""
+        takes = self.takes[rows]
+        b = {name: np.where(takes, x[rows], 0.0) for name, x in self.b.items()}
+        a, turn = np.where(takes, self.a[rows], 0.0), np.where(takes, self.turn[rows], 0.0)
+        return Density(self.middle[rows], self.half[rows], a, b, turn, takes)
+
+
+def positive(density: Density, tail: Any) -> Any:
+    """One contact: the integral itself; what is linear over a cell adds nothing."""
+    length = 2 * density.half
+    total = (density.a * length).sum(1)
+    lost = (np.abs(density.a) * length).sum(1) * 4096 * U
+    moved = sum((np.abs((b * length).sum(1)) for b in density.b.values()), np.zeros_like(total))
+    lost = lost + sum(((np.abs(b) * length).sum(1) for b in density.b.values()), np.zeros_like(total)) * 4096 * U
+    return total - (moved + lost + tail) * UP > 0
+
+
+def definite(density: Density, distances: list[Affine], number: Any, tail: Any) -> Any:
+    """Several contacts: whether H₀ + Σ ε_k H_k + E − tail is positive definite.
+
+    distances: the different distances; number[i, j], i > j: which one.
+    """
+    n, boxes = len(number), len(tail)
+    names = sorted({*density.b, *(name for d in distances for name in d.b)})
+    H = np.zeros((boxes, 1 + len(names), n, n), complex)
+    E = np.zeros((boxes, n, n))
+    parts = [_diagonal(density, names), *(_entry(density, d, names) for d in distances)]
+    for i in range(n):
+        H[:, :, i, i], E[:, i, i] = parts[0]
+        for j in range(i):
+            values, lost = parts[1 + number[i, j]]
+            H[:, :, i, j], H[:, :, j, i] = values, values.conj()
+            E[:, i, j] = E[:, j, i] = lost
+    H[:, 0] -= tail[:, None, None] * UP * np.eye(n)
+    return positive_definite(H, E)
+
+
+def _diagonal(density: Density, names: list[str]) -> tuple[Any, Any]:
+    length = 2 * density.half
+    rows = [density.a, *(density.b.get(name, np.zeros_like(density.a)) for name in names)]
+    values = np.stack([(row * length).sum(1) for row in rows], 1)
+    lost = sum((np.abs(row) * length).sum(1) for row in rows) * 4096 * U
+    return values, lost * UP + TINY
+
+
+def _entry(density: Density, distance: Affine, names: list[str]) -> tuple[Any, Any]:
+    """The entry of a pair of places at this distance: middle and slopes over the boxes, a bound of the rest."""
+    ones = np.ones((len(density.a), 1))
+    D = distance.a * ones
+    x = density.half * np.abs(D)
+    phase, lost = exponential(1j * density.middle * D)
+    flat, flat_lost = _sinc(x)
+    bend, bend_lost = _bend(x)
+    cell = phase * (2 * density.half * flat)
+    skew = phase * (2j * density.half * bend * np.sign(D))
+    rows = {name: density.b.get(name, np.zeros_like(density.a)) for name in names}
+    values = [(density.a * cell + density.turn * skew).sum(1)]
+    for name, row in rows.items():
+        grown = (row * cell).sum(1)
+        if name in distance.b:
+            grown = grown + 1j * np.ravel(distance.b[name] * ones) * (density.a * density.middle * cell).sum(1)
+        values.append(grown)
+    slopes = sum((np.abs(row) for row in rows.values()), np.abs(density.turn))
+    size = np.abs(density.a) + slopes
+    delta = (distance.spread + distance.e) * ones
+    far = np.abs(density.middle) + density.half
+    rounding = (64 + density.a.shape[1]) * 16 * U * (1 + far * (delta + np.abs(D)))
+    error = size * (lost + flat_lost + bend_lost + rounding)
+    error = error + delta * (np.abs(density.a) * density.half + slopes * far) + size * (far * delta) ** 2 / 2
+    error = error + np.abs(density.a) * far * distance.e * ones
+    return np.stack(values, 1), (error * 2 * density.half).sum(1) * UP + TINY
+
+
+def _sinc(x: Any) -> tuple[Any, Any]:
+    """sin(x)/x for x ≥ 0, and a bound of its error."""
+    small = x < 1
+    y = np.where(small, x * x, 0)
+    series, term = np.ones_like(x), np.ones_like(x)
+    for k in range(1, _SERIES):
+        term = -term * y / (2 * k * (2 * k + 1))
+        series = series + term
+    with np.errstate(all="ignore"):
+        e, lost = exponential(1j * np.where(small, 1.0, x))
+        far = e.imag / x
+    return np.where(small, series, far), np.where(small, 64 * U, lost * 2 + 64 * U)
+
+
+def _bend(x: Any) -> tuple[Any, Any]:
+    """(sin x − x cos x)/x² for x ≥ 0, and a bound of its error."""
+    small = x < 1
+    y = np.where(small, x * x, 0)
+    term = np.where(small, x, 0) / 3
+    series = term
+    for k in range(1, _SERIES):
+        term = -term * y / (2 * k * (2 * k + 3))
+        series = series + term
+    with np.errstate(all="ignore"):
+        e, lost = exponential(1j * np.where(small, 1.0, x))
+        far = (e.imag - x * e.real) / (x * x)
+    return np.where(small, series, far), np.where(small, 64 * U, lost * 4 + 64 * U)
+
+
+def positive_definite(H: Any, E: Any) -> Any:
+    """Whether H₀ + Σ ε_k H_k + R is positive definite for all |ε_k| ≤ 1 and Hermitian |R| ≤ E, entry by entry.
+
+    H: (boxes, 1 + k, n, n), E: (boxes, n, n). X H X* = 1 + F with |F| x ≤ θ x, θ < 1, for some regular X and x > 0.
+    """
+    n = H.shape[2]
+    finite = np.isfinite(H).all((1, 2, 3)) & np.isfinite(E).all((1, 2))
+    H0 = np.where(finite[:, None, None], H[:, 0], -np.eye(n))
+    sane = np.linalg.eigvalsh(H0)[:, 0] > 0
+    X = np.zeros_like(H0)
+    X[:] = np.eye(n)
+    for k in np.flatnonzero(sane).tolist():
+        try:
+            X[k] = np.linalg.inv(np.linalg.cholesky(H0[k]))
+        except np.linalg.LinAlgError:
+            sane[k] = False
+    size, Xh = np.abs(X), np.swapaxes(X.conj(), 1, 2)
+    whole = np.abs(H).sum(1)
+    lost = 64 * (n + 4) * U
+    F = np.abs(X @ H0 @ Xh - np.eye(n)) + lost * np.eye(n)
+    for k in range(1, H.shape[1]):
+        F = F + np.abs(X @ H[:, k] @ Xh)
+    F = (F + size @ (E + lost * whole) @ np.swapaxes(size, 1, 2)) * UP
+    F = np.where(sane[:, None, None], F, 1.0)
+    x = np.ones((len(F), n))
+    for _ in range(12):
+        y = np.einsum("bij,bj->bi", F, x) + 0.02 * x
+        x = y / y.max(1, keepdims=True)
+    return finite & sane & (np.max(np.einsum("bij,bj->bi", F, x) / x, axis=1) * UP < _DEFINITE)

@@ -1,0 +1,50 @@
+"""The complex plane of q: cuts, and induced frequencies that grow or decay."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, WIDE, Axes, clip, line, svg, text
+
+
+def plane_picture(
+    roots: Any, cuts: Sequence[Any], width: float, depth: float, height: float, chosen: int | None = None,
+    name: str = "plane", unit: str = "rad/s",
+) -> str:  # fmt: skip
+    """|Re q| ≤ width, −depth ≤ Im q ≤ height: circles decay, squares grow; the chosen one is ringed."""
+    axes = Axes((-width, width), (-depth, height))
+    zero = float(axes.py(0))
+    parts = [
+        clip(f"{name}-inside"),
+        f'<rect class="grows" x="{LEFT}" y="{zero:.1f}" width="{WIDE - LEFT - RIGHT}" '
+        f'height="{max(HIGH - BOTTOM - zero, 0):.1f}"/>',
+        f'<g clip-path="url(#{name}-inside)">',
+    ]
+    for cut in cuts:
+        near = np.abs(cut.real) < 3 * width
+        parts.append(line(axes, np.where(near, cut.real, np.nan), cut.imag, "cut"))
+    parts += [_mark(axes, k, complex(q), unit) for k, q in enumerate(roots)]
+    if chosen is not None and chosen < len(roots):
+        q = complex(roots[chosen])
+        parts.append(
+            f'<circle class="ring" cx="{float(axes.px(q.real)):.1f}" cy="{float(axes.py(q.imag)):.1f}" r="11"/>'
+        )
+    parts.append("</g>")
+    parts.append(text(LEFT + 8, HIGH - BOTTOM - 8, "Im q < 0: grows"))
+    parts += axes.titled(f"Re q, {unit}", f"Im q, {unit}")
+    grow = sum(1 for q in roots if q.imag < 0)
+    return svg(parts, f"The complex plane of q: {len(roots)} induced frequencies in the window, {grow} of them grow")
+
+
+def _mark(axes: Axes, k: int, q: complex, unit: str) -> str:
+    x, y = float(axes.px(q.real)), float(axes.py(q.imag))
+    said = escape(f"q = {q.real:.6g}{q.imag:+.6g}i {unit}")
+    if q.imag < 0:
+        mark, end = f'<rect class="root unstable" x="{x - 6:.1f}" y="{y - 6:.1f}" width="12" height="12">', "</rect>"
+    else:
+        mark, end = f'<circle class="root" cx="{x:.1f}" cy="{y:.1f}" r="6">', "</circle>"
+    return f'<g data-root="{k}" data-re="{q.real:.9g}" data-im="{q.imag:.9g}">{mark}<title>{said}</title>{end}</g>'

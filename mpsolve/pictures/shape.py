@@ -1,0 +1,70 @@
+"""The shape of a vibration: the rail and the bodies, moving through one period."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from mpsolve.pictures.axes import BOTTOM, LEFT, RIGHT, WIDE, Axes, frame, label, svg, text, ticks
+
+_FRAMES = 24
+_NAMED = 4  # more coordinates than these are numbered: their names have no room
+_BOXES = 24
+
+
+def moving_shape(places: Any, rail: Any, contacts: Any, bodies: dict[str, complex], seconds: float) -> str:
+    """The rail and the bodies in one vibration: they move through one period, in `seconds`, without growth.
+
+    places: of the rail, in m; rail: complex amplitudes there; contacts: places of the contacts. The rail is drawn
+    with its own scale, and the picture says how much larger than the bodies.
+    """
+    high = 300
+    largest = max((abs(x) for x in bodies.values()), default=0.0) or 1.0
+    size = float(np.abs(rail).max()) or 1.0
+    axes = Axes((float(places[0]), float(places[-1])), (-1.4, 4.2), high)
+    turns = np.exp(2j * np.pi * np.arange(_FRAMES + 1) / _FRAMES)
+    curves = [
+        " ".join(
+            f"{x:.1f},{y:.1f}" for x, y in zip(axes.px(places), axes.py(-(rail * turn).real / size), strict=True)
+        )
+        for turn in turns
+    ]
+    parts = [
+        f'<polyline class="rail" points="{curves[0]}">{_animated("points", curves, seconds)}</polyline>',
+        text(LEFT + 8, high - BOTTOM - 8, f"rail drawn {largest / size:.3g} times larger"),
+    ]
+    for place in contacts:
+        at = np.array([np.interp(float(place), places, (rail * turn).real) for turn in turns]) / size
+        ys = [f"{y:.1f}" for y in axes.py(-at) - 9]
+        x = float(axes.px(float(place)))
+        parts.append(f'<circle class="body" cx="{x:.1f}" cy="{ys[0]}" r="7">{_animated("cy", ys, seconds)}</circle>')
+    parts += _boxes(axes, dict(list(bodies.items())[:_BOXES]), largest, turns, seconds)
+    parts += [frame(high), f'<text x="{WIDE / 2}" y="{high - 4}" text-anchor="middle">x, m (ahead is right)</text>']
+    for t in ticks(*axes.x):
+        parts.append(
+            f'<text x="{float(axes.px(t)):.1f}" y="{high - BOTTOM + 18}" text-anchor="middle">{label(t)}</text>'
+        )
+    return svg(parts, "The shape of the chosen vibration: rail and bodies", high)
+
+
+def _boxes(axes: Axes, bodies: dict[str, complex], largest: float, turns: Any, seconds: float) -> list[str]:
+    """Each coordinate of the vehicles as a box that moves up and down, with its name, amplitude and phase."""
+    parts = []
+    width = (WIDE - LEFT - RIGHT) / max(len(bodies), 1)
+    for k, (name, amplitude) in enumerate(bodies.items()):
+        middle = LEFT + (k + 0.5) * width
+        ys = [f"{y - 7:.1f}" for y in axes.py(2.9 - 0.8 * (amplitude * turns).real / largest)]
+        parts.append(
+            f'<rect class="body" x="{middle - 0.35 * width:.1f}" y="{ys[0]}" width="{0.7 * width:.1f}" height="14">'
+            f"{_animated('y', ys, seconds)}</rect>"
+        )
+        said = name if len(bodies) <= _NAMED else str(k + 1)
+        parts.append(text(middle, float(axes.py(1.62)), said, "middle"))
+    return parts
+
+
+def _animated(attribute: str, values: Sequence[str], seconds: float) -> str:
+    joined = ";".join(values)
+    return f'<animate attributeName="{attribute}" dur="{seconds:g}s" repeatCount="indefinite" values="{joined}"/>'

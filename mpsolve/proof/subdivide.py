@@ -1,0 +1,153 @@
+"""Subdivision: boxes of several variables are judged in batches, those that stay open halved. The tree is kept.
+
+Nothing here knows what is proved of a box. Boxes are given by float corners; a box is halved at a float between its
+corners, so that the two halves have all its points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import EffortError
+from mpsolve.outcome import Reason
+from mpsolve.proof.effort import Effort
+
+BATCH = 2048
+OPEN = 0
+"""Of a box that is not decided."""
+Judge = Callable[[Any, Any], tuple[Any, Any]]
+"""(low, high), shape (variables, boxes) → (for each box a kind > 0, or OPEN; along which variable to halve it)."""
+
+
+@dataclass(frozen=True)
+class Tree:
+    """Nodes in the order of their making, the root first.
+
+    kind[n] > 0: a leaf, decided so; axis[n] ≥ 0: halved along that variable, its halves are child[n], child[n] + 1.
+    A node with neither stayed open.
+    """
+
+    low: Any
+    high: Any
+    kind: Any
+    axis: Any
+    child: Any
+
+    @property
+    def open(self) -> Any:
+        """The numbers of the leaves that stayed open."""
+        return np.flatnonzero((self.kind == OPEN) & (self.axis < 0))
+
+    @property
+    def nodes(self) -> int:
+        return len(self.kind)
+
+    def boxes(self, numbers: Any) -> tuple[Any, Any]:
+        """Low and high corners, shape (variables, boxes)."""
+        return self.low[:, numbers], self.high[:, numbers]
+
+
+@dataclass(frozen=True)
+class Covered:
+    """A tree; `reason` says why boxes stayed open, where some did."""
+
+    tree: Tree
+    reason: Reason | None = None
+
+
+def subdivide(
+    low: Any,
+    high: Any,
+    judge: Judge,
+    effort: Effort,
+    smallest: Any = 2.0**-24,
+    tell: Callable[[float], None] | None = None,
+) -> Covered:
+    """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort.
+
+    smallest: one share of the whole, or one for each variable.
+    """
+    smallest = np.broadcast_to(np.asarray(smallest, float), np.shape(low))[:, None]
+    lows, highs = [np.asarray(low, float)[:, None]], [np.asarray(high, float)[:, None]]
+    grown = _Grown()
+    waiting = [(grown.add(1), lows[0], highs[0])]
+    whole = highs[0] - lows[0]
+    stuck, reason, closed = 0, None, 0.0
+    while waiting:
+        numbers, a, b = _taken(waiting)
+        try:
+            effort.spend(len(numbers))
+        except EffortError as error:
+            reason = error.reason
+            break
+        kind, axis = judge(a, b)
+        closed += float(_share(a[:, kind > 0], b[:, kind > 0], whole).sum())
+        grown.kind[numbers] = kind
+        rest = kind == OPEN
+        wide = rest & (b - a > smallest * whole * (1 + 2.0**-20)).any(0)
+        stuck += int((rest & ~wide).sum())
+        if wide.any():
+            waiting.append(grown.halve(numbers[wide], a[:, wide], b[:, wide], axis[wide], whole, smallest))
+            lows.append(waiting[-1][1])
+            highs.append(waiting[-1][2])
+        if tell is not None:
+            tell(min(closed, 1.0))
+    tree = Tree(np.concatenate(lows, 1), np.concatenate(highs, 1), *grown.arrays)
+    if reason is None and stuck:
+        message = f"{stuck} boxes stay open at the smallest size"
+        reason = Reason("boxes", message, {"boxes": str(stuck)}, "leave out what lies there, or give narrower ranges")
+    return Covered(tree, reason)
+
+
+def _taken(waiting: list[tuple[Any, Any, Any]]) -> tuple[Any, Any, Any]:
+    """A batch from the end."""
+    numbers, a, b = waiting.pop()
+    while waiting and len(numbers) + len(waiting[-1][0]) <= BATCH:
+        more, c, d = waiting.pop()
+        numbers, a, b = np.concatenate([more, numbers]), np.concatenate([c, a], 1), np.concatenate([d, b], 1)
+    if len(numbers) > BATCH:
+        waiting.append((numbers[:-BATCH], a[:, :-BATCH], b[:, :-BATCH]))
+        numbers, a, b = numbers[-BATCH:], a[:, -BATCH:], b[:, -BATCH:]
+    return numbers, a, b
+
+
+def _share(a: Any, b: Any, whole: Any) -> Any:
+    return ((b - a) / np.where(whole > 0, whole, 1)).prod(0, where=whole > 0)
+
+
+class _Grown:
+    """Arrays of nodes that grow."""
+
+    def __init__(self) -> None:
+        self.kind, self.axis, self.child = np.zeros(0, np.int8), np.zeros(0, np.int8), np.zeros(0, np.int64)
+
+    @property
+    def arrays(self) -> tuple[Any, Any, Any]:
+        return self.kind, self.axis, self.child
+
+    def add(self, count: int) -> Any:
+        first = len(self.kind)
+        self.kind = np.concatenate([self.kind, np.zeros(count, np.int8)])
+        self.axis = np.concatenate([self.axis, np.full(count, -1, np.int8)])
+        self.child = np.concatenate([self.child, np.full(count, -1, np.int64)])
+        return np.arange(first, first + count)
+
+    def halve(self, numbers: Any, a: Any, b: Any, axis: Any, whole: Any, smallest: Any) -> tuple[Any, Any, Any]:
+        """The halves, next to each other, along `axis` or along the longest side where that one is too short."""
+        columns = np.arange(len(numbers))
+        size = (b - a) / np.where(whole > 0, whole, np.inf) / smallest
+        axis = np.where(size[axis, columns] > 1 + 2.0**-20, axis, size.argmax(0))
+        middle = a[axis, columns] / 2 + b[axis, columns] / 2
+        first, second = b.copy(), a.copy()
+        first[axis, columns], second[axis, columns] = middle, middle
+        new = self.add(2 * len(numbers))
+        self.axis[numbers], self.child[numbers] = axis, new[::2]
+        return new, _interleaved(a, second), _interleaved(first, b)
+
+
+def _interleaved(one: Any, other: Any) -> Any:
+    return np.stack([one, other], 2).reshape(len(one), -1)

@@ -1,0 +1,1 @@
+"""Stability over ranges of parameters: crossings of the real axis, onsets, unstable ranges, robustness."""

@@ -1,0 +1,152 @@
+"""What every answer about ranges is made of: status, reason, what it rests on, and how it is handed on."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields
+from fractions import Fraction
+from typing import Any
+
+from flint import acb, arb
+
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.packed import Portable, pack
+from mpsolve.outcome import Reason, Status
+from mpsolve.problem.cases import Given
+from mpsolve.proof.subdivide import Covered
+
+Interval = tuple[Fraction, Fraction]
+
+
+@dataclass(frozen=True)
+class Value(Portable):
+    """A real number in a ball, in the units of the problem; `lower` and `upper` are floats rounded outward."""
+
+    ball: Any
+
+    @property
+    def lower(self) -> float:
+        return outward(self.ball, up=False)
+
+    @property
+    def upper(self) -> float:
+        return outward(self.ball, up=True)
+
+    def __float__(self) -> float:
+        return float(self.ball.mid())
+
+    def __str__(self) -> str:
+        with precision(max(int(self.ball.mid().bits()), 53) + 32):
+            return str(self.ball.str(radius=False))
+
+
+@dataclass(frozen=True)
+class Spent:
+    """What an answer took: processor seconds of the proof and of checks, boxes that were judged."""
+
+    seconds: float
+    verification: float = 0.0
+    boxes: int = 0
+
+
+@dataclass(frozen=True)
+class Proof(Portable):
+    """What an answer rests on: a tree of boxes in (q̂, x̂), the frequency X̂ from which on the contacts are passive for
+    all parameters, and the certified spectrum at one point, from which roots are counted.
+    """
+
+    over: Mapping[str, Interval]
+    units: tuple[Fraction, ...]
+    frequency_unit: Fraction
+    X: float
+    cover: Covered
+    known: tuple[Any, ...] = ()
+    base: Any = None
+
+
+@dataclass(frozen=True)
+class Answer(Portable):
+    """Base of the answers. over: the ranges that were looked at, in the problem's units.
+
+    When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    """
+
+    problem: Given
+    over: Mapping[str, Interval]
+    status: Status
+    reason: Reason | None = None
+    known: Mapping[str, Any] = field(default_factory=dict)
+    proofs: tuple[Proof, ...] = field(default=(), repr=False)
+    cost: Spent = field(default_factory=lambda: Spent(0.0))
+
+    @property
+    def proved(self) -> bool:
+        """Whether the whole answer is proved."""
+        return self.status.holds
+
+    def __bool__(self) -> bool:
+        raise TypeError("an answer has no truth value: ask for .proved or for what it says")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
+        hidden = {"proofs", "problem"}
+        return {one.name: plain(getattr(self, one.name)) for one in fields(self) if one.name not in hidden} | {
+            "proved": self.proved
+        }
+
+    def to_json(self) -> str:
+        """`to_dict` as a text."""
+        return json.dumps(self.to_dict(), ensure_ascii=False, indent=1)
+
+    def rows(self) -> Iterable[Mapping[str, Any]]:
+        """The answer as a table: one mapping for each row."""
+        return ()
+
+    def to_frame(self) -> Any:
+        """The rows as a pandas.DataFrame; ImportError where pandas is not installed."""
+        import pandas  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+        return pandas.DataFrame(list(self.rows()))
+
+
+def outward(ball: Any, up: bool) -> float:
+    """The float next to the upper (lower) end of a ball that is not inside of it."""
+    with precision(64):
+        end = ball.upper() if up else ball.lower()
+        x = float(end)
+        toward = math.inf if up else -math.inf
+        while math.isfinite(x) and not (arb(x) >= end if up else arb(x) <= end):
+            x = math.nextafter(x, toward)
+        return x
+
+
+def within(ball: Any, interval: Interval) -> bool | None:
+    """Whether a ball lies in a closed interval; None where it cannot be told."""
+    with precision(max(int(ball.mid().bits()), 53) + 64):
+        low, high = map(rational_ball, interval)
+        if ball >= low and ball <= high:
+            return True
+        return False if ball < low or ball > high else None
+
+
+def plain(value: Any) -> Any:
+    """Data that JSON knows."""
+    if isinstance(value, Value):
+        return {"decimal": str(value), "lower": value.lower, "upper": value.upper, "ball": pack(value.ball)}
+    if isinstance(value, (arb, acb)):
+        return str(value)
+    if isinstance(value, Fraction):
+        return {"exact": str(value), "decimal": float(value)}
+    if isinstance(value, (Status,)):
+        return value.value
+    if isinstance(value, Reason):
+        return value.data()
+    if isinstance(value, Mapping):
+        return {str(key): plain(one) for key, one in value.items()}
+    if isinstance(value, (tuple, list)):
+        return [plain(one) for one in value]
+    if hasattr(value, "__dataclass_fields__"):
+        return {one.name: plain(getattr(value, one.name)) for one in fields(value) if one.repr}
+    return value

@@ -1,0 +1,232 @@
+"""Every crossing of the real axis in a range of one parameter, proved complete, and the counts between."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import pairwise
+from time import process_time
+from typing import Any
+
+import numpy as np
+
+from mpsolve.certificate.solve import certify_problem, checked_digits
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.packed import Portable
+from mpsolve.outcome import Reason, Status
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, Value, within
+from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.enclosed import enclose
+from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, one_path, scope_of
+
+_BOXES = 400_000  # that an answer may take unless effort says otherwise
+
+
+@dataclass(frozen=True)
+class Crossing(Portable):
+    """A root q that is real at the parameter `value`; both in the problem's units.
+
+    direction: by how much the number of unstable roots grows there with the parameter: ±2, and ±1 where q = 0.
+    """
+
+    value: Value
+    q: Value
+    direction: int | None
+
+
+@dataclass(frozen=True)
+class Crossings(Answer):
+    """All crossings of a range, in ascending order, and the numbers of unstable roots before, between and behind."""
+
+    digits: int = 15
+    crossings: tuple[Crossing, ...] = ()
+    counts: tuple[int, ...] | None = None
+
+    def rows(self) -> list[Mapping[str, Any]]:
+        return [{"value": float(c.value), "q": float(c.q), "direction": c.direction} for c in self.crossings]
+
+
+def crossings(
+    problem: Given,
+    *,
+    over: Mapping[str, Any],
+    digits: int = 15,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Crossings:
+    """Every value of one parameter in a closed range at which a root is real: isolated, to `digits` digits.
+
+    over: {path: (low, high)}, in the problem's units. The answer is proved where the list is complete and the numbers
+    of unstable roots between its entries are known; else `Status.UNDECIDED` with a reason, and what was found.
+    check: have the standalone verifier pass the spectrum from which the roots are counted.
+    Raises InputError for a path that there is not and for ranges that cannot be.
+    """
+    given = as_problem(problem)
+    ranges = checked_over(given, over)
+    one_path(ranges)
+    with one_thread():
+        found = find(given, ranges, checked_digits(digits), effort, progress or silent, check)
+    return replace(found, problem=problem)
+
+
+def find(
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
+) -> Crossings:
+    """`crossings` of checked arguments."""
+    started = process_time()
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    scope = scope_of(problem, over)
+    try:
+        X = scope.X
+    except OpenError as error:
+        return Crossings(
+            problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
+        )
+    search = _Search(scope, digits)
+    cover = search.cover(budget, progress)
+    family = scope.family
+    proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
+    reason, inside = cover.reason, []
+    for one in search.found:
+        crossing = _in_units(one, scope)
+        where = within(crossing.value.ball, next(iter(over.values())))
+        if where is None and reason is None:
+            reason = Reason("end", "a crossing lies at an end of the range", {}, "give a range that ends elsewhere")
+        if where:
+            inside.append(crossing)
+    inside.sort(key=lambda one: float(one.value))
+    common: dict[str, Any] = {"digits": digits, "crossings": tuple(inside)}
+    counts, base = None, None
+    if reason is None:
+        progress("base", 0.9)
+        counts, base, reason = _counts(problem, over, inside, check)
+    spent = process_time() - started
+    seconds = base.cost.verification if base is not None else 0.0
+    cost = Spent(spent - seconds, seconds, budget.spent)
+    proofs = (replace(proof, base=base),)
+    if reason is not None:
+        known = {"crossings": len(inside)}
+        return Crossings(problem, over, Status.UNDECIDED, reason, known, proofs, cost, **common)
+    status = Status.PROVED if check else Status.UNVERIFIED
+    return Crossings(problem, over, status, proofs=proofs, cost=cost, counts=counts, **common)
+
+
+@dataclass
+class _Search:
+    """The cover of a scope with one parameter; zeros that it meets are enclosed on the way."""
+
+    scope: Scope
+    digits: int
+
+    def __post_init__(self) -> None:
+        self.judge: Judge = self.scope.judge()
+        self.judge.found = self._enclose
+        self.found: list[Scaled] = []
+        self._failed: list[Any] = []
+
+    def cover(self, budget: Effort, progress: Progress) -> Covered:
+        low, high = self.scope.corners
+        return subdivide(low, high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
+
+    def _enclose(self, point: Any) -> bool:
+        """Enclose the zero near a float point; True where it was."""
+        size = 2 * self.judge.width * 2.0**-6
+        if any((np.abs(point - other) < 1e-6 * self.judge.width).all() for other in self._failed):
+            return False
+        if abs(point[0]) < 1e-6 * self.judge.width[0]:
+            point = np.array([0.0, point[1]])
+        try:
+            with precision(80):
+                zero = enclose(
+                    self.scope.proved, (abs(float(point[0])), float(point[1])), tuple(size * 2.0**-6), self.digits
+                )
+            at = np.array([float(zero.q.mid()), float(zero.x.mid())])
+            if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
+                return True
+            room = self.judge.room(at, size * 4)
+        except PrecisionError:
+            self._failed.append(point)
+            return False
+        if room is None or not _holds(room, zero):
+            self._failed.append(point)
+            return False
+        self.judge.known.append(room)
+        self.found.append(zero)
+        return True
+
+
+def _holds(room: tuple[Any, Any], zero: Scaled) -> bool:
+    return all(
+        bool(ball > low) and bool(ball < high)
+        for ball, low, high in zip((zero.q, zero.x), room[0].tolist(), room[1].tolist(), strict=True)
+    )
+
+
+def _in_units(one: Scaled, scope: Scope) -> Crossing:
+    with precision(max(int(one.x.mid().bits()), 53) + 64):
+        value = one.x * rational_ball(scope.family.units[0])
+        q = one.q * rational_ball(scope.family.frequency_unit)
+        return Crossing(Value(value), Value(q), one.gained)
+
+
+def _counts(
+    problem: Problem, over: Mapping[str, Interval], found: list[Crossing], check: bool
+) -> tuple[tuple[int, ...] | None, Any, Reason | None]:
+    """(the numbers of unstable roots between crossings, the spectrum from which they are counted, why not)."""
+    path, (low, high) = next(iter(over.items()))
+    for one, other in pairwise(found):
+        if not one.value.ball < other.value.ball:
+            return None, None, Reason("close", "two crossings cannot be told apart", {}, "ask for more digits")
+    if any(one.direction is None for one in found):
+        return (
+            None,
+            None,
+            Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits"),
+        )
+    end = Fraction(found[0].value.lower) if found else high
+    at = _short(low, end)
+    base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
+    if base.stable is None or base.unstable is None:
+        return (
+            None,
+            base,
+            base.reason or Reason("base", f"the roots at {path} = {float(at):.6g} are not counted", {}, ""),
+        )
+    counts = [base.unstable]
+    for one in found:
+        counts.append(counts[-1] + (one.direction or 0))
+    if min(counts) < 0:
+        return (
+            None,
+            base,
+            Reason("counts", "the counts contradict each other", {}, "report this as a fault, with the input"),
+        )
+    return tuple(counts), base, None
+
+
+def _short(low: Fraction, high: Fraction) -> Fraction:
+    """A number with few digits strictly between."""
+    middle = (low + high) / 2
+    bits = 4
+    while True:
+        step = (high - low) / 2**bits
+        unit = Fraction(2) ** (step.numerator.bit_length() - step.denominator.bit_length())
+        near: Fraction = round(middle / unit) * unit
+        if low < near < high:
+            return near
+        bits += 4

@@ -1,0 +1,107 @@
+"""A crossing of the real axis in balls: the only real root near a point (q̂, x̂), and the way in which it crosses."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from mpsolve.characteristic.free_proved import FreeProved
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, acb_mat, arb, precision
+from mpsolve.numbers.reduction import Reduction
+from mpsolve.proof import newton, planar
+from mpsolve.proof.ladder import climb
+
+BASE_BITS = 80
+_TRIED = 640
+_AT_ZERO = 2.0**-20  # of the box: a crossing this close to q = 0 is first looked for there
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Scaled: q̂ ≥ 0 (exactly 0 for a divergence), x̂; gained: by how much the number of unstable roots grows with x̂.
+
+    gained counts q and −q̄ together: ±2, and ±1 at q = 0; None where the root's direction is not proved.
+    """
+
+    q: Any
+    x: Any
+    gained: int | None
+
+
+@dataclass(frozen=True)
+class _InPlane:
+    """The scalar whose zeros are the real roots, for the last parameter free, as a function of (q̂, x̂)."""
+
+    proved: FreeProved
+    reduction: Reduction
+
+    def value(self, q: Any, x: Any) -> Any:
+        return self.reduction.scalar(self.proved.matrices(acb(0, q), [x], slopes=False)[0])
+
+    def slopes(self, q: Any, x: Any) -> tuple[Any, Any]:
+        A, (A_sigma, A_x) = self.proved.matrices(acb(0, q), [x])
+        i = acb(0, 1)
+        return i * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
+
+
+@dataclass(frozen=True)
+class _AtZero:
+    """The same at q = 0, as an analytic function of x̂; real for real x̂ up to a constant factor."""
+
+    proved: FreeProved
+    reduction: Reduction
+
+    def value(self, x: Any) -> Any:
+        return self.reduction.scalar(self.proved.matrices(acb(0), [x], slopes=False)[0])
+
+    def slope(self, x: Any) -> Any:
+        return self.both(x)[1]
+
+    def both(self, x: Any) -> tuple[Any, Any]:
+        A, (_, A_x) = self.proved.matrices(acb(0), [x])
+        return self.reduction.scalar(A), self.reduction.scalar_slope(A, A_x)
+
+
+def enclose(proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], digits: int) -> Crossing:
+    """The crossing near `seed` (q̂, x̂), to so many digits; `PrecisionError` where none is proved. size: of its box."""
+    goal = math.ceil(digits * math.log2(10)) + 2
+    if abs(seed[0]) <= _AT_ZERO * size[0]:
+        return climb(lambda _: _at_zero(proved, seed[1], size[1], goal), BASE_BITS, _TRIED)
+    return climb(lambda _: _in_plane(proved, seed, size, goal), BASE_BITS, _TRIED)
+
+
+def _reduction(proved: FreeProved, q: Any, x: Any) -> Reduction:
+    A: acb_mat = proved.matrices(acb(0, q), [x], slopes=False)[0]
+    return Reduction.of(A, near_root=True)
+
+
+def _in_plane(proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], goal: int) -> Crossing:
+    at: planar.Point = (arb(seed[0]), arb(seed[1]))
+    for _ in range(2):  # the reduction is best made at the zero itself
+        f = _InPlane(proved, _reduction(proved, *at))
+        at = planar.polished(f, (float(at[0]), float(at[1])))
+    zero = planar.isolated(f, at, (arb(size[0]), arb(size[1])))
+    q, x = planar.sharpened(f, zero, goal + 8)
+    if q < 0:
+        q = -q
+    if not q > 0:
+        raise PrecisionError("a crossing lies at q = 0 to within the precision, and is not proved there")
+    f_q, f_x = f.slopes(q, x)
+    drift = (-f_x / f_q).imag
+    gained = -2 if drift > 0 else 2 if drift < 0 else None
+    return Crossing(q, x, gained)
+
+
+def _at_zero(proved: FreeProved, seed: float, size: float, goal: int) -> Crossing:
+    f = _AtZero(proved, _reduction(proved, arb(0), arb(seed)))
+    middle = newton.polished(f, arb(seed))
+    found = newton.isolated(f, acb(middle.real.mid()), arb(size) * 2**8)
+    x = newton.sharpened(f, found.image, goal + 8, newton.real_part).real
+    with precision(BASE_BITS):
+        A, (A_sigma, A_x) = proved.matrices(acb(0), [x])
+        f_sigma, f_x = (f.reduction.scalar_slope(A, slope) for slope in (A_sigma, A_x))
+        drift = (-f_x / f_sigma).real  # of σ̂, which grows where it is positive
+    gained = 1 if drift > 0 else -1 if drift < 0 else None
+    return Crossing(arb(0), x, gained)

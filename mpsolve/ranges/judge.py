@@ -1,0 +1,119 @@
+"""What is proved of a box of (q, parameters): no root is real there, or one at most, which is known.
+
+Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real
+root; the box lies where the only real root has been enclosed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.boxes import Boxes
+from mpsolve.characteristic.circles import Receptances
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.jets import UP
+from mpsolve.passivity.blocks import passive_on
+from mpsolve.passivity.envelope import Envelope
+from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
+
+NONZERO, PASSIVE, KNOWN = 1, 2, 3
+_SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
+Found = Callable[[Any], bool]
+"""What is done about a point (q̂, x̂) where the determinant seems to vanish: True where a zero was enclosed there."""
+
+
+def boxes_of(low: Any, high: Any) -> Boxes:
+    """Boxes that hold those between the corners, middles rounded."""
+    m = low / 2 + high / 2
+    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000)
+
+
+@dataclass
+class Judge:
+    """Judges boxes of one family.
+
+    width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, of two variables.
+    """
+
+    matrix: FreeMatrix
+    envelope: Envelope
+    width: Any
+    found: Found | None = None
+    known: list[tuple[Any, Any]] = field(default_factory=list)
+
+    @cached_property
+    def variables(self) -> int:
+        return self.matrix.variables
+
+    def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
+        """(kind of each box, the variable along which to halve it)."""
+        kind = np.zeros(low.shape[1], np.int8)
+        kind[self._in_known(low, high)] = KNOWN
+        boxes = boxes_of(low, high)
+        A, G = self.matrix(boxes)
+        s = scalar(A, G.good)
+        verdict = nonzero(s.s)
+        kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
+        rest = np.flatnonzero((kind == 0) & _seems_passive(G) & (low[0] > 0))
+        if len(rest):
+            kind[rest[passive_on(self.envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
+        if self.found is not None and (kind == 0).any():
+            self._look(boxes, s, kind)
+        return kind, self._axis(boxes, G, s, verdict)
+
+    def _in_known(self, low: Any, high: Any) -> Any:
+        inside = np.zeros(low.shape[1], bool)
+        for a, b in self.known:
+            inside |= ((low >= a[:, None]) & (high <= b[:, None])).all(0)
+        return inside
+
+    def _look(self, boxes: Boxes, s: Scalar, kind: Any) -> None:
+        """Zeros that open boxes show are enclosed."""
+        u = guess(s.s)
+        near = (kind == 0) & s.good & (np.abs(u) < 1.2).all(0) & one_at_most(s.s)
+        for n in np.flatnonzero(near):
+            point = boxes.m[:, n] + boxes.r[:, n] * u[:, n]
+            if not any(((point >= a) & (point <= b)).all() for a, b in self.known) and self.found is not None:
+                self.found(point)
+
+    def room(self, point: Any, size: Any) -> tuple[Any, Any] | None:
+        """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
+        one, other = np.meshgrid(_SHARES, _SHARES)
+        shares = np.stack([one.ravel(), other.ravel()])
+        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
+        A, G = self.matrix(boxes)
+        s = scalar(A, G.good)
+        area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
+        best = area.argmax()
+        if not area[best]:
+            return None
+        half = boxes.r[:, best] * 0.49
+        return point - half, point + half
+
+    def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, verdict: Verdict) -> Any:
+        """Where the determinant is bounded, what stands most against the test; else what moves the p-roots most."""
+        with np.errstate(all="ignore"):
+            bounded = G.good & np.isfinite(s.strain).all(0)
+            strain = np.where(bounded, s.strain, 0) + G.wave.strain
+            share = strain / strain.sum(0)
+            weight = verdict.weight + s.s.e * np.where(np.isfinite(share), share, 0)
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.wave.strain))
+            width = boxes.r / np.where(self.width > 0, self.width, np.inf)[:, None]
+            usable = np.isfinite(weight).all(0) & (weight > 0).any(0)
+            weight = np.where(usable, weight / weight.max(0), 1.0) * (width > 0) + width * 1e-9
+        return weight.argmax(0).astype(np.int8)
+
+
+def _seems_passive(G: Receptances) -> Any:
+    """In floats: −Im G at the middle is positive definite."""
+    with np.errstate(all="ignore"):
+        middle = G.G.k[0]
+        finite = np.isfinite(middle).all((1, 2))
+        middle = np.where(finite[:, None, None], middle, 0)
+        H = (middle - np.swapaxes(middle.conj(), 1, 2)) * 0.5j
+        return finite & (np.linalg.eigvalsh(H)[:, 0] > 0)

@@ -1,0 +1,144 @@
+"""From which value of a parameter on roots grow, and in which ranges of it; both from all crossings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import Any
+
+from mpsolve.certificate.solve import checked_digits
+from mpsolve.numbers.balls import arb, rational_ball
+from mpsolve.numbers.packed import Portable
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.answer import Answer, Value
+from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.scope import checked_over, one_path
+
+
+class Kind(Enum):
+    """How stability ends in a range."""
+
+    CROSSES = "crosses"
+    STABLE = "stable"
+    UNSTABLE_FROM_START = "unstable_from_start"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Unstable(Portable):
+    """Between two neighbouring crossings or ends of the range `roots` roots grow; q: the frequency at the start.
+
+    start, end: balls; an end of the range itself is exact, and then q is None at the start.
+    """
+
+    start: Value
+    end: Value
+    q: Value | None
+    roots: int
+
+
+@dataclass(frozen=True)
+class UnstableRanges(Answer):
+    """All parts of a range in which some root grows, in ascending order; parts with other numbers of roots meet."""
+
+    digits: int = 15
+    intervals: tuple[Unstable, ...] = ()
+
+    def rows(self) -> list[Mapping[str, Any]]:
+        return [
+            {"start": float(i.start), "end": float(i.end), "q": i.q and float(i.q), "roots": i.roots}
+            for i in self.intervals
+        ]
+
+
+@dataclass(frozen=True)
+class Onset(Answer):
+    """The least value of a range from which on some root grows.
+
+    kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
+    unstable_from_start, or undecided.
+    """
+
+    digits: int = 15
+    kind: Kind = Kind.UNDECIDED
+    value: Value | None = None
+    q: Value | None = None
+
+    def rows(self) -> list[Mapping[str, Any]]:
+        return [{"kind": self.kind.value, "value": self.value and float(self.value), "q": self.q and float(self.q)}]
+
+
+def unstable_ranges(
+    problem: Given,
+    *,
+    over: Mapping[str, Any],
+    digits: int = 15,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+    check: bool = True,
+) -> UnstableRanges:
+    """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
+    found = _found(problem, over, digits, effort, progress, check)
+    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
+
+
+def onset(
+    problem: Given,
+    *,
+    over: Mapping[str, Any],
+    digits: int = 15,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Onset:
+    """From which value of one parameter on the problem is unstable: see `crossings` for arguments and errors."""
+    found = _found(problem, over, digits, effort, progress, check)
+    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    answer = Onset(problem, found.over, digits=found.digits, **common)
+    if found.counts is None:
+        return answer
+    parts = intervals_of(found)
+    if not parts:
+        return replace(answer, kind=Kind.STABLE)
+    if found.counts[0]:
+        return replace(answer, kind=Kind.UNSTABLE_FROM_START)
+    return replace(answer, kind=Kind.CROSSES, value=parts[0].start, q=parts[0].q)
+
+
+def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
+    """The parts between crossings with roots that grow; none where the counts are open."""
+    if found.counts is None:
+        return ()
+    low, high = next(iter(found.over.values()))
+    starts: list[tuple[Value, Value | None]] = [(_exact(low), None), *((c.value, c.q) for c in found.crossings)]
+    ends = [*(c.value for c in found.crossings), _exact(high)]
+    return tuple(
+        Unstable(start, end, q, number)
+        for (start, q), end, number in zip(starts, ends, found.counts, strict=True)
+        if number
+    )
+
+
+def _exact(x: Any) -> Value:
+    ball = rational_ball(x)
+    return Value(arb(ball.mid(), ball.rad()))
+
+
+def _found(
+    problem: Given,
+    over: Mapping[str, Any],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress | None,
+    check: bool,
+) -> Crossings:
+    given = as_problem(problem)
+    ranges = checked_over(given, over)
+    one_path(ranges)
+    with one_thread():
+        return find(given, ranges, checked_digits(digits), effort, progress or silent, check)

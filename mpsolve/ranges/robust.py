@@ -1,0 +1,195 @@
+"""Stable for all parameters of a box: a proof, a certified counterexample in it, or what stays open."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from time import process_time
+from typing import Any
+
+import numpy as np
+
+from mpsolve.certificate.solve import certify_problem
+from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.outcome import Reason, Status
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.glance import corners_and_more, count_seen
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, scope_of
+
+_BOXES = 1_000_000
+_TRIED = 12  # open boxes at which a root that grows is looked for
+_SHOWN = 1000  # open sub-boxes at most
+
+
+@dataclass(frozen=True)
+class Robust(Answer):
+    """stable: True for all parameters of the box, False with a certified `counterexample` in it, None where open.
+
+    counterexample: the exact parameters by path, and `spectrum`, the certified answer there. open: sub-boxes of
+    parameters (exact intervals by path) in which some root may be real.
+    """
+
+    stable: bool | None = None
+    counterexample: Mapping[str, Fraction] | None = None
+    spectrum: Any = None
+    open: tuple[Mapping[str, Interval], ...] = ()
+
+    def rows(self) -> list[Mapping[str, Any]]:
+        out: list[Mapping[str, Any]] = []
+        for box in self.open:
+            ends = [
+                (f"{path} {end}", float(x)) for path, (a, b) in box.items() for end, x in (("low", a), ("high", b))
+            ]
+            out.append(dict(ends))
+        return out
+
+
+def prove_stable(
+    problem: Given,
+    *,
+    over: Mapping[str, Any],
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Robust:
+    """Whether no root grows, for all values of several parameters in closed ranges at once.
+
+    over: {path: (low, high)} in the problem's units, as many as wanted. A point of the box at which a root grows is
+    sought first, and certified; else the box is covered. check: have the standalone verifier pass the spectrum of the
+    one point from which all others are reached. Raises InputError for paths and ranges that cannot be.
+    """
+    given = as_problem(problem)
+    ranges = checked_over(given, over)
+    with one_thread():
+        found = _robust(given, ranges, effort, progress or silent, check)
+    return replace(found, problem=problem)
+
+
+@dataclass
+class _Question:
+    """A box under proof."""
+
+    problem: Problem
+    over: dict[str, Interval]
+    scope: Scope
+    budget: Effort
+    check: bool
+    started: float
+
+    def cost(self, spectrum: Any = None) -> Spent:
+        seconds = spectrum.cost.verification if spectrum is not None else 0.0
+        return Spent(process_time() - self.started - seconds, seconds, self.budget.spent)
+
+    def certified(self, x: Any) -> tuple[Mapping[str, Fraction], Any]:
+        """The certified spectrum at a float point of x̂, and the point in the problem's units."""
+        family = self.scope.family
+        exact = [min(max(Fraction(float(t)), a), b) for t, (a, b) in zip(x, family.box, strict=True)]
+        point = {path: t * unit for path, t, unit in zip(family.paths, exact, family.units, strict=True)}
+        return point, certify_problem(family.at(exact), region="unstable", digits=15, check=self.check)
+
+    def refuted(self, x: Any) -> Robust | None:
+        """The answer where a root grows at this point."""
+        point, found = self.certified(x)
+        if found.stable is not False:
+            return None
+        return Robust(
+            self.problem,
+            self.over,
+            found.status,
+            cost=self.cost(found),
+            stable=False,
+            counterexample=point,
+            spectrum=found,
+        )
+
+    def seen(self, points: list[Any]) -> Any:
+        """The first of these points at which floats count a root that grows; None where there is none."""
+        family = self.scope.family
+        for x in points:
+            exact = [min(max(Fraction(float(t)), a), b) for t, (a, b) in zip(x, family.box, strict=True)]
+            self.budget.spend(1)
+            try:
+                count = count_seen(family.reduced(exact), self.scope.X)
+            except (InputError, PrecisionError):
+                continue
+            if count:
+                return x
+        return None
+
+
+def _robust(
+    problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool
+) -> Robust:
+    started = process_time()
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    question = _Question(problem, over, scope_of(problem, over), budget, check, started)
+    try:
+        return _answer(question, progress)
+    except EffortError as error:
+        return Robust(problem, over, Status.UNDECIDED, error.reason, cost=question.cost())
+    except OpenError as error:
+        return Robust(problem, over, Status.UNDECIDED, error.reason, cost=question.cost())
+
+
+def _answer(question: _Question, progress: Progress) -> Robust:
+    scope = question.scope
+    X = scope.X
+    progress("counterexample", 0.0)
+    bad = question.seen(corners_and_more((scope.low, scope.high)))
+    found = question.refuted(bad) if bad is not None else None
+    if found is not None:
+        return found
+    low, high = scope.corners
+    cover = subdivide(low, high, scope.judge(), question.budget, tell=lambda share: progress("boxes", 0.9 * share))
+    if len(cover.tree.open):
+        found = _beside_open(question, cover)
+        if found is not None:
+            return found
+    _, base = question.certified((scope.low + scope.high) / 2)
+    if base.stable is False:
+        found = question.refuted((scope.low + scope.high) / 2)
+        if found is not None:
+            return found
+    family = scope.family
+    proofs = (Proof(question.over, family.units, family.frequency_unit, X, cover, base=base),)
+    reason = cover.reason
+    if reason is None and base.stable is None:
+        reason = base.reason or Reason("base", "the roots in the middle of the box are not counted", {}, "")
+    common: dict[str, Any] = {"proofs": proofs, "cost": question.cost(base)}
+    if reason is not None:
+        return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)
+    status = Status.PROVED if question.check else Status.UNVERIFIED
+    return Robust(question.problem, question.over, status, stable=True, **common)
+
+
+def _beside_open(question: _Question, cover: Covered) -> Robust | None:
+    """A counterexample in one of some open boxes, the smallest first."""
+    low, high = cover.tree.boxes(cover.tree.open)
+    order = np.argsort((high - low).max(0))
+    chosen = order[:: max(1, len(order) // _TRIED)][:_TRIED]
+    points = [(low[1:, n] + high[1:, n]) / 2 for n in chosen]
+    try:
+        bad = question.seen(points)
+    except EffortError:
+        return None
+    return question.refuted(bad) if bad is not None else None
+
+
+def _open(scope: Scope, cover: Covered) -> tuple[Mapping[str, Interval], ...]:
+    """The parameters of open boxes, each once."""
+    low, high = cover.tree.boxes(cover.tree.open)
+    each = np.unique(np.concatenate([low[1:], high[1:]]).T, axis=0)[:_SHOWN]
+    family, k = scope.family, len(scope.low)
+    out = []
+    for row in each:
+        ends = zip(family.paths, family.units, family.box, row[:k], row[k:], strict=True)
+        out.append({path: (max(Fraction(float(a)), x) * unit, min(Fraction(float(b)), y) * unit)
+                    for path, unit, (x, y), a, b in ends})  # fmt: skip
+    return tuple(out)

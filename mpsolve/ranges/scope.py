@@ -1,0 +1,119 @@
+"""What a question about ranges is asked of: checked ranges, the family, and the frequency that bounds its roots."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.characteristic.free_proved import FreeProved
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.jets import UP
+from mpsolve.numbers.model import rational, shown
+from mpsolve.outcome import Reason
+from mpsolve.passivity.box import passive_beyond
+from mpsolve.passivity.envelope import Envelope
+from mpsolve.passivity.subject import Subject
+from mpsolve.problem.family import Family, Interval, family_of
+from mpsolve.problem.problem import Problem
+from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.premises import require_stable_track
+from mpsolve.spectrum.premises import require_premises
+from mpsolve.spectrum.regions import HalfPlane
+
+
+class OpenError(PrecisionError):
+    """The question cannot be decided on these ranges, for a `Reason`."""
+
+
+@dataclass(frozen=True)
+class Scope:
+    """A family with all that is proved of it as a whole. All is scaled."""
+
+    family: Family
+
+    @cached_property
+    def matrix(self) -> FreeMatrix:
+        return FreeMatrix(self.family)
+
+    @cached_property
+    def proved(self) -> FreeProved:
+        return FreeProved(self.family, self.matrix.receptance.track.up)
+
+    @cached_property
+    def low(self) -> Any:
+        """The corner of the box of x̂, rounded down."""
+        return np.array([_down(a) for a, _ in self.family.box])
+
+    @cached_property
+    def high(self) -> Any:
+        return np.array([-_down(-b) for _, b in self.family.box])
+
+    @cached_property
+    def envelope(self) -> Envelope:
+        return Envelope(Subject.of_family(self.family), tuple(self.low.tolist()), tuple(self.high.tolist()))
+
+    @cached_property
+    def X(self) -> float:
+        """From this frequency on the contacts are passive for all parameters; `OpenError` where none is found."""
+        found = passive_beyond(self.envelope)
+        if found is None:
+            message = "no frequency is found beyond which the contacts are passive for all these parameters"
+            raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
+        return float(found.X)
+
+    def judge(self) -> Judge:
+        """A judge of boxes in (q̂, x̂) over the whole."""
+        width = np.concatenate([[self.X], self.high - self.low]) / 2
+        return Judge(self.matrix, self.envelope, width)
+
+    @property
+    def corners(self) -> tuple[Any, Any]:
+        """Of the box in (q̂, x̂) that is to be covered."""
+        return np.concatenate([[0.0], self.low]), np.concatenate([[self.X], self.high])
+
+
+def scope_of(problem: Problem, over: Mapping[str, Interval]) -> Scope:
+    """The scope of checked ranges; InputError where a premise fails somewhere in them."""
+    family = family_of(problem, over)
+    require_premises(family.base, HalfPlane())
+    require_stable_track(family)
+    return Scope(family)
+
+
+def checked_over(problem: Problem, over: object) -> dict[str, Interval]:
+    """{path: (low, high)} with exact ends in order; InputError names the path."""
+    if not isinstance(over, Mapping) or not over:
+        raise InputError("over", 'is empty: give ranges by their paths, such as {"v": (0, 100)}')
+    known = problem.parameters
+    out: dict[str, Interval] = {}
+    for path, ends in over.items():
+        if path not in known:
+            problem.changed(str(path), 1)  # says which paths there are
+        try:
+            first, last = ends
+        except (TypeError, ValueError):
+            raise InputError(str(path), f"is {ends!r}: give a range (low, high)") from None
+        low, high = rational(first, path), rational(last, path)
+        if not low < high:
+            raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")
+        out[path] = (low, high)
+    return out
+
+
+def one_path(over: Mapping[str, Interval]) -> str:
+    """The only path; InputError where there are several."""
+    if len(over) != 1:
+        raise InputError("over", f"has {len(over)} ranges, but this question is about one: give one path")
+    return next(iter(over))
+
+
+def _down(x: Fraction) -> float:
+    """A float ≤ x, equal to it where it is one."""
+    value = float(x)
+    return value if Fraction(value) <= x else value / UP if value > 0 else value * UP

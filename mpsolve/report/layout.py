@@ -1,0 +1,39 @@
+"""How reports are laid out for a terminal: sections, columns, plain text of a fixed width."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+from rich.console import Console, Group
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from mpsolve.report.blocks import WIDTH, certificate_words
+
+
+def plain(report: Group) -> str:
+    """A report as plain text of `WIDTH` columns."""
+    stream = io.StringIO()
+    console = Console(file=stream, width=WIDTH, force_terminal=False, color_system=None, legacy_windows=False)
+    console.print(report, soft_wrap=False)
+    return "\n".join(line.rstrip() for line in stream.getvalue().splitlines()) + "\n"
+
+
+def section(heading: str, body: Any) -> list[Any]:
+    """A heading, the body indented, and an empty line."""
+    return [Text(heading, style="bold"), Padding(body, (0, 0, 0, 2)), Text("")]
+
+
+def columns_of(columns: int) -> Table:
+    """An empty table of so many columns, without lines."""
+    table = Table.grid(padding=(0, 2))
+    for _ in range(columns):
+        table.add_column(overflow="fold")
+    return table
+
+
+def certificate_text(path: str) -> Text:
+    """Where the certificate is, and how to check it."""
+    return Text(certificate_words(path))

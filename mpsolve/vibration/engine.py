@@ -1,0 +1,211 @@
+"""A motion in three parts: forced, residues at induced frequencies, and the integral along a line below the cuts.
+
+u(t) = Σ residues to the right of Re σ = α + (1/2πi) ∫_{Re σ = α} û e^{σt} dσ, in the physical region of the σ-plane,
+where û is analytic but for poles. Before t = 0 the sum must vanish: a root that is left out, or a wrong residue,
+shows there. Where the roots are not known as far as a line below the axis, α lies above all growth and no residue is
+needed.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.vibration.forced import Forced, forced
+from mpsolve.vibration.forcing import Tone, transform
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.line import CLEAR, Line, extended, sampled_line
+from mpsolve.vibration.poles import Poles, natural
+from mpsolve.vibration.residues import Mode, modes
+
+GOOD = 1e-8
+"""Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
+_FORCES = 1000.0
+_ROUNDED = 1e-10
+_SLOW = 2.5
+"""1/(√2 − 1): an error that falls as Ω^(−1/2), as that of a force soon after the start, is so much the change."""
+_LEAST = 24.0
+_LARGEST = 650.0
+_HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
+_FARTHEST = 2.0**17
+_JUDGED = 80
+_BEFORE = -CLEAR * np.array([1.0, 1.7, 3.1])
+
+
+@dataclass(frozen=True)
+class Parts:
+    """(channels, times) each: what constant loads keep up, what harmonic ones do, the modes, and the rest."""
+
+    static: Any
+    forced: Any
+    free: Any
+    transient: Any
+
+    @property
+    def total(self) -> Any:
+        return self.static + self.forced + self.free + self.transient
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A motion at any time: forced parts, modes, and the line; held: a constant motion that was there before.
+
+    first: what acts at once after t = 0, as on a wheel without mass. error: by channels, what panels, fading and
+    causality leave open.
+    """
+
+    image: Image
+    held: Any
+    steady: tuple[Forced, ...]
+    modes: tuple[Mode, ...]
+    line: Line
+    first: Any
+    error: Any
+
+    def parts(self, times: Any) -> Parts:
+        """At times t̂ > 0."""
+        zero = np.zeros((self.image.channels, len(times)))
+        static = sum((one.motion(times) for one in self.steady if not one.frequency), zero)
+        waves = sum((one.motion(times) for one in self.steady if one.frequency), zero)
+        free = sum((mode.motion(times) for mode in self.modes), zero)
+        rest = self.line.motion(times)
+        if self.line.alpha >= 0:
+            rest = rest - static - waves
+        left = [mode for mode in self.modes if mode.sigma.real <= self.line.alpha]
+        rest = rest - sum((mode.motion(times) for mode in left), zero)
+        return Parts(static + self.held[:, None], waves, free, rest)
+
+    def early(self, times: Any) -> Any:
+        """The sum at times < 0, which is 0 but for errors, (channels, times)."""
+        right: list[Any] = [mode for mode in self.modes if mode.sigma.real > self.line.alpha]
+        right += list(self.steady) if self.line.alpha < 0 else []
+        zero = np.zeros((self.image.channels, len(times)))
+        return self.line.motion(times) + sum((one.motion(times) for one in right), zero)
+
+
+@dataclass(frozen=True)
+class _Verdict:
+    """Over the error that is worked for: the largest error, and that before t = 0. felt: the share of the fading."""
+
+    excess: float
+    felt: float
+    early: float
+
+
+def _sample(times: Any) -> Any:
+    """Some of the times > 0, the earliest and the last among them, to judge errors at."""
+    positive = np.unique(times[times > 0])
+    if len(positive) <= _JUDGED:
+        return positive
+    ranks = np.unique(np.geomspace(1, len(positive), _JUDGED // 2).astype(int) - 1)
+    even = np.linspace(0, len(positive) - 1, _JUDGED // 2).astype(int)
+    return positive[np.union1d(ranks, even)]
+
+
+@dataclass(frozen=True)
+class Engine:
+    """What acts on a problem from t = 0 on, what has acted for ever (constant), and the roots; times are scaled."""
+
+    image: Image
+    acting: tuple[Tone, ...]
+    held: tuple[Tone, ...]
+    poles: Poles
+
+    def transformed(self, sigma: Any) -> Any:
+        """û, (len(σ), channels)."""
+        image = self.image
+        return image.solve(sigma, transform(self.acting, sigma, image.size + image.contacts))
+
+    def solve(self, times: Any) -> Solution:
+        """The motion, for these times ≥ 0."""
+        last = float(np.max(times, initial=0.0)) or 1.0
+        growth = self.poles.growth * last
+        if growth > _LARGEST:
+            stated = f"reach {last / self.image.rate:g}, where the motion exceeds e^{growth:.0f}"
+            raise InputError("times", f"{stated}: end earlier")
+        below = self.line(last)
+        if below > 0:
+            return self._along(below, times)[0]
+        found, excess, causal = self._along(below, times)
+        if not causal:
+            other, worse, _ = self._along(self._above(last), times)
+            return found if excess <= worse else other
+        return found
+
+    def line(self, last: float) -> float:
+        """α between cuts and axis, far from roots on either side; above all growth where not all are known."""
+        floor = self.poles.floor
+        if floor >= 0 or not self.poles.complete:
+            return self._above(last)
+        tries = floor * np.linspace(0.95, 0.35, 61)
+        real = np.array([pole.sigma.real for pole in self.poles.poles])
+        near = np.abs(tries[:, None] - real).min(1) if len(real) else np.full(len(tries), np.inf)
+        return float(tries[int(np.argmax(np.minimum(near, tries - self.poles.cut)))])
+
+    def _above(self, last: float) -> float:
+        return max(0.0, self.poles.growth) + 3.0 / last
+
+    def _along(self, alpha: float, times: Any) -> tuple[Solution, float, bool]:
+        """The motion by this line, its error over that worked for, and whether it vanishes before t = 0."""
+        steady = tuple(forced(self.image, tone) for tone in self.acting)
+        held = sum((forced(self.image, tone).amplitude.real for tone in self.held), np.zeros(self.image.channels))
+        turns = np.array([1j * one.frequency for one in self.acting])
+        last = float(np.max(times, initial=0.0))
+        taken = modes(self.transformed, self.poles.poles, turns, self.poles.cut, last)
+        line = sampled_line(self.transformed, alpha, self._reach(times))
+        some = _sample(times)
+        while True:
+            solution = Solution(self.image, held, steady, taken, line, self._first(), held)
+            solution, verdict = self._judged(solution, some)
+            if verdict.excess <= 1 or verdict.felt < 0.2 or not line.settled or line.omega > _FARTHEST:
+                return solution, verdict.excess, verdict.early <= max(1.0, verdict.excess / 10)
+            line = extended(self.transformed, line)
+
+    def _first(self) -> Any:
+        """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""
+        for high in _HIGH:  # as far out as float64 follows
+            at = np.array([high, 100 * high], complex)
+            with np.errstate(all="ignore"):
+                values = (self.transformed(at) * at[:, None]).real
+            if np.isfinite(values).all():
+                break
+        return np.where(np.abs(values[1]) < 0.5 * np.abs(values[0]), 0.0, values[1])
+
+    def _judged(self, solution: Solution, times: Any) -> tuple[Solution, _Verdict]:
+        """With its error by channels."""
+        line = solution.line
+        goal = self._goals(solution.parts(times).total)
+        change = _SLOW * np.abs(line.change(times)).max(1, initial=0.0)
+        before = np.abs(solution.early(_BEFORE / line.omega)).max(1)
+        grown = math.exp(max(line.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
+        error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal
+        worst = int(np.argmax(error / goal))
+        early = float((before / goal).max())
+        verdict = _Verdict(float(error[worst] / goal[worst]), float(change[worst] / max(error[worst], 1e-300)), early)
+        return replace(solution, error=error), verdict
+
+    def _goals(self, total: Any) -> Any:
+        """The errors that are worked for, by channels: of the largest deflection, force, or coordinate."""
+        image = self.image
+        largest = np.abs(total).max(1, initial=0.0)
+        body, force, rail = (
+            slice(0, image.size),
+            slice(image.size, -len(image.places) or None),
+            slice(-len(image.places) or len(largest), None),
+        )
+        largest[body] = np.maximum(largest[body], 1e-2 * largest[body].max(initial=0.0))
+        for kind in (force, rail):
+            largest[kind] = largest[kind].max(initial=0.0)
+        goal = GOOD * largest
+        goal[force] *= _FORCES
+        return np.maximum(goal, 1e-300)
+
+    def _reach(self, times: Any) -> float:
+        positive = times[times > 0]
+        first = float(positive.min()) if len(positive) else 1.0
+        fast = [tone.frequency for tone in self.acting] + [abs(pole.sigma) for pole in self.poles.poles]
+        return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0))

@@ -1,0 +1,154 @@
+"""The Laplace image of the motion in float64, on arrays of σ̂: bodies, contact forces and rail.
+
+M ÿ + C ẏ + K y = g − B f, w = G f, Bᵀy − w + r = h f with the compressions f = −λ, irregularities r and outer forces
+g: A(σ)(y, λ) = (g, −r) with A = [[S, −B], [Bᵀ, G + h]]. Time is scaled as in problem.reduced, lengths and forces are
+in the units of the problem.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.floats import Receptance
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import Guide, track_guide
+from mpsolve.tracks.waveguide import Track, Waveguide
+from mpsolve.vehicles.vehicle import Pencil
+
+_LOST = 1e-12
+"""Of a receptance: what residues of close p-roots may lose in float64 before companion matrices take their place."""
+
+
+@dataclass(frozen=True)
+class Image:
+    """A problem, and the exact places where its rail is watched.
+
+    Channels are all coordinates of the vehicles, the contact forces from rear to front, the rail at the places.
+    """
+
+    problem: Problem
+    places: tuple[Fraction, ...]
+
+    @cached_property
+    def pencil(self) -> Pencil:
+        return self.problem.pencil
+
+    @cached_property
+    def guide(self) -> Guide:
+        return self.receptance.guide
+
+    @cached_property
+    def receptance(self) -> Receptance:
+        return _receptance(self.problem.track, self.problem.v)
+
+    @property
+    def rate(self) -> float:
+        """σ = rate · σ̂, t̂ = rate · t."""
+        return 2.0**-self.guide.time
+
+    @property
+    def channels(self) -> int:
+        return self.size + self.contacts + len(self.places)
+
+    @property
+    def size(self) -> int:
+        return self.pencil.size
+
+    @property
+    def contacts(self) -> int:
+        return self.pencil.contacts
+
+    @cached_property
+    def _distances(self) -> tuple[list[Fraction], Any, Any]:
+        """Different distances, scaled; the number of that between each two contacts, and from places to contacts."""
+        unit = Fraction(2) ** self.guide.length
+        at, seen = ([x / unit for x in places] for places in (self.pencil.places, self.places))
+        distances = sorted({x - y for x in (*at, *seen) for y in at})
+        number = {x: k for k, x in enumerate(distances)}
+        rows = [
+            np.array([[number[x - y] for y in at] for x in some], int).reshape(-1, len(at)) for some in (at, seen)
+        ]
+        return distances, rows[0], rows[1]
+
+    @cached_property
+    def _scaled(self) -> tuple[Any, Any, Any, Any, Any]:
+        """S₀, S₁, S₂, B, h with the bodies in units d: y = g d ŷ."""
+        pencil, g = self.pencil, float(self.guide.g)
+        K, C, M = (np.array(rows, float) for rows in (pencil.K, pencil.C, pencil.M))
+        S = [rows * g * self.rate**k for k, rows in enumerate((K, C, M))]
+        size = sum(np.abs(np.diag(rows)) for rows in S)
+        d = np.exp2(-np.round(np.log2(np.where(size > 0, size, 1.0)) / 2))
+        S = [d[:, None] * rows * d for rows in S]
+        return S, d[:, None] * np.array(pencil.B, float), np.array(pencil.h, float) / g, d, g
+
+    def _green(self, sigma: Any) -> Any:
+        """Ĝ at all distances, shape (distances, len(σ))."""
+        distances, up = self._distances[0], self.receptance.upper
+        z, w = self.receptance.waves(sigma)
+        xi = np.array([float(x) for x in distances])
+        ahead = xi >= 0
+        out = np.empty((len(xi), len(sigma)), complex)
+        with np.errstate(all="ignore"):
+            for side, some, sign in ((slice(0, up), ahead, 1.0), (slice(up, None), ~ahead, -1.0)):
+                waves = np.exp(xi[some, None, None] * z[:, side]) * (sign * w[:, side])
+                out[some] = waves.sum(-1)
+            lost = self._lost(z, w)
+        if lost.any():
+            out[:, lost] = np.array(self.receptance.together(sigma[lost], z[lost], distances, False)[0])
+        return out
+
+    def _lost(self, z: Any, w: Any) -> Any:
+        """Where residues of close roots of one side cancel too far: each loses its weight times (size/gap)²."""
+        up, size = self.receptance.upper, np.abs(w)
+        spread = np.zeros(z.shape)
+        for side in (slice(0, up), slice(up, None)):
+            own = z[:, side]
+            gap = np.abs(own[:, :, None] - own[:, None, :])
+            gap[:, range(own.shape[1]), range(own.shape[1])] = np.inf
+            if own.shape[1] > 1:
+                spread[:, side] = np.abs(own) / gap.min(-1)
+        loss = 2.0**-53 * (size * spread * spread).max(-1)
+        return ~(loss < _LOST * np.abs(w[:, :up].sum(-1)))
+
+    def matrices(self, sigma: Any) -> tuple[Any, Any]:
+        """A(σ̂) of scaled bodies and contact forces, and Ĝ from the places to the contacts."""
+        S, B, h, _, _ = self._scaled
+        _, among, seen = self._distances
+        n, m = self.size, self.contacts
+        G = self._green(sigma)
+        A = np.zeros((len(sigma), n + m, n + m), complex)
+        s = sigma[:, None, None]
+        A[:, :n, :n] = S[0] + s * (S[1] + s * S[2])
+        A[:, :n, n:], A[:, n:, :n] = -B, B.T
+        A[:, n:, n:] = np.moveaxis(G[among], -1, 0) + np.diag(h)
+        return A, np.moveaxis(G[seen], -1, 0)
+
+    def column(self, force: Any, irregularity: Any) -> Any:
+        """What stands on the right of A for forces on the coordinates and irregularities under the contacts."""
+        _, _, _, d, g = self._scaled
+        return np.concatenate([d * force, -np.asarray(irregularity) / g])
+
+    def solve(self, sigma: Any, right: Any) -> Any:
+        """The channels, shape (len(σ), channels), for `right` (len(σ), bodies + contacts)."""
+        _, _, _, d, g = self._scaled
+        A, seen = self.matrices(sigma)
+        x = np.linalg.solve(A, np.asarray(right, complex)[..., None])[..., 0]
+        n = self.size
+        f = -x[:, n:]
+        rail = g * (seen @ f[..., None])[..., 0]
+        return np.concatenate([g * d * x[:, :n], f, rail], 1)
+
+    def phase(self, sigma: Any) -> Any:
+        """det A/|det A|, with a positive factor that keeps it a rational function of the receptances."""
+        return np.linalg.slogdet(self.matrices(sigma)[0])[0]
+
+
+@lru_cache(maxsize=32)
+def _receptance(track: Track | Waveguide, velocity: Fraction) -> Receptance:
+    """Kept for the next call."""
+    return Receptance(track_guide(track, velocity))

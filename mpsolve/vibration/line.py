@@ -1,0 +1,82 @@
+"""The integral along Re σ = α, faded out towards high |Im σ|.
+
+Fading by erfc averages the motion over times about 1/Ω with a weight whose moments vanish, so that it is felt only
+where the motion has a corner: at the start of the loads, and where a wave front passes. Half of Ω tells how far.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import PrecisionError
+from mpsolve.vibration.panels import Panels, inverse, joined, sampled
+
+CLEAR = 80.0
+"""Ω t from which on the start at t = 0 is not felt through the fading."""
+_SHARPNESS = 0.11
+"""Of Ω: the width of the fading."""
+_TOLERANCE = 3e-12
+_MOST_PANELS = 4000
+_OCTAVES = 10
+_WIDEST = 1 / 24
+_erfc = np.vectorize(math.erfc, otypes=[float])
+
+
+@dataclass(frozen=True)
+class Line:
+    """The image sampled on α + iω, 0 ≤ ω ≤ Ω; left_open: by channels, of the integral over ω."""
+
+    alpha: float
+    omega: float
+    panels: Panels
+    left_open: Any
+    settled: bool
+
+    def motion(self, times: Any) -> Any:
+        """(channels, times)."""
+        return inverse(self.panels, lambda w: faded(w, self.omega), self.alpha, times)
+
+    def change(self, times: Any) -> Any:
+        """How much half of Ω would change it: more than its error where the image has decayed as powers do."""
+        return inverse(self.panels, lambda w: faded(w, self.omega) - faded(w, self.omega / 2), self.alpha, times)
+
+    def only(self, channels: Any) -> Line:
+        """Some of the channels."""
+        panels = Panels(self.panels.middle, self.panels.half, self.panels.values[..., channels])
+        return Line(self.alpha, self.omega, panels, self.left_open[channels], self.settled)
+
+
+def faded(w: Any, omega: float) -> Any:
+    """1 below Ω/4, 0 above 3Ω/4, to 1e-9."""
+    return 0.5 * _erfc((w - omega / 2) / (_SHARPNESS * omega))
+
+
+def sampled_line(image: Callable[[Any], Any], alpha: float, omega: float) -> Line:
+    """The image, (len(σ), channels), on the line up to Ω."""
+    breaks = np.concatenate([[0.0], omega * 2.0 ** np.arange(-_OCTAVES, 1)])
+    return Line(alpha, omega, *_sampled(image, alpha, breaks, omega, 0.0))
+
+
+def extended(image: Callable[[Any], Any], line: Line) -> Line:
+    """The same up to 2Ω."""
+    low, high = line.omega, 2 * line.omega
+    more = _sampled(image, line.alpha, np.array([low, high]), high, line.panels.integral())
+    panels = joined([line.panels, more[0]])
+    return Line(line.alpha, high, panels, line.left_open + more[1], line.settled and more[2])
+
+
+def _sampled(image: Any, alpha: float, breaks: Any, omega: float, size: Any) -> tuple[Panels, Any, bool]:
+    def tolerance(more: Any) -> Any:
+        whole = size + more
+        return _TOLERANCE * np.maximum(whole, 1e-6 * np.max(whole))
+
+    try:
+        return sampled(lambda w: image(alpha + 1j * w), breaks, tolerance, _MOST_PANELS, omega * _WIDEST)
+    except np.linalg.LinAlgError:
+        stated = "the equations are singular on the path, as a root lies there"
+        raise PrecisionError(f"{stated}: change a parameter a little") from None

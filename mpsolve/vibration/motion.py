@@ -1,0 +1,118 @@
+"""What a computed motion is, in the units of the problem."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.problem.problem import Problem
+from mpsolve.vibration.engine import Parts, Solution
+from mpsolve.vibration.liftoff import Event, first_lift_off
+
+
+@dataclass(frozen=True)
+class MotionError:
+    """Estimates of the largest errors over all places, coordinates, contacts and times; vehicle by coordinates."""
+
+    rail: float
+    vehicle: dict[str, float]
+    contact_force: float
+
+
+@dataclass(frozen=True)
+class InducedPart:
+    """What a pair of induced frequencies q, −q̄ contributes: Re(amplitude e^{iqt}), q in the problem's units.
+
+    rail (places,), contact_force (contacts,), complex; vehicle by coordinates. For a multiple root: of its leading
+    term in time.
+    """
+
+    q: complex
+    multiplicity: int
+    rail: Any
+    vehicle: dict[str, complex]
+    contact_force: Any
+
+
+@dataclass(frozen=True)
+class Vibration:
+    """The motion of a problem: float64, errors estimated, not proved; lengths down, forces and times in its units.
+
+    times (t,). places (p,). rail (p, t): deflections under places of the moving frame, the sum of `steady` (with its
+    part `steady_harmonic` at the frequencies of loads and irregularities), `harmonic` (at induced frequencies) and
+    `transient`. vehicle: for each coordinate by name (t,). contact_force (n, t): from rear to front, compression
+    positive, with the static part. induced: the harmonic part by frequencies.
+    """
+
+    problem: Problem
+    times: Any
+    places: Any
+    rail: Any
+    steady: Any
+    steady_harmonic: Any
+    harmonic: Any
+    transient: Any
+    vehicle: dict[str, Any]
+    contact_force: Any
+    error: MotionError
+    solution: Solution = field(repr=False)
+
+    @cached_property
+    def lift_off(self) -> Event | None:
+        """When a contact force first comes to 0, up to the last time; None where none does.
+
+        It is found on the motion itself and does not depend on the times asked for, but for the last one.
+        """
+        return first_lift_off(self.solution, float(np.max(self.times, initial=0.0)))
+
+    @property
+    def within(self) -> Any:
+        """Which times are within the model: before the first lift-off, (t,) of booleans."""
+        event = self.lift_off
+        return np.full(len(self.times), True) if event is None else self.times <= event.time
+
+    @property
+    def induced(self) -> tuple[InducedPart, ...]:
+        """The harmonic part by pairs of induced frequencies."""
+        image = self.solution.image
+        out = []
+        for mode in self.solution.modes:
+            row = (2.0 if mode.sigma.imag > 0 else 1.0) * mode.moments[-1]
+            bodies, force, rail = split(image, row)
+            names = dict(zip(image.pencil.names, bodies.tolist(), strict=True))
+            out.append(InducedPart(-1j * mode.sigma * image.rate, mode.multiplicity, rail, names, force))
+        return tuple(out)
+
+
+def split(image: Any, rows: Any) -> tuple[Any, Any, Any]:
+    """Rows of channels as bodies, contact forces and rail."""
+    n, m = image.size, image.contacts
+    return rows[:n], rows[n : n + m], rows[n + m :]
+
+
+def vibration(problem: Problem, solution: Solution, times: Any, parts: Parts) -> Vibration:
+    """The solution read at these times, in the problem's units."""
+    image = solution.image
+    bodies, force, rail = split(image, parts.total)
+    _, _, error = split(image, solution.error)
+    names = image.pencil.names
+    vehicle_error = dict(zip(names, solution.error[: image.size].tolist(), strict=True))
+    return Vibration(
+        problem=problem,
+        times=times,
+        places=np.array([float(x) for x in image.places]),
+        rail=rail,
+        steady=split(image, parts.static + parts.forced)[2],
+        steady_harmonic=split(image, parts.forced)[2],
+        harmonic=split(image, parts.free)[2],
+        transient=split(image, parts.transient)[2],
+        vehicle=dict(zip(names, bodies, strict=True)),
+        contact_force=force,
+        error=MotionError(
+            float(np.max(error, initial=0.0)), vehicle_error, float(split(image, solution.error)[1].max())
+        ),
+        solution=solution,
+    )

@@ -1,0 +1,105 @@
+"""Which roots lie to the right of a line below the cuts: what was certified, or what a search in floats finds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import Reduced, reduce_problem
+from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
+from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.spectrum.unfelt import unfelt_frequencies
+from mpsolve.tracks.at_rest import lowest_cut
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.residues import Pole
+from mpsolve.vibration.search import count_zeros, find_zeros
+
+_SHARE = 0.94
+"""Of the height of the lowest cut: how far up roots are looked for."""
+_REACH = 8.0
+_AXIS = 1e-3
+"""Scaled: only what grows faster is looked for where the cuts begin at the axis."""
+
+
+@dataclass(frozen=True)
+class Poles:
+    """All roots with Re σ > floor that are known, σ scaled, Im σ ≥ 0; the image has no cut in Re σ > cut.
+
+    complete: whether the search found as many as it counted. neutral: how often σ = 0 is a root.
+    """
+
+    poles: tuple[Pole, ...]
+    floor: float
+    cut: float
+    neutral: int
+    complete: bool
+
+    @property
+    def growth(self) -> float:
+        return max((pole.sigma.real for pole in self.poles), default=0.0)
+
+
+def certified(image: Image, spectrum: Spectrum) -> Poles:
+    """The roots of a certified spectrum of the same problem."""
+    rate = image.rate
+    cut = _cut(image)
+    region = spectrum.region
+    floor = 0.0
+    if isinstance(region, Below):
+        floor = -float(region.height) / rate
+    elif isinstance(region, Sheet):
+        floor = cut
+    roots = [(complex(root.q.mid()), root.multiplicity) for root in spectrum.roots]
+    poles = [Pole(1j * q / rate, times) for q, times in roots if q.real >= 0]
+    reduced = reduce_problem(image.problem)
+    poles += _unfelt(reduced, rate)
+    whole = isinstance(region, (Below, HalfPlane, Sheet)) and spectrum.proved
+    return Poles(_right_of(poles, max(floor, cut)), max(floor, cut), cut, reduced.neutral, whole)
+
+
+@lru_cache(maxsize=32)
+def searched(problem: Problem) -> Poles:
+    """The roots that Newton's method finds, as many as the argument of Δ counts."""
+    image = Image(problem, ())
+    reduced = reduce_problem(problem)
+    cut = _cut(image)
+    floor = _SHARE * cut if cut else _AXIS
+    count, path = count_zeros(image, floor, _REACH * max(1.0, natural(image)))
+    unfelt = _right_of(_unfelt(reduced, image.rate), floor)
+    rest = count - _number(unfelt) - (reduced.neutral if floor < 0 else 0)
+    found = find_zeros(image, floor, rest, path, tuple(pole.sigma for pole in unfelt))
+    return Poles((*unfelt, *found), floor, cut, reduced.neutral, _number(found) == rest)
+
+
+def natural(image: Image) -> float:
+    """The highest frequency of the vehicle on a rigid rail or free, scaled."""
+    pencil = image.pencil
+    M, K, B = (np.array(rows, float) for rows in (pencil.M, pencil.K, pencil.B))
+    h = np.array(pencil.h, float)
+    highest = 0.0
+    for stiff in (K, K + (B[:, h > 0] / h[h > 0]) @ B[:, h > 0].T):
+        heavy = np.diag(M) > 0
+        if heavy.any():
+            inner = np.linalg.lstsq(M[np.ix_(heavy, heavy)], stiff[np.ix_(heavy, heavy)], rcond=None)[0]
+            highest = max(highest, float(np.sqrt(np.abs(np.linalg.eigvals(inner)).max())))
+    return highest / image.rate
+
+
+def _cut(image: Image) -> float:
+    return -float(lowest_cut(image.problem.track)[0]) / image.rate
+
+
+def _number(poles: tuple[Pole, ...] | list[Pole]) -> int:
+    return sum(pole.multiplicity * (1 if pole.sigma.imag == 0 else 2) for pole in poles)
+
+
+def _unfelt(reduced: Reduced, rate: float) -> list[Pole]:
+    roots = [1j * complex(q.mid()) / rate for q in unfelt_frequencies(reduced.parts) if q.real >= 0]
+    return [Pole(complex(z.real, 0.0 if abs(z.imag) < 1e-12 * abs(z) else z.imag)) for z in roots]
+
+
+def _right_of(poles: list[Pole], floor: float) -> tuple[Pole, ...]:
+    return tuple(pole for pole in poles if pole.sigma.real > floor and pole.sigma)

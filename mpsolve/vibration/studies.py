@@ -1,0 +1,143 @@
+"""Questions about a motion: superposition, one merged mass, envelope, the weight of the transient part.
+
+Each takes a Problem, or a Case or PhysicalCase of the paper, which keep their own formulas and units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import InputError
+from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.motion import study as paper
+from mpsolve.problem.problem import Problem
+from mpsolve.vehicles.mass import Mass
+from mpsolve.vehicles.vehicle import Placed
+from mpsolve.vibration.motion import Vibration
+from mpsolve.vibration.response import vibrate
+
+_MASSES = "has a meaning for masses only"
+
+
+def superposition(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> tuple[Any, ...]:
+    """The motion of each vehicle alone under its own loads: their sum is the superposition, which is no solution.
+
+    problem, loads, options: as for `response`; of a Case masses at one position stay together. Without `places` the
+    rail is watched under all contacts.
+    """
+    if isinstance(problem, (Case, PhysicalCase)):
+        return paper.superposition(problem, loads, *arguments, **options)
+    options.setdefault("places", problem.pencil.places)
+    return tuple(
+        vibrate(Problem(problem.track, [placed], problem.v), own, **options)
+        for placed, own in zip(problem.vehicles, _own_loads(problem, loads), strict=True)
+    )
+
+
+def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> Any:
+    """The motion of one mass with the sum of all masses and loads at the rear one: the paper's "doubled mass".
+
+    Without `places` the rail is watched under all contacts. InputError for vehicles that are no masses.
+    """
+    if isinstance(problem, (Case, PhysicalCase)):
+        return paper.merged(problem, loads, *arguments, **options)
+    masses = [placed.vehicle.M for placed in problem.vehicles if isinstance(placed.vehicle, Mass)]
+    if len(masses) < len(problem.vehicles):
+        raise InputError("problem", f"holds other vehicles than masses, and one merged mass {_MASSES}")
+    if isinstance(loads, Mapping):
+        raise InputError("loads", "are given by names: give one Load for each mass, or none")
+    options.setdefault("places", problem.pencil.places)
+    rear = min(placed.position for placed in problem.vehicles)
+    together = Problem(problem.track, [Mass(mass).at(rear) for mass in masses], problem.v)
+    return vibrate(together, loads, **options)
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """The envelope ±modulus(t) of the harmonic part at one place, and the size of each pair of frequencies there.
+
+    modulus: shape (len(times),). amplitudes by the order of `Vibration.induced`.
+    """
+
+    modulus: Any
+    amplitudes: tuple[float, ...]
+
+
+def envelope(problem: Any, *arguments: Any, **options: Any) -> Any:
+    """The envelope of the harmonic part, which the vibration at induced frequencies never exceeds.
+
+    problem: a Vibration, of whose first place it is; or a Case or PhysicalCase, as in Figures 3–8 of the paper.
+    """
+    if isinstance(problem, (Case, PhysicalCase)):
+        return paper.envelope(problem, *arguments, **options)
+    if not isinstance(problem, Vibration):
+        raise InputError(
+            "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"
+        )
+    parts = problem.induced
+    turns = sum((part.rail[0] * np.exp(1j * part.q * problem.times) for part in parts), np.zeros(len(problem.times)))
+    return Envelope(np.abs(turns), tuple(abs(part.rail[0]) for part in parts))
+
+
+@dataclass(frozen=True)
+class Importance:
+    """How far steady and harmonic part alone miss the start from rest under the contacts: it vanishes with the rest.
+
+    displacement, velocity (contacts,): at t = 0, without the transient part.
+    """
+
+    displacement: Any
+    velocity: Any
+
+
+def transient_importance(problem: Any, *arguments: Any, **options: Any) -> Any:
+    """Displacement and velocity of the steady and harmonic part alone at t = 0 (paper, Section 4.1).
+
+    problem: a Vibration, at its places; or a Case or PhysicalCase.
+    """
+    if isinstance(problem, (Case, PhysicalCase)):
+        return paper.transient_importance(problem, *arguments, **options)
+    if not isinstance(problem, Vibration):
+        raise InputError(
+            "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"
+        )
+    solution = problem.solution
+    image, first = solution.image, slice(solution.image.size + solution.image.contacts, None)
+    parts = solution.parts(np.zeros(1))
+    displacement = (parts.static + parts.forced + parts.free)[first, 0] - solution.held[first]
+    rates = [(1j * one.frequency * one.amplitude).real for one in solution.steady]
+    rates += [_rate(mode) for mode in solution.modes]
+    velocity = sum(rates, np.zeros(image.channels))[first] * image.rate
+    return Importance(displacement, velocity)
+
+
+def _rate(mode: Any) -> Any:
+    """The slope of a mode at t = 0, scaled."""
+    slope = mode.sigma * mode.moments[0] + (mode.moments[1] if len(mode.moments) > 1 else 0)
+    return (2.0 if mode.sigma.imag > 0 else 1.0) * slope.real
+
+
+def _own_loads(problem: Problem, loads: Any) -> list[Any]:
+    """The loads of each vehicle."""
+    placed = problem.vehicles
+    if loads is None:
+        return [None] * len(placed)
+    if isinstance(loads, Mapping):
+        return [_named(loads, k, one, len(placed)) for k, one in enumerate(placed, 1)]
+    given = list(loads)
+    order = sorted(
+        (x + one.position, k, j) for k, one in enumerate(placed) for j, x in enumerate(one.vehicle.pencil.places)
+    )
+    if len(given) != len(order):
+        raise InputError("loads", f"has {len(given)} loads for {len(order)} contacts: give one for each")
+    return [[load for load, (_, k, _) in zip(given, order, strict=True) if k == own] for own in range(len(placed))]
+
+
+def _named(loads: Mapping[str, Any], k: int, placed: Placed, count: int) -> dict[str, Any]:
+    ending = "" if count == 1 else f" of vehicle {k}"
+    names = placed.vehicle.pencil.names
+    return {name: loads[name + ending] for name in names if name + ending in loads}

@@ -1,0 +1,65 @@
+"""A motion as a table: CSV for people and spreadsheets, NPZ for programs; headers with units."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mpsolve.files import write_whole
+from mpsolve.motion.output import save_columns
+from mpsolve.vibration.motion import Vibration
+
+_PARTS = {"w": "rail", "steady": "steady", "harmonic": "harmonic", "transient": "transient"}
+
+
+def unit_of(name: str) -> str:
+    """Of a coordinate."""
+    return "rad" if "pitch" in name else "m"
+
+
+def columns(found: Vibration) -> dict[str, Any]:
+    """Name and values of each column by time, in SI: rail and its parts, coordinates, contact forces.
+
+    The last one is 1 up to the first lift-off and 0 beyond it, where the model does not hold.
+    """
+    table = {"t [s]": found.times}
+    for k, place in enumerate(found.places):
+        at = repr(float(place)).removesuffix(".0")  # all its digits: two places are two columns
+        for name, part in _PARTS.items():
+            table[f"{name} at x = {at} m [m]"] = getattr(found, part)[k]
+    for name, row in found.vehicle.items():
+        table[f"{name} [{unit_of(name)}]"] = row
+    for j, row in enumerate(found.contact_force, 1):
+        table[f"contact force {j} [N]"] = row
+    table["within the model [1]"] = found.within.astype(float)
+    return table
+
+
+def save_table(found: Vibration, path: Path) -> Path:
+    """CSV, each number with all its digits; CertificateError if it cannot be written."""
+    return save_columns(columns(found), path)
+
+
+def save_arrays(found: Vibration, path: Path) -> Path:
+    """NPZ with the arrays of the motion under their names, in SI; vehicle (coordinates, times), `names` of these."""
+    stream = io.BytesIO()
+    names = (
+        "times",
+        "places",
+        "rail",
+        "steady",
+        "steady_harmonic",
+        "harmonic",
+        "transient",
+        "contact_force",
+        "within",
+    )
+    arrays: dict[str, Any] = {name: getattr(found, name) for name in names}
+    arrays["vehicle"] = np.array(list(found.vehicle.values()))
+    arrays["names"] = np.array(list(found.vehicle))
+    arrays["q"] = np.array([part.q for part in found.induced], complex)
+    np.savez(stream, **arrays)
+    return write_whole(path, stream.getvalue())

@@ -1,0 +1,67 @@
+"""What is known of the zeros of a function in a region, or on an interval."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from mpsolve.numbers.packed import Portable
+from mpsolve.outcome import Reason, Status
+
+
+@dataclass(frozen=True)
+class Zero(Portable):
+    """A zero, or a cluster that balls do not tell apart.
+
+    q: a ball (flint.acb; flint.arb for a zero on an interval) that holds exactly `multiplicity` zeros of f, counted
+    with multiplicity. real: it is proved to lie on the real axis.
+    """
+
+    q: Any
+    multiplicity: int
+    real: bool = False
+
+
+@dataclass(frozen=True)
+class Work:
+    """What an answer took: processor seconds of the proof and of its check, evaluations of f, pieces of the path."""
+
+    seconds: float
+    verification: float = 0.0
+    evaluations: int = 0
+    pieces: int = 0
+
+
+@dataclass(frozen=True)
+class Zeros(Portable):
+    """The zeros of f in `region`, which may be another than was asked for: `note` says why.
+
+    roots: disjoint balls, sorted by (Re, Im), whose multiplicities add up to `count` where this is proved.
+    When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    function: f as it was read; for a fraction its zeros are those of the numerator where the denominator is not 0.
+    assumed: what the proof takes on the user's word, one sentence each. verified: what the verifier has confirmed.
+    certificate: None for a Python function that could not be read as an expression: nobody else can check that.
+    """
+
+    function: str
+    region: Any
+    digits: int
+    status: Status
+    reason: Reason | None = None
+    count: int | None = None
+    roots: tuple[Zero, ...] = ()
+    note: str = ""
+    assumed: tuple[str, ...] = ()
+    known: Mapping[str, Any] = field(default_factory=dict)
+    certificate: Any = field(default=None, repr=False)
+    verified: str = ""
+    cost: Work = field(default_factory=lambda: Work(0.0))
+
+    @property
+    def proved(self) -> bool:
+        """Whether every zero of the region is counted and enclosed."""
+        return self.status.holds
+
+    def __bool__(self) -> bool:
+        raise TypeError("an answer has no truth value: ask for .proved or .count")

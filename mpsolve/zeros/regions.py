@@ -1,0 +1,334 @@
+"""Regions of the z-plane, exact: what a user asks for, and the polygon in which zeros are counted for it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.model import rational, shown
+
+Point = tuple[Fraction, Fraction]
+Vertices = tuple[Point, ...]
+_SIDES = 32  # of the polygon round a disc
+
+
+def exact_point(z: object, key: str) -> Point:
+    """A complex number as two rationals: a pair, a number, or a text for a real one."""
+    if isinstance(z, tuple) and len(z) == 2:
+        return rational(z[0], key), rational(z[1], key)
+    if isinstance(z, complex):
+        return rational(z.real, key), rational(z.imag, key)
+    return rational(z, key), Fraction(0)
+
+
+@dataclass(frozen=True, init=False)
+class Rectangle:
+    """The open rectangle re_min < Re < re_max, im_min < Im < im_max; the bounds are exact rationals."""
+
+    re_min: Fraction
+    re_max: Fraction
+    im_min: Fraction
+    im_max: Fraction
+
+    def __init__(self, re_min: object, re_max: object, im_min: object, im_max: object) -> None:
+        given = {"re_min": re_min, "re_max": re_max, "im_min": im_min, "im_max": im_max}
+        vars(self).update({name: rational(value, f"region.{name}") for name, value in given.items()})
+        for axis in ("re", "im"):
+            low, high = getattr(self, f"{axis}_min"), getattr(self, f"{axis}_max")
+            if not low < high:
+                stated = f"is {shown(high)}, not above {axis}_min = {shown(low)}"
+                raise InputError(f"region.{axis}_max", f"{stated}: give the bounds in order")
+
+    @property
+    def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """re_min, re_max, im_min, im_max."""
+        return self.re_min, self.re_max, self.im_min, self.im_max
+
+    def as_dict(self) -> dict[str, str]:
+        """The bounds by name as exact texts."""
+        return {name: str(value) for name, value in vars(self).items()}
+
+    @property
+    def polygon(self) -> Vertices:
+        a, b, c, d = self.bounds
+        return (a, c), (b, c), (b, d), (a, d)
+
+    def __str__(self) -> str:
+        a, b, c, d = (f"{float(x):.6g}" for x in self.bounds)
+        return f"{a} < Re q < {b}, {c} < Im q < {d}"
+
+
+@dataclass(frozen=True, init=False)
+class Disc:
+    """The open disc |z − centre| < radius; centre: a complex number or a pair of exact ones."""
+
+    centre: Point
+    radius: Fraction
+
+    def __init__(self, centre: object, radius: object) -> None:
+        vars(self).update(centre=exact_point(centre, "region.centre"), radius=rational(radius, "region.radius"))
+        if not self.radius > 0:
+            raise InputError("region.radius", f"is {shown(self.radius)}: give a number above 0")
+
+    @property
+    def polygon(self) -> Vertices:
+        """A polygon that holds the disc; that it does is checked exactly."""
+        x, y = self.centre
+        reach = float(self.radius) / math.cos(math.pi / _SIDES) * (1 + 1e-9)
+        turns = [2 * math.pi * (k + 0.5) / _SIDES for k in range(_SIDES)]
+        corners = tuple((x + Fraction(reach * math.cos(t)), y + Fraction(reach * math.sin(t))) for t in turns)
+        if not all(distance_squared(self.centre, a, b) > self.radius**2 for a, b in edges(corners)):
+            raise InputError("region.radius", f"is {shown(self.radius)}, out of the range of floats: scale z")
+        return corners
+
+    def __str__(self) -> str:
+        return f"|z - ({float(self.centre[0]):.6g}{float(self.centre[1]):+.6g}i)| < {float(self.radius):.6g}"
+
+
+@dataclass(frozen=True, init=False)
+class Polygon:
+    """The inside of a simple polygon; vertices: complex numbers or pairs of exact ones, in either direction."""
+
+    vertices: Vertices
+
+    def __init__(self, vertices: Iterable[object]) -> None:
+        given = tuple(exact_point(z, f"region.vertices[{k}]") for k, z in enumerate(vertices, 1))
+        if len(given) < 3 or not is_simple(given):
+            raise InputError("region.vertices", "do not go once round a region: give the corners in their order")
+        vars(self).update(vertices=given if doubled_area(given) > 0 else given[::-1])
+
+    @property
+    def polygon(self) -> Vertices:
+        return self.vertices
+
+    def __str__(self) -> str:
+        return (
+            f"the polygon of {len(self.vertices)} corners from {float(self.vertices[0][0]):.6g}"
+            f"{float(self.vertices[0][1]):+.6g}i"
+        )
+
+
+@dataclass(frozen=True, init=False)
+class HalfPlane:
+    """A half-plane bounded by a line along an axis; `bound` is the user's word that no zero in it has |z| ≥ bound.
+
+    side: "upper" (Im z > at), "lower", "right" (Re z > at) or "left". What is proved is proved for |z| < bound.
+    """
+
+    side: str
+    at: Fraction
+    bound: Fraction
+
+    def __init__(self, side: str, bound: object, at: object = 0) -> None:
+        if side not in ("upper", "lower", "right", "left"):
+            raise InputError("region.side", f'is {side!r}: give "upper", "lower", "right" or "left"')
+        vars(self).update(side=side, at=rational(at, "region.at"), bound=rational(bound, "region.bound"))
+        if not self.bound > abs(self.at):
+            raise InputError("region.bound", f"is {shown(self.bound)}: give a number above |at|")
+
+    @property
+    def polygon(self) -> Vertices:
+        r, t = self.bound, self.at
+        sides = {"upper": (-r, r, t, r), "lower": (-r, r, -r, t), "right": (t, r, -r, r), "left": (-r, t, -r, r)}
+        return Rectangle(*sides[self.side]).polygon
+
+    def __str__(self) -> str:
+        part = "Im z" if self.side in ("upper", "lower") else "Re z"
+        sign = ">" if self.side in ("upper", "right") else "<"
+        return f"{part} {sign} {float(self.at):.6g}, |z| < {float(self.bound):.6g}"
+
+
+@dataclass(frozen=True, init=False)
+class Cut:
+    """A branch cut of f along an axis: a ray, or a segment; the region's points are beside it, on either side."""
+
+    origin: Point
+    direction: Point
+    length: Fraction | None
+
+    @classmethod
+    def ray(cls, origin: object, direction: object) -> Cut:
+        """From the branch point `origin` to infinity; direction: 1, -1, 1j or -1j."""
+        return cls._of(exact_point(origin, "cuts"), exact_point(direction, "cuts"), None)
+
+    @classmethod
+    def segment(cls, start: object, end: object) -> Cut:
+        """Between two branch points, parallel to an axis."""
+        a, b = exact_point(start, "cuts"), exact_point(end, "cuts")
+        step = (b[0] - a[0], b[1] - a[1])
+        length = abs(step[0]) + abs(step[1])
+        if not length or (step[0] and step[1]):
+            raise InputError("cuts", "has a segment that is not parallel to an axis: turn z, so that it is")
+        return cls._of(a, (step[0] / length, step[1] / length), length)
+
+    @classmethod
+    def _of(cls, origin: Point, direction: Point, length: Fraction | None) -> Cut:
+        if abs(direction[0]) + abs(direction[1]) != 1 or (direction[0] and direction[1]):
+            raise InputError("cuts", "has a ray whose direction is not 1, -1, 1j or -1j: turn z, so that it is")
+        out = object.__new__(cls)
+        vars(out).update(origin=origin, direction=direction, length=length)
+        return out
+
+    def __init__(self, *_: Any) -> None:
+        raise InputError("cuts", "has a cut made by hand: give Cut.ray(origin, direction) or Cut.segment(a, b)")
+
+    @property
+    def tips(self) -> tuple[Point, ...]:
+        """The branch points at its ends."""
+        return (self.origin,) if self.length is None else (self.origin, self.at(self.length))
+
+    def at(self, t: Fraction) -> Point:
+        return self.origin[0] + t * self.direction[0], self.origin[1] + t * self.direction[1]
+
+    def place_of(self, p: Point) -> Fraction | None:
+        """t with p = origin + t direction, None where p is not on the line of the cut."""
+        x, y = p[0] - self.origin[0], p[1] - self.origin[1]
+        off = x * self.direction[1] - y * self.direction[0]
+        return None if off else x * self.direction[0] + y * self.direction[1]
+
+    def holds(self, a: Point, b: Point) -> bool:
+        """Whether the segment from a to b lies on the cut."""
+        places = (self.place_of(a), self.place_of(b))
+        return all(t is not None and t >= 0 and (self.length is None or t <= self.length) for t in places)
+
+    def __str__(self) -> str:
+        a, d = (f"{float(x):.6g}{float(y):+.6g}i" for x, y in (self.origin, self.direction))
+        return (
+            f"ray from {a} along {d}"
+            if self.length is None
+            else f"segment from {a} of length {float(self.length):.6g}"
+        )
+
+
+Region = Rectangle | Disc | Polygon | HalfPlane
+
+
+def edges(vertices: Vertices) -> list[tuple[Point, Point]]:
+    return list(zip(vertices, [*vertices[1:], vertices[0]], strict=True))
+
+
+def cross(o: Point, a: Point, b: Point) -> Fraction:
+    """Twice the area of the triangle o, a, b: above 0 where it turns left."""
+    return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
+
+
+def doubled_area(vertices: Vertices) -> Fraction:
+    return sum((a[0] * b[1] - a[1] * b[0] for a, b in edges(vertices)), Fraction(0))
+
+
+def is_convex(vertices: Vertices) -> bool:
+    """Of a simple polygon that turns left."""
+    n = len(vertices)
+    return all(cross(vertices[k - 1], vertices[k], vertices[(k + 1) % n]) >= 0 for k in range(n))
+
+
+def is_simple(vertices: Vertices) -> bool:
+    """Whether the edges meet in their common corners only."""
+    sides = edges(vertices)
+    n = len(sides)
+    if any(a == b for a, b in sides) or not doubled_area(vertices):
+        return False
+    for j in range(n):
+        for k in range(j):
+            apart = not _meet(*sides[j], *sides[k])
+            next_to = (j - k) in (1, n - 1)
+            if not apart and not (next_to and not _overlap(sides[j], sides[k])):
+                return False
+    return True
+
+
+def _meet(a: Point, b: Point, c: Point, d: Point) -> bool:
+    """Whether two closed segments have a point in common."""
+    p, q, r, s = cross(a, b, c), cross(a, b, d), cross(c, d, a), cross(c, d, b)
+    if ((p > 0 > q) or (p < 0 < q)) and ((r > 0 > s) or (r < 0 < s)):
+        return True
+    touching = ((p, a, b, c), (q, a, b, d), (r, c, d, a), (s, c, d, b))
+    return any(not value and _between(x, y, z) for value, x, y, z in touching)
+
+
+def _between(a: Point, b: Point, p: Point) -> bool:
+    """Whether p, on the line of a and b, lies on the segment."""
+    return all(min(a[k], b[k]) <= p[k] <= max(a[k], b[k]) for k in (0, 1))
+
+
+def _overlap(one: tuple[Point, Point], other: tuple[Point, Point]) -> bool:
+    """Whether two neighbouring edges lie on each other."""
+    (a, b), (c, d) = one, other
+    shared = b if b in (c, d) else a
+    p, q = (a if shared == b else b), (d if shared == c else c)
+    along = (p[0] - shared[0]) * (q[0] - shared[0]) + (p[1] - shared[1]) * (q[1] - shared[1])
+    return not cross(shared, p, q) and along > 0
+
+
+def distance_squared(p: Point, a: Point, b: Point) -> Fraction:
+    """Of a point from a segment."""
+    x, y = b[0] - a[0], b[1] - a[1]
+    t = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y)
+    t = min(max(t, Fraction(0)), Fraction(1))
+    u, v = p[0] - a[0] - t * x, p[1] - a[1] - t * y
+    return u * u + v * v
+
+
+def is_inside(vertices: Vertices, p: Point) -> bool:
+    """Whether a point that is on no edge lies inside, by the edges that pass to its right."""
+    inside = False
+    for a, b in edges(vertices):
+        if (a[1] > p[1]) != (b[1] > p[1]):
+            upward = b[1] > a[1]
+            inside ^= (cross(a, b, p) > 0) == upward
+    return inside
+
+
+def box_of(vertices: Vertices) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+    """re_min, re_max, im_min, im_max."""
+    xs, ys = [p[0] for p in vertices], [p[1] for p in vertices]
+    return min(xs), max(xs), min(ys), max(ys)
+
+
+def grown(vertices: Vertices, part: Fraction) -> Vertices | None:
+    """A convex polygon scaled about its middle by 1 + part; None for one that is not convex."""
+    if not is_convex(vertices):
+        return None
+    n = len(vertices)
+    x, y = (sum((p[k] for p in vertices), Fraction(0)) / n for k in (0, 1))
+    return tuple((x + (p[0] - x) * (1 + part), y + (p[1] - y) * (1 + part)) for p in vertices)
+
+
+def place_of_box(vertices: Vertices, low: Point, high: Point) -> bool | None:
+    """True if the closed box lies inside the polygon, False if outside, None if it meets an edge."""
+    a, c = low
+    b, d = high
+    left, right, bottom, top = box_of(vertices)
+    if b < left or a > right or d < bottom or c > top:
+        return False
+    if len(vertices) == 4 and set(vertices) == {(left, bottom), (right, bottom), (right, top), (left, top)}:
+        return True if left < a and b < right and bottom < c and d < top else None
+    for p, q in edges(vertices):
+        apart = max(p[0], q[0]) < a or min(p[0], q[0]) > b or max(p[1], q[1]) < c or min(p[1], q[1]) > d
+        sides = [cross(p, q, corner) for corner in ((a, c), (b, c), (b, d), (a, d))]
+        if not (apart or all(x > 0 for x in sides) or all(x < 0 for x in sides)):
+            return None
+    return is_inside(vertices, ((a + b) / 2, (c + d) / 2))
+
+
+def place_of_box_in_disc(disc: Disc, low: Point, high: Point) -> bool | None:
+    """The same for a disc."""
+    (x, y), reach = disc.centre, disc.radius**2
+    far = max(abs(low[0] - x), abs(high[0] - x)) ** 2 + max(abs(low[1] - y), abs(high[1] - y)) ** 2
+    nearest = (min(max(x, low[0]), high[0]), min(max(y, low[1]), high[1]))
+    near = (nearest[0] - x) ** 2 + (nearest[1] - y) ** 2
+    return True if far < reach else False if near > reach else None
+
+
+def place_in(region: Region, low: Point, high: Point) -> bool | None:
+    """True if the closed box lies in the region, False if it lies outside, None where that is not told.
+
+    A half-plane counts as the rectangle in which its zeros are, by the user's word.
+    """
+    if isinstance(region, Disc):
+        return place_of_box_in_disc(region, low, high)
+    return place_of_box(region.polygon, low, high)

@@ -1,0 +1,48 @@
+"""Growing motions are proved where they are, and none where there is none."""
+
+from __future__ import annotations
+
+import numpy as np
+from endless_rows import brute_sum, masses
+
+from mpsolve.endless.bloch import Bloch
+from mpsolve.endless.growing import find_growing, prove_growing
+from mpsolve.numbers.balls import acb, arb
+
+
+def test_a_growing_motion_is_a_root_by_brute_force() -> None:
+    row = masses("0.4")
+    found = find_growing(row, 1.0)
+    assert found is not None
+    assert found.q.imag < 0
+    assert float(found.q.rad()) < 1e-6
+    q = complex(found.q)
+    z = np.exp(1j * found.theta)
+    G = complex(row.reduced.guide.g) * brute_sum(row, row.step * 0, z, 1j * q, 600)
+    assert abs(1 - 40 * q**2 * G) < 1e-5  # the spring of the track against a mass of 40
+
+
+def test_below_the_threshold_none_is_found() -> None:
+    assert find_growing(masses("0.18"), 1.0) is None
+
+
+def test_a_root_that_decays_is_not_said_to_grow() -> None:
+    """The same root at a κ where it decays: proved as a root, refused as growing."""
+    row = masses("0.4")
+    bloch, theta = Bloch(row), np.array([0.3])
+    sigma = np.array([-0.001 + 0.3j])
+    for _ in range(60):
+        value, slope = bloch.delta(sigma, np.exp(1j * theta))
+        sigma = sigma - value / slope
+    assert sigma[0].real < 0
+    assert prove_growing(row, 0.3, complex(sigma[0])) is None
+
+
+def test_the_ball_holds_the_root_of_another_start() -> None:
+    row = masses("0.5")
+    found = find_growing(row, 1.0)
+    assert found is not None
+    again = prove_growing(row, found.theta, 1j * complex(found.q) * (1 + 1e-4))
+    assert again is not None
+    assert again.q.overlaps(found.q)
+    assert not again.q.overlaps(found.q + acb(arb(0), arb(1e-4)))

@@ -1,0 +1,80 @@
+"""Ratios over discs hold the true ones; the enclosed maximum is that of a fine grid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from endless_rows import BEAM, bogies, masses
+
+from mpsolve import receptance
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.start import start
+from mpsolve.endless.ratio import Ratio
+from mpsolve.endless.row import Row
+from mpsolve.errors import EffortError
+from mpsolve.problem.reduced import Reduced, reduce_problem
+from mpsolve.proof.effort import Effort
+
+
+def by_hand(v: float, count: int, q: float) -> tuple[float, float]:
+    """(back, ahead) for masses of 40 at distances of 1.5: λ = (C + G)⁻¹ε with C = −1/(40 q²)."""
+    x = 1.5 * np.arange(count)
+    G = receptance(BEAM, (x[:, None] - x[None, :]).ravel(), [q], v=v).reshape(count, count)
+    force = np.linalg.inv(G - np.eye(count) / (40 * q * q))
+    return abs(force[0, -1] / force[-1, -1]), abs(force[-1, 0] / force[0, 0])
+
+
+def test_the_ratio_is_that_of_the_receptances() -> None:
+    reduced = reduce_problem(masses("0.4").train(4))
+    up = start(reduced.guide).up
+    for q in (0.05, 0.195, 0.7):
+        at = np.array([q + 0j])
+        for truth, source, target in zip(by_hand(0.4, 4, q), (3, 0), (0, 3), strict=True):
+            jet, fine = Ratio(Arrays(reduced), up, source, target).jets(at, at)
+            assert fine.all()
+            assert abs(abs(jet.a[0]) - truth) < 1e-9 + jet.e[0]
+
+
+def shaken_in_full(reduced: Reduced, q: float, source: int, target: int) -> float:
+    """The same by the whole bordered matrix with a unit in the row of the contact."""
+    from mpsolve.characteristic.determinant import Bordering
+    from mpsolve.characteristic.floats import Receptance
+    from mpsolve.numbers.float64 import Float64
+
+    border, sigma = Bordering.of(reduced, eliminate=False), np.array([1j * q])
+    G = Receptance(reduced.guide)(sigma, border.distances, slope=False)[0]
+    A = Float64().matrix(border.rows(Float64(), sigma, G))[0]
+    right = np.zeros(len(A))
+    right[reduced.bodies + source] = 1
+    force = np.linalg.solve(A, right)[reduced.bodies :]
+    return float(abs(force[target] / force[source]))
+
+
+@pytest.mark.parametrize("make", [masses, bogies])
+def test_coupled_wheels_and_discs_of_some_size(make: Callable[[str], Row]) -> None:
+    reduced = reduce_problem(make("0.4").train(2))
+    up, last = start(reduced.guide).up, reduced.contacts - 1
+    a, b = np.array([0.3, 0.5, 1.0]) + 0j, np.array([0.302, 0.503, 1.001]) + 0j
+    for source, target in ((0, last), (last, 0)):
+        jet, fine = Ratio(Arrays(reduced), up, source, target).jets(a, b)
+        assert fine.all()
+        for share in (-1, -0.4, 0.3, 1):
+            q = ((a + b) / 2 + share * (b - a) / 2).real
+            truth = [shaken_in_full(reduced, x, source, target) for x in q]
+            value = np.abs(jet.a + jet.b * 1j * share * (b - a) / 2)
+            assert (np.abs(value - truth) <= jet.e + 1e-9).all()
+        assert (jet.e < 0.05 * np.abs(jet.a) + 0.01).all()
+
+
+def test_the_maximum_is_enclosed() -> None:
+    reduced = reduce_problem(masses("0.4").train(5))
+    ratio = Ratio(Arrays(reduced), start(reduced.guide).up, 4, 0)
+    found = ratio.largest(0.0, 1.0, 1e-6, Effort(evaluations=20_000))
+    grid = max(by_hand(0.4, 5, q)[0] for q in np.linspace(0.15, 0.3, 1501))
+    assert found.low <= found.high <= found.low * (1 + 2e-6)
+    assert 0 < found.high - grid < 1e-2 * grid
+    assert abs(by_hand(0.4, 5, found.q)[0] - found.low) < 1e-5
+    with pytest.raises(EffortError):
+        ratio.largest(0.0, 1.0, 1e-6, Effort(evaluations=300))

@@ -1,0 +1,47 @@
+"""A budget: parts in order, what does not fit is named, and no part ends the page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from mpsolve.errors import InputError
+from mpsolve.page.budget import Budget
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def spending(clock: Clock, seconds: float) -> Callable[[float], float]:
+    def make(left: float) -> float:
+        clock.now += seconds
+        return left
+
+    return make
+
+
+def test_parts_come_until_time_is_up() -> None:
+    clock, told = Clock(), []
+    budget = Budget(10.0, lambda stage, fraction: told.append((stage, fraction)), clock)
+    first = budget.part("first", spending(clock, 6.0), share=0.5)
+    second = budget.part("second", spending(clock, 3.0))
+    third = budget.part("third", spending(clock, 1.0), least=2.0)
+    assert (first.value, first.seconds) == (5.0, 6.0)
+    assert second.value == 4.0
+    assert third.late
+    assert not third.there
+    assert "--effort" in third.reason
+    assert [stage for stage, _ in told] == ["first", "second"]
+
+
+def test_an_error_of_a_part_is_its_reason() -> None:
+    def fails(_left: float) -> None:
+        raise InputError("k", "is wrong")
+
+    part = Budget(1.0, lambda *_: None, Clock()).part("x", fails)
+    assert "is wrong" in part.reason
+    assert not part.late

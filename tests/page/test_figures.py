@@ -1,0 +1,44 @@
+"""The pictures of a page: lines follow roots, and what is missing is left out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from mpsolve import read_problem
+from mpsolve.page import figures
+from mpsolve.page.parts import Parts, gather
+
+
+@pytest.fixture(scope="module")
+def parts() -> Parts:
+    source = read_problem("examples/two_layer_bogie.toml")
+    return gather(source.given, source.title, digits=15, seconds=60, tell=lambda *_: None)
+
+
+def test_roots_are_followed_past_each_other() -> None:
+    x = np.linspace(0, 1, 50)
+    a, b = 10 + 5 * x + 0.5j, 12 - 1j * x
+    rows = np.array([sorted(pair, key=lambda q: q.real) for pair in zip(a, b, strict=True)])
+    rows[20, 1] = complex(np.nan, np.nan)
+    lines = figures.followed(rows)
+    assert len(lines) >= 2
+    for line in lines:
+        good = np.isfinite(line)
+        assert min(np.nanmax(np.abs(line[good] - truth[good])) for truth in (a, b)) < 1e-12
+        assert np.isnan(line.imag[~good]).all()
+
+
+def test_every_picture_is_there(parts: Parts) -> None:
+    shape = figures.shape(parts)
+    assert shape is not None
+    assert {name for name, _, _ in shape[1]} == set(parts.problem.pencil.names)
+    names = [one.name for one in (*figures.lines(parts), *figures.motion(parts), figures.plane(parts))]
+    assert names == ["growth", "frequency", "deflection", "force", "plane"]
+    assert figures.chart(parts) is not None
+
+
+def test_numbers_on_the_lines_are_those_of_the_roots(parts: Parts) -> None:
+    growth = figures.lines(parts)[0].svg
+    assert "this case" in growth
+    assert growth.count("<polyline") >= 2

@@ -1,0 +1,73 @@
+"""The cards of the first screen: they say what the parts say, with the right sign and unit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from flint import arb
+
+from mpsolve import Case, Problem, certify, tracks, vehicles
+from mpsolve.page.budget import Part
+from mpsolve.page.parts import Parts
+from mpsolve.page.words import contact_card, growth_card, speech, velocity_card
+
+TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
+PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=250)
+NONE: Part[Any] = Part("x", reason="it is not asked for")
+
+
+@dataclass
+class Onset:
+    kind: str
+    value: Any = None
+    reason: str = "it is open"
+
+
+def parts(problem: Problem = PAIR, **more: Any) -> Parts:
+    found = certify(problem, region="unstable", digits=15)
+    made = Parts(problem, problem, "", Fraction(400), found, NONE, NONE, NONE, NONE, NONE)
+    return replace(made, **more)
+
+
+def test_too_fast_and_slow_enough() -> None:
+    crossing = Part("onset", Onset("crosses", arb(191)))
+    card = velocity_card(parts(onset=crossing))
+    assert card.figure == "stable below 687.6 km/h"
+    assert "212.4 km/h above it" in card.sentence
+    slow = velocity_card(parts(PAIR.changed("v", 150), onset=crossing))
+    assert "leaves 147.6 km/h" in slow.sentence
+
+
+@pytest.mark.parametrize(
+    ("kind", "figure"),
+    [("stable", "no change"), ("unstable_from_start", "unstable from the start"), ("undecided", "undecided")],
+)
+def test_other_answers(kind: str, figure: str) -> None:
+    assert velocity_card(parts(onset=Part("onset", Onset(kind)))).figure == figure
+
+
+def test_growth_doubles_in_a_time() -> None:
+    card = growth_card(parts())
+    assert card is not None
+    assert card.figure.startswith("doubles in")
+    assert card.status == "proved"
+
+
+def test_lift_off_and_late() -> None:
+    motion = SimpleNamespace(lift_off=SimpleNamespace(time=0.02, contact=1), times=[0.0, 1.0])
+    card = contact_card(parts(response=Part("response", motion)))
+    assert card.figure == "after 20 ms"
+    assert "Contact 2" in card.sentence
+    late = contact_card(parts(response=Part("response", reason="no time", late=True)))
+    assert late.figure == "not in time"
+
+
+def test_the_papers_ratios_have_no_units() -> None:
+    case = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
+    said = speech(replace(parts(), given=case))
+    assert said.velocity(Fraction(2, 3)) == "α = 0.6667"
+    assert speech(parts()).velocity(Fraction(70)) == "252 km/h"

@@ -1,0 +1,54 @@
+"""The far theorem over boxes of parameters, against residue sums at points of the box."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from passive_subjects import RAIL, TRACKS, family_and_envelope, least, reduced_and_envelope
+
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.passivity.far import far, least_gap, slopes
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_beyond_it_the_matrix_is_passive(name: str) -> None:
+    reduced, envelope = reduced_and_envelope(name, 3)
+    X = far(envelope)
+    assert X is not None
+    assert (least(reduced.guide, reduced.places, X * np.geomspace(1, 20, 40)) > -1e-13).all()
+    assert X < 100
+
+
+def test_over_parameters() -> None:
+    pair = Problem(RAIL, [vehicles.Mass(900), vehicles.Mass(900).at("2.5")], v=150)
+    over = {"track.k": (5e5, 15e5), "track.c": (400, 1200), "gap[0]": (2, 3), "v": (0, 160)}
+    family, envelope = family_and_envelope(pair, over)
+    X = far(envelope)
+    assert X is not None
+    assert X < 20
+    rng = np.random.default_rng(5)
+    low, high = np.array(envelope.low), np.array(envelope.high)
+    for _ in range(60):
+        x = [Fraction(float(t)) for t in low + rng.uniform(0, 1, 4) * (high - low)]
+        places = [place.at(x) for place in family.places]
+        assert least(family.guide(x), places, X * np.exp(rng.uniform(0, 2, 1)))[0] > 0
+    gap = least_gap(envelope.subject, np.array([envelope.low]), np.array([envelope.high]))
+    smallest = min(float(family.places[1].at([*map(Fraction, envelope.low[:2]), Fraction(g), Fraction(1)])
+                         - family.places[0].at([*map(Fraction, envelope.low[:2]), Fraction(g), Fraction(1)]))
+                   for g in (envelope.low[2], envelope.high[2]))  # fmt: skip
+    assert gap == pytest.approx(smallest)
+    assert gap <= smallest
+
+
+def test_none_beyond_the_speed_of_short_waves() -> None:
+    wire = tracks.String(T=27000, m="1.07", k=500, c=2)
+    pair = Problem(wire, [vehicles.Mass(9), vehicles.Mass(9).at(20)], v=100)
+    _, envelope = family_and_envelope(pair, {"v": (100, 170)})
+    assert far(envelope, most=1e4) is None
+
+
+def test_slopes_of_a_beam() -> None:
+    _, envelope = reduced_and_envelope("rail")
+    assert slopes(envelope.subject, np.zeros((1, 0))) == [Fraction(1, 2)]

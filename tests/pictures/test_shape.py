@@ -1,0 +1,27 @@
+"""The shape moves through one period, and names its bodies."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+
+from mpsolve.pictures.shape import moving_shape
+
+
+def test_one_period() -> None:
+    x = np.linspace(-3, 3, 31)
+    tree = ET.fromstring(moving_shape(x, np.exp(-np.abs(x)) * (1 + 1j), [0.0], {"a <b>": 1 + 0j}, 2.0))
+    (rail,) = [e for e in tree.iter("polyline") if e.get("class") == "rail"]
+    frames = rail[0].attrib["values"].split(";")
+    assert frames[0] == frames[-1] == rail.attrib["points"]
+    assert len(set(frames)) > 10
+    assert any(e.text == "a <b>" for e in tree.iter("text"))
+
+
+def test_many_coordinates_are_numbered() -> None:
+    x = np.linspace(-3, 3, 5)
+    tree = ET.fromstring(moving_shape(x, np.ones(5), [0.0], {f"body {k}": 1 + 0j for k in range(9)}, 1.0))
+    said = [e.text for e in tree.iter("text")]
+    assert "9" in said
+    assert "body 8" not in said

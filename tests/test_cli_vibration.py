@@ -1,0 +1,97 @@
+"""response and compare on files in SI: m, s, N in tables with units, pictures, a film, the first lift-off."""
+
+from __future__ import annotations
+
+import csv
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+from mpsolve import read_problem, response
+from mpsolve.cli import cli
+
+BOGIE = Path("examples/two_layer_bogie.toml")
+MASSES = Path("examples/rail_60e1.toml")
+
+
+def run(*arguments: object) -> Result:
+    return CliRunner().invoke(cli, [str(a) for a in arguments])
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def test_a_table_in_SI_with_units(tmp_path: Path) -> None:
+    table = tmp_path / "out.csv"
+    result = run("response", BOGIE, "-o", table, "--to", "0.2 s", "--points", "21", "--xi", "0,3.4")
+    assert result.exit_code == 0, result.output
+    assert "induced frequency 6.76444 Hz decays" in result.output
+    assert "contact is kept" in result.output
+    found = response(read_problem(BOGIE).problem, times=np.linspace(0, 0.2, 21), places=[0, "3.4"])
+    for k, row in enumerate(rows_of(table)):
+        assert float(row["t [s]"]) == found.times[k]
+        assert float(row["w at x = 3.4 m [m]"]) == pytest.approx(found.rail[1, k], abs=1e-15)
+        assert float(row["frame pitch [rad]"]) == pytest.approx(found.vehicle["frame pitch"][k], abs=1e-15)
+        assert float(row["contact force 2 [N]"]) == pytest.approx(found.contact_force[1, k], abs=1e-6)
+        assert row["within the model [1]"] == "1.0"
+
+
+def test_what_is_beyond_the_model_is_marked(tmp_path: Path) -> None:
+    """A file of the paper's beam in SI, with its time in s; the masses leave the rail at 0.317 s."""
+    table = tmp_path / "out.csv"
+    result = run("response", MASSES, "-o", table, "--to", "1 s", "--points", "101")
+    assert result.exit_code == 0, result.output
+    assert "contact 1 lifts off at t = 0.317316" in result.output
+    marks = [row["within the model [1]"] for row in rows_of(table)]
+    assert marks == ["1.0"] * 32 + ["0.0"] * 69
+    picture = tmp_path / "out.svg"
+    assert run("response", MASSES, "-o", picture, "--to", "1 s", "--points", "51").exit_code == 0
+    assert "<svg" in picture.read_text("utf-8")
+
+
+def test_arrays_and_a_film(tmp_path: Path) -> None:
+    arrays, film = tmp_path / "out.npz", tmp_path / "film.svg"
+    result = run(
+        "response", MASSES, "-o", arrays, "--to", "1 s", "--points", "11", "--animate", film, "--initial", "rest"
+    )
+    assert result.exit_code == 0, result.output
+    with np.load(arrays) as found:
+        assert found["rail"].shape == (2, 11)
+        assert found["vehicle"].shape == (2, 11)
+        assert found["within"].tolist() == [True] * 4 + [False] * 7
+    root = ET.parse(film).getroot()
+    moved = [one.attrib["attributeName"] for one in root.iter("{http://www.w3.org/2000/svg}animate")]
+    assert moved == ["d", "stroke", "cy", "cy", "cx"]
+    assert "beyond the model" in film.read_text("utf-8")
+
+
+def test_compare_holds_the_other_ways_against_it(tmp_path: Path) -> None:
+    table = tmp_path / "out.csv"
+    result = run("compare", MASSES, "-o", table, "--to", "0.3 s", "--points", "16")
+    assert result.exit_code == 0, result.output
+    rows = rows_of(table)
+    for name in ("complete", "superposition", "one merged mass", "finite track"):
+        assert f"{name} [m]" in rows[0]
+    apart = [abs(float(row["complete [m]"]) - float(row["finite track [m]"])) for row in rows]
+    assert max(apart) < 2e-3 * max(abs(float(row["complete [m]"])) for row in rows)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["examples/dimensionless.toml", "--to", "2 s"], "--to: is 2 s, but the file is dimensionless"),
+        (["examples/dimensionless.toml", "--initial", "steady"], "--initial: is for a motion in s"),
+        ([str(BOGIE), "--to", "0 s"], "--to: is 0 s: give a time above 0"),
+        ([str(BOGIE), "--to", "x"], "--to"),
+        ([str(BOGIE), "--to", "1 s", "--animate", "film.gif"], "film.gif"),
+    ],
+)
+def test_options_that_cannot_be_used_are_named(arguments: list[str], said: str, tmp_path: Path) -> None:
+    result = run("response", arguments[0], "-o", tmp_path / "out.csv", *arguments[1:])
+    assert result.exit_code == 2, result.output
+    assert said in result.output + result.stderr

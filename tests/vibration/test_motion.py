@@ -1,0 +1,29 @@
+"""The result: its parts, its frequencies, what it says of itself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from track_models import DAMPED
+from vehicle_models import TYPICAL
+
+from mpsolve import Problem, certify, response
+
+PROBLEM = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
+FOUND = response(PROBLEM, times=np.linspace(0, 0.3, 31), places=[0, 2])
+
+
+def test_the_harmonic_part_is_the_sum_of_its_frequencies() -> None:
+    total = sum((part.rail[:, None] * np.exp(1j * part.q * FOUND.times)).real for part in FOUND.induced)
+    assert FOUND.harmonic == pytest.approx(total, abs=1e-9 * np.abs(FOUND.rail).max())
+    known = [complex(root.q.mid()) for root in certify(PROBLEM, check=False).roots if root.q.real >= 0]
+    assert np.sort_complex([part.q for part in FOUND.induced]) == pytest.approx(np.sort_complex(known), rel=1e-9)
+    assert set(FOUND.induced[0].vehicle) == set(FOUND.vehicle)
+    assert FOUND.induced[0].contact_force.shape == (2,)
+
+
+def test_shapes_and_errors() -> None:
+    assert FOUND.rail.shape == FOUND.steady.shape == FOUND.harmonic.shape == FOUND.transient.shape == (2, 31)
+    assert not FOUND.steady_harmonic.any()
+    assert set(FOUND.error.vehicle) == set(FOUND.vehicle)
+    assert FOUND.within.all()

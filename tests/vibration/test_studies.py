@@ -1,0 +1,67 @@
+"""Superposition, merged masses, envelope and the weight of the transient part, for problems and for cases."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from track_models import DAMPED
+from vehicle_models import TYPICAL
+
+from mpsolve import (
+    Case,
+    InputError,
+    Load,
+    Problem,
+    envelope,
+    merged,
+    response,
+    superposition,
+    transient_importance,
+    vehicles,
+)
+from mpsolve.motion import study
+from mpsolve.problem.cases import as_problem
+
+CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "40"), positions=("0", "1.5"))
+LOADS = [Load(1), Load(2, 1, "0.3")]
+TIMES = np.linspace(0, 40, 41)
+PROBLEM = as_problem(CASE)
+
+
+def test_superposition_and_merged_masses_are_those_of_the_paper() -> None:
+    known = sum(part.w for part in study.superposition(CASE, LOADS, None, TIMES))
+    found = sum(part.rail for part in superposition(PROBLEM, LOADS, times=TIMES))
+    assert found == pytest.approx(known / 2, abs=1e-8 * np.abs(found).max())
+    one, other = study.merged(CASE, LOADS, None, TIMES), merged(PROBLEM, LOADS, times=TIMES)
+    assert other.rail == pytest.approx(one.w / 2, abs=1e-8 * np.abs(other.rail).max())
+
+
+def test_envelope_and_the_weight_of_the_transient_part() -> None:
+    found = response(PROBLEM, LOADS, times=TIMES)
+    known = study.envelope(CASE, LOADS, 0, TIMES)
+    assert envelope(found).modulus == pytest.approx(known.modulus / 2, rel=1e-8)
+    assert sorted(envelope(found).amplitudes) == pytest.approx(sorted(x / 2 for x in known.amplitudes), rel=1e-8)
+    one, other = study.transient_importance(CASE, LOADS), transient_importance(found)
+    assert other.displacement == pytest.approx(np.array(one.displacement) / 2, rel=1e-6)
+    assert other.velocity == pytest.approx(np.array(one.velocity) / 2, rel=1e-6)
+
+
+def test_cases_keep_their_own() -> None:
+    assert envelope(CASE, LOADS, 0, TIMES).modulus == pytest.approx(study.envelope(CASE, LOADS, 0, TIMES).modulus)
+    assert transient_importance(CASE).velocity == study.transient_importance(CASE).velocity
+
+
+def test_loads_go_with_their_vehicles() -> None:
+    bogies = Problem(DAMPED["two-layer"], [TYPICAL["bogie"].at(30), vehicles.Mass(900)], v=20)
+    alone = Problem(DAMPED["two-layer"], [vehicles.Mass(900)], v=20)
+    times = [0.01, 0.1]
+    loads = [Load(5), Load(7), Load(9)]
+    found = superposition(bogies, loads, times=times, places=[0])
+    assert found[1].rail == pytest.approx(response(alone, [Load(5)], times=times, places=[0]).rail)
+    named = superposition(bogies, {"wheel of vehicle 2": Load(5)}, times=times, places=[0])
+    assert named[1].rail == pytest.approx(found[1].rail)
+    assert not named[0].rail.any()
+    with pytest.raises(InputError, match="masses only"):
+        merged(bogies, times=times)
+    with pytest.raises(InputError, match="Vibration"):
+        envelope(bogies)
