@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import receptances, spectral_weights, split
+from mpsolve.characteristic.discs import receptances, waves, split
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
@@ -82,7 +82,7 @@ class Arrays:
         """
         s = split(self.D, m, r, up, nodes)
         distances, pairs = self.distances
-        weight, p, alone = spectral_weights(self.N, self.D, s)
+        weight, p, alone = waves(self.N, self.D, s)
         parts = []
         for x in distances:
             side, sign = (slice(0, up), 1.0) if x >= 0 else (slice(up, None), -1.0)
