@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import receptances, waves, split
+from mpsolve.characteristic.discs import receptances, split, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
