@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from mpsolve.motion.study import deflection_shape
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
+    from mpsolve.passivity.answer import PassivityVelocity
+    from mpsolve.passivity.band import PassivityBand, passivity_band
+    from mpsolve.passivity.velocity import passivity_velocity
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
@@ -43,6 +46,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
+    from mpsolve.vibration.precise import PreciseVibration, response_mp
     from mpsolve.vibration.response import response
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
@@ -67,6 +71,10 @@ __all__ = [
     "critical_velocities",
     "CriticalVelocities",
     "CriticalVelocity",
+    "passivity_velocity",
+    "PassivityVelocity",
+    "passivity_band",
+    "PassivityBand",
     "certify",
     "Rectangle",
     "Spectrum",
@@ -98,6 +106,8 @@ __all__ = [
     "response",
     "Response",
     "Vibration",
+    "response_mp",
+    "PreciseVibration",
     "Irregularity",
     "Event",
     "harmonic_solution",
@@ -145,6 +155,10 @@ _HOME = {
     "critical_velocities": "waves.critical",
     "CriticalVelocities": "waves.critical",
     "CriticalVelocity": "waves.critical",
+    "passivity_velocity": "passivity.velocity",
+    "PassivityVelocity": "passivity.answer",
+    "passivity_band": "passivity.band",
+    "PassivityBand": "passivity.band",
     "certify": "certificate.certify",
     "Rectangle": "zeros.regions",
     "Spectrum": "spectrum.spectrum",
@@ -175,6 +189,8 @@ _HOME = {
     "Load": "model.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",
+    "response_mp": "vibration.precise",
+    "PreciseVibration": "vibration.precise",
     "Irregularity": "vibration.forcing",
     "Event": "vibration.liftoff",
     "Response": "motion.solution",

@@ -12,24 +12,11 @@ import io
 import os
 import sys
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 
 import click
 
-from mpsolve import (
-    cli_audit,
-    cli_certify,
-    cli_critical,
-    cli_explore,
-    cli_new,
-    cli_receptance,
-    cli_report,
-    cli_response,
-    cli_schema,
-    cli_stability,
-    cli_study,
-    cli_work_out,
-)
 from mpsolve.cli_tools import one_sentence
 
 
@@ -41,7 +28,47 @@ def _show_version(context: click.Context, _option: click.Parameter, asked: bool)
         context.exit()
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+_MODULES = {
+    "new": "new",
+    "work-out": "work_out",
+    "certify": "certify",
+    "report": "report",
+    "explore": "explore",
+    "onset": "stability",
+    "crossings": "stability",
+    "critical-distance": "stability",
+    "table": "stability",
+    "chart": "stability",
+    "train": "train",
+    "response": "response",
+    "compare": "response",
+    "critical": "critical",
+    "receptance": "receptance",
+    "study": "study",
+    "status": "study",
+    "export": "study",
+    "roots": "roots",
+    "schema": "schema",
+    "audit": "audit",
+}
+"""The module cli_… that holds each command; it is loaded when the command is asked for."""
+
+
+class _Commands(click.Group):
+    """The commands of this file, and those of `_MODULES`."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [*_MODULES, *super().list_commands(ctx)]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in _MODULES:
+            return super().get_command(ctx, cmd_name)
+        module = import_module(f"mpsolve.cli_{_MODULES[cmd_name]}")
+        commands: tuple[click.Command, ...] = module.COMMANDS
+        return next(command for command in commands if command.name == cmd_name)
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
     "--version", is_flag=True, is_eager=True, expose_value=False, callback=_show_version, help="Show the version."
 )
@@ -103,53 +130,6 @@ def models(name: str | None) -> None:
         from mpsolve.report.models import listing
 
         click.echo(listing(name), nl=False)
-
-
-for module in (
-    cli_new,
-    cli_work_out,
-    cli_certify,
-    cli_explore,
-    cli_stability,
-    cli_response,
-    cli_receptance,
-    cli_critical,
-    cli_study,
-    cli_report,
-    cli_schema,
-    cli_audit,
-):
-    for command in module.COMMANDS:
-        cli.add_command(command)
-
-EXAMPLES = {
-    "verify": "mpsolve verify mine.certificate.json",
-    "derive": "mpsolve derive mine.toml",
-    "models": "mpsolve models two-layer",
-    "new": 'mpsolve new ballasted --vehicle shinkansen --v "300 km/h" -o mine.toml',
-    "work-out": 'mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m"',
-    "schema": "mpsolve schema input > mpsolve.schema.json",
-    "certify": "mpsolve certify mine.toml --region unstable",
-    "explore": "mpsolve explore mine.toml",
-    "onset": "mpsolve onset rail.toml",
-    "crossings": "mpsolve crossings rail.toml",
-    "critical-distance": "mpsolve critical-distance pair.toml --from 0.5 --to 2",
-    "table": "mpsolve table onsets.toml -o onsets.csv",
-    "chart": "mpsolve chart chart.toml -o chart.svg",
-    "response": "mpsolve response pair.toml -o motion.csv --to 50",
-    "compare": "mpsolve compare pair.toml -o compare.svg --to 50",
-    "critical": "mpsolve critical mine.toml -o critical.svg",
-    "receptance": "mpsolve receptance mine.toml --omega 1,600,100 --xi=-1.5,0,1.5 -o receptance.csv",
-    "study": "mpsolve study study.toml -o study.sqlite",
-    "status": "mpsolve status study.sqlite",
-    "export": "mpsolve export study.sqlite --to csv",
-    "report": "mpsolve report rail.toml -o rail.html",
-    "audit": "mpsolve audit examples/paper --only xii",
-}
-"""One for each command, at the end of its help."""
-for name, command in cli.commands.items():
-    if name in EXAMPLES:
-        command.epilog = f"\b\nExample:\n  {EXAMPLES[name]}"
 
 
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)  # of a stream that takes no more

@@ -36,7 +36,7 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 @_POINTS
 @click.option("--xi", help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]")
 @click.option(
-    "--start",
+    "--initial",
     type=click.Choice(["rest", "steady"]),
     default="rest",
     show_default=True,
@@ -44,7 +44,7 @@ _SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
 )
 @click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
 def response(
-    file: Path, output: Path, end: str, points: int, xi: str | None, start: str, animate: Path | None
+    file: Path, output: Path, end: str, points: int, xi: str | None, initial: str, animate: Path | None
 ) -> None:
     """Compute the motion from rest of the vehicles in FILE (TOML), in float64.
 
@@ -57,18 +57,20 @@ def response(
     input cannot be used.
     """
     with one_sentence():
+        from mpsolve.model.inputfile import InputFile
+
         kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
-        problem = _in_seconds(file, end)
-        if problem is not None:
+        source = _source(file, end)
+        if not isinstance(source, InputFile):
             last = cli_vibration.seconds(end) or _last(end)
-            said = cli_vibration.respond(problem, output, kind, _grid(last, points), xi, start)
+            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial)
             if animate is not None:
-                cli_vibration.film(problem, checked_output(animate, file, "the film"), last, start)
+                cli_vibration.film(source, checked_output(animate, file, "the film"), last, initial)
             click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
             return
-        _only_in_seconds(start != "rest", "--start")
+        _only_in_seconds(initial != "rest", "--initial")
         _only_in_seconds(animate is not None, "--animate")
-        source, tau = _source(file), _times(end, points)
+        tau = _times(end, points)
         from mpsolve.motion.solve import response as respond
 
         places = None if xi is None else [x.strip() for x in xi.split(",")]
@@ -92,13 +94,15 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
     or written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.model.inputfile import InputFile
+
         kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
-        problem = _in_seconds(file, end)
-        if problem is not None:
-            cli_vibration.compare(problem, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
+        source = _source(file, end)
+        if not isinstance(source, InputFile):
+            cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
             click.echo(str(output))
             return
-        source, tau = _source(file), _times(end, points)
+        tau = _times(end, points)
         scale = _scale(source)
         curves, notes = _curves(source, tau, scale)
         _save_curves(curves, tau, output, kind, source.title, scale)
@@ -114,25 +118,18 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
 COMMANDS = (response, compare)
 
 
-def _source(file: Path) -> InputFile:
-    from mpsolve.model.inputfile import read_input
-
-    return read_input(file)
-
-
-def _in_seconds(file: Path, end: str) -> ProblemFile | None:
-    """The file as a problem in SI: one with [track], or one whose last time is given in s."""
+def _source(file: Path, end: str) -> ProblemFile | InputFile:
+    """A problem in SI where the file has [track] or the last time is given in s; else the paper's case."""
     from mpsolve.errors import InputError
     from mpsolve.model.parameters import PhysicalCase
-    from mpsolve.problem.inputfile import ProblemFile, read_problem, read_source
+    from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
 
     source = read_source(file)
-    if not isinstance(source, ProblemFile):
-        if cli_vibration.seconds(end) is None:
-            return None
-        if not isinstance(source.case, PhysicalCase):
-            raise InputError("--to", f"is {end}, but the file is dimensionless: give τ, a number without a unit")
-    return read_problem(file)
+    if isinstance(source, ProblemFile) or cli_vibration.seconds(end) is None:
+        return source
+    if not isinstance(source.case, PhysicalCase):
+        raise InputError("--to", f"is {end}, but the file is dimensionless: give τ, a number without a unit")
+    return problem_file(source)
 
 
 def _only_in_seconds(given: bool, key: str) -> None:

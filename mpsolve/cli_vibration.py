@@ -28,13 +28,13 @@ def seconds(text: str) -> float | None:
     return float(last)
 
 
-def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, start: str) -> list[str]:
+def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str) -> list[str]:
     """Writes the motion; what is to be said of it."""
     from mpsolve.vibration.response import vibrate
     from mpsolve.vibration.table import save_arrays, save_table
 
     places = None if xi is None else [x.strip() for x in xi.split(",")]
-    found = vibrate(source.problem, source.loads, times=times, places=places, start=start)
+    found = vibrate(source.problem, source.loads, times=times, places=places, initial=initial)
     if kind == ".csv":
         save_table(found, output)
     elif kind == ".npz":
@@ -46,7 +46,7 @@ def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | 
     return _summary(found)
 
 
-def film(source: ProblemFile, path: Path, last: float, start: str) -> None:
+def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:
     """Writes the film of the rail's shape."""
     import numpy as np
 
@@ -58,7 +58,7 @@ def film(source: ProblemFile, path: Path, last: float, start: str) -> None:
     around = max(_AROUND * 2.0 ** scale_guide(source.problem).length, 0.5 * (contacts[-1] - contacts[0]))
     places = np.linspace(contacts[0] - around, contacts[-1] + around, _SHAPE_POINTS)
     times = np.linspace(0.0, last, _FRAMES)
-    save_film(vibrate(source.problem, source.loads, times=times, places=places, start=start), path, source.title)
+    save_film(vibrate(source.problem, source.loads, times=times, places=places, initial=initial), path, source.title)
 
 
 def _summary(found: Vibration) -> list[str]:

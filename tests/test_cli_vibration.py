@@ -57,7 +57,7 @@ def test_what_is_beyond_the_model_is_marked(tmp_path: Path) -> None:
 def test_arrays_and_a_film(tmp_path: Path) -> None:
     arrays, film = tmp_path / "out.npz", tmp_path / "film.svg"
     result = run(
-        "response", MASSES, "-o", arrays, "--to", "1 s", "--points", "11", "--animate", film, "--start", "rest"
+        "response", MASSES, "-o", arrays, "--to", "1 s", "--points", "11", "--animate", film, "--initial", "rest"
     )
     assert result.exit_code == 0, result.output
     with np.load(arrays) as found:
@@ -85,7 +85,7 @@ def test_compare_holds_the_other_ways_against_it(tmp_path: Path) -> None:
     ("arguments", "said"),
     [
         (["examples/dimensionless.toml", "--to", "2 s"], "--to: is 2 s, but the file is dimensionless"),
-        (["examples/dimensionless.toml", "--start", "steady"], "--start: is for a motion in s"),
+        (["examples/dimensionless.toml", "--initial", "steady"], "--initial: is for a motion in s"),
         ([str(BOGIE), "--to", "0 s"], "--to: is 0 s: give a time above 0"),
         ([str(BOGIE), "--to", "x"], "--to"),
         ([str(BOGIE), "--to", "1 s", "--animate", "film.gif"], "film.gif"),

@@ -8,8 +8,8 @@ from typing import Any
 
 import flint
 
+from mpsolve import Spectrum, certify
 from mpsolve.certificate.format import Certificate
-from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.claims import Claim
 from mpsolve.errors import PrecisionError
 from mpsolve.model.parameters import Case
@@ -31,11 +31,11 @@ def single(alpha: str, eta_b: str, eta_m: str) -> Case:
 
 
 @lru_cache(maxsize=512)
-def spectrum(case: Case) -> SheetSpectrum:
+def spectrum(case: Case) -> Spectrum:
     """All induced frequencies, proved. PrecisionError if they cannot be."""
-    found = certify_sheet(case, digits=DIGITS)
+    found = certify(case, region="sheet", digits=DIGITS)
     if not found.proved:
-        raise PrecisionError(found.reason)
+        raise PrecisionError(str(found.reason))
     return found
 
 

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Model, Quantity, quantities
-from mpsolve.problem.parameters import changed
+from mpsolve.numbers.model import Model, Quantity, rational
+from mpsolve.problem.parameters import changed, quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.felt import split_felt
 from mpsolve.vehicles.vehicle import AnyVehicle, Placed, checked_pencil
@@ -64,7 +64,8 @@ class Entries:
 
 def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
     """The entries for arrays by path; InputError names the path that cannot be."""
-    arrays = {path: _floats(path, values) for path, values in over.items()}
+    asked = {path: quantity_of(problem.track, problem.vehicles, problem.v, path) for path in over}
+    arrays = {path: _floats(path, values, asked[path]) for path, values in over.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
@@ -75,9 +76,8 @@ def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
     track = {name: float(value) for name, value in _track_parameters(problem.track).items()}
     for path, values in flat.items():
         if path.startswith("track."):
-            track[path.removeprefix("track.")] = _checked_track(problem, path, values)
+            track[path.removeprefix("track.")] = values
     v = flat.get("v", np.full(size, float(problem.v)))
-    _require("v", v, v >= 0, "below 0: x runs ahead, turn the vehicles round")
     formations, which = _formations(problem, flat, size)
     return Entries(problem, shape, flat, v, track, formations, which)
 
@@ -86,37 +86,25 @@ def _track_parameters(track: Any) -> dict[str, Any]:
     return dict(track.parameters) if isinstance(track, Model) else {}
 
 
-def _floats(path: str, values: Any) -> Any:
+def _floats(path: str, values: Any, asked: Quantity) -> Any:
+    """An array within the bounds of the parameter; texts may have units of their own."""
     if np.ma.is_masked(values):
         raise InputError(path, "has masked entries: give a number everywhere, or leave those entries out")
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind == "O":
-            array = np.array([float(x) for x in array.ravel()]).reshape(array.shape)
-        if array.dtype.kind not in "iuf":
-            raise TypeError
-    except (TypeError, ValueError):
-        raise InputError(path, "is no array of real numbers: give a number, a list or an array of them") from None
+    array = np.asarray(values)
+    if array.dtype.kind in "OU":
+        exact = [float(rational(x, path, asked.unit, asked.meaning)) for x in array.ravel().tolist()]
+        array = np.array(exact).reshape(array.shape)
+    if array.dtype.kind not in "iuf":
+        raise InputError(path, "is no array of real numbers: give a number, a list or an array of them")
     array = array.astype(float)
     _require(path, array, np.isfinite(array), "not finite: give finite numbers")
-    return array
-
-
-def _checked_track(problem: Problem, path: str, values: Any) -> Any:
-    """The values, within the bounds of the parameter; a path that there is not is refused as by `changed`."""
-    name = path.removeprefix("track.")
-    kind: Any = type(problem.track)
-    if not isinstance(problem.track, Model) or name not in problem.track.parameters:
-        changed(problem.track, problem.vehicles, problem.v, path, 1)  # raises, and says which paths there are
-    quantity: Quantity = quantities(kind)[name]
-    if quantity.above is not None:
+    if asked.above is not None:
+        _require(path, array, array > asked.above, f"but must be above {asked.above}: give the {asked.told}")
+    if asked.at_least is not None:
         _require(
-            path, values, values > quantity.above, f"but must be above {quantity.above}: give the {quantity.told}"
+            path, array, array >= asked.at_least, f"but must not be below {asked.at_least}: give the {asked.told}"
         )
-    if quantity.at_least is not None:
-        bound = f"but must not be below {quantity.at_least}: give the {quantity.told}"
-        _require(path, values, values >= quantity.at_least, bound)
-    return values
+    return array
 
 
 def _require(path: str, values: Any, holds: Any, stated: str) -> None:
@@ -200,7 +188,8 @@ def _array(rows: Any) -> Any:
 def _clearly_felt(M: Any, C: Any, K: Any, B: Any) -> bool:
     """Whether floats show beyond doubt that the contacts feel every motion, and that none is neutral.
 
-    As vehicles/felt.py decides exactly. The space that grows from H⁻¹B by H⁻¹M, H⁻¹C, H⁻¹K is the same for every positive combination H of the three.
+    As vehicles/felt.py decides exactly. The space that grows from H⁻¹B by H⁻¹M, H⁻¹C, H⁻¹K is the same for every
+    positive combination H of the three.
     """
     rate = np.sqrt(np.trace(K) / np.trace(M)) if np.trace(K) > 0 else 1.0
     parts = (M * rate**2, C * rate, K)

@@ -22,6 +22,7 @@ from flint import acb, acb_series, arb, fmpq
 
 MAX_BYTES, MAX_STEPS, MAX_POWER, MAX_ROOTS, MAX_CORNERS, MAX_CUTS = 32_000_000, 5_000, 10_000, 5_000, 256, 16
 MAX_PIECES, MAX_WORK, MAX_BITS, MAX_MULTIPLICITY = 400_000, 4e8, 140_000, 4_000
+HALF = fmpq(1, 2)
 MOST_TERMS = 15  # zeros of one factor that meet
 
 Point = tuple[Any, Any]
@@ -336,9 +337,9 @@ def applied(step: tuple[Any, ...], values: dict[int, Any], z: Any, n: int) -> An
         return a / values[step[2]]
     if name == "pow":
         return a ** step[2]
-    if name in CUT:
+    if name in CUT and z is not None:  # of a constant the principal value is meant, and nothing is to be analytic
         decide(off_cut(first(a)), f"{name} may meet its branch cut")
-    if name == "atan":  # cuts on the imaginary axis, from ±i outwards
+    if name == "atan" and z is not None:  # cuts on the imaginary axis, from ±i outwards
         w = first(a)
         decide(w.real > 0 or w.real < 0 or (w.imag < 1 and w.imag > -1), "atan may meet its branch cut")
     if name in ("sinh", "cosh") and isinstance(a, acb_series):
@@ -346,7 +347,23 @@ def applied(step: tuple[Any, ...], values: dict[int, Any], z: Any, n: int) -> An
         return b.cos() if name == "cosh" else acb(0, -1) * b.sin()
     if name in FUNCTIONS:
         return getattr(a, name)()
-    return composed(name, step[2], a)
+    return by_root(step[2], a) if name == "hyp0f1" and step[2] in (HALF, 3 * HALF) else composed(name, step[2], a)
+
+
+def by_root(parameter: Any, u: Any) -> Any:
+    """₀F₁(1/2; u) = cosh 2√u = cos 2√(−u), ₀F₁(3/2; u) = sinh 2√u/2√u = sin 2√(−u)/2√(−u): any root will do."""
+    if not (off_cut(first(u)) or off_cut(-first(u))):
+        return composed("hyp0f1", parameter, u)
+    if off_cut(-first(u)):
+        s = 2 * (-u).sqrt()
+        top = s.cos() if parameter == HALF else s.sin()
+    else:
+        s = 2 * u.sqrt()
+        t = acb(0, 1) * s
+        top = t.cos() if parameter == HALF else acb(0, -1) * t.sin()
+    if parameter == HALF:
+        return top
+    return top / s if first(s).abs_lower() > 0 else composed("hyp0f1", parameter, u)
 
 
 def composed(name: str, parameter: Any, x: Any) -> Any:
@@ -505,12 +522,29 @@ def read_cut(value: Any) -> Cut:
     return Cut(point(value["origin"], "a cut"), (u, v), length)
 
 
+def require_apart(cuts: Sequence[Cut]) -> None:
+    """No two cuts have a point in common: no tip of one lies on another, and none cross."""
+    for k, one in enumerate(cuts):
+        for other in cuts[:k]:
+            tips = any(one.holds(tip) for tip in other.tips) or any(other.holds(tip) for tip in one.tips)
+            level, upright = (one, other) if one.direction[1] == 0 else (other, one)
+            corner = (upright.origin[0], level.origin[1])
+            require(not tips and not (one.holds(corner) and other.holds(corner)), "two cuts meet")
+
+
+def is_convex(vertices: Sequence[Point]) -> bool:
+    """Of a simple polygon that turns left."""
+    return all(cross(vertices[k - 2], vertices[k - 1], vertices[k]) >= 0 for k in range(len(vertices)))
+
+
 def legs_round(vertices: Sequence[Point], cuts: Sequence[Cut]) -> list[tuple[Point, Point]]:
     """The path with the region to its left: edges, with cuts from outside gone in and out; then cuts gone round."""
+    require_apart(cuts)
     inner: dict[int, list[tuple[Any, Point]]] = {}
     loops = []
     for cut in cuts:
         if any(cut.on_line(a) and cut.on_line(b) for a, b in edges(vertices)):
+            require(is_convex(vertices), "a cut lies along an edge of a region that is not convex")
             continue
         met = []
         for k, (a, b) in enumerate(edges(vertices)):
@@ -862,7 +896,7 @@ def check_holds(counted: Sequence[Point], asked: Region) -> None:
     """What is counted is the region itself, or convex and holds it."""
     if asked.disc is None and list(counted) == asked.polygon:
         return
-    require(all(cross(counted[k - 2], counted[k - 1], counted[k]) >= 0 for k in range(len(counted))), "not convex")
+    require(is_convex(counted), "what is counted is neither the region nor convex")
     for a, b in edges(counted):
         if asked.disc is None:
             require(all(cross(a, b, p) >= 0 for p in asked.polygon), "the counted polygon does not hold the region")
@@ -912,12 +946,17 @@ def region(content: dict[str, Any]) -> str:
 
 def words(f: Function, below: Function | None, asked: Region, cuts: Sequence[Cut], total: int, discs: int) -> str:
     text = f.shown if below is None else f"({f.shown})/({below.shown})"
-    without = f", without {len(cuts)} branch cuts," if cuts else ""
+    without = f", without the branch cuts {'; '.join(map(cut_words, cuts))}," if cuts else ""
     zeros = "zero" if total == 1 else "zeros"
     where = f" in {discs} disjoint discs" if total else ""
     return (
         f"f(z) = {text}\n{asked.words}{without} holds exactly {total} {zeros} of f, counted with multiplicity{where}"
     )
+
+
+def cut_words(cut: Cut) -> str:
+    ends = [f"{short(x)} + {short(y)}i" for x, y in (*cut.tips, cut.direction)]
+    return f"from {ends[0]} along {ends[1]}" if cut.length is None else f"from {ends[0]} to {ends[1]}"
 
 
 def interval(content: dict[str, Any]) -> str:

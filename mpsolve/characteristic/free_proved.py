@@ -78,9 +78,7 @@ class FreeProved:
         in_sigma = [{(i, j - 1): j * c for (i, j), c in a.items() if j} for a in (D, N)]
         out = [(in_sigma[0], in_sigma[1])]
         for k in range(len(self.family.paths)):
-            first, second = (
-                {key: slope for key, c in a.items() if (slope := slope_of(c, k))} for a in (D, N)
-            )
+            first, second = ({key: slope for key, c in a.items() if (slope := slope_of(c, k))} for a in (D, N))
             out.append((first, second))
         return out
 

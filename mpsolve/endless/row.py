@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
@@ -61,3 +62,25 @@ def row_of(problem: Given, spacing: object) -> Row:
             "spacing", f"is {shown(d)}, but must be above {least}: give the distance to the next vehicle"
         )
     return Row(one, d)
+
+
+def row_in(problem: Given, spacing: object = None) -> tuple[Row, int]:
+    """(row, count): of equal vehicles at equal distances, or of one vehicle with a spacing.
+
+    InputError where the vehicles or the distances differ, and where a spacing is missing or contradicts them.
+    """
+    whole = as_problem(problem)
+    placed = sorted(whole.vehicles, key=lambda one: one.position)
+    if len(placed) == 1:
+        if spacing is None:
+            raise InputError("spacing", "is missing for a single vehicle: give the distance from one to the next")
+        return row_of(whole, spacing), 1
+    if any(one.vehicle != placed[0].vehicle for one in placed):
+        raise InputError("vehicle", "are not all equal: an endless train is made of one kind")
+    gaps = {b.position - a.position for a, b in pairwise(placed)}
+    if len(gaps) > 1:
+        raise InputError("vehicle", "are not at equal distances: give them with count and spacing")
+    gap = gaps.pop()
+    if spacing is not None and rational(spacing, "spacing") != gap:
+        raise InputError("spacing", f"is {spacing}, but the vehicles are {shown(gap)} apart: leave it out")
+    return row_of(Problem(whole.track, placed[0], whole.v), gap), len(placed)

@@ -30,7 +30,8 @@ class Setting:
     """A track in exponentials of this length, a vehicle with its outer forces, and where everything starts.
 
     contacts (n,): places in the moving frame; points (p,): the places watched; origin: of the moving frame at t = 0,
-    from the left support; velocity, duration.
+    from the left support; velocity, duration. steady: constant loads have acted for ever. unilateral: contacts, which
+    all have a compliance, push only.
     """
 
     track: Exponentials
@@ -42,6 +43,8 @@ class Setting:
     origin: float
     velocity: float
     duration: float
+    steady: bool = False
+    unilateral: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,31 +62,93 @@ class Motion:
 
 
 def march(setting: Setting, steps: int) -> Motion:
-    """The motion from rest in equal steps; float64. LinAlgError where the contact forces are not determined."""
+    """The motion in equal steps; float64. LinAlgError where the contact forces are not determined."""
     h = setting.duration / steps
     rail, vehicle = _Rail(setting, h), vehicle_tables(setting.vehicle, setting.outer, h)
     n, r = len(setting.contacts), len(setting.vehicle.K)
-    spring = np.linalg.inv(_TESTED)
-    matrix = vehicle.gain - np.einsum("ac,c,ij->iacj", spring, _MEAN, setting.vehicle.H)
-    X, compression = vehicle.start, np.zeros(n)
-    soft = bool(setting.vehicle.H.any())
+    contacts = _Contacts(setting, vehicle)
+    X = vehicle.start
     states, forces = np.empty((steps + 1, len(X))), np.empty((steps, n, 2))
     deflection = np.zeros((steps + 1, len(setting.points)))
+    if setting.steady:
+        held = _steady(setting, rail)
+        X = np.concatenate([held.kept, X[r:]])
+        contacts.compression = setting.vehicle.H @ held.force
+        deflection[0] = rail.read()
     states[0] = X
     for step in range(steps):
-        past = rail.history() - np.einsum("ain,n->ia", vehicle.history, X)
-        if soft:
-            past -= compression[:, None] * spring[:, 0]
-        f = np.linalg.solve((matrix - rail.gain()).reshape(2 * n, 2 * n), past.ravel()).reshape(2, n).T
-        if soft:
-            moved = np.einsum("ij,jc->ic", setting.vehicle.H, f * _MEAN) - compression[:, None] * [1, 0]
-            compression = compression + moved @ spring[0]
+        f = contacts.forces(rail.history(), rail.gain(), X)
         X = vehicle.advance @ X + np.einsum("nlj,jl->n", vehicle.entry, f)
         rail.advance(f)
         states[step + 1], forces[step] = X, f
         deflection[step + 1] = rail.read()
     slope = _slope(vehicle, states, forces) / h
     return Motion(h * np.arange(steps + 1), deflection.T, states[:, :r].T, slope, np.moveaxis(forces, 0, -1))
+
+
+class _Contacts:
+    """The contact forces of each step, and how far each contact is compressed; one that is open carries none.
+
+    A contact opens where the mean of its force over a step would pull, and closes where rail and wheel overlap.
+    """
+
+    def __init__(self, setting: Setting, vehicle: VehicleTables) -> None:
+        n = len(setting.contacts)
+        self._H, self._vehicle, self._unilateral = setting.vehicle.H, vehicle, setting.unilateral
+        self._spring = np.linalg.inv(_TESTED)
+        self._matrix = vehicle.gain - np.einsum("ac,c,ij->iacj", self._spring, _MEAN, setting.vehicle.H)
+        self._soft = bool(setting.vehicle.H.any())
+        self._closed = np.ones(n, bool)
+        self.compression = np.zeros(n)
+
+    def forces(self, history: Any, gain: Any, X: Any) -> Any:
+        """(n, l), from what the rail and the vehicle bring along."""
+        own = np.einsum("ain,n->ia", self._vehicle.history, X)
+        past = history - own
+        if self._soft:
+            past -= self.compression[:, None] * self._spring[:, 0]
+        f = self._solved(self._matrix - gain, past)
+        if self._unilateral:
+            while (self._closed & (f[:, 0] < 0)).any():
+                self._closed &= f[:, 0] >= 0
+                f = self._solved(self._matrix - gain, past)
+        if self._soft:
+            moved = np.einsum("ij,jc->ic", self._H, f * _MEAN) - self.compression[:, None] * [1, 0]
+            after = self.compression + moved @ self._spring[0]
+            if not self._closed.all():
+                rate = own - history + np.einsum("iacj,jc->ia", self._vehicle.gain - gain, f)
+                after = np.where(self._closed, after, self.compression + rate[:, 0])
+                self._closed |= after > 0
+            self.compression = after
+        return f
+
+    def _solved(self, matrix: Any, past: Any) -> Any:
+        n = len(past)
+        open_ = np.repeat(~self._closed, 2)
+        matrix = np.where(open_[:, None], 0.0, matrix.reshape(2 * n, 2 * n))
+        for i in np.flatnonzero(~self._closed):  # f = 0 in place of its two equations; columns are (force, contact)
+            matrix[2 * i, i] = matrix[2 * i + 1, n + i] = 1.0
+        return np.linalg.solve(matrix, np.where(open_, 0.0, past.ravel())).reshape(2, n).T
+
+
+@dataclass(frozen=True)
+class _Held:
+    """The kept coordinates and the contact forces under constant loads that have moved for ever."""
+
+    kept: Any
+    force: Any
+
+
+def _steady(setting: Setting, rail: _Rail) -> _Held:
+    """The steady motion at t = 0, which the rail then carries: K y = g − B f, Bᵀy − W f = H f."""
+    n, r = len(setting.contacts), len(setting.vehicle.K)
+    W = np.array([rail.under(rail.steady_waves(unit)) for unit in np.eye(n)]).T
+    vehicle = setting.vehicle
+    matrix = np.block([[vehicle.K, vehicle.B], [vehicle.B.T, -W - vehicle.H]])
+    push = vehicle.force(setting.outer.direction) @ setting.outer.constant
+    found = np.linalg.solve(matrix, np.concatenate([push, np.zeros(n)]))
+    rail.carry(rail.steady_waves(found[r:]))
+    return _Held(found[:r], found[r:])
 
 
 def _slope(vehicle: VehicleTables, states: Any, forces: Any) -> Any:
@@ -112,6 +177,19 @@ class _Rail:
         self._carrier = np.exp(1j * (setting.origin + setting.contacts[0]) * track.k)
         self._phase = self._shift * self._carrier
         self._z = np.zeros(shape, complex)
+
+    def steady_waves(self, f: Any) -> Any:
+        """What constant forces f (n,) leave in the modes when they have moved for ever, at the start."""
+        along = f @ self._phase
+        ahead, behind = self._entry[:, 0]
+        return along * ahead / (self._turn - self._decay) + along.conj() * behind / (self._turn.conj() - self._decay)
+
+    def carry(self, waves: Any) -> None:
+        self._z = waves
+
+    def under(self, waves: Any) -> Any:
+        """The deflection under the contacts, (n,)."""
+        return self._phase.imag @ (self._weight * waves).real.sum(0)
 
     def history(self) -> Any:
         """∫φ_a of the rail's rate in θ under the contacts, as far as it comes from the past, (n, a)."""

@@ -1,8 +1,8 @@
 """Second-order Taylor models in float64 arrays: rigorous, vectorised over boxes of several variables.
 
 A `Quadratic` stands for analytic functions of u = (u₁ … u_m) on |u_i| ≤ 1, complex u too, one for each index:
-|f(u) − a − Σ b_i u_i − Σ_{i≤j} c_ij u_i u_j| ≤ e. The scale of a variable is in its coefficients. Rounding is treated as
-in `numbers.jets`: what the operations +, −, ×, ÷ lose is added to e with a wide margin, and what cannot be bounded
+|f(u) − a − Σ b_i u_i − Σ_{i≤j} c_ij u_i u_j| ≤ e. The scale of a variable is in its coefficients. Rounding is treated
+as in `numbers.jets`: what the operations +, −, ×, ÷ lose is added to e with a wide margin, and what cannot be bounded
 has e = ∞ or nan, with which no comparison proves anything.
 """
 
@@ -28,7 +28,7 @@ def pairs(m: int) -> tuple[tuple[int, int], ...]:
 
 @dataclass(frozen=True)
 class Quadratic:
-    """k: complex, the coefficients 1, u_i, u_i u_j along the first axis, then boxes, then any shape; e ≥ 0: bounds."""
+    """k: complex, the coefficients 1, u_i, u_i u_j along the first axis, then boxes, then any shape; e ≥ 0."""
 
     k: Any
     e: Any
@@ -119,13 +119,13 @@ class Quadratic:
         c = 1 / self.k[0]
         w = self.k[1:] * c
         size = np.abs(c) * (1 + 16 * U)
-        l, q, eps = np.abs(w[: self.m]).sum(0), np.abs(w[self.m :]).sum(0), self.e * size * UP
-        y = (l + q + eps) * UP
+        p, q, eps = np.abs(w[: self.m]).sum(0), np.abs(w[self.m :]).sum(0), self.e * size * UP
+        y = (p + q + eps) * UP
         k = [c, *(-w[: self.m] * c)]
         for n, (i, j) in enumerate(pairs(self.m), self.m):
             k.append((w[i] * w[j] * (1 if i == j else 2) - w[n]) * c)
         lost = 64 * U * (self.m + 1) * (1 + y) * (1 + y)
-        e = size * (eps + (q + eps) * (2 * l + q + eps) + y * y * y / (1 - y) + lost)
+        e = size * (eps + (q + eps) * (2 * p + q + eps) + y * y * y / (1 - y) + lost)
         return Quadratic(np.stack(k), np.where(y < 0.95, e * UP + TINY, np.inf), self.m)
 
     @np.errstate(all="ignore")
@@ -133,14 +133,14 @@ class Quadratic:
         """e^f; not bounded where f varies by more than _WIDEST."""
         value, relative = exponential(self.k[0])
         w = self.k[1:]
-        l, q = self.first, self.second
-        y = (l + q + self.e) * UP
+        p, q = self.first, self.second
+        y = (p + q + self.e) * UP
         k = [value, *(w[: self.m] * value)]
         for n, (i, j) in enumerate(pairs(self.m), self.m):
             k.append((w[n] + w[i] * w[j] * (0.5 if i == j else 1.0)) * value)
         power, more = exponential(np.where(y <= _WIDEST, y, 0.0))
         beyond = np.minimum(y**3 / 6 * power.real * (1 + more), power.real * (1 + more) + 1 + y + y * y)
-        rest = self.e + (q + self.e) * (2 * l + q + self.e) / 2 + beyond
+        rest = self.e + (q + self.e) * (2 * p + q + self.e) / 2 + beyond
         lost = (relative + 64 * U * (self.m + 1)) * (1 + y + y * y)
         e = np.abs(value) * (1 + 16 * U + relative) * (rest + lost) * UP + TINY
         return Quadratic(np.stack(k), np.where(y <= _WIDEST, e, np.inf), self.m)

@@ -87,7 +87,7 @@ class Several:
         return self + -self.ring.constant(other)
 
     def __rsub__(self, other: Any) -> Several:
-        return -self + other
+        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Several:
         out: dict[Exponents, Fraction] = {}
@@ -111,11 +111,11 @@ class Several:
         if len(divisor.terms) != 1:
             raise ZeroDivisionError("a polynomial is divided by one that is not a single term")
         ((exponents, c),) = divisor.terms.items()
-        inverse = Several(self.ring, {tuple(-e for e in exponents): 1 / c})
-        return inverse * self
+        return self * Several(self.ring, {tuple(-e for e in exponents): 1 / c})
 
     def __rtruediv__(self, other: Any) -> Several:
-        return self.ring.constant(other).__truediv__(self)
+        quotient: Several = self.ring.constant(other).__truediv__(self)
+        return quotient
 
     def __repr__(self) -> str:
         return f"Several({' + '.join(f'{c}·{e}' for e, c in self.terms.items()) or '0'})"

@@ -1,7 +1,7 @@
 """The velocity at which −Im G(0, q)/q vanishes at q = 0, and that it is the first loss in its neighbourhood.
 
-F(q, v) = −Re G_σ(iq) is even in q, and −Im G(0, q) = ∫₀^q F dq. If F falls with v at q = 0 and F_qq > 0 on
-0 ≤ q ≤ r, u ≤ v ≤ w, then at velocities below the zero v_p of F(0, v) all these q have −Im G > 0, and just above it
+F(q, v) = −Re G_σ(iq) is even in q, and −Im G(0, q) = ∫₀^q F dq. Let v_p be a zero of F(0, v). If F_qq(q, v_p) > 0
+for 0 ≤ q ≤ r, and F_v < 0 there for u ≤ v ≤ v_p, then −Im G > 0 for 0 < q ≤ r, u ≤ v < v_p, and just above v_p
 small q have −Im G < 0 (SPEC, section 6.6).
 """
 
@@ -18,8 +18,8 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.newton import isolated, polished, real_part, sharpened
 
 _BITS = 96
-_PARTS = 4000  # boxes at most
-_WIDTHS = (0.03, 0.01, 3e-3, 1e-3, 3e-4)
+_PARTS = 1500  # boxes at most
+_WIDTHS = (5e-3, 1e-3, 2e-4)
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Corner:
 
 
 def velocity_of_loss(moving: Moving, near: float, bits: int) -> Any:
-    """The zero of G_σ(0) next to `near` as a ball of that many bits, proved to be the only one in some box round it."""
+    """The zero of G_σ(0) next to `near` as a ball of that many bits, the only one in some box."""
     f = _Slope(moving)
     with precision(_BITS):
         found = isolated(f, polished(f, acb(near)), arb(near))
@@ -62,10 +62,22 @@ def corner(moving: Moving, value: Any, effort: Effort) -> Corner | None:
         reach = _reach(moving, value)
         for width in _WIDTHS:
             below = float(value.mid()) * (1 - width)
-            for r in (reach, reach / 4):
-                if _bends(moving, below, value, r, effort) and _falls(moving, below, value, effort):
+            for r in (reach, reach / 4, reach / 16):
+                if not _seems_to_fall(moving, below, value, r):
+                    continue
+                if _bends(moving, value, r, effort) and _falls(moving, below, value, r, effort):
                     return Corner(value, below, float(r))
     return None
+
+
+def _seems_to_fall(moving: Moving, below: float, value: Any, reach: float) -> bool:
+    """Whether F_v < 0 at a few points: where it is not, no proof is tried."""
+    top = float(value.mid())
+    points = [(x * reach, below + y * (top - below)) for x in (0.0, 0.5, 1.0) for y in (0.0, 0.5, 1.0)]
+    try:
+        return all(moving.germ(acb(0, q), arb(v), 1).by_velocity[1].real > 0 for q, v in points)
+    except PrecisionError:
+        return False
 
 
 def _reach(moving: Moving, value: Any) -> float:
@@ -79,39 +91,33 @@ def _reach(moving: Moving, value: Any) -> float:
     return r
 
 
-def _bends(moving: Moving, below: float, value: Any, reach: float, effort: Effort) -> bool:
-    """Whether F_qq > 0 on 0 ≤ q ≤ reach, below ≤ v ≤ value."""
+def _bends(moving: Moving, value: Any, reach: float, effort: Effort) -> bool:
+    """Whether F_qq > 0 for 0 ≤ q ≤ reach at the velocity of the loss."""
+
+    def holds(box: tuple[float, float, float, float]) -> bool:
+        q0 = arb(box[0] / 2 + box[1] / 2)
+        q = q0.union(arb(box[0])).union(arb(box[1]))
+        at, wide = moving.germ(acb(0, q0), value, 3), moving.germ(acb(0, q), value, 4)
+        return bool(6 * at.value[3].real - abs(q - q0).upper() * abs(24 * wide.value[4]) > 0)
+
+    return _everywhere((0.0, reach, 0.0, 0.0), holds, effort)
+
+
+def _falls(moving: Moving, below: float, value: Any, reach: float, effort: Effort) -> bool:
+    """Whether F_v < 0 for 0 ≤ q ≤ reach, below ≤ v ≤ value, and a little beyond."""
     top = float(value.mid()) * (1 + 2.0**-40)
 
     def holds(box: tuple[float, float, float, float]) -> bool:
-        q, q0, v, v0 = _ranges(*box)
-        at, wide = moving.germ(acb(0, q0), v0, 3), moving.germ(acb(0, q), v, 4)
-        rest = abs(q - q0).upper() * abs(24 * wide.value[4]) + abs(v - v0).upper() * abs(6 * wide.by_velocity[3])
-        return bool(6 * at.value[3].real - rest > 0)
+        q, v = (arb(x / 2 + y / 2).union(arb(x)).union(arb(y)) for x, y in (box[:2], box[2:]))
+        return bool(moving.germ(acb(0, q), v, 1).by_velocity[1].real > 0)
 
     return _everywhere((0.0, reach, below, top), holds, effort)
-
-
-def _falls(moving: Moving, below: float, value: Any, effort: Effort) -> bool:
-    """Whether Re G_σ(0) rises with v for below ≤ v ≤ value."""
-    top = float(value.mid()) * (1 + 2.0**-40)
-
-    def holds(box: tuple[float, float, float, float]) -> bool:
-        _, _, v, _ = _ranges(*box)
-        return bool(moving.germ(acb(0), v, 1).by_velocity[1].real > 0)
-
-    return _everywhere((0.0, 0.0, below, top), holds, effort)
-
-
-def _ranges(a: float, b: float, c: float, d: float) -> tuple[Any, Any, Any, Any]:
-    q0, v0 = arb(a / 2 + b / 2), arb(c / 2 + d / 2)
-    return q0.union(arb(a)).union(arb(b)), q0, v0.union(arb(c)).union(arb(d)), v0
 
 
 def _everywhere(box: tuple[float, float, float, float], holds: Any, effort: Effort) -> bool:
     """The test on all of a box, halved where it fails; False where that goes on for too long."""
     waiting, tried = [(box, 0)], 0
-    span = (box[1] - box[0] or 1.0, box[3] - box[2])
+    span = (box[1] - box[0], box[3] - box[2] or 1.0)
     while waiting:
         (a, b, c, d), depth = waiting.pop()
         tried += 1

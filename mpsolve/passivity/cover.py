@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -23,16 +24,15 @@ from mpsolve.passivity.subject import Subject
 from mpsolve.problem.reduced import Guide
 from mpsolve.proof.effort import Effort
 
-_COARSE, _FINE = 12, 40  # cells on each side of a wave
-_LEVEL = 2  # of halvings, from which cells are fine
-_GERMS = 5  # from which single boxes are looked at by the germ
+_COARSE, _FINE = 12, 384  # cells on each side of a wave: twice as many after every second halving
+_GERMS = 11  # halvings from which single boxes are looked at by the germ
 _DEEPEST = 26
 _BITS = 80
 
 
 @dataclass(frozen=True)
 class Moving:
-    """A track at rest in scaled units, one contact, the velocity free; upper: the p-roots ahead, at these velocities."""
+    """A track at rest, scaled, with one contact and the velocity free; upper: how many p-roots lie ahead."""
 
     guide: Guide
     upper: int
@@ -48,7 +48,7 @@ class Moving:
 
 @dataclass(frozen=True)
 class Strip:
-    """The velocities low ≤ v ≤ high (scaled floats), and the frequency X beyond which all is proved; None: nowhere."""
+    """The velocities low ≤ v ≤ high (scaled floats), and X, beyond which all q are proved; None: nowhere."""
 
     moving: Moving
     low: float
@@ -76,7 +76,7 @@ def cover(strip: Strip, first: float, effort: Effort) -> Any:
     ends = np.geomspace(start, max(strip.X, start * 1.01), count + 1)
     if not first:
         ends = np.concatenate([[0.0], ends])
-    boxes = np.array([[a, b, strip.low, strip.high] for a, b in zip(ends, ends[1:], strict=False)])
+    boxes = np.array([[a, b, strip.low, strip.high] for a, b in pairwise(ends.tolist())])
     for level in range(_DEEPEST):
         if not len(boxes):
             break
@@ -91,7 +91,7 @@ def cover(strip: Strip, first: float, effort: Effort) -> Any:
 
 
 def _passed(strip: Strip, near: Near, boxes: Any, level: int) -> Any:
-    side = _COARSE if level < _LEVEL else _FINE
+    side = min(_COARSE * 2 ** (level // 2), _FINE)
     low, high = boxes[:, [0, 2]], boxes[:, [1, 3]]
     below = boxes[:, 1] <= near.reach
     passed = np.zeros(len(boxes), bool)

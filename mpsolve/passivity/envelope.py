@@ -38,6 +38,11 @@ class Envelope:
 
     def constant(self, power_of_two: int) -> float:
         """C for p₀ = 2^power_of_two; ∞ where it is not found."""
+        if any(k >= power_of_two and np.isinf(C) for k, C in self._known.items()):
+            return float("inf")  # a smaller p₀ asks for more
+        for k in range(power_of_two - 1, power_of_two - 4, -1):
+            if k in self._known:
+                return self._known[k]  # it holds from a smaller p₀ on
         if power_of_two not in self._known:
             found = charts(self.quotient, 2.0**power_of_two, self.fastest + self.beside)
             self._known[power_of_two] = max(_supremum(self, chart) for chart in found)

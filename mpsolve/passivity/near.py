@@ -22,7 +22,7 @@ from mpsolve.passivity.mesh import cells
 from mpsolve.passivity.power import Terms, value
 from mpsolve.passivity.subject import Subject
 
-_PART = 256  # boxes that are looked at at once
+_CELLS = 1 << 14  # that are looked at at once, about
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,8 @@ class Near:
 
     def passes(self, low: Any, high: Any, side: int) -> Any:
         """For boxes (q, parameters): whether −Im G(0, q)/q > 0 is proved on the whole box, at q = 0 its limit."""
-        parts = [self._passes(low[k : k + _PART], high[k : k + _PART], side) for k in range(0, len(low), _PART)]
+        count = max(1, _CELLS // (8 * side))
+        parts = [self._passes(low[k : k + count], high[k : k + count], side) for k in range(0, len(low), count)]
         return np.concatenate(parts) if parts else np.zeros(0, bool)
 
     @np.errstate(all="ignore")

@@ -7,8 +7,6 @@ passive vehicle Y, of whatever kind and mass (SPEC, section 6.6). The first velo
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from enum import Enum
 from fractions import Fraction
 from typing import Any
 
@@ -20,12 +18,11 @@ from mpsolve.characteristic.splitting import upper_count
 from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, precision, rational_ball
-from mpsolve.numbers.decimals import proved_digits, working_bits
-from mpsolve.numbers.model import shown
-from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.ranges import checked_range
 from mpsolve.numbers.realroots import as_fmpq, positive_roots
 from mpsolve.outcome import Reason, Status
+from mpsolve.passivity.answer import Kind, PassivityVelocity
 from mpsolve.passivity.corner import corner, unscaled, velocity_of_loss
 from mpsolve.passivity.cover import Moving, Strip, cover
 from mpsolve.passivity.decay import vanishes
@@ -43,71 +40,6 @@ _BELOW_WAVES = Fraction(999, 1000)  # of the least wave speed in the range: how 
 _MOST_DIGITS = 10_000
 
 
-class Kind(Enum):
-    """How the range of velocities ends for passivity."""
-
-    LOST = "lost at the velocity"  # first where q → 0
-    WHOLE = "passive over the whole range"
-    FROM_START = "not passive at the lower end of the range"
-    UNDECIDED = "undecided"
-
-
-@dataclass(frozen=True)
-class PassivityVelocity(Portable):
-    """What is known of −Im G(0, q) > 0 for all real q > 0 over a range of velocities, in the track's units.
-
-    value: the first velocity at which it fails, a ball (flint.arb); None where there is none in the range. passive_to:
-    it is proved for lower ≤ v < passive_to (v ≤ passive_to where `kind` is WHOLE, or UNDECIDED); None if for none.
-    wave_speeds: those in the range, where a p-root of the track runs to infinity, as balls.
-    """
-
-    kind: Kind
-    value: Any
-    lower: Fraction
-    upper: Fraction
-    passive_to: Any
-    wave_speeds: tuple[Any, ...]
-    status: Status
-    reason: Reason | None = None
-
-    @property
-    def proved(self) -> bool:
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("a passivity velocity is neither true nor false: ask for .kind, .value or .proved")
-
-    @property
-    def sentence(self) -> str:
-        """The answer in one sentence."""
-        whole = f"{shown(self.lower)} ≤ v ≤ {shown(self.upper)}"
-        safe = "no passive vehicle with one contact is unstable"
-        if self.kind is Kind.WHOLE:
-            return f"proved, without certificate: {safe} at any velocity in {whole}"
-        if self.kind is Kind.LOST:
-            return (
-                f"proved, without certificate: {safe} from {shown(self.lower)} to v = {proved_digits(self.value, 17)}"
-            )
-        if self.kind is Kind.FROM_START:
-            return f"proved, without certificate: the track is not passive for one contact at v = {shown(self.lower)}"
-        known = "" if self.passive_to is None else f"; {safe} up to v = {proved_digits(self.passive_to, 6)}"
-        return f"undecided: {self.reason}{known}"
-
-    def to_dict(self) -> dict[str, Any]:
-        """Decimals of which every digit is proved, for JSON."""
-        ball = lambda x: None if x is None else proved_digits(x, 30)  # noqa: E731
-        return {
-            "kind": self.kind.name.lower(),
-            "value": ball(self.value),
-            "range": [str(self.lower), str(self.upper)],
-            "passive_to": ball(self.passive_to),
-            "wave_speeds": [ball(x) for x in self.wave_speeds],
-            "status": self.status.value,
-            "reason": None if self.reason is None else self.reason.data(),
-            "sentence": self.sentence,
-        }
-
-
 def passivity_velocity(
     track: Track | Waveguide,
     *,
@@ -118,9 +50,9 @@ def passivity_velocity(
 ) -> PassivityVelocity:
     """The first velocity in a range at which −Im G(0, q) > 0 for all real q > 0 fails; G(0, ·) in m/N at the force.
 
-    over: {"v": (lower, upper)} in m/s, exact, 0 ≤ lower < upper. digits: of `value`. While it holds no passive vehicle
-    with one contact is unstable, of whatever kind and mass. There is no certificate. InputError for a track that is
-    unstable, undamped or active at rest. Source: SPEC2, section 6.6.
+    over: {"v": (lower, upper)} in m/s, exact, 0 ≤ lower < upper. digits: of `value`. While it holds no passive
+    vehicle with one contact is unstable, of whatever kind and mass. There is no certificate. InputError for a track
+    that is unstable, undamped or active at rest. Source: SPEC2, section 6.6.
 
     >>> from mpsolve.tracks import EulerBernoulli
     >>> beam = EulerBernoulli(EI="1/4", m=1, k=1, c=1)

@@ -74,13 +74,13 @@ def read_problem(path: str | Path) -> ProblemFile:
     InputError names the key at fault, such as track.k_pad or vehicle[2].wheel (counted from 1).
     """
     source = read_source(path)
-    return source if isinstance(source, ProblemFile) else _of_case(source)
+    return source if isinstance(source, ProblemFile) else problem_file(source)
 
 
 def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:
     """The problem in the tables of a file, as `read_problem` reads it."""
     source = source_of(content, file)
-    return source if isinstance(source, ProblemFile) else _of_case(source)
+    return source if isinstance(source, ProblemFile) else problem_file(source)
 
 
 def read_source(path: str | Path) -> ProblemFile | InputFile:
@@ -117,7 +117,8 @@ def _known_case(content: Mapping[str, Any], file: Path) -> InputFile:
     return input_of(content, file)
 
 
-def _of_case(source: InputFile) -> ProblemFile:
+def problem_file(source: InputFile) -> ProblemFile:
+    """The paper's case in a file as a problem, with its own forces."""
     loads, case = source.loads, source.case
     if isinstance(case, PhysicalCase) and gives_forces(case):
         loads = tuple(Load(mass.P, mass.P_A, mass.omega_f, mass.phi_f) for mass in case.masses)

@@ -1,4 +1,4 @@
-"""Interval Newton for one complex equation in two real unknowns, f(y, x) = 0, at the precision that is set and rising.
+"""Interval Newton for one complex equation in two real unknowns, f(y, x) = 0, at rising precision.
 
 With a real 2 × 2 matrix Y near the inverse of the Jacobian at the middle m of a box X, Krawczyk's image
 m − Y f(m) + (I − Y J(X))(X − m) in the interior of X proves exactly one zero in X, which lies in the image.
@@ -45,7 +45,10 @@ def polished(f: Planar, seed: tuple[float, float]) -> Point:
         at = (arb((at[0] - step[0]).mid()), arb((at[1] - step[1]).mid()))
         if not (at[0].is_finite() and at[1].is_finite()):
             raise PrecisionError("Newton's method left the plane near a crossing: two crossings may be too close")
-        if all(abs(s).upper() <= (abs(p) + 1).upper() * arb(2) ** (-bits_now() // 2) for s, p in zip(step, at, strict=True)):
+        if all(
+            abs(s).upper() <= (abs(p) + 1).upper() * arb(2) ** (-bits_now() // 2)
+            for s, p in zip(step, at, strict=True)
+        ):
             break
     return at
 
@@ -65,7 +68,9 @@ def isolated(f: Planar, middle: Point, size: Point) -> Zero:
         image = _image(f, middle, value, Y, box)
         if image is not None:
             return Zero(box, image)
-    raise PrecisionError(f"no box around ({middle[0].str(6)}, {middle[1].str(6)}) is proved to hold exactly one crossing")
+    raise PrecisionError(
+        f"no box around ({middle[0].str(6)}, {middle[1].str(6)}) is proved to hold exactly one crossing"
+    )
 
 
 def _image(f: Planar, middle: Point, value: Any, Y: Any, box: Point) -> Point | None:
@@ -134,7 +139,9 @@ def _regular(J: Any) -> Any:
     try:
         return J.inv()
     except ZeroDivisionError:
-        raise PrecisionError("a crossing is tangent to within the precision: two crossings may be too close") from None
+        raise PrecisionError(
+            "a crossing is tangent to within the precision: two crossings may be too close"
+        ) from None
 
 
 def _mid(a: Any) -> Any:

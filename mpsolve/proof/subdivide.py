@@ -1,4 +1,4 @@
-"""Subdivision: boxes of several variables are judged in batches, and those that stay open are halved. The tree is kept.
+"""Subdivision: boxes of several variables are judged in batches, those that stay open halved. The tree is kept.
 
 Nothing here knows what is proved of a box. Boxes are given by float corners; a box is halved at a float between its
 corners, so that the two halves have all its points.
@@ -60,9 +60,18 @@ class Covered:
 
 
 def subdivide(
-    low: Any, high: Any, judge: Judge, effort: Effort, smallest: float = 2.0**-24, tell: Callable[[float], None] | None = None
+    low: Any,
+    high: Any,
+    judge: Judge,
+    effort: Effort,
+    smallest: Any = 2.0**-24,
+    tell: Callable[[float], None] | None = None,
 ) -> Covered:
-    """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort."""
+    """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort.
+
+    smallest: one share of the whole, or one for each variable.
+    """
+    smallest = np.broadcast_to(np.asarray(smallest, float), np.shape(low))[:, None]
     lows, highs = [np.asarray(low, float)[:, None]], [np.asarray(high, float)[:, None]]
     grown = _Grown()
     waiting = [(grown.add(1), lows[0], highs[0])]
@@ -79,7 +88,7 @@ def subdivide(
         closed += float(_share(a[:, kind > 0], b[:, kind > 0], whole).sum())
         grown.kind[numbers] = kind
         rest = kind == OPEN
-        wide = rest & (b - a > smallest * whole).any(0)
+        wide = rest & (b - a > smallest * whole * (1 + 2.0**-20)).any(0)
         stuck += int((rest & ~wide).sum())
         if wide.any():
             waiting.append(grown.halve(numbers[wide], a[:, wide], b[:, wide], axis[wide], whole, smallest))
@@ -127,11 +136,11 @@ class _Grown:
         self.child = np.concatenate([self.child, np.full(count, -1, np.int64)])
         return np.arange(first, first + count)
 
-    def halve(self, numbers: Any, a: Any, b: Any, axis: Any, whole: Any, smallest: float) -> tuple[Any, Any, Any]:
+    def halve(self, numbers: Any, a: Any, b: Any, axis: Any, whole: Any, smallest: Any) -> tuple[Any, Any, Any]:
         """The halves, next to each other, along `axis` or along the longest side where that one is too short."""
         columns = np.arange(len(numbers))
-        size = (b - a) / np.where(whole > 0, whole, np.inf)
-        axis = np.where(size[axis, columns] > smallest, axis, size.argmax(0))
+        size = (b - a) / np.where(whole > 0, whole, np.inf) / smallest
+        axis = np.where(size[axis, columns] > 1 + 2.0**-20, axis, size.argmax(0))
         middle = a[axis, columns] / 2 + b[axis, columns] / 2
         first, second = b.copy(), a.copy()
         first[axis, columns], second[axis, columns] = middle, middle

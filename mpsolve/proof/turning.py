@@ -21,8 +21,7 @@ from mpsolve.numbers.jets import UP, Jet, U
 THETA = 0.9
 """Below 1 by a margin, so that a checker that rounds otherwise agrees."""
 _PIVOTS = 0.95
-"""Above θ + φ in `pivot_arguments`."""
-_MOST_PHI = 0.0025
+"""The most that θ + φ may be in `pivot_arguments`."""
 
 
 @dataclass(frozen=True)
@@ -87,5 +86,7 @@ def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
         P = size @ radius + 16 * (n + 4) * U * (size @ np.abs(A.a) + lower @ np.triu(np.abs(lu)))
         phi = np.max(np.einsum("bij,bj->bi", P * UP, piece.x) / piece.x, axis=1) * UP
         total = np.angle(np.diagonal(lu, axis1=1, axis2=2)).sum(1)
-        good = piece.good & (phi < _MOST_PHI) & np.isfinite(total)
-        return total, n * (phi / (1 - _PIVOTS) ** 2 + (16 + 2 * n) * U) * UP, good
+        wide = (piece.theta + phi) * UP
+        good = piece.good & (wide < _PIVOTS) & np.isfinite(total)
+        least = 1 - np.minimum(wide, _PIVOTS)  # of the moduli of pivots
+        return total, n * (phi / (least * least) * (1 + 8 * U) + (16 + 2 * n) * U) * UP, good

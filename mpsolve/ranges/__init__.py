@@ -1,1 +1,1 @@
-"""Stability over ranges of parameters: crossings of the real axis, onsets, unstable ranges, robustness; all proved."""
+"""Stability over ranges of parameters: crossings of the real axis, onsets, unstable ranges, robustness."""

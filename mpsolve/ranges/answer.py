@@ -1,4 +1,4 @@
-"""What every answer about ranges of parameters is made of: status, reason, what it rests on, and how it is handed on."""
+"""What every answer about ranges is made of: status, reason, what it rests on, and how it is handed on."""
 
 from __future__ import annotations
 

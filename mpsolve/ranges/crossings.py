@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 from time import process_time
 from typing import Any
 
@@ -79,7 +80,12 @@ def crossings(
 
 
 def find(
-    problem: Problem, over: Mapping[str, Interval], digits: int, effort: Effort | None, progress: Progress, check: bool
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
 ) -> Crossings:
     """`crossings` of checked arguments."""
     started = process_time()
@@ -88,7 +94,9 @@ def find(
     try:
         X = scope.X
     except OpenError as error:
-        return Crossings(problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started))
+        return Crossings(
+            problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
+        )
     search = _Search(scope, digits)
     cover = search.cover(budget, progress)
     family = scope.family
@@ -144,7 +152,9 @@ class _Search:
             point = np.array([0.0, point[1]])
         try:
             with precision(80):
-                zero = enclose(self.scope.proved, (abs(float(point[0])), float(point[1])), tuple(size * 2.0**-6), self.digits)
+                zero = enclose(
+                    self.scope.proved, (abs(float(point[0])), float(point[1])), tuple(size * 2.0**-6), self.digits
+                )
             at = np.array([float(zero.q.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
                 return True
@@ -179,21 +189,33 @@ def _counts(
 ) -> tuple[tuple[int, ...] | None, Any, Reason | None]:
     """(the numbers of unstable roots between crossings, the spectrum from which they are counted, why not)."""
     path, (low, high) = next(iter(over.items()))
-    for one, other in zip(found, found[1:], strict=False):
+    for one, other in pairwise(found):
         if not one.value.ball < other.value.ball:
             return None, None, Reason("close", "two crossings cannot be told apart", {}, "ask for more digits")
     if any(one.direction is None for one in found):
-        return None, None, Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits")
+        return (
+            None,
+            None,
+            Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits"),
+        )
     end = Fraction(found[0].value.lower) if found else high
     at = _short(low, end)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
     if base.stable is None or base.unstable is None:
-        return None, base, base.reason or Reason("base", f"the roots at {path} = {float(at):.6g} are not counted", {}, "")
+        return (
+            None,
+            base,
+            base.reason or Reason("base", f"the roots at {path} = {float(at):.6g} are not counted", {}, ""),
+        )
     counts = [base.unstable]
     for one in found:
         counts.append(counts[-1] + (one.direction or 0))
     if min(counts) < 0:
-        return None, base, Reason("counts", "the counts contradict each other", {}, "report this as a fault, with the input")
+        return (
+            None,
+            base,
+            Reason("counts", "the counts contradict each other", {}, "report this as a fault, with the input"),
+        )
     return tuple(counts), base, None
 
 
@@ -204,7 +226,7 @@ def _short(low: Fraction, high: Fraction) -> Fraction:
     while True:
         step = (high - low) / 2**bits
         unit = Fraction(2) ** (step.numerator.bit_length() - step.denominator.bit_length())
-        near = round(middle / unit) * unit
+        near: Fraction = round(middle / unit) * unit
         if low < near < high:
             return near
         bits += 4

@@ -59,8 +59,8 @@ class UnstableRanges(Answer):
 class Onset(Answer):
     """The least value of a range from which on some root grows.
 
-    kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range), unstable_from_start,
-    or undecided. known["stable_up_to"], where it is there: no root grows below it.
+    kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
+    unstable_from_start, or undecided.
     """
 
     digits: int = 15

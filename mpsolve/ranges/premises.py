@@ -3,8 +3,8 @@
 D(ip, s) is a polynomial in s whose coefficients are polynomials in y = p² and in the parameters. All its roots have
 Re s < 0 where the leading coefficient and all Hurwitz determinants are positive. Over a box of parameters the
 coefficient of each power of y has its least Bernstein coefficient as a lower bound, which gives one polynomial in y
-that lies below for y ≥ 0; that it is positive is decided exactly. A power of y may be a factor (waves without end that
-do not decay).
+that lies below for y ≥ 0; that it is positive is decided exactly. A power of y may be a factor (a motion that does
+not decay as p → 0).
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def require_stable_track(family: Family) -> None:
         if depth == _HALVINGS * len(free):
             names = ", ".join(family.paths[k] for k in free)
             raise InputError(
-                "over", f"holds values of {names} for which the track is not proved to be stable and damped by itself: "
+                "over", f"holds values of {names} for which the track is not proved stable and damped by itself: "
                 "give narrower ranges, or more damping")  # fmt: skip
         waiting += [(half, depth + 1) for half in _halves(box, depth % len(free))]
 
@@ -57,7 +57,7 @@ def _conditions(family: Family, free: list[int]) -> list[Any]:
     D = [context.from_dict(row) for row in rows]
     lead = _value(rows[-1], tuple(point.values()))
     D = [a if lead > 0 else -a for a in D]
-    return [D[-1], D[0], *hurwitz_minors(D)]
+    return [D[-1], D[0], *hurwitz_minors(D)[:-1]]  # the last is the one before it times D[0]
 
 
 def _value(row: dict[tuple[int, ...], fmpq], point: tuple[Fraction, ...]) -> Fraction:

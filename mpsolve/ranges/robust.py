@@ -42,8 +42,13 @@ class Robust(Answer):
     open: tuple[Mapping[str, Interval], ...] = ()
 
     def rows(self) -> list[Mapping[str, Any]]:
-        return [{f"{path} {end}": float(x) for path, ends in box.items() for end, x in zip(("low", "high"), ends, strict=True)}
-                for box in self.open]  # fmt: skip
+        out: list[Mapping[str, Any]] = []
+        for box in self.open:
+            ends = [
+                (f"{path} {end}", float(x)) for path, (a, b) in box.items() for end, x in (("low", a), ("high", b))
+            ]
+            out.append(dict(ends))
+        return out
 
 
 def prove_stable(
@@ -159,9 +164,7 @@ def _answer(question: _Question, progress: Progress) -> Robust:
         reason = base.reason or Reason("base", "the roots in the middle of the box are not counted", {}, "")
     common: dict[str, Any] = {"proofs": proofs, "cost": question.cost(base)}
     if reason is not None:
-        return Robust(
-            question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common
-        )
+        return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)
     status = Status.PROVED if question.check else Status.UNVERIFIED
     return Robust(question.problem, question.over, status, stable=True, **common)
 

@@ -1,4 +1,4 @@
-"""What a question about ranges is asked of: the ranges checked, the family, and the frequency that bounds its roots."""
+"""What a question about ranges is asked of: checked ranges, the family, and the frequency that bounds its roots."""
 
 from __future__ import annotations
 

@@ -46,8 +46,8 @@ def prove_far(line: Line) -> FarLine:
     last = math.sqrt(np.abs(np.roots([float(x) for x in reversed(squares)])).max())  # where p-roots meet
     W = max(1.0, float(np.float32(math.sqrt(_BEYOND * last / scale)))) * _LADDER
     for _ in range(_ROUNDS):
-        for one, waves in zip(W.tolist(), _waves(line, W), strict=True):
-            if waves is not None and is_free(line, one, waves):
+        for one, told in zip(W.tolist(), _waves(line, W), strict=True):
+            if told is not None and is_free(line, one, told):
                 return FarLine(one, float(np.float32(scale * one**2 * (1 + 2.0**-20))))
         W = W * (_LADDER[-1] * _LADDER[1])
     raise PrecisionError("no frequency is found beyond which the masses have no root: they are too close together")

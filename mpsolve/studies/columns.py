@@ -16,7 +16,7 @@ from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.model.parameters import Case
-from mpsolve.numbers.model import Model, Part, quantities
+from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.studies.blocks import Block, Result, Root, pack
 from mpsolve.studies.spec import Spec
@@ -47,27 +47,7 @@ def frequency_units(spec: Spec) -> tuple[str, str]:
 
 def unit_of(problem: Problem, path: str) -> str:
     """The unit of the parameter at a path, "" for a factor."""
-    head, _, rest = path.partition(".")
-    if head == "v":
-        return "m/s"
-    if head.startswith("gap"):
-        return "m"
-    if head == "scale":
-        return ""
-    model: Any = problem.track
-    if head != "track":
-        placed = sorted(problem.vehicles, key=lambda one: one.position)
-        number = int(head.partition("[")[2].removesuffix("]") or 0)
-        model = placed[number].vehicle
-    for name in rest.split("."):
-        if not isinstance(model, Model):
-            return ""
-        kind: Any = type(model)
-        quantity = quantities(kind)[name]
-        model = getattr(model, name)
-        if not isinstance(quantity, Part):
-            return quantity.unit
-    return ""
+    return quantity_of(problem.track, problem.vehicles, problem.v, path).unit
 
 
 def tables(spec: Spec) -> Iterator[str]:

@@ -18,9 +18,11 @@ from mpsolve.errors import ContradictionError, InputError
 from mpsolve.model import specs
 from mpsolve.model.toml import Written, parsed, text_of
 from mpsolve.numbers.exact import Exact
-from mpsolve.numbers.model import rational
+from mpsolve.numbers.model import Quantity, rational
+from mpsolve.numbers.units import measured
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.inputfile import problem_of
+from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.regions import Below, Rectangle
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
@@ -261,7 +263,10 @@ def _axes(given: Any, design: str, problem: Problem) -> dict[str, Axis]:
     flat = dict(_flattened(given, ""))
     if not flat:
         raise InputError("parameters", "is empty: give at least one path, such as v or track.k")
-    axes = {path: _axis(value, path, design) for path, value in flat.items()}
+    asked = {path: _quantity(problem, path) for path in flat}
+    axes = {
+        path: _axis(_measured(value, asked[path], f"parameters.{path}"), path, design) for path, value in flat.items()
+    }
     for path, axis in axes.items():
         for value in axis.extremes:
             try:
@@ -269,6 +274,22 @@ def _axes(given: Any, design: str, problem: Problem) -> dict[str, Axis]:
             except InputError as error:
                 raise InputError(f"parameters.{path}", str(error).removeprefix(f"{error.key}: ")) from None
     return axes
+
+
+def _quantity(problem: Problem, path: str) -> Quantity:
+    try:
+        return quantity_of(problem.track, problem.vehicles, problem.v, path)
+    except InputError as error:
+        raise InputError(f"parameters.{path}", str(error).removeprefix(f"{error.key}: ")) from None
+
+
+def _measured(given: Any, asked: Quantity, key: str) -> Any:
+    """Texts with units, in lists and tables too, in the parameter's own unit."""
+    if isinstance(given, Mapping):
+        return {name: _measured(value, asked, f"{key}.{name}") for name, value in given.items()}
+    if isinstance(given, (list, tuple)):
+        return [_measured(value, asked, f"{key}[{j}]") for j, value in enumerate(given, 1)]
+    return measured(given, asked.unit, key, asked.meaning)
 
 
 def _flattened(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Any]]:

@@ -30,7 +30,7 @@ STARTS = ("rest", "steady")
 def response(problem: Any, *arguments: Any, **options: Any) -> Any:
     """The motion in time: of a Problem by `vibrate`, of a Case or PhysicalCase by the paper's formulas.
 
-    response(problem, loads=None, *, times, places=None, irregularities=None, start="rest", spectrum=None) for a
+    response(problem, loads=None, *, times, places=None, irregularities=None, initial="rest", spectrum=None) for a
     Problem, see `vibrate`; response(case, loads=None, xi=None, tau=(0,), spectrum=None, digits=None, balls=False) for
     the others, in the paper's units.
     """
@@ -46,14 +46,14 @@ def vibrate(
     times: Any,
     places: Any = None,
     irregularities: Iterable[Irregularity] | None = None,
-    start: str = "rest",
+    initial: str = "rest",
     spectrum: Spectrum | None = None,
 ) -> Vibration:
     """The motion of the vehicles and the rail under them; float64, with an error that is estimated and kept.
 
     loads: one `Load` for each contact from rear to front, or a dict of Loads by names of coordinates, in units of the
     problem (SI: N, rad/s); without them the weights act. irregularities: one `Irregularity` for each contact. times
-    ≥ 0. places: of the moving frame, by default the contacts. start: "rest", where everything acts suddenly from
+    ≥ 0. places: of the moving frame, by default the contacts. initial: "rest", where everything acts suddenly from
     t = 0 on, or "steady", where constant loads have acted for ever and the rest sets in at t = 0. spectrum: of
     `certify(problem)`, whose roots then are the induced frequencies; without it they are searched for in float64.
 
@@ -61,14 +61,20 @@ def vibrate(
     cannot be used, as loads at a frequency at which the vehicle moves by itself; PrecisionError where a root lies on
     the path of integration.
     """
-    solution, at = solved(problem, loads, times, places, irregularities, start, spectrum)
+    solution, at = solved(problem, loads, times, places, irregularities, initial, spectrum)
     with one_thread():
         parts = _from_start(solution, at * solution.image.rate)
     return vibration(problem, solution, at, parts)
 
 
 def solved(
-    problem: Problem, loads: Any, times: Any, places: Any, irregularities: Any, start: str, spectrum: Spectrum | None
+    problem: Problem,
+    loads: Any,
+    times: Any,
+    places: Any,
+    irregularities: Any,
+    initial: str,
+    spectrum: Spectrum | None,
 ) -> tuple[Solution, Any]:
     """The motion as a function of time, and the times."""
     if not isinstance(problem, Problem):
@@ -76,14 +82,14 @@ def solved(
     resting = at_rest(problem.track)
     if resting.status is Status.UNSTABLE:
         raise InputError("track", f"is unstable without any force: {resting.sentence}; lower the axial force N")
-    if start not in STARTS:
-        raise InputError("start", f"is {start!r}: give one of {', '.join(STARTS)}")
+    if initial not in STARTS:
+        raise InputError("initial", f"is {initial!r}: give one of {', '.join(STARTS)}")
     at = _times(times)
-    image = Image(problem, _places(problem, places))
+    image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
     rough = _irregular(irregularities, image.contacts)
     acting, held = tones(image, outer, rough), tones(image, _only(outer, constant=True), ())[:0]
-    if start == "steady":
+    if initial == "steady":
         held = tones(image, _only(outer, constant=True), ())
         acting = tones(image, _only(outer, constant=False), rough)
     with one_thread():
@@ -121,7 +127,8 @@ def _times(times: Any) -> Any:
     return at
 
 
-def _places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
+def checked_places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
+    """The places in exact numbers, the contacts where none are given."""
     if places is None:
         return problem.pencil.places
     listed = [places] if isinstance(places, (str, int, float, Fraction)) else list(places)

@@ -26,7 +26,8 @@ def poles_by_aaa(points: Any, values: Any, most: int) -> Any:
     weights = np.zeros(0, complex)
     scale = np.abs(values)
     for _ in range(min(most, len(points) // 2 - 1)):
-        error = np.where(rest, np.abs(values - near) / scale, 0)
+        with np.errstate(all="ignore"):
+            error = np.nan_to_num(np.where(rest, np.abs(values - near) / scale, 0))
         if error.max() <= _TOLERANCE:
             break
         chosen.append(int(error.argmax()))

@@ -117,17 +117,21 @@ def _applied(step: Step, values: list[Any], z: Any, n: int) -> Any:
         return a ** step[2]
     if name == "div":
         return _quotient(a, values[step[2]])
-    if name in CUT and not off_cut(constant_of(a)):
+    if name in CUT and z is not None and not off_cut(constant_of(a)):  # of a constant the principal value is meant
         raise CutError(f"{name} may meet its branch cut")
+    if name == "hyp0f1" and step[2] in ("1/2", "3/2") and (off_cut(constant_of(a)) or off_cut(-constant_of(a))):
+        return _by_root(step[2], a)
     if name in WITH_ORDER:
         return _composed(_COEFFICIENTS[name], step[2], a)
     if name in ("atan", "sinh", "cosh"):
-        return _other(name, a)
+        return _other(name, a, z is not None)
     return getattr(a, name)()
 
 
-def _other(name: str, a: Any) -> Any:
+def _other(name: str, a: Any, analytic: bool = True) -> Any:
     w = constant_of(a)
+    if name == "atan" and not analytic:
+        return a.atan()
     if name == "atan":  # cuts on the imaginary axis, from ±i outwards
         if not (w.real > 0 or w.real < 0 or (w.imag < 1 and w.imag > -1)):
             raise CutError("atan may meet its branch cut")
@@ -209,6 +213,19 @@ def _composed(coefficients_at: Callable[[Any, Any, int], list[Any]], parameter: 
     for c in reversed(row[:-1]):
         out = out * offset + c
     return out
+
+
+def _by_root(parameter: str, u: Any) -> Any:
+    """₀F₁(1/2; u) = cosh 2√u = cos 2√(−u), ₀F₁(3/2; u) = sinh 2√u/2√u = sin 2√(−u)/2√(−u): any root will do."""
+    if off_cut(-constant_of(u)):
+        s = 2 * (-u).sqrt()
+        even, odd = s.cos(), s.sin()
+    else:
+        s = 2 * u.sqrt()
+        even, odd = _other("cosh", s), _other("sinh", s)
+    if parameter == "1/2":
+        return even
+    return odd / s if constant_of(s).abs_lower() > 0 else _composed(_hyp0f1, parameter, u)
 
 
 def _hyp0f1(parameter: str, w: Any, n: int) -> list[Any]:

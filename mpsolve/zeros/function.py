@@ -157,7 +157,10 @@ class CallableFunction:
 
     def _ball(self, function: Callable[[Any], Any], z: Any) -> Any:
         try:
-            value = acb(function(acb(z)))
+            given = function(acb(z))
+            if isinstance(given, str):
+                raise TypeError("a text")
+            value = acb(given)
         except (ZeroDivisionError, ValueError, ArithmeticError):
             raise PrecisionError("f raises an error on a ball") from None
         except TypeError as error:

@@ -12,6 +12,7 @@ from mpsolve.zeros.program import NAMES, Program
 _BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "power"}
 _SYNONYMS = {"ln": "log", "besselj": "bessel_j", "airyai": "airy_ai", "airybi": "airy_bi", "Abs": "abs"}
 _MOST = 100_000
+_LONGEST, _EXPONENT = 300, 2
 REMEDY = f"the functions are {', '.join(NAMES)}"
 
 
@@ -49,6 +50,11 @@ def _read(program: Program, node: ast.expr, source: str) -> int:
 
 def _number(program: Program, written: str) -> int:
     imaginary = written[-1:] in "jJ"
+    _, _, exponent = written.rstrip("jJ").lower().partition("e")
+    if len(written) > _LONGEST or len(exponent.lstrip("+-0")) > _EXPONENT:
+        raise InputError(
+            "f", f"has the number {written[:40]}: numbers have up to {_LONGEST} digits, exponents {_EXPONENT}"
+        )
     x = program.number(Fraction(written.rstrip("jJ")))
     return program.mul(x, program.i) if imaginary else x
 
@@ -78,6 +84,13 @@ def from_sympy(program: Program, expression: Any) -> int:
     """The step of sympy's expression in one symbol."""
     import sympy
 
+    try:
+        return _from_sympy(program, sympy, expression)
+    except (AttributeError, TypeError):
+        raise InputError("f", f"has a part that is no analytic function: {REMEDY}") from None
+
+
+def _from_sympy(program: Program, sympy: Any, expression: Any) -> int:
     free = sorted(expression.free_symbols, key=str)
     if len(free) > 1:
         raise InputError("f", f"has the symbols {', '.join(map(str, free))}: give numbers for all but one")

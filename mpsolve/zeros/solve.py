@@ -126,7 +126,8 @@ def _sorted(
         return Solved(count, balls, inside, region, "", reason)
     moved = Polygon(count.vertices)
     box = box_of(count.vertices)
-    kept: Region = Rectangle(*box) if isinstance(region, Rectangle) else moved
+    a, b, c, d = box
+    kept: Region = Rectangle(*box) if set(count.vertices) == {(a, c), (b, c), (b, d), (a, d)} else moved
     if part > 0 or isinstance(region, Disc):
         note = "a zero lies on the boundary, or too near to be told: the region is a little larger than was asked for"
     else:

@@ -35,8 +35,6 @@ def _refused(what: str) -> InputError:
 class Symbol:
     """Stands for a ball; its operators and methods write steps."""
 
-    __array_ufunc__ = None
-
     def __init__(self, program: Program, place: int) -> None:
         self.program, self.place = program, place
 

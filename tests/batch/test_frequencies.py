@@ -184,6 +184,13 @@ def test_two_processes_give_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     assert np.allclose(one.roots, two.roots, rtol=1e-9, equal_nan=True)
 
 
+def test_texts_may_have_units() -> None:
+    rail = Problem(TWO_LAYER, [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")], v=100)
+    one = frequencies(rail, {"v": ["5112 km/h", "360 km/h"], "vehicles.M": "0.9 t"})
+    assert one.over["v"].tolist() == [1420, 100]
+    assert one.count.tolist() == frequencies(rail, {"v": [1420, 100]}).count.tolist()
+
+
 def test_an_empty_batch() -> None:
     found = frequencies(PAIR, {"v": []})
     assert found.shape == (0,)

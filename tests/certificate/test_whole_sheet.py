@@ -193,6 +193,14 @@ def test_a_forgery_is_refused(name: str) -> None:
     assert not found.reason.startswith("malformed")
 
 
+def test_without_damping_the_gap_is_left_nowhere() -> None:
+    """A count that closes where it begins would miss roots between there and the branch point."""
+    content = copy.deepcopy(answer("0.67", "0").certificate.content)
+    content["theorem"] |= {"end": content["theorem"]["begin"], "lower": []}
+    content["paths"] = content["paths"][:1]
+    assert "the path ends on the cut" in judged(content).reason
+
+
 def test_every_track_parameter_matters() -> None:
     """A changed coefficient of the beam leaves the roots where they are not."""
     for place, value in ((0, "1001/1000"), (1, "11/100"), (2, "99/100"), (3, "26/100")):

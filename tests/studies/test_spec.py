@@ -71,6 +71,22 @@ def test_the_canonical_text_gives_the_spec_back(spec: Any) -> None:
     assert json.loads(first.text) == first.canonical
 
 
+def test_values_may_have_units() -> None:
+    problem = {
+        "v": "360 km/h",
+        "track": {"model": "string", "T": "27 kN", "m": 1, "k": 500, "c": 2},
+        "vehicle": [{"model": "mass", "M": 8}],
+    }
+    parameters = {"v": {"start": "36 km/h", "stop": 20, "step": "5 m/s"}, "vehicles[0].M": ["8500 g", 9]}
+    spec = read_spec({"study": {"kind": "float64"}, **problem, "parameters": parameters})
+    assert [spec.values(k) for k in (0, 5)] == [
+        {"v": Fraction(10), "vehicles[0].M": Fraction(17, 2)},
+        {"v": Fraction(20), "vehicles[0].M": Fraction(9)},
+    ]
+    with pytest.raises(InputError, match=r"parameters\.v\[1\]"):
+        read_spec({"study": {"kind": "float64"}, **problem, "parameters": {"v": ["3 kg"]}})
+
+
 def test_a_region_is_a_rectangle_or_below_a_height() -> None:
     assert read_spec(changed("study", region=BOX)).region == Rectangle(0, 1, -1, "0.01")
     assert read_spec(changed("study", region={"below": "1/7"})).region == Below(Fraction(1, 7))

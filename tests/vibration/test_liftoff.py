@@ -47,7 +47,7 @@ def test_the_force_is_0_there_and_was_above_before() -> None:
 def test_a_harmonic_load_lifts_a_wheel_at_its_first_trough() -> None:
     """On a steady start the wheel leaves when the load has taken off its weight: slowly, on a stiff track."""
     problem = Problem(DAMPED["two-layer"], vehicles.Mass(900), v=1)
-    found = response(problem, [Load(1000, -2000, 1)], times=[0, 10], start="steady")
+    found = response(problem, [Load(1000, -2000, 1)], times=[0, 10], initial="steady")
     assert found.lift_off is not None
     assert found.lift_off.time == pytest.approx(np.pi / 6, rel=1e-3)
 
@@ -56,7 +56,7 @@ def test_a_contact_that_nothing_presses_is_not_judged() -> None:
     problem = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=10)
     two = Problem(problem.track, [vehicles.Mass(900), vehicles.Mass(900).at(3)], v=10)
     assert response(two, [Load(1000), Load(0)], times=[0, 0.2]).lift_off is None
-    still = response(problem, times=[0.2], start="steady")
+    still = response(problem, times=[0.2], initial="steady")
     assert first_lift_off(still.solution, 0.0) is None
     force = only(still.solution, np.array([5, 6]))(np.array([1.0, 100.0]))
     assert force == pytest.approx(np.repeat(still.contact_force, 2, 1))

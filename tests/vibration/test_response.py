@@ -137,13 +137,13 @@ def test_certified_roots_give_the_same_motion() -> None:
 
 def test_a_steady_start_has_no_shock_and_the_motion_is_linear() -> None:
     times = np.linspace(0, 0.5, 40)
-    still = response(BOGIE, times=times, start="steady")
+    still = response(BOGIE, times=times, initial="steady")
     assert still.rail == pytest.approx(np.repeat(still.steady[:, :1], 40, 1), rel=1e-12)
     assert still.lift_off is None
     n = BOGIE.pencil.contacts
-    both = response(BOGIE, [Load(500, 100, 60)] * n, times=times, start="steady")
+    both = response(BOGIE, [Load(500, 100, 60)] * n, times=times, initial="steady")
     alone = response(BOGIE, [Load(0, 100, 60)] * n, times=times)
-    constant = response(BOGIE, [Load(500)] * n, times=times, start="steady")
+    constant = response(BOGIE, [Load(500)] * n, times=times, initial="steady")
     assert both.rail == pytest.approx(alone.rail + constant.rail, abs=1e-9 * np.abs(both.rail).max())
     twice = response(BOGIE, [Load(0, 200, 60)] * n, times=times)
     assert twice.rail == pytest.approx(2 * alone.rail, abs=1e-9 * np.abs(twice.rail).max())
@@ -153,7 +153,7 @@ def test_an_irregularity_compresses_the_contact() -> None:
     """On a stiff track a wheel follows: Bᵀy − w + r = h f at every time."""
     rough = [Irregularity(1e-4, 100.0), Irregularity(2e-4, 150.0, 0.4)]
     times = np.linspace(0.01, 0.4, 60)
-    found = response(BOGIE, times=times, irregularities=rough, start="steady")
+    found = response(BOGIE, times=times, irregularities=rough, initial="steady")
     r = np.array([one.amplitude * (np.sin(one.frequency * times + one.phase) - np.sin(one.phase)) for one in rough])
     wheels = np.array([found.vehicle["rear wheel"], found.vehicle["front wheel"]])
     assert wheels - found.rail + r == pytest.approx(found.contact_force / 1.4e9, abs=1e-8 * np.abs(found.rail).max())
@@ -186,7 +186,7 @@ def test_long_times_and_waves_far_away() -> None:
     [
         ("times", {"times": [-1]}),
         ("times", {"times": []}),
-        ("start", {"times": [1], "start": "soft"}),
+        ("initial", {"times": [1], "initial": "soft"}),
         ("loads", {"times": [1], "loads": [Load(1)]}),
         ("loads", {"times": [1], "loads": {"nose": Load(1)}}),
         ("irregularities", {"times": [1], "irregularities": [Irregularity(1, 1)]}),

@@ -1,0 +1,85 @@
+"""Passivity velocities against known ones, and against certified stability of very heavy masses on either side."""
+
+from __future__ import annotations
+
+import pickle
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from passive_subjects import RAIL
+
+from mpsolve import InputError, Problem, Status, certify, passivity_velocity, tracks, vehicles
+from mpsolve.passivity.answer import Kind
+from mpsolve.proof.effort import Effort
+
+
+def beam(eta_b: str) -> tracks.EulerBernoulli:
+    return tracks.EulerBernoulli(EI="1/4", m=1, k=1, c=2 * Fraction(eta_b))
+
+
+@pytest.mark.parametrize(("eta_b", "known"), [("0.05", "1.0201285771054"), ("0.5", "1.1899209702955")])
+def test_the_papers_beam(eta_b: str, known: str) -> None:
+    found = passivity_velocity(beam(eta_b), over={"v": (0, 2)}, digits=40)
+    assert found.kind is Kind.LOST
+    assert found.status is Status.UNVERIFIED
+    assert found.value.str(14, radius=False) == known
+    assert found.value.rel_accuracy_bits() > 40 * 3.32
+    assert pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
+    for side, count in ((-1, 0), (1, 2)):
+        v = Fraction(known) * (1 + side * Fraction(1, 4000))
+        heavy = certify(Problem(beam(eta_b), vehicles.Mass(10**7), v=v), region="unstable", check=False)
+        assert heavy.count == count
+
+
+def test_a_whole_range() -> None:
+    found = passivity_velocity(RAIL, over={"v": (0, 200)})
+    assert found.kind is Kind.WHOLE
+    assert found.value is None
+    assert float(found.passive_to) == 200
+    assert "no passive vehicle with one contact is unstable at any velocity" in found.sentence
+
+
+def test_not_passive_from_the_start() -> None:
+    found = passivity_velocity(RAIL, over={"v": (300, 400)})
+    assert found.kind is Kind.FROM_START
+    assert found.proved
+    assert found.passive_to is None
+
+
+def test_wave_speeds_are_named() -> None:
+    wire = tracks.String(T=27000, m="1.07", k=500, c=2)
+    found = passivity_velocity(wire, over={"v": (0, 200)}, effort=Effort(evaluations=3000))
+    assert found.kind is Kind.UNDECIDED
+    assert len(found.wave_speeds) == 1
+    assert float(found.wave_speeds[0]) == pytest.approx(np.sqrt(27000 / 1.07))
+    assert passivity_velocity(wire, over={"v": (0, 120)}).kind is Kind.WHOLE
+    above = passivity_velocity(wire, over={"v": (160, 200)})
+    assert above.reason is not None
+    assert above.reason.code == "wave-speed"
+
+
+def test_ice_is_left_open_with_a_reason() -> None:
+    ice = tracks.FloatingIce(B=1e7, h="0.5", rho_ice=917, rho_water=1000, depth=5, g="9.81", c=100)
+    found = passivity_velocity(ice, over={"v": (0, 10)})
+    assert found.status is Status.UNDECIDED
+    assert found.reason is not None
+    assert found.reason.code == "waves-meet"
+
+
+def test_an_effort_that_is_spent() -> None:
+    found = passivity_velocity(beam("0.05"), over={"v": (0, 2)}, effort=Effort(evaluations=60))
+    assert found.kind is Kind.UNDECIDED
+    assert found.reason is not None
+    assert found.reason.code == "effort"
+
+
+@pytest.mark.parametrize(
+    ("over", "track"),
+    [({"w": (0, 1)}, RAIL), ({"v": (-1, 1)}, RAIL), ({"v": (2, 1)}, RAIL),
+     ({"v": (0, 1)}, tracks.EulerBernoulli(EI=1, m=1, k=1)),
+     ({"v": (0, 1)}, tracks.EulerBernoulli(EI=1, m=1, k=1, c=1, N=3))],
+)  # fmt: skip
+def test_bad_input(over: object, track: object) -> None:
+    with pytest.raises(InputError):
+        passivity_velocity(track, over=over)  # type: ignore[arg-type]

@@ -1,0 +1,56 @@
+"""Subdivision covers the whole, keeps its tree, and ends."""
+
+from typing import Any
+
+import numpy as np
+
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import OPEN, subdivide
+
+
+def off_circle(low: Any, high: Any) -> tuple[Any, Any]:
+    """Boxes that lie inside or outside of the unit circle."""
+    near = np.hypot(*np.clip(0.0, low, high))
+    far = np.hypot(*np.maximum(np.abs(low), np.abs(high)))
+    kind = np.where(far < 1, 1, np.where(near > 1, 2, OPEN)).astype(np.int8)
+    return kind, (high - low).argmax(0).astype(np.int8)
+
+
+def whole(smallest: float = 2.0**-6, effort: Effort | None = None) -> Any:
+    return subdivide(np.array([-2.0, -1.5]), np.array([2.0, 3.0]), off_circle, effort or Effort(), smallest)
+
+
+def test_leaves_cover_the_box_once() -> None:
+    tree = whole().tree
+    leaves = np.flatnonzero(tree.axis < 0)
+    low, high = tree.boxes(leaves)
+    assert np.isclose((high - low).prod(0).sum(), 4 * 4.5)
+    for n in np.flatnonzero(tree.axis >= 0)[:50]:
+        first, second = tree.child[n], tree.child[n] + 1
+        k = tree.axis[n]
+        assert tree.high[k, first] == tree.low[k, second]
+        assert (tree.low[:, first] == tree.low[:, n]).all()
+        assert (tree.high[:, second] == tree.high[:, n]).all()
+
+
+def test_what_stays_open_lies_on_the_circle_and_is_told() -> None:
+    covered = whole()
+    low, high = covered.tree.boxes(covered.tree.open)
+    assert covered.reason is not None
+    assert covered.reason.code == "boxes"
+    assert (np.abs(np.hypot(*((low + high) / 2)) - 1) < 0.2).all()
+    assert low.shape[1] > 20
+
+
+def test_spent_effort_comes_back_with_what_there_is() -> None:
+    covered = whole(2.0**-20, Effort(evaluations=200))
+    assert covered.reason is not None
+    assert covered.reason.code == "effort"
+    assert (covered.tree.kind > 0).any()
+    assert len(covered.tree.open)
+
+
+def test_nothing_stays_open_where_all_is_decided() -> None:
+    covered = subdivide(np.array([2.0, 0.0]), np.array([3.0, 1.0]), off_circle, Effort())
+    assert covered.reason is None
+    assert covered.tree.nodes == 1

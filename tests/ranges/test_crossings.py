@@ -1,0 +1,120 @@
+"""All crossings of a range: against the engine for one beam, against float counts on both sides, at any digits."""
+
+import json
+import pickle
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from free_cases import BEAM, LAYERS, PAIR
+
+from mpsolve import Problem, vehicles
+from mpsolve.errors import InputError
+from mpsolve.numbers.balls import precision
+from mpsolve.outcome import Status
+from mpsolve.problem.reduced import reduce_problem
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.crossings import Crossings, crossings
+from mpsolve.ranges.glance import count_seen
+from mpsolve.stability.masses import crossing_masses
+from mpsolve.stability.velocities import unstable_velocities
+
+PROBLEM = Problem(BEAM, PAIR, v="0.9")
+
+
+@pytest.fixture(scope="module")
+def in_velocity() -> Crossings:
+    return crossings(PROBLEM, over={"v": (0, 1)}, digits=30)
+
+
+def test_velocities_are_those_of_the_engine_for_one_beam(in_velocity: Crossings) -> None:
+    assert in_velocity.status is Status.PROVED
+    assert in_velocity.counts == (0, 2, 0, 2)
+    assert [c.direction for c in in_velocity.crossings] == [2, -2, 2]
+    ranges = unstable_velocities(eta_b="0.05", eta_m=("40", "40"), positions=("0", "1.5"), alpha=(0, 1), digits=20)
+    ends = [x for interval in ranges for x in (interval.start, interval.end)][:3]
+    for crossing, end in zip(in_velocity.crossings, ends, strict=True):
+        assert crossing.value.ball.overlaps(end)
+        assert crossing.value.ball.rad() < 1e-29
+        assert crossing.value.lower <= float(end) <= crossing.value.upper
+    assert np.isclose(float(in_velocity.crossings[0].q), float(ranges[0].q_start))
+
+
+def test_masses_are_those_of_the_engine_for_one_beam() -> None:
+    found = crossings(PROBLEM, over={"scale.mass": ("0.02", 3)})
+    known = crossing_masses(alpha="0.9", eta_b="0.05", positions=("0", "1.5"))
+    inside = [c for c in known if 0.02 * 40 < float(c.eta) < 120]
+    assert found.status is Status.PROVED
+    assert len(found.crossings) == len(inside)
+    for mine, other in zip(found.crossings, inside, strict=True):
+        assert np.isclose(float(mine.value) * 40, float(other.eta), rtol=1e-12)
+        assert mine.direction == 2 * other.direction or mine.direction == other.direction
+
+
+@pytest.mark.parametrize(
+    ("problem", "over"),
+    [
+        (Problem(BEAM, PAIR, v="0.9"), {"gap[0]": ("0.5", 6)}),
+        (Problem(BEAM, PAIR, v="0.9"), {"track.c": ("0.02", "0.5")}),
+        (
+            Problem(LAYERS, [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")], v=1300),
+            {"vehicles[1].M": (10, 2000)},
+        ),
+    ],
+)
+def test_counts_between_are_those_that_floats_see(problem: Problem, over: dict[str, tuple[object, object]]) -> None:
+    found = crossings(problem, over=over, check=False)
+    assert found.status is Status.UNVERIFIED
+    path, (low, high) = next(iter(found.over.items()))
+    ends = [low, *(Fraction(float(c.value)) for c in found.crossings), high]
+    assert found.counts is not None
+    for (a, b), count in zip(pairwise(ends), found.counts, strict=True):
+        for share in (Fraction(1, 100), Fraction(99, 100)):
+            reduced = reduce_problem(problem.changed(path, a + share * (b - a)))
+            assert count_seen(reduced, 30.0) == count
+
+
+def test_a_divergence_is_a_single_root_at_0() -> None:
+    # two masses of 2 joined by a spring: f(0) changes its sign with the velocity
+    joined = vehicles.Vehicle(
+        M=[[2, 0], [0, 2]], C=[[0, 0], [0, 0]], K=[[3, -3], [-3, 3]], B=[[1, 0], [0, 1]], places=["-0.5", "0.5"]
+    )
+    found = crossings(Problem(BEAM, joined, v="1.2"), over={"v": ("1.05", "1.4")}, digits=20)
+    single = [c for c in found.crossings if float(c.q) == 0]
+    assert found.status is Status.PROVED
+    assert len(single) == 1
+    assert abs(single[0].direction or 0) == 1
+    assert found.counts is not None
+    assert any(count % 2 for count in found.counts)
+
+
+def test_the_answer_travels(in_velocity: Crossings) -> None:
+    again = pickle.loads(pickle.dumps(in_velocity))
+    assert again.counts == in_velocity.counts
+    with precision(64):
+        assert again.crossings[0].value.ball.overlaps(in_velocity.crossings[0].value.ball)
+    data = json.loads(in_velocity.to_json())
+    assert data["status"] == "proved"
+    assert data["crossings"][0]["value"]["decimal"].startswith("0.73787693709")
+    assert len(list(in_velocity.rows())) == 3
+
+
+def test_spent_effort_leaves_the_question_open() -> None:
+    found = crossings(PROBLEM, over={"v": (0, 1)}, effort=Effort(evaluations=50))
+    assert found.status is Status.UNDECIDED
+    assert found.reason is not None
+    assert found.reason.code == "effort"
+    assert found.counts is None
+    with pytest.raises(TypeError):
+        bool(found)
+
+
+@pytest.mark.parametrize(
+    ("over", "said"),
+    [({}, "give ranges"), ({"vv": (0, 1)}, "unknown"), ({"v": (1, 0)}, "in order"), ({"v": 3}, "give a range"),
+     ({"v": (0, 1), "track.k": (1, 2)}, "one path"), ({"track.N": (0, "1.01")}, "stable and damped")],
+)  # fmt: skip
+def test_what_cannot_be_asked_is_refused(over: dict[str, object], said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        crossings(PROBLEM, over=over)

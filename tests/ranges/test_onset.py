@@ -1,0 +1,46 @@
+"""Onsets that others have computed, and the kinds of an answer."""
+
+from fractions import Fraction
+
+import pytest
+from free_cases import BEAM, BOGIE, LAYERS, PAIR, RAIL
+
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.outcome import Status
+from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+
+TIMOSHENKO = tracks.Timoshenko(
+    EI=Fraction("210e9") * Fraction("3.037e-5"), m="60.2", J=7860 * Fraction("3.037e-5"), k="1e6", c=770,
+    S=Fraction("0.393") * Fraction("80.769e9") * Fraction("76.70e-4"),
+)  # fmt: skip
+VISCOUS = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770, eta="1e-4")
+TEN_TONS = vehicles.Mass(10000)
+# onset velocities of an independent float program, to a relative 1e-6
+KNOWN = {
+    "timoshenko": (Problem(TIMOSHENKO, TEN_TONS, v=1), (0, 400), 309.445688),
+    "two-layer": (Problem(LAYERS, vehicles.Mass(900), v=1), (600, 1500), 1413.817865),
+    "kelvin-voigt": (Problem(VISCOUS, [TEN_TONS.at(0), TEN_TONS.at("3.4")], v=1), (10, 300), 197.878094),
+    "bogie": (Problem(RAIL, BOGIE, v=1), (0, 400), 334.590808),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_onsets_are_those_of_another_program(name: str) -> None:
+    problem, over, known = KNOWN[name]
+    found = onset(problem, over={"v": over})
+    assert found.status is Status.PROVED
+    assert found.kind is Kind.CROSSES
+    assert found.value is not None
+    assert found.value.ball.rad() < 1e-10
+    assert abs(float(found.value) / known - 1) < 1e-6
+
+
+def test_each_kind_of_answer() -> None:
+    problem = Problem(BEAM, PAIR, v=0)
+    assert onset(problem, over={"v": (0, "0.7")}).kind is Kind.STABLE
+    assert onset(problem, over={"v": ("0.75", "0.8")}).kind is Kind.UNSTABLE_FROM_START
+    ranges = unstable_ranges(problem, over={"v": ("0.75", 1)})
+    assert [part.roots for part in ranges.intervals] == [2, 2]
+    assert (float(ranges.intervals[0].start), ranges.intervals[0].q) == (0.75, None)
+    assert float(ranges.intervals[-1].end) == 1
+    assert not ranges.intervals[0].end.ball.overlaps(ranges.intervals[1].start.ball)

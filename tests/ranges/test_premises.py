@@ -1,0 +1,39 @@
+"""The track must be stable and damped by itself for all parameters: where exactly it is not, is known."""
+
+from fractions import Fraction
+
+import pytest
+from free_cases import BEAM, LAYERS
+
+from mpsolve import Problem, vehicles
+from mpsolve.errors import InputError
+from mpsolve.problem.family import family_of
+from mpsolve.ranges.premises import require_stable_track
+
+
+def family(track: object, **over: tuple[str, str]):  # type: ignore[no-untyped-def]
+    ranges = {f"track.{name}": (Fraction(a), Fraction(b)) for name, (a, b) in over.items()}
+    return family_of(Problem(track, vehicles.Mass(1), v="0.1"), ranges)
+
+
+@pytest.mark.parametrize(
+    "over",
+    [
+        {"k": ("0.1", "9")},
+        {"N": ("-3", "0.999")},  # P⁴/4 + N P² + 1 at rest buckles at N = 1
+        {"N": ("-3", "0.999"), "c": ("0.01", "3")},
+        {"EI": ("0.1", "3"), "m": ("0.1", "3")},
+    ],
+)
+def test_ranges_of_stable_tracks_pass(over: dict[str, tuple[str, str]]) -> None:
+    require_stable_track(family(BEAM, **over))
+
+
+@pytest.mark.parametrize("over", [{"N": ("0", "1.01")}, {"c": ("0", "1")}, {"N": ("0.5", "1.2"), "k": ("0.1", "9")}])
+def test_a_point_that_buckles_or_is_undamped_is_refused(over: dict[str, tuple[str, str]]) -> None:
+    with pytest.raises(InputError, match="stable and damped"):
+        require_stable_track(family(BEAM, **over))
+
+
+def test_layers_pass() -> None:
+    require_stable_track(family(LAYERS, k_ballast=("5e7", "15e7"), c_pad=("1e3", "1e5"), m_sleeper=("1", "400")))

@@ -1,0 +1,64 @@
+"""What may be a function: read, vouched for, or refused in a sentence; nothing that is not analytic comes through."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy
+from flint import acb, arb
+
+from mpsolve.errors import InputError
+from mpsolve.zeros.read import FLAGGED, VOUCHED, read_function
+
+
+@pytest.mark.parametrize(
+    "f",
+    ["sin(z) - z/2", lambda z: z.sin() - z / 2, sympy.sin(sympy.Symbol("x")) - sympy.Symbol("x") / 2,
+     ("z*sin(z) - z**2/2", "z"), (lambda z: z.sin() - z / 2, "1")],
+)  # fmt: skip
+def test_every_form_is_an_expression(f: Any) -> None:
+    given = read_function(f, None, False)
+    assert given.expression is not None
+    assert given.assumed == ()
+    z = acb(0.7, 0.3)
+    value = given.function.value(z) / (given.denominator.value(z) if given.denominator is not None else 1)
+    assert value.overlaps(z.sin() - z / 2)
+
+
+def test_a_function_of_balls_must_be_vouched_for_or_take_the_flag() -> None:
+    with pytest.raises(InputError, match="assume_analytic"):
+        read_function(lambda z: acb(z).sin(), None, False)
+    assert read_function(lambda z: acb(z).sin(), None, True).assumed == (VOUCHED,)
+    assert read_function(lambda z, analytic: z.sqrt(analytic=analytic), None, False).assumed == (FLAGGED,)
+
+
+@pytest.mark.parametrize(
+    "f",
+    [
+        lambda z: acb(z).conjugate(),
+        lambda z: acb(abs(acb(z))),
+        lambda z: acb(z) + acb(z).real,
+        lambda z: acb(z) * acb(z).conjugate() - 1,
+        lambda z: acb(acb(z).imag),
+    ],
+)
+def test_what_is_plainly_not_analytic_is_refused_even_where_it_is_vouched_for(f: Any) -> None:
+    with pytest.raises(InputError, match="not analytic"):
+        read_function(f, None, True)
+
+
+def test_a_function_that_does_something_else_to_a_symbol_is_refused() -> None:
+    with pytest.raises(InputError, match="another value"):
+        read_function(lambda z: z.sin() if isinstance(z, acb) else z, None, False)
+
+
+@pytest.mark.parametrize("f", [3, None, "3", "pi", (1, 2, 3), lambda z: 5, "1/z", [], lambda: 0])
+def test_what_is_no_function_is_refused(f: Any) -> None:
+    with pytest.raises(InputError):
+        read_function(f, None, False)
+
+
+def test_a_ball_that_is_no_constant_is_not_read() -> None:
+    with pytest.raises(InputError, match="not exact"):
+        read_function(lambda z: z + arb.pi(), None, False)
