@@ -54,6 +54,7 @@ class Rectangle:
 
     @property
     def polygon(self) -> Vertices:
+        """Its corners, turned left."""
         a, b, c, d = self.bounds
         return (a, c), (b, c), (b, d), (a, d)
 
@@ -103,6 +104,7 @@ class Polygon:
 
     @property
     def polygon(self) -> Vertices:
+        """Its corners, turned left."""
         return self.vertices
 
     def __str__(self) -> str:
@@ -132,6 +134,7 @@ class HalfPlane:
 
     @property
     def polygon(self) -> Vertices:
+        """The corners of its part in the square max(|Re z|, |Im z|) < bound."""
         r, t = self.bound, self.at
         sides = {"upper": (-r, r, t, r), "lower": (-r, r, -r, t), "right": (t, r, -r, r), "left": (-r, t, -r, r)}
         return Rectangle(*sides[self.side]).polygon
@@ -182,6 +185,7 @@ class Cut:
         return (self.origin,) if self.length is None else (self.origin, self.at(self.length))
 
     def at(self, t: Fraction) -> Point:
+        """The point at the distance t from its origin."""
         return self.origin[0] + t * self.direction[0], self.origin[1] + t * self.direction[1]
 
     def place_of(self, p: Point) -> Fraction | None:
