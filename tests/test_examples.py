@@ -47,6 +47,15 @@ def test_picture(tmp_path: Path) -> None:
     assert first.read_text("utf-8").startswith("<?xml")
 
 
+def test_endless_train(tmp_path: Path) -> None:
+    """Its numbers, and a picture that is the same each time and stands in examples/."""
+    example = load("endless_train")
+    example.check()
+    drawn = example.visualize(tmp_path / "a.svg")
+    assert drawn.read_text("utf-8").startswith("<?xml")
+    assert example.PICTURE.exists()
+
+
 def test_certificates_are_those_of_the_cases_and_valid() -> None:
     """certs/ holds one file a case; each passes the verifier, and two of them are proved again, to the same roots."""
     certificates = load("certificates")

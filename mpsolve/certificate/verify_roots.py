@@ -337,9 +337,9 @@ def applied(step: tuple[Any, ...], values: dict[int, Any], z: Any, n: int) -> An
         return a / values[step[2]]
     if name == "pow":
         return a ** step[2]
-    if name in CUT:
+    if name in CUT and z is not None:  # of a constant the principal value is meant, and nothing is to be analytic
         decide(off_cut(first(a)), f"{name} may meet its branch cut")
-    if name == "atan":  # cuts on the imaginary axis, from ±i outwards
+    if name == "atan" and z is not None:  # cuts on the imaginary axis, from ±i outwards
         w = first(a)
         decide(w.real > 0 or w.real < 0 or (w.imag < 1 and w.imag > -1), "atan may meet its branch cut")
     if name in ("sinh", "cosh") and isinstance(a, acb_series):
@@ -522,12 +522,29 @@ def read_cut(value: Any) -> Cut:
     return Cut(point(value["origin"], "a cut"), (u, v), length)
 
 
+def require_apart(cuts: Sequence[Cut]) -> None:
+    """No two cuts have a point in common: no tip of one lies on another, and none cross."""
+    for k, one in enumerate(cuts):
+        for other in cuts[:k]:
+            tips = any(one.holds(tip) for tip in other.tips) or any(other.holds(tip) for tip in one.tips)
+            level, upright = (one, other) if one.direction[1] == 0 else (other, one)
+            corner = (upright.origin[0], level.origin[1])
+            require(not tips and not (one.holds(corner) and other.holds(corner)), "two cuts meet")
+
+
+def is_convex(vertices: Sequence[Point]) -> bool:
+    """Of a simple polygon that turns left."""
+    return all(cross(vertices[k - 2], vertices[k - 1], vertices[k]) >= 0 for k in range(len(vertices)))
+
+
 def legs_round(vertices: Sequence[Point], cuts: Sequence[Cut]) -> list[tuple[Point, Point]]:
     """The path with the region to its left: edges, with cuts from outside gone in and out; then cuts gone round."""
+    require_apart(cuts)
     inner: dict[int, list[tuple[Any, Point]]] = {}
     loops = []
     for cut in cuts:
         if any(cut.on_line(a) and cut.on_line(b) for a, b in edges(vertices)):
+            require(is_convex(vertices), "a cut lies along an edge of a region that is not convex")
             continue
         met = []
         for k, (a, b) in enumerate(edges(vertices)):
@@ -879,7 +896,7 @@ def check_holds(counted: Sequence[Point], asked: Region) -> None:
     """What is counted is the region itself, or convex and holds it."""
     if asked.disc is None and list(counted) == asked.polygon:
         return
-    require(all(cross(counted[k - 2], counted[k - 1], counted[k]) >= 0 for k in range(len(counted))), "not convex")
+    require(is_convex(counted), "what is counted is neither the region nor convex")
     for a, b in edges(counted):
         if asked.disc is None:
             require(all(cross(a, b, p) >= 0 for p in asked.polygon), "the counted polygon does not hold the region")
@@ -929,12 +946,17 @@ def region(content: dict[str, Any]) -> str:
 
 def words(f: Function, below: Function | None, asked: Region, cuts: Sequence[Cut], total: int, discs: int) -> str:
     text = f.shown if below is None else f"({f.shown})/({below.shown})"
-    without = f", without {len(cuts)} branch cuts," if cuts else ""
+    without = f", without the branch cuts {'; '.join(map(cut_words, cuts))}," if cuts else ""
     zeros = "zero" if total == 1 else "zeros"
     where = f" in {discs} disjoint discs" if total else ""
     return (
         f"f(z) = {text}\n{asked.words}{without} holds exactly {total} {zeros} of f, counted with multiplicity{where}"
     )
+
+
+def cut_words(cut: Cut) -> str:
+    ends = [f"{short(x)} + {short(y)}i" for x, y in (*cut.tips, cut.direction)]
+    return f"from {ends[0]} along {ends[1]}" if cut.length is None else f"from {ends[0]} to {ends[1]}"
 
 
 def interval(content: dict[str, Any]) -> str:

@@ -21,7 +21,7 @@ from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.family import Family
 
 SAMPLES = 24
-_TOGETHER = 0.5  # roots of one side closer than this share of the distance to the other side share a circle
+_TOGETHER = 0.3  # roots of one side closer than this share of the distance to the other side share a circle
 _INNER, _OUTER = (
     0.05,
     0.85,
@@ -82,7 +82,7 @@ class FreeReceptance:
         boxes = len(wave.z)
         if not own.any():
             return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
-        circles = circles_of(wave, own)
+        circles = circles_of(wave, own, xi.size.max(1))
         turn = exponential(2j * np.pi * np.arange(SAMPLES) / SAMPLES)[0]
         arm = circles.radius[:, :, None] * turn
         points = (circles.centre[:, :, None] + arm).reshape(boxes, -1)
@@ -121,8 +121,11 @@ class Circles:
     active: Any
 
 
-def circles_of(wave: Wave, own: Any) -> Circles:
-    """A circle for each group of roots of one side, at the number of its first root."""
+def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
+    """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
+
+    A circle stays so small that e^{Pξ} grows little on it: (r/R)^SAMPLES e^{−rξ} is greatest at r = SAMPLES/ξ.
+    """
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
     far = np.abs(z[:, :, None] - other[:, None, :]).min(2) if other.shape[1] else np.full(z.shape, np.inf)
@@ -140,6 +143,7 @@ def circles_of(wave: Wave, own: Any) -> Circles:
     if other.shape[1]:
         outer = np.minimum(outer, np.abs(centre[:, :, None] - other[:, None, :]).min(2))
     outer = np.minimum(outer, 4 * (np.abs(centre) + inner))
+    outer = np.minimum(outer, np.maximum(SAMPLES / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)
 

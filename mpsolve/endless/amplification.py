@@ -22,7 +22,8 @@ from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
-_EVALUATIONS = 200_000
+_EVALUATIONS = 100_000
+_LEAST = 3000  # evaluations: for large matrices, each of which is dear
 _DIGITS = 15
 
 
@@ -75,7 +76,7 @@ def amplification(
     |λ_last/λ_first| does not depend on ε, and is the same if the first vehicle is shaken by any force instead, where
     it has one contact. band: (from, to) in rad/s; left out, from 0 (for wheels that hang on springs from a
     thousandth of the end) to the frequency beyond which the track only takes energy from any contacts at these
-    distances. The maximum is enclosed to the relative tolerance.
+    distances. The maximum is enclosed to the relative tolerance, or shown to be below 10⁻⁶.
     Raises InputError for a train of fewer than two contacts, for a band that is none, and as `certify` does.
     """
     train, tell = as_problem(problem), progress or silent
@@ -88,7 +89,7 @@ def amplification(
         raise InputError("tolerance", f"is {tolerance!r}: give a relative width from 1e-12 to 1")
     ends = _band(reduced, band)
     low, high = (float(x / reduced.frequency_unit) for x in ends)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    budget = effort.anew() if effort is not None else Effort(evaluations=_evaluations(reduced))
     tell("stability", 0.0)
     stable = certify(train, region="unstable", digits=_DIGITS, check=False, effort=effort).stable
     arrays, peaks, reason = Arrays(reduced), [], None
@@ -109,6 +110,12 @@ def amplification(
     ahead, back = [*peaks, None, None][:2]
     status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
     return Amplification(train, ends, status, stable, ahead, back, reason)
+
+
+def _evaluations(reduced: Reduced) -> int:
+    """About as much work for any size of the matrix."""
+    size = reduced.bodies + reduced.contacts
+    return max(_LEAST, min(_EVALUATIONS, _EVALUATIONS * 1024 // size**2))
 
 
 def _band(reduced: Reduced, band: object) -> tuple[Fraction, Fraction]:

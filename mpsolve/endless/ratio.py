@@ -16,7 +16,9 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.solution import solution
 
 _PIECES = 256
-_SMALLEST = 2.0**-40
+_SMALLEST = 2.0**-28
+FLOOR = 1e-6
+"""Ratios below are not told apart from it: where all are, `high` is at most this, and `low` may be far below."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class Ratio:
             k = int(np.argmax(lower))
             if lower[k] > best:
                 best, at = float(lower[k]), float((a[k] + b[k]) / 2)
-            done = upper <= best * (1 + tolerance)
+            done = upper <= max(best * (1 + tolerance), FLOOR)
             ceiling = max(ceiling, float(upper[done].max(initial=0.0)))
             a, b = a[~done], b[~done]
             if len(a) and (b - a).min() < _SMALLEST * (high - low):

@@ -82,9 +82,7 @@ def real_part(ball: Any) -> Any:
     return acb(ball.real)
 
 
-def sharpened(
-    f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | None = None, least: Any = 0
-) -> Any:
+def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | None = None, least: Any = 0) -> Any:
     """A ball with the one root that `image` holds, of a radius below 2^−goal of the root's modulus.
 
     onto: takes a ball to its part on the line on which the root is known to lie. least: a size below which a root

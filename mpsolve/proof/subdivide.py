@@ -64,10 +64,14 @@ def subdivide(
     high: Any,
     judge: Judge,
     effort: Effort,
-    smallest: float = 2.0**-24,
+    smallest: Any = 2.0**-24,
     tell: Callable[[float], None] | None = None,
 ) -> Covered:
-    """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort."""
+    """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort.
+
+    smallest: one share of the whole, or one for each variable.
+    """
+    smallest = np.broadcast_to(np.asarray(smallest, float), np.shape(low))[:, None]
     lows, highs = [np.asarray(low, float)[:, None]], [np.asarray(high, float)[:, None]]
     grown = _Grown()
     waiting = [(grown.add(1), lows[0], highs[0])]
@@ -84,7 +88,7 @@ def subdivide(
         closed += float(_share(a[:, kind > 0], b[:, kind > 0], whole).sum())
         grown.kind[numbers] = kind
         rest = kind == OPEN
-        wide = rest & (b - a > smallest * whole).any(0)
+        wide = rest & (b - a > smallest * whole * (1 + 2.0**-20)).any(0)
         stuck += int((rest & ~wide).sum())
         if wide.any():
             waiting.append(grown.halve(numbers[wide], a[:, wide], b[:, wide], axis[wide], whole, smallest))
@@ -132,11 +136,11 @@ class _Grown:
         self.child = np.concatenate([self.child, np.full(count, -1, np.int64)])
         return np.arange(first, first + count)
 
-    def halve(self, numbers: Any, a: Any, b: Any, axis: Any, whole: Any, smallest: float) -> tuple[Any, Any, Any]:
+    def halve(self, numbers: Any, a: Any, b: Any, axis: Any, whole: Any, smallest: Any) -> tuple[Any, Any, Any]:
         """The halves, next to each other, along `axis` or along the longest side where that one is too short."""
         columns = np.arange(len(numbers))
-        size = (b - a) / np.where(whole > 0, whole, np.inf)
-        axis = np.where(size[axis, columns] > smallest, axis, size.argmax(0))
+        size = (b - a) / np.where(whole > 0, whole, np.inf) / smallest
+        axis = np.where(size[axis, columns] > 1 + 2.0**-20, axis, size.argmax(0))
         middle = a[axis, columns] / 2 + b[axis, columns] / 2
         first, second = b.copy(), a.copy()
         first[axis, columns], second[axis, columns] = middle, middle

@@ -21,7 +21,7 @@ from mpsolve.numbers.quadratic import Quadratic, pairs
 class Scalar:
     """s over each box, where it is bounded; det A = 0 exactly where s = 0 (boxes with `good`).
 
-    strain[v]: how much each variable takes part in E where that is too large, and 0 where it is not.
+    strain[v]: how much each variable moves the reduced matrix.
     """
 
     s: Quadratic
@@ -35,7 +35,7 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
     with np.errstate(all="ignore"):
         finite = good & np.isfinite(A.k).all((0, 2, 3)) & np.isfinite(A.e).all((1, 2))
         if n == 1:
-            return Scalar(A[:, 0, 0], finite, np.zeros((A.m, len(finite))))
+            return Scalar(A[:, 0, 0], finite, np.abs(A.b[:, :, 0, 0] / A.a[:, 0, 0]))
         middle = np.where(finite[:, None, None], A.a, np.eye(n))
         left, sizes, right = np.linalg.svd(middle)
         scale = 1 / np.maximum(np.concatenate([sizes[:, :-1], sizes[:, -2:-1]], 1), TINY)
@@ -53,7 +53,7 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
         s = B[:, -1, -1] + -product
         rest = row.size[:, 0].sum(1) * column.size[:, :, 0].max(1) * eta / (1 - eta) * UP
         fine = eta < 0.9
-        strain = np.where(finite & ~fine, np.abs(E.b).sum(3).max(2), 0.0)
+        strain = np.where(finite, np.abs(B.b).sum(3).max(2), 0.0)
         return Scalar(Quadratic(s.k, np.where(fine, s.e + rest, np.inf), s.m), finite & fine, strain)
 
 

@@ -15,7 +15,7 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.closing import closing_argument
 
 _STEP = 0.7  # radians that the argument may turn between neighbours
-_ROUNDS = 7
+_ROUNDS = 16
 
 
 def count_seen(reduced: Reduced, X: float) -> int | None:

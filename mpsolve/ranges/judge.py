@@ -98,10 +98,11 @@ class Judge:
     def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, verdict: Verdict) -> Any:
         """Where the determinant is bounded, what stands most against the test; else what moves the p-roots most."""
         with np.errstate(all="ignore"):
-            strain = np.where((s.strain > 0).any(0), s.strain, G.wave.strain)
+            bounded = G.good & np.isfinite(s.strain).all(0)
+            strain = np.where(bounded, s.strain, 0) + G.wave.strain
             share = strain / strain.sum(0)
             weight = verdict.weight + s.s.e * np.where(np.isfinite(share), share, 0)
-            weight = np.where(s.good & np.isfinite(weight).all(0), weight, strain)
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.wave.strain))
             width = boxes.r / np.where(self.width > 0, self.width, np.inf)[:, None]
             usable = np.isfinite(weight).all(0) & (weight > 0).any(0)
             weight = np.where(usable, weight / weight.max(0), 1.0) * (width > 0) + width * 1e-9

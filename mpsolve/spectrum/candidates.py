@@ -17,6 +17,7 @@ from mpsolve.characteristic.floats import Floats
 from mpsolve.problem.reduced import Reduced
 
 _STEPS = 40
+_CROWD = 1e-3  # relative: hints that are closer give one start
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
 
 
@@ -62,14 +63,19 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
     def all_found(roots: Any) -> bool:
         return sum(map(weight, roots.tolist())) >= count
 
-    for level in range(-2, 5):
-        near = _best(function, hints, np.inf, 2 * count + 8 if level < -1 else 8 * count + 20) if level < 0 else None
-        for area in areas if level > -2 else areas[:1]:
+    for level in range(-3, 5):
+        for area in areas if level > -3 else areas[:1]:
             if all_found(found):
                 return found
-            starts = _starts(function, area, level) if near is None else near
+            starts = _near(function, hints, count, level) if level < 0 else _starts(function, area, level)
             found = _newton(function, area, starts, found, all_found)
     return found
+
+
+def _near(function: Floats, hints: Any, count: int, level: int) -> Any:
+    """Starts from the hints: a few of the best, then more, then those that are left without their crowds."""
+    most = 2 * count + 8 if level < -2 else 8 * count + 20
+    return _best(function, hints if level < -1 else _spread(hints), np.inf, most)
 
 
 def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
@@ -81,6 +87,15 @@ def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
     for level in range(levels):
         found = _newton(function, area, _starts(function, area, level), found)
     return found
+
+
+def _spread(points: Any) -> Any:
+    """The points without those that all but repeat the one before: where p-roots nearly meet, pieces crowd."""
+    kept: list[complex] = []
+    for q in np.asarray(points, complex).tolist():
+        if not kept or abs(q - kept[-1]) > _CROWD * abs(q):
+            kept.append(q)
+    return np.array(kept, complex)
 
 
 def nearest_root(reduced: Reduced, q: complex) -> complex | None:

@@ -22,6 +22,7 @@ from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
@@ -107,7 +108,7 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
         _require_passive(rho, middle, radius)
         closing = closing_argument(reduced, rho, middle, radius)
         order = reduced.bodies - reduced.contacts - reduced.neutral
-        total = _integer((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
+        total = _zeros((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
     held = Below(height, reach=exact) if height else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
@@ -131,7 +132,7 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
-        total = _integer(-_turn(proved) / arb.pi())
+        total = _zeros(-_turn(proved) / arb.pi())
     asked = getattr(region, "radius", None)
     exact = asked if asked is not None else _unscaled(reduced, radius)
     held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
@@ -152,7 +153,7 @@ def _round(paths: Paths, first: Start, box: Rectangle, unit: Fraction, effort: E
     link = _line(below, corners[0], 12)
     proved = paths.prove((paths.plan("link", link, effort), paths.plan("turn", around, effort)), effort)
     with precision(64):
-        return _integer(_turn(proved) / (2 * arb.pi())), proved
+        return _zeros(_turn(proved) / (2 * arb.pi())), proved
 
 
 def line_for(reduced: Reduced, box: Rectangle) -> Line | None:
@@ -186,14 +187,8 @@ def on_its_half(line: Line, box: Rectangle) -> Rectangle:
     return Rectangle(box.re_min, box.re_max, -high, -low) if low > 0 else Rectangle(box.re_min, box.re_max, low, high)
 
 
-def _integer(value: arb) -> int:
-    """The only integer in the ball; PrecisionError if there is none or more than one."""
-    number = value.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(
-            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
-        )
-    return int(number)
+def _zeros(turns: arb) -> int:
+    return number_of_zeros(turns, "the characteristic function")
 
 
 def _turn(proved: Proved) -> arb:

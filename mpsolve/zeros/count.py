@@ -22,6 +22,7 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.proof.cover import OpenPieceError, cover
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.ladder import climb
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.zeros.analytic import cover_region, hull
 from mpsolve.zeros.evaluate import CutError
 from mpsolve.zeros.function import Function, Side
@@ -89,7 +90,7 @@ def count_zeros(
         first = 2 ** min(3, max(0, (_FIRST // len(legs)).bit_length() - 1))
         walks = [Walk(f, leg, first) for leg in legs]
         breaks = [walk.broken(effort) for walk in walks]
-        totals = [_number(sum(row, arb(0))) for row in zip(*map(Walk.turns, walks, breaks), strict=True)]
+        totals = [_zeros(sum(row, arb(0))) for row in zip(*map(Walk.turns, walks, breaks), strict=True)]
         total = sum(n * power for n, (_, power) in zip(totals, f.parts, strict=True))
         seen = zip(*map(Walk.seen, walks, breaks), strict=True)
         points, values, slopes = (np.concatenate(x) for x in seen)
@@ -99,12 +100,8 @@ def count_zeros(
     return climb(attempt, BITS, most)
 
 
-def _number(turn: Any) -> int:
-    """The whole number of turns."""
-    number = (turn / (2 * arb.pi())).unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(f"the turn of f round the region is {turn.str(5)}, which is no number of zeros")
-    return int(number)
+def _zeros(turn: Any) -> int:
+    return number_of_zeros(turn / (2 * arb.pi()), "f round the region")
 
 
 @dataclass

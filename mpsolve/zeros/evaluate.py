@@ -117,19 +117,21 @@ def _applied(step: Step, values: list[Any], z: Any, n: int) -> Any:
         return a ** step[2]
     if name == "div":
         return _quotient(a, values[step[2]])
-    if name in CUT and not off_cut(constant_of(a)):
+    if name in CUT and z is not None and not off_cut(constant_of(a)):  # of a constant the principal value is meant
         raise CutError(f"{name} may meet its branch cut")
     if name == "hyp0f1" and step[2] in ("1/2", "3/2") and (off_cut(constant_of(a)) or off_cut(-constant_of(a))):
         return _by_root(step[2], a)
     if name in WITH_ORDER:
         return _composed(_COEFFICIENTS[name], step[2], a)
     if name in ("atan", "sinh", "cosh"):
-        return _other(name, a)
+        return _other(name, a, z is not None)
     return getattr(a, name)()
 
 
-def _other(name: str, a: Any) -> Any:
+def _other(name: str, a: Any, analytic: bool = True) -> Any:
     w = constant_of(a)
+    if name == "atan" and not analytic:
+        return a.atan()
     if name == "atan":  # cuts on the imaginary axis, from ±i outwards
         if not (w.real > 0 or w.real < 0 or (w.imag < 1 and w.imag > -1)):
             raise CutError("atan may meet its branch cut")

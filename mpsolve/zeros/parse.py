@@ -52,7 +52,9 @@ def _number(program: Program, written: str) -> int:
     imaginary = written[-1:] in "jJ"
     _, _, exponent = written.rstrip("jJ").lower().partition("e")
     if len(written) > _LONGEST or len(exponent.lstrip("+-0")) > _EXPONENT:
-        raise InputError("f", f"has the number {written[:40]}: numbers have up to {_LONGEST} digits, exponents {_EXPONENT}")
+        raise InputError(
+            "f", f"has the number {written[:40]}: numbers have up to {_LONGEST} digits, exponents {_EXPONENT}"
+        )
     x = program.number(Fraction(written.rstrip("jJ")))
     return program.mul(x, program.i) if imaginary else x
 
@@ -82,6 +84,13 @@ def from_sympy(program: Program, expression: Any) -> int:
     """The step of sympy's expression in one symbol."""
     import sympy
 
+    try:
+        return _from_sympy(program, sympy, expression)
+    except (AttributeError, TypeError):
+        raise InputError("f", f"has a part that is no analytic function: {REMEDY}") from None
+
+
+def _from_sympy(program: Program, sympy: Any, expression: Any) -> int:
     free = sorted(expression.free_symbols, key=str)
     if len(free) > 1:
         raise InputError("f", f"has the symbols {', '.join(map(str, free))}: give numbers for all but one")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mpsolve.errors import InputError
-from mpsolve.zeros.regions import Cut, Point, Vertices, cross, distance_squared, edges, is_inside
+from mpsolve.zeros.regions import Cut, Point, Vertices, cross, distance_squared, edges, is_convex, is_inside
 
 
 @dataclass(frozen=True)
@@ -24,8 +24,9 @@ class Leg:
 def legs_round(vertices: Vertices, cuts: Sequence[Cut]) -> tuple[Leg, ...]:
     """The legs of all closed paths: cuts from outside are gone in and out, those that lie inside gone round.
 
-    InputError for a cut that divides the region, or that ends on its boundary.
+    InputError for a cut that divides the region, or that ends on its boundary, and for cuts that meet.
     """
+    require_apart(cuts)
     inner, loops = crossings(vertices, cuts)
     out: list[Leg] = []
     for k, (a, b) in enumerate(edges(vertices)):
@@ -40,6 +41,17 @@ def legs_round(vertices: Vertices, cuts: Sequence[Cut]) -> tuple[Leg, ...]:
     return tuple(out)
 
 
+def require_apart(cuts: Sequence[Cut]) -> None:
+    """InputError for two cuts that have a point in common."""
+    for k, one in enumerate(cuts):
+        for other in cuts[:k]:
+            tips = any(a.holds(tip, tip) for a, b in ((one, other), (other, one)) for tip in b.tips)
+            level, upright = (one, other) if one.direction[1] == 0 else (other, one)
+            corner = (upright.origin[0], level.origin[1])
+            if tips or (one.holds(corner, corner) and other.holds(corner, corner)):
+                raise InputError("cuts", f"has two cuts that meet ({one}; {other}): divide the region between them")
+
+
 def crossings(
     vertices: Vertices, cuts: Sequence[Cut]
 ) -> tuple[dict[int, list[tuple[Fraction, Point]]], list[tuple[Point, Point]]]:
@@ -48,6 +60,8 @@ def crossings(
     loops = []
     for cut in cuts:
         if any(cut.place_of(a) is not None and cut.place_of(b) is not None for a, b in edges(vertices)):
+            if not is_convex(vertices):  # the line may go on inside
+                raise InputError("cuts", f"has a cut along an edge of a region that is not convex ({cut}): divide it")
             continue  # along an edge: seen from inside only
         met = [(k, *found) for k, (a, b) in enumerate(edges(vertices)) if (found := _crossing(cut, a, b))]
         for tip in cut.tips:

@@ -1,9 +1,9 @@
 """Zeros of analytic functions: `roots` at 15 digits, proved and verified, beside cxroots and skzeros, uncertified.
 
-All get the same regions. cxroots gets f and f′ on numpy arrays and its Romberg integration, its fastest rule here;
-skzeros gets the same and rectangles only (a disc's bounding square where f has no other zeros there). One run each, in
-processor time, with an end after LIMIT seconds. "wrong": another number of zeros than is proved, or a zero off by more
-than 10⁻⁶. `python tests/bench/bench_roots.py` prints the table of docs/roots.md.
+cxroots gets f and f′ on numpy arrays and its Romberg integration, its fastest rule here; skzeros gets the same and a
+disc's bounding square. One run each, in processor time, with an end after LIMIT seconds. "wrong": another number
+of zeros than is proved, or a zero off by more than 10⁻⁶. `python tests/bench/bench_roots.py` prints the table of
+docs/roots.md.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ import pytest
 from measure import Counted, seconds
 from roots_cases import Trial, trials
 
-from mpsolve import Disc, Rectangle, real_roots, roots
+from mpsolve import Disc, real_roots, roots
 
 LIMIT = 30
 NEEDS = "the comparison needs cxroots: pip install '.[bench]'"
@@ -137,9 +137,8 @@ def row(
     """One line of the table, and which of the others are slower or wrong."""
     answer, proved = ours(trial)
     cells = [trial.name, str(answer.count if answer.proved else answer.reason)]
-    cells.append(
-        f"{seconds(answer.cost.seconds).strip()} + {seconds(answer.cost.verification).strip()}, {answer.cost.evaluations}"
-    )
+    cost = answer.cost
+    cells.append(f"{seconds(cost.seconds).strip()} + {seconds(cost.verification).strip()}, {cost.evaluations}")
     beaten = {}
     for name, module, run in programs:
         theirs = run(module, trial)

@@ -16,7 +16,7 @@ from flint import acb
 from mpsolve import Cut, Disc, Effort, HalfPlane, InputError, Polygon, Rectangle, Status, real_roots, roots
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "bench"))
-from roots_cases import Trial, trials  # noqa: E402
+from roots_cases import Trial, trials
 
 BOX = Rectangle(-2, 2, -2, 2)
 

@@ -8,7 +8,6 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -53,7 +52,7 @@ def verdict(content: Content) -> verify_roots.Verdict:
 def test_what_is_proved_is_said(plain: Content, slit: Content, line: Content) -> None:
     assert "exactly 3 zeros" in verdict(plain).claim
     assert "sin(z)" in verdict(plain).claim
-    assert "without 1 branch cuts" in verdict(slit).claim
+    assert "without the branch cuts from 0 + 0i along -1 + 0i" in verdict(slit).claim
     assert "exactly 8 real zeros" in verdict(line).claim
     assert verify_bytes(signed(plain)).valid
 
@@ -96,7 +95,7 @@ CHANGES: dict[str, Callable[[Content], Any]] = {
     "root dropped": lambda c: c["roots"].pop(),
     "root twice": lambda c: c["roots"].append(c["roots"][0]),
     "root moved": lambda c: c["roots"][0].update(re=hex(int(c["roots"][0]["re"], 16) + 3)),
-    "root smaller": lambda c: c["roots"][0].update(radius=[1, c["roots"][0]["radius"][1]]),
+    "root off its disc": lambda c: c["roots"][0].update(re=hex(int(c["roots"][0]["re"], 16) + 1)),
     "root larger": lambda c: c["roots"][0].update(radius=[c["roots"][0]["radius"][0], 1]),
     "root doubled": lambda c: c["roots"][0].update(multiplicity=2),
     "root dropped and count": lambda c: (c["roots"].pop(), c["claim"].update(count=c["claim"]["count"] - 1)),
@@ -112,7 +111,7 @@ CHANGES: dict[str, Callable[[Content], Any]] = {
     "larger region": lambda c: c["region"].update(re=["-9", "9"]),
     "smaller region": lambda c: c["region"].update(re=["-1/8", "1/8"]),
     "polygon turned": lambda c: c["counted"].reverse(),
-    "polygon crossed": lambda c: c["counted"].insert(0, c["counted"].pop()),
+    "polygon crossed": lambda c: c["counted"].insert(1, c["counted"].pop()),
     "few bits": lambda c: c.update(bits=20),
     "float": lambda c: c["claim"].update(count=3.0),
     "unknown key": lambda c: c.update(more=1),
@@ -122,7 +121,7 @@ CHANGES: dict[str, Callable[[Content], Any]] = {
 
 
 def _number(content: Content) -> int:
-    return next(k for k, step in enumerate(content["function"]["steps"]) if step[0] == "number")
+    return next(k for k, step in enumerate(content["function"]["steps"]) if step == ["number", "1/2"])
 
 
 def _call(content: Content) -> int:
@@ -218,8 +217,7 @@ def test_hostile_numbers_are_refused_quickly(plain: Content, change: Callable[[C
     assert not verdict(changed(plain, change)).valid
 
 
-def test_a_pole_or_a_cut_inside_is_never_verified(plain: Content) -> None:
-    """The same path for 1/f of an entire f: no zero turns to −3, but what if f had as many zeros as poles."""
+def test_a_function_with_as_many_zeros_as_poles_is_not_taken_for_one_with_neither() -> None:
     answer = roots("z*(z - 1)", Rectangle(-3, 3, -1, 1))
     content = content_of(answer)
     steps = [["z"], ["number", "1/2"], ["sub", 0, 1], ["div", 0, 2]]  # z/(z − 1/2): turns by 0
@@ -228,5 +226,3 @@ def test_a_pole_or_a_cut_inside_is_never_verified(plain: Content) -> None:
     found = verdict(content)
     assert not found.valid
     assert "analytic" in found.reason
-    assert Fraction(1, 2)
-    assert plain

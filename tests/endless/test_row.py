@@ -8,7 +8,7 @@ import pytest
 from endless_rows import BEAM, BOGIE, LAYERS, bogies, masses
 
 from mpsolve import InputError, Problem, vehicles
-from mpsolve.endless.row import row_of
+from mpsolve.endless.row import row_in, row_of
 
 
 def test_a_train_of_the_row_has_its_vehicles_at_its_distances() -> None:
@@ -29,3 +29,24 @@ def test_the_smallest_gap_is_within_a_vehicle_or_to_the_next() -> None:
 def test_vehicles_that_overlap_are_refused(vehicle: object, spacing: object) -> None:
     with pytest.raises(InputError, match=r"spacing: is .* give the distance to the next vehicle"):
         row_of(Problem(LAYERS, vehicle, v=1), spacing)
+
+
+def test_a_row_is_seen_in_a_train_of_equal_vehicles() -> None:
+    row = masses("0.3")
+    assert row_in(row.train(5)) == (row, 5)
+    assert row_in(row.problem, "1.5") == (row, 1)
+    assert row_in(row.train(2), "1.5")[1] == 2
+
+
+@pytest.mark.parametrize(
+    ("placed", "spacing", "said"),
+    [
+        ([vehicles.Mass(1)], None, "single vehicle"),
+        ([vehicles.Mass(1).at(0), vehicles.Mass(2).at(1)], None, "not all equal"),
+        ([vehicles.Mass(1).at(0), vehicles.Mass(1).at(1), vehicles.Mass(1).at(3)], None, "equal distances"),
+        ([vehicles.Mass(1).at(0), vehicles.Mass(1).at(1)], 2, "leave it out"),
+    ],
+)
+def test_other_trains_are_no_rows(placed: list[object], spacing: object, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        row_in(Problem(BEAM, placed, v="0.3"), spacing)

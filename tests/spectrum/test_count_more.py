@@ -52,9 +52,9 @@ def agrees(row: dict[str, Any]) -> bool | None:
     return count.total == (row["count"] if count.region.radius is None else inside(row, count.region.radius))
 
 
-@pytest.mark.parametrize("name", SAMPLE)
+@pytest.mark.parametrize("name", sorted({*SAMPLE, "78", "123"}))  # 78, 123: p-roots nearly meet
 def test_the_count_is_that_of_the_table(name: str) -> None:
-    may_stay_open = "ice" in ROWS[name]["track"]["model"] or name == "123"  # a shear beam whose p-roots nearly meet
+    may_stay_open = "ice" in ROWS[name]["track"]["model"]
     assert agrees(ROWS[name]) in ((True, None) if may_stay_open else (True,))
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from mpsolve.errors import InputError
 from mpsolve.zeros.path import legs_round
-from mpsolve.zeros.regions import Cut, Rectangle
+from mpsolve.zeros.regions import Cut, Polygon, Rectangle
 
 BOX = Rectangle(-2, 2, -1, 1).polygon
 
@@ -34,6 +34,30 @@ def test_a_cut_inside_is_gone_round_by_itself() -> None:
 
 def test_cuts_outside_or_along_an_edge_are_left_out() -> None:
     assert len(legs_round(BOX, [Cut.ray(5j, 1j), Cut.ray(-2 - 9j, 1j), Cut.segment(5, 6)])) == 4
+
+
+def test_a_cut_on_the_line_of_an_edge_may_go_on_inside_where_the_region_is_not_convex() -> None:
+    ell = Polygon([0, 4, 4 + 1j, 1 + 1j, 1 + 4j, 4j]).polygon
+    with pytest.raises(InputError, match="not convex"):
+        legs_round(ell, [Cut.ray((Fraction(1, 2), Fraction(1)), -1)])
+
+
+@pytest.mark.parametrize(
+    "pair",
+    [
+        (Cut.ray(0, -1), Cut.ray(0, -1)),
+        (Cut.ray(0, -1), Cut.ray(-1, -1)),
+        (Cut.ray(0, -1), Cut.ray(-1, 1)),
+        (Cut.ray(0, -1), Cut.ray(0, 1j)),
+        (Cut.ray(0.5, -1), Cut.segment(-0.5j, 0.5j)),
+        (Cut.segment(-0.5j, 0.5j), Cut.segment(-1, 1)),
+    ],
+)
+def test_cuts_that_meet_are_refused(pair: tuple[Cut, Cut]) -> None:
+    for cuts in (pair, pair[::-1]):
+        with pytest.raises(InputError, match="meet"):
+            legs_round(BOX, cuts)
+    assert len(legs_round(BOX, [Cut.ray(0.5, 1), Cut.ray(-0.5, -1)])) == 10
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,76 @@
+"""Charts: every cell's number is the certified one, and strips hide no region."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mpsolve import Effort, InputError, Problem, certify, tracks, vehicles
+from mpsolve.outcome import Status
+from mpsolve.ranges.chart import BOUNDARY, OPEN, Chart, parts_of, stability_chart
+
+TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
+PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=150)
+OVER: dict[str, Any] = {"v": (150, 300), "scale.mass": ("0.5", 3)}
+
+
+@pytest.fixture(scope="module")
+def chart() -> Chart:
+    return stability_chart(PAIR, over=OVER, depth=6, check=False)
+
+
+def test_regions_are_decided_and_strips_are_thin(chart: Chart) -> None:
+    assert chart.status is Status.UNVERIFIED
+    assert chart.share > 0.85
+    assert {part.roots for part in chart.parts} == {0, 2}
+    assert sum(part.cells for part in chart.parts) == (chart.counts >= 0).sum()
+
+
+def test_numbers_are_those_of_certified_points(chart: Chart) -> None:
+    rng = np.random.default_rng(3)
+    chosen = rng.permutation(np.argwhere(chart.counts >= 0))[:8]
+    for i, j in chosen:
+        v, factor = (edges[k] + (edges[k + 1] - edges[k]) / 3 for edges, k in ((chart.x, i), (chart.y, j)))
+        found = certify(PAIR.changed("v", v).changed("scale.mass", factor), region="unstable", digits=15, check=False)
+        assert found.unstable == chart.counts[i, j] == chart.at(v, factor)
+
+
+def test_a_strip_is_where_the_number_changes(chart: Chart) -> None:
+    """Between neighbouring regions with other numbers there is always a strip."""
+    for a, b in ((chart.counts[:-1], chart.counts[1:]), (chart.counts[:, :-1], chart.counts[:, 1:])):
+        both = (a >= 0) & (b >= 0)
+        assert (a[both] == b[both]).all()
+    assert (chart.counts == BOUNDARY).any()
+
+
+def test_little_effort_keeps_what_is_known() -> None:
+    found = stability_chart(PAIR, over=OVER, depth=4, effort=Effort(evaluations=50), check=False)
+    assert found.status is Status.UNDECIDED
+    assert found.reason is not None
+    assert found.counts.shape == (16, 16)
+    assert found.at(200, 1) is None or found.at(200, 1) in (0, 2)
+
+
+def test_connected_parts() -> None:
+    free = np.array([[1, 1, 0], [0, 0, 0], [1, 0, 1]], bool)
+    labels = parts_of(free)
+    assert labels.max() == 3
+    assert labels[0, 0] == labels[0, 1]
+    assert (labels[~free] == 0).all()
+
+
+def test_what_cannot_be() -> None:
+    with pytest.raises(InputError, match="two parameters"):
+        stability_chart(PAIR, over={"v": (1, 2)})
+    with pytest.raises(InputError, match="depth"):
+        stability_chart(PAIR, over=OVER, depth=30)
+
+
+def test_points_outside_are_refused(chart: Chart) -> None:
+    with pytest.raises(InputError, match="outside the chart"):
+        chart.at(10, 1)
+    assert chart.x[0] == Fraction(150)
+    assert OPEN < BOUNDARY < 0
