@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.motion import Vibration
     from mpsolve.vibration.precise import PreciseVibration, response_mp
     from mpsolve.vibration.response import response
+    from mpsolve.vibration.roughness import out_of_round, rail_roughness
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
@@ -109,6 +110,8 @@ __all__ = [
     "response_mp",
     "PreciseVibration",
     "Irregularity",
+    "rail_roughness",
+    "out_of_round",
     "Event",
     "harmonic_solution",
     "HarmonicSolution",
@@ -192,6 +195,8 @@ _HOME = {
     "response_mp": "vibration.precise",
     "PreciseVibration": "vibration.precise",
     "Irregularity": "vibration.forcing",
+    "rail_roughness": "vibration.roughness",
+    "out_of_round": "vibration.roughness",
     "Event": "vibration.liftoff",
     "Response": "motion.solution",
     "harmonic_solution": "motion.solve",
