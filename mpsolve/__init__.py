@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
-    from mpsolve.batch.frequencies import Frequencies, frequencies
+    from mpsolve.batch.frequencies import frequencies
+    from mpsolve.batch.result import Frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.roots import real_roots, roots
@@ -170,7 +171,7 @@ _HOME = {
     "Root": "spectrum.spectrum",
     "Effort": "proof.effort",
     "frequencies": "batch.frequencies",
-    "Frequencies": "batch.frequencies",
+    "Frequencies": "batch.result",
     "seeds": "fast.seeds",
     "Seeds": "fast.seeds",
     "infinite_train": "endless.infinite_train",
