@@ -62,19 +62,22 @@ class FreeReceptance:
     def __call__(self, boxes: Boxes) -> Receptances:
         """Over each box."""
         with np.errstate(all="ignore"):
-            y, rho = boxes.variables
-            wave, N = self.track.split(boxes), self.track.N(y, rho)
+            whole = self.track.split(boxes)
+            rows = np.flatnonzero(whole.good)  # the others are not bounded anyway
+            y, rho = boxes.take(rows).variables
+            wave, N = whole.take(rows), self.track.N(y, rho)
             forms, ahead, which = self.distances
             xi = forms(y, rho)
-            k = np.zeros(xi.k.shape, complex)
-            e = np.zeros(xi.e.shape)
+            k = np.zeros((len(xi.k), boxes.count, len(ahead)), complex)
+            e = np.full((boxes.count, len(ahead)), np.inf)
             for mask, own in ((ahead, True), (~ahead, False)):
-                if mask.any():
+                if mask.any() and len(rows):
                     side = self._side(wave, N, xi[:, mask], own)
-                    k[..., mask], e[:, mask] = side.k, side.e
-            good = wave.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
+                    at_ = np.ix_(rows, np.flatnonzero(mask))
+                    k[:, at_[0], at_[1]], e[at_] = side.k, side.e
+            good = whole.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
             G = Quadratic(k, e, xi.m)
-            return Receptances(G[:, which], good, wave)
+            return Receptances(G[:, which], good, whole)
 
     def _side(self, wave: Wave, N: Quadratic, xi: Quadratic, upper: bool) -> Quadratic:
         """G at the distances of one sign, from the roots of one side."""
