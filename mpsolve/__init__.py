@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
+    from mpsolve.vibration.precise import PreciseVibration, response_mp
     from mpsolve.vibration.response import response
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
@@ -105,6 +106,8 @@ __all__ = [
     "response",
     "Response",
     "Vibration",
+    "response_mp",
+    "PreciseVibration",
     "Irregularity",
     "Event",
     "harmonic_solution",
@@ -186,6 +189,8 @@ _HOME = {
     "Load": "model.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",
+    "response_mp": "vibration.precise",
+    "PreciseVibration": "vibration.precise",
     "Irregularity": "vibration.forcing",
     "Event": "vibration.liftoff",
     "Response": "motion.solution",
