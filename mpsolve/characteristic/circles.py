@@ -27,6 +27,7 @@ _INNER, _OUTER = (
     0.85,
 )  # where f is bounded, between the roots inside and the circle; of the next root's distance
 _RADIUS = 0.4  # of a circle, relative to the distance of the next root outside
+_GROWTH = 7.5  # over the largest distance: of a circle's outer radius
 _NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
 _CLOSEST = 0.9
 
@@ -127,7 +128,7 @@ class Circles:
 def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
     """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
 
-    A circle stays so small that e^{Pξ} grows little on it: (r/R)^SAMPLES e^{−rξ} is greatest at r = SAMPLES/ξ.
+    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that.
     """
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
@@ -146,7 +147,7 @@ def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
     if other.shape[1]:
         outer = np.minimum(outer, np.abs(centre[:, :, None] - other[:, None, :]).min(2))
     outer = np.minimum(outer, 4 * (np.abs(centre) + inner))
-    outer = np.minimum(outer, np.maximum(SAMPLES / np.maximum(reach[:, None], TINY), 3 * inner))
+    outer = np.minimum(outer, np.maximum(_GROWTH / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)
 
