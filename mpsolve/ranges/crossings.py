@@ -26,7 +26,7 @@ from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, Value, within
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
-from mpsolve.ranges.scope import OpenError, Scope, checked_over, one_path, scope_of
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -90,6 +90,7 @@ def find(
     """`crossings` of checked arguments."""
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
     scope = scope_of(problem, over)
     try:
         X = scope.X
@@ -146,7 +147,7 @@ class _Search:
     def _enclose(self, point: Any) -> bool:
         """Enclose the zero near a float point; True where it was."""
         size = 2 * self.judge.width * 2.0**-6
-        if any((np.abs(point - other) < 1e-6 * self.judge.width).all() for other in self._failed):
+        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
             return False
         if abs(point[0]) < 1e-6 * self.judge.width[0]:
             point = np.array([0.0, point[1]])
