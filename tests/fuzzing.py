@@ -58,7 +58,7 @@ def near(value: Any) -> st.SearchStrategy[Any]:
         made = [value + "0", "-" + value, value[1:], value[:-1], value + "/3", value + "/7", value * 2, value.upper()]
         return st.one_of(st.sampled_from(made), number.map(str))
     if isinstance(value, list):
-        made_lists = [value[:-1], value[1:], value + value[-1:], value[::-1], value * 2, [value], value[:1] * 300]
+        made_lists = [value[:-1], value[1:], value + value[-1:], value[::-1], value * 2, [value], value[:1] * 40]
         return st.sampled_from(made_lists)
     return st.sampled_from([{}, [value], {**value, "more": 1}, dict(list(value.items())[1:])])
 
