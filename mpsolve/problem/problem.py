@@ -13,7 +13,6 @@ from mpsolve.problem.parameters import changed, parameters_of, quantity_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
 
-
 _MOST = 2000
 """Coordinates of all vehicles together."""
 
