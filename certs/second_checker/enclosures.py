@@ -9,11 +9,11 @@ from typing import Any
 import balls as b
 from balls import ONE, Ball, UnclearError, ball
 from counting import Walk
-from reading import NotCheckedError, dyadic, keys, listed, need, rational, whole
+from reading import NotCheckedError, keys, listed, need, rational, whole
 from taylor import Line, constant
 from waves import Thin
 
-HEX = re.compile(r"-?0x[0-9a-f]{1,9000}", re.ASCII)
+HEX = re.compile(r"-?0x[0-9a-f]{1,18000}", re.ASCII)
 
 
 class Root:
@@ -21,22 +21,18 @@ class Root:
 
     def __init__(self, value: Any) -> None:
         keys(value, {"re", "im", "exponent", "radius", "multiplicity", "pair"}, "a root")
-        unit = Fraction(2) ** whole(value["exponent"], -40000, 1100)
+        unit = Fraction(2) ** whole(value["exponent"], -70000, 1100)
         for k in ("re", "im"):
             need(isinstance(value[k], str) and HEX.fullmatch(value[k]) is not None, "a root's mantissa")
         self.x, self.y = int(value["re"], 16) * unit, int(value["im"], 16) * unit
         radius = listed(value["radius"], 2, "a radius")
-        self.r = dyadic(radius) if radius and type(radius[-1]) is int and radius[-1] >= -1100 else _small(radius)
+        need(len(radius) == 2, "a radius is [m, e]")
+        self.r = whole(radius[0], 1, 2**64) * Fraction(2) ** whole(radius[1], -70000, 1100)
         self.multiplicity = whole(value["multiplicity"], 1, 1000)
         need(type(value["pair"]) is bool, "pair is true or false")
         self.pair = value["pair"]
         need(self.r > 0, "a radius is not positive")
         need(self.x > self.r if self.pair else True, "a pair's ball reaches its mirror")
-
-
-def _small(radius: list[Any]) -> Fraction:
-    need(len(radius) == 2, "a radius is [m, e]")
-    return whole(radius[0], 1, 2**200) * Fraction(2) ** whole(radius[1], -40000, 1100)
 
 
 def check_places(roots: list[Root], region: dict[str, Any], undamped: bool = False) -> tuple[int, int]:
