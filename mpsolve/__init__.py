@@ -33,6 +33,10 @@ if TYPE_CHECKING:
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
     from mpsolve.spectrum.spectrum import Root, Spectrum
+    from mpsolve.ranges.crossings import crossings
+    from mpsolve.ranges.onset import onset, unstable_ranges
+    from mpsolve.ranges.robust import prove_stable
+    from mpsolve.ranges.sensitivity import sensitivity
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
@@ -46,6 +50,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
+    from mpsolve.vibration.precise import PreciseVibration, response_mp
     from mpsolve.vibration.response import response
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
@@ -93,6 +98,11 @@ __all__ = [
     "Amplification",
     "crossing_masses",
     "unstable_velocities",
+    "onset",
+    "unstable_ranges",
+    "crossings",
+    "prove_stable",
+    "sensitivity",
     "onset_velocity",
     "limiting_mass",
     "critical_distance",
@@ -105,6 +115,8 @@ __all__ = [
     "response",
     "Response",
     "Vibration",
+    "response_mp",
+    "PreciseVibration",
     "Irregularity",
     "Event",
     "harmonic_solution",
@@ -175,6 +187,11 @@ _HOME = {
     "Amplification": "endless.amplification",
     "crossing_masses": "stability.masses",
     "unstable_velocities": "stability.velocities",
+    "onset": "ranges.onset",
+    "unstable_ranges": "ranges.onset",
+    "crossings": "ranges.crossings",
+    "prove_stable": "ranges.robust",
+    "sensitivity": "ranges.sensitivity",
     "onset_velocity": "stability.velocities",
     "limiting_mass": "stability.limiting",
     "critical_distance": "stability.distance",
@@ -186,6 +203,8 @@ _HOME = {
     "Load": "model.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",
+    "response_mp": "vibration.precise",
+    "PreciseVibration": "vibration.precise",
     "Irregularity": "vibration.forcing",
     "Event": "vibration.liftoff",
     "Response": "motion.solution",

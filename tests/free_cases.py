@@ -47,7 +47,7 @@ def random_boxes(family: Family, count: int, share: float, reach: float = 2.0, s
     return Boxes(low[:, None] + r + rng.uniform(size=r.shape) * ((high - low)[:, None] - 2 * r), r)
 
 
-def inside(family: Family, boxes: Boxes, n: int, seed: int = 2) -> tuple[np.ndarray, float, tuple[Fraction, ...]]:
+def inside(boxes: Boxes, n: int, seed: int = 2) -> tuple[np.ndarray, float, tuple[Fraction, ...]]:
     """(u, q̂, x̂): a random point of box n."""
     u = np.random.default_rng(seed + n).uniform(-1, 1, boxes.m.shape[0])
     point = boxes.m[:, n] + boxes.r[:, n] * u

@@ -48,6 +48,7 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     names = {name: getattr(mpsolve, name) for name in mpsolve.__all__}
     names["case"] = mpsolve.Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
     names |= {"times": np.linspace(0, 50, 101), "speeds": np.linspace(0.4, 0.6, 3), "dampings": [[0.1], [0.2]]}
+    names["string"] = mpsolve.Problem(mpsolve.tracks.String(T=9, m=1, k=4, c=1), mpsolve.vehicles.Mass(2), v=1)
     names["problem"] = mpsolve.read_problem(ROOT / "examples/two_layer_bogie.toml").problem
     balls = 0
     for expression, said in SHOWN:

@@ -42,9 +42,10 @@ def spectrum(case: Case) -> Spectrum:
 def certificate(case: Case) -> Certificate | None:
     """The certificate of `spectrum`, None where the count and the roots cannot be proved."""
     try:
-        return spectrum(case).certificate
+        found: Certificate | None = spectrum(case).certificate
     except PrecisionError:
         return None
+    return found
 
 
 def lowest(case: Case) -> Any:

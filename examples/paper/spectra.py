@@ -214,7 +214,7 @@ def finite_number(claim: Claim) -> Finding:
     for where, _, case in listed(claim):
         found = spectrum(case)
         numbers.append((f"{where}: roots", str(found.count)))
-        numbers.append(("  none with |q − iη_b| beyond", str(found.radius)))
+        numbers.append(("  none is left out by", found.closing))
         certificates.append((f"{claim.id}_{len(certificates)}", found.certificate))
     sentence = (
         "Beyond an explicit radius, part of each certificate, Δ has no root, since its highest power of η_M q²K "

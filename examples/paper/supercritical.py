@@ -145,13 +145,14 @@ def _not_followed(eta_m: str, d: str | None, low: Fraction, high: Fraction) -> l
 
 def _followed(eta_m: str, d: str | None, start: Fraction, end: Fraction) -> bool:
     """Whether a certified unstable root at `start` is proved to go on below the real axis up to `end`."""
+    case = _case(decimal(start), eta_m, d)
     try:
-        found = spectrum(_case(decimal(start), eta_m, d))
+        found = spectrum(case)
     except PrecisionError:
         return False
     balls = [r.q for r in found.roots if r.q.imag < 0 and not r.q.real < 0 and r.multiplicity == 1]
     starts, ends = ([Exact.parse(at, "alpha")] * len(balls) for at in (start, end))
-    reached = follow(found.case, starts, ends, balls)
+    reached = follow(case, starts, ends, balls)
     return any(ball is not None for ball in reached)
 
 

@@ -18,8 +18,8 @@ from mpsolve.characteristic.splitting import sylvester as sylvester_rows
 from mpsolve.numbers.float64 import Float64
 
 _K = Float64()
-_NEAR = 2e-3
-"""Roots of one side that are nearer than this, relative to the larger, are taken together."""
+_NEAR, _NEAR_SLOPE = 2e-3, 0.05
+"""Roots of one side that are nearer than this, relative to the larger, are taken together; slopes lose more."""
 _REACH = 1200.0
 """Exponents up to this are taken as products of waves; beyond it the distances are taken one by one."""
 _EQUAL = 1e-14
@@ -79,7 +79,7 @@ def receptances(group: Group, rows: Any, sigma: Any, near: Any = None, slope: bo
         weights = local.weights(z, slope)
         x = group.x[rows]
         G, G_sigma = _sums(z, weights, x, group.up)
-        met = np.flatnonzero(_meet(z, group.up, 0.05 if slope else _NEAR))
+        met = np.flatnonzero(_meet(z, group.up, _NEAR_SLOPE if slope else _NEAR))
         if len(met):
             values = _by_companions(group, rows[met], sigma[met], z[met], slope)
             G[met] = values[0]

@@ -21,6 +21,8 @@ _SETTLED = 1e-11
 _AXIS = 1e-9  # relative: a root this near the imaginary axis is on it
 _LEVEL = 1e-13  # of ρ̂: a root nearer to the edge of the region is not told to be in it or out
 _WORK = 1 << 15  # starts at a time: it bounds the memory
+_MORE = (2, 6)  # points than roots: some go to roots that are not counted
+_EFFORT = 300_000  # starts, times the square of the size of the matrix: beyond it a search is not tried
 _GRID = (12, 10)
 _TRIALS = (
     ("from_line", 1),
@@ -47,6 +49,10 @@ class Search:
         width = max(1, int(self.counted.count.max(initial=0)))
         self.q = np.full((len(self.group), width), np.nan, complex)
 
+    @property
+    def _size(self) -> int:
+        return len(self.group.kept) + self.group.contacts
+
     def solve(self) -> Any:
         """Whether each entry has as many roots as were counted; neighbours among the entries should be alike."""
         n = len(self.group)
@@ -65,12 +71,59 @@ class Search:
         return weight(self.q) == self.counted.count
 
     def _alone(self, places: Any) -> None:
-        """Without neighbours: from the line, then from grids."""
+        """Without neighbours: all roots at once, then those that are missing from the line, the axis and grids."""
+        for more in _MORE:
+            places = places[self._open(places)]
+            if not len(places):
+                return
+            self._together(places, more)
         for guesses, fine in _TRIALS:
             places = places[self._open(places)]
             if not len(places):
                 return
-            self._try(places, getattr(self, guesses)(places, fine), apart=True)
+            starts = getattr(self, guesses)(places, fine)
+            if starts.shape[1] * self._size**2 <= _EFFORT:
+                self._try(places, starts, apart=True)
+
+    def _together(self, places: Any, more: int) -> None:
+        """Aberth's method for as many points as roots are missing, and some more: all move, and keep apart."""
+        lack = -(-(self.counted.count[places] - weight(self.q[places])) // 2) + more
+        size = max(1, _WORK // (8 * int(lack.max())))
+        for k in range(0, len(places), size):
+            rows, number = places[k : k + size], lack[k : k + size]
+            width = int(number.max())
+            starts = np.concatenate([self.from_line(rows, 1), self.from_axis(rows, 1)], 1)
+            order = np.argsort(~np.isfinite(starts), 1, kind="stable")
+            q = np.take_along_axis(starts, order, 1)[:, :width]
+            spread = 0.02 * self.rho[rows, None] * np.exp(2j * np.pi * np.arange(width) / width)[None, :]
+            q = np.where(np.arange(width)[None, :] < number[:, None], q + spread, np.nan)
+            self._add(rows, self._aberth(rows, q))
+
+    def _aberth(self, rows: Any, q: Any) -> Any:
+        result, z = np.full(q.shape, np.nan, complex), None
+        live = np.isfinite(q)
+        for _ in range(_STEPS):
+            each, column = np.nonzero(live)
+            if not len(each):
+                break
+            at = q[each, column]
+            slope, z = log_slope(self.group, rows[each], at, z)
+            with np.errstate(all="ignore"):
+                others = 1 / (at[:, None] - q[each]) + 1 / (at[:, None] + q[each].conj())
+                others[np.arange(len(at)), column] = 0
+                step = -1 / (slope - np.nansum(others, 1) - _poles(at, self.q[rows[each]]))
+                size, limit = np.abs(step), 0.2 * self.rho[rows[each]]
+                step = np.where(size > limit, step * (limit / size), step)
+            at = at + step
+            at = np.where(at.real < 0, -at.conj(), at)
+            settled = size < _SETTLED * np.abs(at)
+            inside = np.isfinite(at) & self._inside(rows[each], at, 0.3)
+            q[each, column] = np.where(inside, at, np.nan)
+            good = settled & self._inside(rows[each], at, 0.0)
+            result[each[good], column[good]] = at[good]
+            keep = ~settled & inside
+            live[each, column], z = keep, z[keep]
+        return self._folded(result)
 
     def _open(self, places: Any) -> Any:
         return weight(self.q[places]) < self.counted.count[places]

@@ -58,9 +58,6 @@ def certify(
     if isinstance(paper, Case) and wanted in ("sheet", "unstable") and not _rational(paper):
         return _on_sheet(problem, paper, wanted, options)
     found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
-    if paper is not None and wanted == "sheet" and not found.proved and _next_to_branch_point(found):
-        other = _on_sheet(problem, paper, wanted, options)
-        return other if other.proved else found
     if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
         other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
         return replace(other, note=other.note or _SHEET) if other.proved else found
@@ -68,10 +65,6 @@ def certify(
         other = certify(problem, region="unstable", **options)
         return replace(other, note=other.note or _ABOVE) if other.proved else found
     return found
-
-
-def _next_to_branch_point(found: Spectrum) -> bool:
-    return found.reason is not None and "the branch point of the cuts" in found.reason.message
 
 
 def _lossless(paper: Case | PhysicalCase | None) -> bool:

@@ -815,6 +815,24 @@ def bent_by_roots(split: Split, side: int, r: Any, gaps: Sequence[Any], radii: S
     return total
 
 
+def kernels_beside(split: Split, r: Any, waves: Waves, pole: Any) -> tuple[list[Bent], Bent]:
+    """For each gap e^{pole·ξ}·H(ξ), and g, with G = e^{pole·ξ}(g + H): only g is large where P = pole is double."""
+    out, g = [NOTHING] * len(waves.xi), NOTHING
+    for side, here in enumerate(split.nodes.side):
+        radii = split.isolated(here)
+        require(radii is not None, "p-roots of one side meet on a loop")
+        each = [bent_root(split, k, e, r) for k, e in zip(here, radii or [], strict=True)]
+        for (p, b, e), weight in each:
+            g = bent_sum(g, weight) if not side else g
+            for i, xi in enumerate(waves.xi):
+                if (waves.gaps[i] < 0) == (side == 1) and xi != 0:
+                    a, slope, rest = bent_wave((p - pole, b, e), xi, r)
+                    one = bent_product(weight, (a - 1, slope, rest), r)
+                    out[i] = bent_sum(out[i], one if not side else (-one[0], -one[1], one[2]))
+    turned = [(pole * xi).exp() for xi in waves.xi]
+    return [(a * c, b * c, e * abs(c)) for (a, b, e), c in zip(out, turned, strict=True)], g
+
+
 def min_bound(x: Any, y: Any) -> Any:
     """The smaller of two upper bounds, whichever balls decide; x where they do not."""
     return y.upper() if y < x else x
@@ -1007,6 +1025,32 @@ class Bordered:
             return self.C + self.M * (2 * sigma) + waves
         return self.M + waves if k == 2 else waves
 
+    def beside_pole(self, sigma: Any, r: Any, H: list[Bent], g: Bent, pole: Any) -> list[Any]:
+        """A matrix with the determinant Δ̂/g up to a constant: its first Taylor coefficients and a bound of the rest.
+
+        With μ = g Σ e^{−pole·x_j} λ_j as one more unknown, Gλ = e^{pole·x} μ + (the part of H).
+        """
+        places = [arb(x) for x in self.vehicle.places]
+        back, corner = [-(-pole * x).exp() for x in places], bent_inverse(g, r)
+        columns = []
+        for k in range(3):
+            of = []
+            for c, b, a in self.factors:
+                of.append([c + b * sigma + a * (sigma * sigma), b + 2 * a * sigma, a][k])
+            ahead = [(pole * x).exp() for x in places]
+            rows = [sum((of[f] * ahead[j] for j, f in row), acb(0)) for row in self.links]
+            columns.append(rows + [ahead[j] if k == 0 else acb(0) for j in self.indirect])
+        row = [acb(0)] * (self.size - self.nc) + back
+        parts = [self.coefficient(k, sigma, [list(x[:2]) for x in H]).tolist() for k in range(2)]
+        parts.append(self.rest(sigma, r, H).tolist())
+        columns[2] = [abs(x) * r * r for x in columns[2]]
+        rows = [row, [acb(0)] * self.size, [arb(0)] * self.size]
+        full = [
+            [[*line, x] for line, x in zip(part, column, strict=True)] + [[*low, end]]
+            for part, column, low, end in zip(parts, columns, rows, corner, strict=True)
+        ]
+        return [acb_mat(full[0]), acb_mat(full[1]), arb_mat(full[2])]
+
     def rest(self, sigma: Any, r: Any, G: list[Bent]) -> Any:
         """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients at σ."""
         sizes = [(abs(x), abs(y), e) for x, y, e in G]
@@ -1172,23 +1216,25 @@ class Walker:
             self.marks[b] = mark
         return total
 
-    def around(self, points: Sequence[Point]) -> Any:
-        """The change of arg Δ̂ along a closed path that begins at a mark and comes back to its pair."""
-        require(points[0] in self.marks and points[-1] == points[0], "a loop does not begin on its path, or is open")
-        first = mark = self.marks[points[0]]
-        total = arb(0)
-        for a, b in pairwise(points):
+    def around(self, loop: Loop, pole: Any) -> tuple[Any, Any]:
+        """The change of arg Δ̂ along a loop that comes back to its pair, and along its first part; the mark there."""
+        require(loop.points[0] in self.marks, "a loop does not begin on its path")
+        first = mark = self.marks[loop.points[0]]
+        total, part, back = arb(0), arb(0), loop.back
+        for k, (a, b) in enumerate(pairwise(loop.points), 1):
             try:
-                mark, turned = self.piece("turn", mark, b, None)
+                mark, turned = self.piece("turn", mark, b, None, pole)
             except Refused as error:
                 raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
             total += turned
+            if k == back:
+                self.marks[b], part = mark, total
         about = first.split.nodes.split(abs(first.split.nodes.local.m) * 2.0**-30)  # of one pair at the point itself
-        back = about.links(first.split) and about.links(mark.split)
-        require(back, "a loop does not come back to the splitting that it began with")
-        return total
+        same = about.links(first.split) and about.links(mark.split)
+        require(same, "a loop does not come back to the splitting that it began with")
+        return total, part
 
-    def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None) -> tuple[Mark, Any]:
+    def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None, pole: Any = None) -> tuple[Mark, Any]:
         """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
@@ -1212,6 +1258,8 @@ class Walker:
         require(
             all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
         )
+        if pole is not None:
+            return end, self.turn_beside(mark, end, m, r, disc, pole)
         G = bent_kernels(self.waves, disc, thin, r, nodes is not None)
         if kind == "passive":
             self.passive(m, half, r, G)
@@ -1221,12 +1269,27 @@ class Walker:
     def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
         """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
         A = [self.bordered.coefficient(k, m, [list(g[:2]) for g in G]) for k in range(2)]
-        rest = self.bordered.rest(m, r, G)
-        R = near_inverse(A[0])
-        E = moduli(R * A[0] - identity(self.bordered.size)) + moduli(R * A[1]) * r + moduli(R) * rest
-        require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
-        start, stop = (R * self.matrix(x) for x in (mark, end))
-        return pivots(stop) - pivots(start)
+        return turned_by([*A, self.bordered.rest(m, r, G)], r, self.matrix(mark), self.matrix(end))
+
+    def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
+        """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
+        total = arb(0)
+        over = kernels_beside(disc, r, self.waves, pole)
+        ends = [(x.split.nodes.local.m, kernels_beside(x.split, arb(0), self.waves, pole)) for x in (mark, end)]
+        parts = [self.bordered.beside_pole(m, r, *over, pole)]
+        parts.append([acb_mat([[over[1][0]]]), acb_mat([[over[1][1]]]), arb_mat([[over[1][2]]])])
+        for k, part in enumerate(parts):
+            thin = []
+            for at, (H, g) in ends:
+                a, _, e = (
+                    self.bordered.beside_pole(at, arb(0), H, g, pole)
+                    if k == 0
+                    else (acb_mat([[g[0]]]), 0, arb_mat([[g[2]]]))
+                )
+                n = a.nrows()
+                thin.append(a + acb_mat(n, n, [box(x) for x in e.entries()]))
+            total += turned_by(part, r, *thin)
+        return total
 
     def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
         """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
@@ -1243,6 +1306,14 @@ class Walker:
         lost = [[(V[where[i][j]][2] + V[where[j][i]][2]) / 2 for j in range(n)] for i in range(n)]
         E = moduli(X * H[0] * back - identity(n)) + moduli(X * H[1] * back) + size * arb_mat(lost) * size.transpose()
         require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
+
+
+def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
+    """det A ≠ 0 on the disc, A = A₀ + A₁t + rest, and the change of its argument between two points of it."""
+    R = near_inverse(A[0])
+    E = moduli(R * A[0] - identity(R.nrows())) + moduli(R * A[1]) * r + moduli(R) * A[2]
+    require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
+    return pivots(R * stop) - pivots(R * start)
 
 
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
@@ -1474,7 +1545,7 @@ class Path:
 
 def read_paths(values: Any, kinds: str) -> list[Path]:
     out = []
-    for value, kind in zip(items(values, 4, "paths", len(kinds.split())), kinds.split(), strict=True):
+    for value, kind in zip(items(values, 24, "paths", len(kinds.split())), kinds.split(), strict=True):
         keys(value, "kind points", "special")
         require(value["kind"] == kind, f"a path is of another kind than {kind}")
         points = read_points(value["points"])
@@ -1691,10 +1762,12 @@ class Loop:
         return bool((z[0] - self.centre) ** 2 + z[1] ** 2 <= self.radius**2)
 
     @property
-    def below(self) -> list[tuple[Point, Point]]:
-        """The first pieces, until the path is back on the real axis."""
-        back = next((k for k, z in enumerate(self.points) if k and z[1] == 0), 0)
-        return list(pairwise(self.points[: back + 1]))
+    def back(self) -> int:
+        """After how many pieces the path is back on the real axis for the first time."""
+        found = next((k for k, z in enumerate(self.points) if k and z[1] == 0), 0)
+        require(self.points[0][1] == 0 and found > 0, "a loop does not begin on the real axis")
+        require(all(y < 0 for _, y in self.points[1:found]), "a loop does not begin below the real axis")
+        return found
 
 
 def read_loops(values: Any) -> list[Loop]:
@@ -1710,8 +1783,11 @@ def read_loops(values: Any) -> list[Loop]:
     return out
 
 
-def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> None:
-    """No root on any sheet round the one branch point in the disc: Δ̂ turns as often as its pole there asks."""
+def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> Any:
+    """No root on any sheet round the one branch point in the disc: Δ̂ turns as often as its pole there asks.
+
+    The change of arg Δ̂ along the first part of the loop, below the real axis, is what it gives to its path.
+    """
     centre, radius = arb(loop.centre), arb(loop.radius)
     inside = []
     for square, times in meeting(track):
@@ -1732,8 +1808,15 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> None:
     same = loop.points[once:] == loop.points[: len(loop.points) - once] and turns * once == len(loop.points) - 1
     turned = (winding / (2 * arb.pi())).unique_fmpz()
     require(same and turned == turns, "a loop does not go round its branch point as it must")
-    turned = (walker.around(loop.points) / (2 * arb.pi())).unique_fmpz()
-    require(turned == -poles, "a root lies next to a branch point")
+    pole = None
+    if times == 1:  # where the pair meets: any number would do, a near one serves
+        require(loop.points[0] in walker.marks, "a loop does not begin on its path")
+        p = float_roots(walker.waves.near(acb(0, 1) * z.mid()), walker.marks[loop.points[0]].z)
+        near = min(combinations(p, 2), key=lambda two: abs(two[0] - two[1]))
+        pole = acb(0, (near[0] + near[1]).imag / 2)
+    whole, part = walker.around(loop, pole)
+    require((whole / (2 * arb.pi())).unique_fmpz() == -poles, "a root lies next to a branch point")
+    return part
 
 
 def meeting(track: Track) -> list[tuple[Any, int]]:
@@ -1742,13 +1825,6 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
     for (_, j), c in terms(moved.discriminant("P")).items():
         squares[j // 2] += c * (-1) ** (j // 2)
     return list(fmpq_poly(squares).complex_roots())
-
-
-def check_edge(points: Sequence[Point], loops: Sequence[Loop]) -> None:
-    """Each piece runs on the real axis, or is one of the first of a loop, below it."""
-    below = {piece for loop in loops for piece in loop.below}
-    for a, b in pairwise(points):
-        require(a[1] == 0 == b[1] or (a, b) in below, "a piece leaves the edge of the cut")
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
@@ -1862,55 +1938,51 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     keys(theorem, "begin end reach lower upper")
     begin, end = (dyadic(theorem[name], name) for name in ("begin", "end"))
     loops, above = read_loops(theorem["lower"]), read_loops(theorem["upper"])
-    number = len(items(values, 4, "paths"))
-    paths = read_paths(values, " ".join(["link", "turn", "link", "turn"][:number]))
-    damped = sheet.height > 0
+    damped, one = sheet.height > 0, 2 + len(loops)
+    two = damped and end > begin
+    paths = read_paths(values, "link" + " turn" * (one - 1) + (" link turn" + " turn" * len(above) if two else ""))
     passive = semidefinite(sheet.upper.C) and semidefinite(sheet.upper.K)
     require(passive, "above the cuts the vehicle is not passive")
-    require(0 <= begin <= end and number >= 1, "the count begins or ends elsewhere")
+    require(0 <= begin <= end, "the count begins or ends elsewhere")
     require(begin == 0 or in_gap(sheet, begin), "the count does not begin in the gap of the cuts")
     require(nonnegative(fmpq_poly(sheet.along(end**2)), False), "the track is not passive beyond the end")
+    require(damped or not in_gap(sheet, end), "without damping the path ends on the cut, for both halves")
+    require(two or not above, "loops without a path")
     waves = Waves(sheet.track, sheet.upper.sites)
     below, up = Walker(waves, Bordered(sheet.lower, waves)), Walker(waves, Bordered(sheet.upper, waves))
-    sites, chains = len(sheet.upper.sites), [(below, paths[:2], loops), (up, paths[2:], above)]
-    turned = [arb(0), arb(0)]
-    for k, (walker, chain, rounds) in enumerate(chains):
-        require(chain or not rounds, "loops without a path")
+    turned = arb(0)
+    for walker, chain, rounds in [(below, paths[:one], loops), (up, paths[one:], above)]:
         if not chain:
             continue
-        link, turn = chain[0].points, chain[1].points if len(chain) > 1 else [(begin, zero)]
-        require(
-            link[0] == (zero, -start) and link[-1] == (begin, zero), "a link does not lead to where the count begins"
-        )
-        require(all(y <= 0 for _, y in link) and turn[0] == (begin, zero), "a path is above the line, or not joined")
+        link, at = chain[0].points, (begin, zero)
+        require(link[0] == (zero, -start) and link[-1] == at, "a link does not lead to where the count begins")
+        require(all(y <= 0 for _, y in link), "a link is above the line")
         require(not any(path.special for path in chain), "no piece is special here")
-        edge = turn
-        if damped and not k:
-            rho = max(x for x, y in turn if y == 0)
-            corner = turn.index((rho, zero))
-            edge = turn[: corner + 1]
-            check_far(sheet, dyadic(theorem["reach"], "reach"), rho)
-            check_lines(turn[corner:], [(rho, zero), (rho, -rho), (zero, -rho)])
-        else:
-            require(turn[-1] == (end, zero), "a path does not end where the count closes")
-        check_edge(edge, rounds)
         walker.begin(start)
         walker.path("link", link, {})
-        turned[k] = walker.path("turn", turn, {}) if len(turn) > 1 else arb(0)
-        for loop in rounds:
-            check_loop(loop, sheet.track, sites, walker)
+        for k, path in enumerate(chain[1:]):
+            edge = path.points
+            require(edge[0] == at, "a path does not begin where the one before ends")
+            if k == len(rounds) and damped and walker is below:
+                rho = max(x for x, y in edge if y == 0)
+                corner = edge.index((rho, zero))
+                check_far(sheet, dyadic(theorem["reach"], "reach"), rho)
+                check_lines(edge[corner:], [(rho, zero), (rho, -rho), (zero, -rho)])
+                edge = edge[: corner + 1]
+            elif k == len(rounds):
+                require(edge[-1] == (end, zero), "a path does not end where the count closes")
+            require(all(y == 0 for _, y in edge), "a path leaves the edge of the cut")
+            turned += walker.path("turn", path.points, {})
+            if k < len(rounds):
+                require(edge[-1] == rounds[k].points[0], "a path does not end where its loop begins")
+                turned += check_loop(rounds[k], sheet.track, len(waves.sites), walker)
+                at = rounds[k].points[rounds[k].back]
         spent.pieces += walker.pieces
-    require(
-        damped or (number <= 2 and not in_gap(sheet, end)),
-        "without damping the path ends on the cut, for both halves",
-    )
-    require(not damped or len(paths) == (4 if end > begin else 2), "a path is missing")
-    marks = (up if len(paths) == 4 else below).marks
+    marks = (up if two else below).marks
     require((end, zero) in marks, "the count does not come to its end")
     b, pi, last = up.bordered, arb.pi(), marks[end, zero]
     closed = closing(b, waves, last) + (b.nb - b.nc) * pi / 2
-    total = closed - turned[0] - turned[1] if damped else 2 * (closed - turned[0])
-    n = (total / pi).unique_fmpz()
+    n = ((closed - turned) * (1 if damped else 2) / pi).unique_fmpz()
     require(n is not None, "the change of the argument does not tell the number of roots")
     return int(n)
 

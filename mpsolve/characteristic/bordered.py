@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import receptances, split
+from mpsolve.characteristic.discs import receptances, split, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
@@ -75,22 +75,57 @@ class Arrays:
         values = receptances(self.N, self.D, s, distances)
         return s, values.jet[:, pairs], values.good
 
+    def without_pole(self, m: Any, r: Any, up: int, nodes: Any, at: complex) -> tuple[Any, Jet, Jet, Any]:
+        """(splittings, H, g, where they are bounded): G(ξ) = e^{at·ξ}(g + H(ξ)), g = G(0), whatever `at` is.
+
+        Next to a branch point where one pair of roots meets, at P = `at`, g alone has a pole; H is at least bounded.
+        """
+        s = split(self.D, m, r, up, nodes)
+        distances, pairs = self.distances
+        weight, p, alone = waves(self.N, self.D, s)
+        parts = []
+        for x in distances:
+            side, sign = (slice(0, up), 1.0) if x >= 0 else (slice(up, None), -1.0)
+            moved = (p[:, side] + -at) * x
+            parts.append(((moved.exp() + -1.0) * weight[:, side] * sign).sum(1) * np.exp(at * x))
+        a, b, e = (np.stack([getattr(part, key) for part in parts], 1) for key in "abe")
+        g = weight[:, :up].sum(1)
+        good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(g.e)
+        return s, Jet(a, b, e, s.r)[:, pairs], g, good
+
+    def beside_pole(self, H: Jet, g: Jet, m: Any, at: complex) -> Jet:
+        """A matrix with the determinant Δ̂/g up to a constant, from H and g of `without_pole`."""
+        contact = np.array(self.reduced.index)
+        places = np.array([nearest(x) for x in self.reduced.places])[contact]
+        H = H[:, contact[:, None], contact[None, :]]
+        v, back = (self._constant(np.exp(sign * at * places), H.r) for sign in (1, -1))
+        above = self._rows(_joined(H, v[:, :, None], 2), m)
+        width = above.a.shape[2] - len(contact) - 1
+        low = _joined(self._constant(np.zeros(width), H.r), -back, 1)
+        corner = g.inverse()
+        return _joined(above, _joined(low, corner[:, None], 1)[:, None, :], 1)
+
     def matrix(self, G: Jet, m: Any) -> Jet:
         """The reduced characteristic matrix on the discs round m, from G between the places."""
         contact = np.array(self.reduced.index)
-        G = G[:, contact[:, None], contact[None, :]]
+        return self._rows(G[:, contact[:, None], contact[None, :]], m)
+
+    def _rows(self, G: Jet, m: Any) -> Jet:
+        """The rows of bodies and of contacts that are not direct; G may have more columns than contacts."""
+        more = np.zeros((len(self.B), G.a.shape[2] - len(self.reduced.index)))
         S = self._pencil(m, G.r)
         bodies = [d.body for d in self.direct]
         rest = [i for i in range(len(self.B)) if i not in bodies]
-        right = self._constant(-self.B, G.r)
+        right = self._constant(np.hstack([-self.B, more]), G.r)
         if bodies:
             factors = np.array([-nearest(1 / d.b) for d in self.direct])  # each rounded: within the 2 u of `*`
             right = right + (S[:, :, bodies] * factors) @ G[:, [d.contact for d in self.direct], :]
         top = _beside(S[:, :, rest], right)
-        indirect = [j for j in range(len(contact)) if j not in [d.contact for d in self.direct]]
+        contacts = len(self.reduced.index)
+        indirect = [j for j in range(contacts) if j not in [d.contact for d in self.direct]]
         if not indirect:
             return top
-        compliance = self._constant(np.diag(self.h)[indirect], G.r)
+        compliance = self._constant(np.hstack([np.diag(self.h), more[:1].repeat(contacts, 0)])[indirect], G.r)
         low = _beside(self._constant(self.B.T[np.ix_(indirect, rest)], G.r), G[:, indirect, :] + compliance)
         return _joined(top, low, 1)
 

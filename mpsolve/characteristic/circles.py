@@ -21,12 +21,13 @@ from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.family import Family
 
 SAMPLES = 24
-_TOGETHER = 0.5  # roots of one side closer than this share of the distance to the other side share a circle
+_TOGETHER = 0.3  # roots of one side closer than this share of the distance to the other side share a circle
 _INNER, _OUTER = (
     0.05,
     0.85,
 )  # where f is bounded, between the roots inside and the circle; of the next root's distance
 _RADIUS = 0.4  # of a circle, relative to the distance of the next root outside
+_GROWTH = 7.5  # over the largest distance: of a circle's outer radius
 _NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
 _CLOSEST = 0.9
 
@@ -62,19 +63,22 @@ class FreeReceptance:
     def __call__(self, boxes: Boxes) -> Receptances:
         """Over each box."""
         with np.errstate(all="ignore"):
-            y, rho = boxes.variables
-            wave, N = self.track.split(boxes), self.track.N(y, rho)
+            whole = self.track.split(boxes)
+            rows = np.flatnonzero(whole.good)  # the others are not bounded anyway
+            y, rho = boxes.take(rows).variables
+            wave, N = whole.take(rows), self.track.N(y, rho)
             forms, ahead, which = self.distances
             xi = forms(y, rho)
-            k = np.zeros(xi.k.shape, complex)
-            e = np.zeros(xi.e.shape)
+            k = np.zeros((len(xi.k), boxes.count, len(ahead)), complex)
+            e = np.full((boxes.count, len(ahead)), np.inf)
             for mask, own in ((ahead, True), (~ahead, False)):
-                if mask.any():
+                if mask.any() and len(rows):
                     side = self._side(wave, N, xi[:, mask], own)
-                    k[..., mask], e[:, mask] = side.k, side.e
-            good = wave.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
+                    at_ = np.ix_(rows, np.flatnonzero(mask))
+                    k[:, at_[0], at_[1]], e[at_] = side.k, side.e
+            good = whole.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
             G = Quadratic(k, e, xi.m)
-            return Receptances(G[:, which], good, wave)
+            return Receptances(G[:, which], good, whole)
 
     def _side(self, wave: Wave, N: Quadratic, xi: Quadratic, upper: bool) -> Quadratic:
         """G at the distances of one sign, from the roots of one side."""
@@ -82,7 +86,7 @@ class FreeReceptance:
         boxes = len(wave.z)
         if not own.any():
             return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
-        circles = circles_of(wave, own)
+        circles = circles_of(wave, own, xi.size.max(1))
         turn = exponential(2j * np.pi * np.arange(SAMPLES) / SAMPLES)[0]
         arm = circles.radius[:, :, None] * turn
         points = (circles.centre[:, :, None] + arm).reshape(boxes, -1)
@@ -121,8 +125,11 @@ class Circles:
     active: Any
 
 
-def circles_of(wave: Wave, own: Any) -> Circles:
-    """A circle for each group of roots of one side, at the number of its first root."""
+def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
+    """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
+
+    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that.
+    """
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
     far = np.abs(z[:, :, None] - other[:, None, :]).min(2) if other.shape[1] else np.full(z.shape, np.inf)
@@ -140,6 +147,7 @@ def circles_of(wave: Wave, own: Any) -> Circles:
     if other.shape[1]:
         outer = np.minimum(outer, np.abs(centre[:, :, None] - other[:, None, :]).min(2))
     outer = np.minimum(outer, 4 * (np.abs(centre) + inner))
+    outer = np.minimum(outer, np.maximum(_GROWTH / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)
 

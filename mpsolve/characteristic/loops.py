@@ -7,6 +7,7 @@ the proof is that neighbouring pieces are linked, as on any other path.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import fsum
 from typing import Any
 
@@ -15,34 +16,64 @@ import numpy as np
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, near_roots
 from mpsolve.characteristic.paths import discs
-from mpsolve.numbers.jets import UP, U
+from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import pivot_arguments, regular
 
 
-def turn_round(arrays: Arrays, first: Splittings, points: Any, room: float = 1.0) -> tuple[float, float] | None:
-    """(the change of arg Δ̂ along the closed polygon, a bound of its error), or None where it is not proved.
+@dataclass(frozen=True)
+class Turned:
+    """The change of arg Δ̂ along the whole loop and along its first part, each with a bound of its error."""
 
-    first: the thin splitting at points[0] = points[-1] (q̂), whose pair is the first one and must be the last.
+    whole: tuple[float, float]
+    part: tuple[float, float]
+
+
+def turn_round(
+    arrays: Arrays, first: Splittings, points: Any, part: int, room: float = 1.0, pole: complex | None = None
+) -> Turned | None:
+    """What Δ̂ turns by along the closed polygon, and along its first `part` pieces; None where that is not proved.
+
+    first: thin splittings at points[0] = points[-1] (q̂) and at points[part]: the pair begins and ends with the one,
+    and passes the other. pole: about the one P at which a pair of roots meets inside. Then Δ̂ is followed as g·(Δ̂/g),
+    g = G(0): the pole is in g alone, and small loops take no more pieces than large ones.
     """
     with np.errstate(all="ignore"):
         m, r = discs(points[:-1], points[1:])
         nodes = _followed(arrays, np.stack([1j * points[:-1], m], 1).ravel(), first.z[0])
         nodes = np.concatenate([nodes, _followed(arrays, 1j * points[-1:], nodes[-1])])
-        thin, G, good = arrays.evaluate(1j * points, np.zeros(len(points)), first.up, nodes[::2])
-        pieces, values, fine = arrays.evaluate(m, r * room, first.up, nodes[1::2])
-        piece = regular(arrays.matrix(values, m))
-        A = arrays.matrix(G, 1j * points)
+        thin, at_points, good = _matrices(arrays, 1j * points, np.zeros(len(points)), first.up, nodes[::2], pole)
+        pieces, over, fine = _matrices(arrays, m, r * room, first.up, nodes[1::2], pole)
         here, ahead = np.arange(len(m)), np.arange(1, len(points))
-        start, lost, sharp = pivot_arguments(piece, A.take(here))
-        end, lost_too, sharp_too = pivot_arguments(piece, A.take(ahead))
-        passed = fine & piece.good & sharp & sharp_too & good[here] & good[ahead]
+        passed = fine & good[here] & good[ahead]
         passed &= linked(pieces, thin.take(here)) & linked(pieces, thin.take(ahead))
-        back = linked(first, thin.take([0])) & linked(first, thin.take([-1]))
-    if not (passed.all() and back.all()):
+        joined = linked(pieces.take([0, -1, part]), first.take([0, 0, 1]))
+        turns, errors = np.zeros(len(m)), np.zeros(len(m))
+        for A, A_over in zip(at_points, over, strict=True):
+            piece = regular(A_over)
+            start, lost, sharp = pivot_arguments(piece, A.take(here))
+            end, lost_too, sharp_too = pivot_arguments(piece, A.take(ahead))
+            passed &= piece.good & sharp & sharp_too
+            turns = turns + (end - start)
+            errors = errors + (lost + lost_too + 8 * U * np.abs(end - start)) * UP
+    if not (passed.all() and joined.all()):
         return None
-    turn = end - start
-    error = fsum(np.concatenate([lost, lost_too, 2 * U * np.abs(turn)])) * UP
-    return fsum(turn), error + 2 * U * abs(fsum(turn))
+    return Turned(_total(turns, errors), _total(turns[:part], errors[:part]))
+
+
+def _total(turns: Any, errors: Any) -> tuple[float, float]:
+    total = fsum(turns)
+    return total, fsum(errors) * UP + 2 * U * abs(total) + 8 * U * fsum(np.abs(turns))
+
+
+def _matrices(
+    arrays: Arrays, m: Any, r: Any, up: int, nodes: Any, pole: complex | None
+) -> tuple[Any, list[Jet], Any]:
+    """(splittings, matrices whose determinants have the product Δ̂ up to a constant, where they are bounded)."""
+    if pole is None:
+        s, G, good = arrays.evaluate(m, r, up, nodes)
+        return s, [arrays.matrix(G, m)], good
+    s, H, g, good = arrays.without_pole(m, r, up, nodes, pole)
+    return s, [arrays.beside_pole(H, g, m, pole), g[:, None, None]], good
 
 
 def _followed(arrays: Arrays, sigma: Any, z: Any) -> Any:

@@ -110,9 +110,12 @@ class Paths:
         drift = 64 * U * (np.abs(m) + r)  # the piece runs through its rounded middle, along a rounded direction
         return s, good & positive(sigma * G, 1j * (b - a) / np.abs(b - a), drift), None
 
-    def prove(self, paths: tuple[Path, ...], effort: Effort) -> Proved:
-        """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError."""
-        _check_chain(paths, self.start.depth)
+    def prove(self, paths: tuple[Path, ...], effort: Effort, reached: tuple[complex, ...] = ()) -> Proved:
+        """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError.
+
+        reached: further points at which paths may begin, as the pair of their thin splitting is known to be the one.
+        """
+        _check_chain(paths, self.start.depth, reached)
         for _ in range(_ROUNDS):
             with np.errstate(all="ignore"):
                 proved = self._pass(paths, effort)
@@ -167,9 +170,9 @@ class Paths:
         return passed, (fsum(turn), error + 2 * U * abs(fsum(turn)))
 
 
-def _check_chain(paths: tuple[Path, ...], depth: float) -> None:
-    """Every path begins where an earlier one ends, the first at −i depth; ValueError else."""
-    ends = [complex(0, -depth)]
+def _check_chain(paths: tuple[Path, ...], depth: float, reached: tuple[complex, ...] = ()) -> None:
+    """Every path begins where an earlier one ends, the first at −i depth, or at a reached point; ValueError else."""
+    ends = [complex(0, -depth), *reached]
     for path in paths:
         if complex(path.points[0]) not in ends:
             raise ValueError("a path begins where no earlier one ends")

@@ -2,32 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.finite.carriage import Carriage, carriage
-from mpsolve.finite.discretization import discretized
-from mpsolve.finite.exponentials import exponentials
-from mpsolve.finite.march import Motion, Setting, march
-from mpsolve.motion.beam_figures import hermite
-from mpsolve.motion.grid import float_list
-from mpsolve.parallel.threads import one_thread
+from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, Answer, Case
 from mpsolve.problem.problem import Problem
-from mpsolve.tracks.at_rest import Status, at_rest
-from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.liftoff import Event
 
-FEWEST_STEPS, FEWEST_MODES = 16, 8
-MOST_STEPS, MOST_MODES = 1_000_000, 40_000
-MOST_WORK = 1e9
-"""Most modes times steps of one march: some minutes."""
+FEWEST_MODES, MOST_MODES = 8, 40_000
 _HELD = 1.1
 """Where an error halves with twice as many modes, the change is the error itself; it is not always so even."""
-_GAUSS = np.array([-1, 1]) / math.sqrt(3)
 
 
 @dataclass(frozen=True)
@@ -107,7 +94,7 @@ def finite_track(
     """
     if initial not in ("rest", "steady"):
         raise InputError("initial", f"is {initial!r}: give 'rest' or 'steady'")
-    case = _Case(problem, loads, length, times, places, start, tolerance, initial == "steady", bool(unilateral))
+    case = Case(problem, loads, length, times, places, start, tolerance, initial == "steady", bool(unilateral))
     count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
     if steps is None:
         used, found, late = _settled(case, count)
@@ -132,31 +119,7 @@ def finite_track(
     )
 
 
-@dataclass(frozen=True)
-class _Answer:
-    """At the times: rail (p, t), vehicle (size, t), force (n, t); forces (n, nodes) at the nodes of the steps."""
-
-    rail: Any
-    vehicle: Any
-    force: Any
-    nodes: Any
-    forces: Any
-
-    def change(self, other: _Answer) -> tuple[float, float, float]:
-        pairs = ((self.rail, other.rail), (self.vehicle, other.vehicle), (self.force, other.force))
-        a, b, c = (float(np.max(np.abs(one - two), initial=0.0)) for one, two in pairs)
-        return a, b, c
-
-    def near(self, other: _Answer, tolerance: float) -> bool:
-        rail, vehicle, _ = self.change(other)
-        return rail <= tolerance * _largest(self.rail) and vehicle <= tolerance * _largest(self.vehicle)
-
-
-def _largest(rows: Any) -> float:
-    return float(np.max(np.abs(rows), initial=0.0))
-
-
-def _settled(case: _Case, modes: int) -> tuple[int, _Answer, tuple[float, float, float]]:
+def _settled(case: Case, modes: int) -> tuple[int, Answer, tuple[float, float, float]]:
     """Steps, answer and change to half as many, once this change is small."""
     steps = case.first_steps
     now = case.solve(modes, steps)
@@ -167,109 +130,7 @@ def _settled(case: _Case, modes: int) -> tuple[int, _Answer, tuple[float, float,
             return steps, now, now.change(before)
 
 
-class _Case:
-    """A problem with its loads and the times and places asked for, checked; float64."""
-
-    def __init__(
-        self,
-        problem: Any,
-        loads: Any,
-        length: Any,
-        times: Any,
-        places: Any,
-        start: Any,
-        tolerance: Any,
-        steady: bool = False,
-        unilateral: bool = False,
-    ) -> None:
-        if not isinstance(problem, Problem):
-            raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
-        self.pencil = problem.pencil
-        self.waveguide = problem.track.waveguide
-        resting = at_rest(problem.track)
-        if resting.status is Status.UNSTABLE:
-            raise InputError("track", f"is unstable without any force: {resting.sentence}; lower the axial force N")
-        self.outer = outer_forces(self.pencil, loads)
-        self.times = _ascending(times)
-        self.contacts = np.array([float(x) for x in self.pencil.places])
-        self.places = self.contacts if places is None else float_list(places, "places")
-        self.velocity = float(problem.v)
-        self.tolerance = _positive(tolerance, "tolerance")
-        if self.tolerance >= 1:
-            raise InputError("tolerance", f"is {self.tolerance:g}, not below 1: give the error accepted, as a share")
-        self.length = _positive(length, "length")
-        self.origin = self._placed(start)
-        self.carriage: Carriage = carriage(self.pencil)
-        self.carriage.force(self.outer.direction)  # refused before any work
-        self.steady, self.unilateral = steady, unilateral
-        if unilateral and not all(self.pencil.h):
-            raise InputError("unilateral", "asks for contacts that open, but one is tight: give every k_contact")
-
-    @property
-    def duration(self) -> float:
-        return float(self.times[-1])
-
-    def _placed(self, start: Any) -> float:
-        """The origin at t = 0; InputError where contacts or places would not stay on the track."""
-        every = np.concatenate([self.contacts, self.places])
-        low, high = float(every.min()), float(every.max())
-        reach = high - low + self.velocity * self.duration
-        margin = (self.length - reach) / 2 if start is None else _positive(start, "start") + low
-        if margin <= 0 and start is not None:
-            raise InputError("start", f"is {margin - low:g}, but the rearmost point is {-low:g} behind it: raise it")
-        needed = reach + max(margin, 0.0)
-        if self.length <= needed:
-            stated = f"is {self.length:g}, but contacts and places cover {needed:g} from the left support"
-            raise InputError("length", f"{stated} by the last time: give more than {needed:g}, or end times earlier")
-        return margin - low
-
-    @property
-    def first_steps(self) -> int:
-        return max(FEWEST_STEPS, math.ceil(self.duration * self.outer.fastest))
-
-    def solve(self, modes: int, steps: int) -> _Answer:
-        """The answer with these figures; InputError where they are beyond what can be computed."""
-        if modes * steps > MOST_WORK or steps > MOST_STEPS:
-            stated = f"needs {steps} steps or more of {modes} modes for its tolerance, beyond what is computed"
-            raise InputError("times", f"{stated}: end earlier, raise tolerance, or lower modes or steps")
-        track = exponentials(discretized(self.waveguide, self.length, modes))
-        setting = Setting(
-            track, self.length, self.carriage, self.outer, self.contacts, self.places, self.origin, self.velocity,
-            self.duration, self.steady, self.unilateral,
-        )  # fmt: skip
-        with np.errstate(over="ignore", invalid="ignore"), one_thread():
-            try:
-                found = self._read(march(setting, steps))
-            except np.linalg.LinAlgError:
-                stated = (
-                    "have contact forces that are not determined, such as two tight contacts of one body at a place"
-                )
-                raise InputError("vehicles", f"{stated}: move a contact, or give k_contact") from None
-        if not all(np.isfinite(rows).all() for rows in (found.rail, found.vehicle, found.force)):
-            raise InputError("times", f"reaches {self.duration:g}, where the motion overflows: end earlier")
-        return found
-
-    def _read(self, motion: Motion) -> _Answer:
-        """The motion at the times asked for; forces by their values at the Gauss points of the steps."""
-        h = motion.times[1]
-        nodes = ((motion.times[:-1] + h / 2)[:, None] + h / 2 * _GAUSS).ravel()
-        values = motion.force[:, 0, :, None] + motion.force[:, 1, :, None] * _GAUSS
-        values = values.reshape(len(self.contacts), -1)
-        first = 0 * values[:, :1]
-        if self.carriage.first or self.steady:  # a massless wheel is pressed on the rail at once
-            first = values[:, :1] - (values[:, 1:2] - values[:, :1]) * (nodes[0] / (nodes[1] - nodes[0]))
-        last = values[:, -1:] + (values[:, -1:] - values[:, -2:-1]) * (nodes[0] / (nodes[1] - nodes[0]))
-        nodes = np.concatenate([[0.0], nodes, motion.times[-1:]])
-        values = np.concatenate([first, values, last], axis=1)
-        force = hermite(nodes, values, np.gradient(values, nodes, axis=1), self.times)
-        if self.unilateral:
-            force = np.maximum(force, 0.0)  # between steps at which the force jumps, interpolation overshoots
-        kept = hermite(motion.times, motion.state, motion.state_rate, self.times)
-        rail = hermite(motion.times, motion.rail, _slopes(motion.rail, h), self.times)
-        return _Answer(rail, self.carriage.motion @ kept - self.carriage.give @ force, force, nodes, values)
-
-
-def _event(found: _Answer, error: float, step: float) -> Event | None:
+def _event(found: Answer, error: float, step: float) -> Event | None:
     """The first time at which a force that pressed comes to 0 or below, between the nodes."""
     noise = 1e-6 * np.abs(found.forces).max(initial=0.0)
     out = []
@@ -280,30 +141,6 @@ def _event(found: _Answer, error: float, step: float) -> Event | None:
             off = step + error * gap / max(a - b, noise)
             out.append(Event(float(found.nodes[k] + gap * a / (a - b)), j + 1, float(off)))
     return min(out, key=lambda event: event.time, default=None)
-
-
-def _slopes(values: Any, h: float) -> Any:
-    """The slopes of equidistant values (rows, nodes), of the fourth order within.
-
-    The rail's own rates would not do: they hold waves that turn many times in a step.
-    """
-    out = np.gradient(values, h, axis=1, edge_order=2)
-    out[:, 2:-2] = (8 * (values[:, 3:-1] - values[:, 1:-3]) - (values[:, 4:] - values[:, :-4])) / (12 * h)
-    return out
-
-
-def _ascending(times: Any) -> Any:
-    found = float_list(times, "times")
-    if not found.size or found[0] < 0 or found[-1] <= 0 or np.any(np.diff(found) <= 0):
-        raise InputError("times", "is not an ascending list of times from 0 on: give at least one time above 0")
-    return found
-
-
-def _positive(value: Any, key: str) -> float:
-    number = float(float_list([value], key)[0])
-    if number <= 0:
-        raise InputError(key, f"is {number:g}, not above 0: give a positive one")
-    return number
 
 
 def _count(value: Any, key: str, least: int, most: int) -> int:

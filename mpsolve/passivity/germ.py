@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import comb
 from typing import Any
 
 from flint import acb_series
@@ -16,6 +17,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, rational_ball, square
 from mpsolve.tracks.waveguide import Polynomial
 
+Local = dict[tuple[int, int], Any]
+"""Σ c P^i s^j about some point, with balls."""
 _TRIES = 12  # radii of a disc round a root
 _POLISH = 12  # steps of Newton's method
 
@@ -75,8 +78,7 @@ def root_balls(D: Polynomial, sigma: Any, v: Any) -> list[Any]:
         near = [_polished(centre, root.mid()) for root in centre.roots()]
     except ValueError:
         raise PrecisionError("two p-roots meet") from None
-    slope = wide.derivative()
-    balls = [_newton(wide, slope, root) for root in near]
+    balls = [_newton(D, root, sigma, v) for root in near]
     for k, one in enumerate(balls):
         if any(one.overlaps(other) for other in balls[:k]):
             raise PrecisionError("p-roots may meet: split the ball")
@@ -94,17 +96,73 @@ def _polished(f: Any, root: Any) -> Any:
     return root
 
 
-def _newton(f: Any, slope: Any, root: Any) -> Any:
-    value = f(root)
-    first = value / slope(root)
+def _newton(D: Polynomial, root: Any, sigma: Any, v: Any) -> Any:
+    """Interval Newton for δ in P = root + δ, about a thin point, so that balls stand for small departures only."""
+    time, about = _centre(root, sigma, v)
+    local = _shifted(D, root, about)
+    by_P, by_s = _slopes(local)
+    value = _number(local, acb(0), time)
+
+    def slope(disc: Any) -> Any:
+        s = time - v * disc
+        return _number(by_P, disc, s) - v * _number(by_s, disc, s)
+
+    first = value / slope(acb(0))
     radius = 1.25 * first.abs_upper() if first.is_finite() else arb("inf")
     for _ in range(_TRIES):
-        disc = root + square(radius)
-        image = root - value / slope(disc)
+        disc = square(radius)
+        image = -value / slope(disc)
         if image.is_finite() and disc.contains_interior(image):
-            return image
+            return root + image
         radius = radius * 1.5 + arb(2) ** -1000
     raise PrecisionError("a p-root is not isolated over the ball: split it")
+
+
+def _centre(root: Any, sigma: Any, v: Any) -> tuple[Any, Any]:
+    """(the ball of s − s₀ at P = root, the thin s₀) for s = σ − vP."""
+    middle, speed = acb(sigma).mid(), arb(v).mid()
+    about = (middle - speed * root).mid()
+    return (middle - speed * root - about) + (sigma - middle) - (v - speed) * root, about
+
+
+def _shifted(polynomial: Polynomial, P: Any, s: Any) -> Local:
+    """The coefficients about a thin point: those of (P′ − P)^i (s′ − s)^j."""
+    powers_P, powers_s = ([acb(1)] for _ in range(2))
+    for x, powers, k in ((P, powers_P, 0), (s, powers_s, 1)):
+        for _ in range(max(key[k] for key in polynomial)):
+            powers.append(powers[-1] * x)
+    out: Local = {}
+    for (i, j), c in polynomial.items():
+        number = rational_ball(c)
+        for a in range(i + 1):
+            part = number * comb(i, a) * powers_P[i - a]
+            for b in range(j + 1):
+                out[a, b] = out.get((a, b), acb(0)) + part * comb(j, b) * powers_s[j - b]
+    return out
+
+
+def _slopes(local: Local) -> tuple[Local, Local]:
+    """∂/∂P and ∂/∂s."""
+    by_P = {(i - 1, j): i * c for (i, j), c in local.items() if i}
+    return by_P, {(i, j - 1): j * c for (i, j), c in local.items() if j}
+
+
+def _number(local: Local, P: Any, s: Any) -> Any:
+    total = acb(0)
+    for row in reversed(_rows(local)):
+        inner = acb(0)
+        for c in reversed(row):
+            inner = inner * s + c
+        total = total * P + inner
+    return total
+
+
+def _rows(local: Local) -> list[list[Any]]:
+    rows = [[acb(0)] for _ in range(max((i for i, _ in local), default=-1) + 1)]
+    for (i, j), c in local.items():
+        rows[i] += [acb(0)] * (j + 1 - len(rows[i]))
+        rows[i][j] = c
+    return rows
 
 
 def _at(D: Polynomial, sigma: Any, v: Any) -> Any:
@@ -125,43 +183,39 @@ def _at(D: Polynomial, sigma: Any, v: Any) -> Any:
 def _residue(D: Polynomial, N: Polynomial, root: Any, sigma: Any, v: Any, size: int) -> _Dual:
     """N/D_P along the root, whose constant coefficient the ball `root` holds."""
     one, zero = _series([1], size), _series([0], size)
-    time, speed = _Dual(_series([sigma, 1], size), zero), _Dual(_series([v], size), one)
-    P = _Dual(_series([root], size), zero)
-    whole, slope = _both(D, P, time - speed * P, speed, size)
-    over = 1 / slope.a[0]
-    own: list[Any] = [root]
+    thin = root.mid()
+    offset, about = _centre(thin, sigma, v)
+    d, n = _shifted(D, thin, about), _shifted(N, thin, about)
+    by_P, by_s = _slopes(d)
+    # s − s₀ = offset + t − v (P − thin), and ε stands for a change −P of s
+    time, speed = _Dual(_series([offset, 1], size), -_series([thin], size)), _Dual(_series([v], size), one)
+
+    def along(own: Sequence[Any], dual: Sequence[Any]) -> tuple[_Dual, _Dual]:
+        P = _Dual(_series(own, size), _series(dual, size) if dual else zero)
+        return P, time - speed * P
+
+    own: list[Any] = [root - thin]
     dual: list[Any] = []
+    P, s = along(own, dual)
+    slope = _sum(by_P, P, s, size) - speed * _sum(by_s, P, s, size)
+    over = 1 / slope.a[0]
     for k in range(size):  # D(P) = 0 order by order: what is not yet known of P enters the next one linearly
         if k:
-            own.append(-whole.a[k] * over)
-            P = _Dual(_series(own, size), _series(dual, size) if dual else zero)
-            whole = _sum(D, P, time - speed * P, size)
-        dual.append(-whole.b[k] * over)
-        P = _Dual(P.a, _series(dual, size))
-        whole = _sum(D, P, time - speed * P, size)
-    _, slope = _both(D, P, time - speed * P, speed, size)
-    return _sum(N, P, time - speed * P, size) / slope
+            own.append(-_sum(d, P, s, size).a[k] * over)
+            P, s = along(own, dual)
+        dual.append(-_sum(d, P, s, size).b[k] * over)
+        P, s = along(own, dual)
+    slope = _sum(by_P, P, s, size) - speed * _sum(by_s, P, s, size)
+    return _sum(n, P, s, size) / slope
 
 
-def _both(D: Polynomial, P: _Dual, s: _Dual, v: _Dual, size: int) -> tuple[_Dual, _Dual]:
-    """D and its total derivative in P, where ds/dP = −v."""
-    by_P = {(i - 1, j): i * c for (i, j), c in D.items() if i}
-    by_s = {(i, j - 1): j * c for (i, j), c in D.items() if j}
-    return _sum(D, P, s, size), _sum(by_P, P, s, size) - v * _sum(by_s, P, s, size)
-
-
-def _sum(polynomial: Polynomial, P: _Dual, s: _Dual, size: int) -> _Dual:
+def _sum(local: Local, P: _Dual, s: _Dual, size: int) -> _Dual:
     zero = _Dual(_series([0], size), _series([0], size))
-    rows: dict[int, dict[int, Any]] = {}
-    for (i, j), c in polynomial.items():
-        rows.setdefault(i, {})[j] = c
     total = zero
-    for i in range(max(rows, default=-1), -1, -1):
-        row, inner = rows.get(i, {}), zero
-        for j in range(max(row, default=-1), -1, -1):
-            inner = inner * s
-            if j in row:
-                inner = inner + _Dual(_series([rational_ball(row[j])], size), zero.b)
+    for row in reversed(_rows(local)):
+        inner = zero
+        for c in reversed(row):
+            inner = inner * s + _Dual(_series([c], size), zero.b)
         total = total * P + inner
     return total
 

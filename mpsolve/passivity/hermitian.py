@@ -111,7 +111,8 @@ def _entry(density: Density, distance: Affine, names: list[str]) -> tuple[Any, A
     size = np.abs(density.a) + slopes
     delta = (distance.spread + distance.e) * ones
     far = np.abs(density.middle) + density.half
-    error = size * (lost + flat_lost + bend_lost + (64 + density.a.shape[1]) * 16 * U * (1 + far * delta))
+    rounding = (64 + density.a.shape[1]) * 16 * U * (1 + far * (delta + np.abs(D)))
+    error = size * (lost + flat_lost + bend_lost + rounding)
     error = error + delta * (np.abs(density.a) * density.half + slopes * far) + size * (far * delta) ** 2 / 2
     error = error + np.abs(density.a) * far * distance.e * ones
     return np.stack(values, 1), (error * 2 * density.half).sum(1) * UP + TINY

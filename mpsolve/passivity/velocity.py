@@ -34,7 +34,7 @@ from mpsolve.tracks.at_rest import at_rest
 from mpsolve.tracks.passive import passivity
 from mpsolve.tracks.waveguide import Track, Waveguide, moving
 
-_EVALUATIONS = 60000
+_EVALUATIONS = 20000
 _GRID = 32  # velocities at which floats look for a loss
 _BELOW_WAVES = Fraction(999, 1000)  # of the least wave speed in the range: how far the proof is tried
 _MOST_DIGITS = 10_000

@@ -46,7 +46,8 @@ class Proof(Portable):
 
 @dataclass(frozen=True)
 class Answer(Portable):
-    """Base of the answers. over: the ranges that were looked at, in the problem's units.
+    """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
+    from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
     """

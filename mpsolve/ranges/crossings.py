@@ -26,7 +26,7 @@ from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, withi
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
-from mpsolve.ranges.scope import OpenError, Scope, checked_over, one_path, scope_of
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -101,6 +101,7 @@ def find(
     """`crossings` of checked arguments."""
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
     scope = scope_of(problem, over)
     try:
         X = scope.X

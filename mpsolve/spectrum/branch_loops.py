@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -16,18 +16,22 @@ from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 
-_FIRST, _SMALLEST, _SHRINK = 0.25, 2.0**-24, 4  # of the distance to what is next: radii of loops
-_SIDES = (14, 24, 48, 96)  # of a loop, each time round
+_FIRST, _SMALLEST, _SHRINK = 0.15, 2.0**-28, 4  # of the distance to what is next: radii of loops
+_SIDES = (16, 24, 48, 96)  # of a loop, each time round
 _REAL = 1e-3  # relative, in floats
 
 
 @dataclass(frozen=True)
 class BranchPoint:
-    """Where real p-roots meet, z > 0: how often it is a root of the discriminant, how far the next one or 0 is."""
+    """Where real p-roots meet, z > 0: how often it is a root of the discriminant, how far the next one or 0 is.
+
+    pole: about the P at which one pair meets; None where more roots do.
+    """
 
     z: float
     multiplicity: int
     room: float
+    pole: complex | None
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,8 @@ class Loop:
     radius: float
     sides: int
     points: Any
+    half: tuple[float, float] = field(compare=False)
+    """The change of arg Δ̂ along the first half, below the real axis, and a bound of its error."""
 
     @property
     def first(self) -> float:
@@ -48,11 +54,6 @@ class Loop:
     def last(self) -> float:
         """Where it comes back to the real axis for the first time."""
         return self.centre + self.radius
-
-    @property
-    def half(self) -> Any:
-        """Its first half, below the real axis."""
-        return self.points[: self.sides // 2 + 1]
 
     @property
     def reach(self) -> float:
@@ -66,13 +67,14 @@ def edge_points(line: Line) -> list[BranchPoint]:
     out = []
     for j, (z, k) in enumerate(found):
         others = [abs(z - other) for i, (other, _) in enumerate(found) if i != j]
-        if k > 2 or _meets_on_axis(line, z):
-            out.append(BranchPoint(z, k, min([z, *others])))
+        pole = _meeting(line, z)
+        if k > 2 or pole is not None:
+            out.append(BranchPoint(z, k, min([z, *others]), pole if k == 1 else None))
     return out
 
 
-def _meets_on_axis(line: Line, z: float) -> bool:
-    """In floats: the p-roots that meet at z are real (P = ip imaginary). What is left out, no path can pass."""
+def _meeting(line: Line, z: float) -> complex | None:
+    """In floats: where p-roots meet at z, if they are real (P = ip imaginary). What is left out, no path can pass."""
     coefficients = np.zeros(5, complex)
     for (i, j), c in line.lower.guide.D.items():
         coefficients[i] += float(c) * (1j * z) ** j
@@ -80,7 +82,8 @@ def _meets_on_axis(line: Line, z: float) -> bool:
     size = np.abs(roots).max()
     gaps = np.abs(roots[:, None] - roots[None, :]) + 10 * np.eye(4) * size
     pair = np.unravel_index(np.argmin(gaps), gaps.shape)
-    return bool(abs(roots[list(pair)].sum().real) < _REAL * size)
+    middle = complex(roots[list(pair)].mean())
+    return complex(0, middle.imag) if abs(middle.real) < _REAL * size else None
 
 
 def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> Loop:
@@ -91,7 +94,7 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
     while ratio > _SMALLEST:
         radius = float(np.float32(ratio * point.room))
         centre = float(np.float32(point.z)) if ratio > 2.0**-16 else point.z
-        loop = _turned(paths, centre, radius, turns, poles, effort)
+        loop = _turned(paths, point, centre, radius, turns, poles, effort)
         if loop is not None:
             return loop
         ratio /= _SHRINK
@@ -99,17 +102,20 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
     raise PrecisionError(f"a root lies at the branch point of the cuts at Re q = {point.z * unit:.8g}, or next to it")
 
 
-def _turned(paths: Paths, centre: float, radius: float, turns: int, poles: int, effort: Effort) -> Loop | None:
+def _turned(
+    paths: Paths, point: BranchPoint, centre: float, radius: float, turns: int, poles: int, effort: Effort
+) -> Loop | None:
     for sides in _SIDES:
         points = _polygon(centre, radius, sides, turns)
         effort.spend(2 * len(points))
-        first = split(paths.arrays.D, 1j * points[:1], np.zeros(1), paths.up)
-        turn = turn_round(paths.arrays, first, points, paths.room)
+        ends = split(paths.arrays.D, 1j * points[[0, sides // 2]], np.zeros(2), paths.up)
+        turn = turn_round(paths.arrays, ends, points, sides // 2, paths.room, point.pole)
         if turn is None:
             continue
         with precision(64):
-            number = (arb(*turn) / (2 * arb.pi())).unique_fmpz()
-        return Loop(centre, radius, sides, points) if number is not None and int(number) == -poles else None
+            number = (arb(*turn.whole) / (2 * arb.pi())).unique_fmpz()
+        right = number is not None and int(number) == -poles
+        return Loop(centre, radius, sides, points, turn.part) if right else None
     return None
 
 

@@ -23,6 +23,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
 from mpsolve.spectrum.closing import pivot_sum
 from mpsolve.spectrum.far_line import FarLine, prove_far
@@ -34,7 +35,7 @@ _GROWTH = 1.6
 
 @dataclass(frozen=True)
 class Half:
-    """What is walked for one half of the sheet: the link to the begin, the path from there, if any, and the loops."""
+    """What is walked for one half of the sheet: a link to the begin, then turns between the loops."""
 
     paths: tuple[Path, ...] = ()
     loops: tuple[Loop, ...] = ()
@@ -98,11 +99,17 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     ways = [_way(line, begin, far.reach if far else end, round_below, far is not None)]
     if far and end > begin:
         ways.append(_way(line, begin, end, round_above, False))
-    proved = [_proved(paths, first, way, effort) for paths, way in zip((below, above), ways, strict=False)]
+    rounds = (round_below, round_above)
+    proved = [
+        _proved(paths, first, way, loops, effort)
+        for paths, way, loops in zip((below, above), ways, rounds, strict=False)
+    ]
     with precision(64):
         closing = pivot_sum(line.upper, first.up, end) + (line.upper.bodies - line.upper.contacts) * arb.pi() / 2
-        turned = sum((arb(*turn) for one in proved for turn in one.turns), arb(0))
-        total = _integer((closing - turned) / arb.pi() * (1 if far else 2))
+        turns = [turn for one in proved for turn in one.turns]
+        turns += [loop.half for loops in rounds[: len(proved)] for loop in loops]
+        turned = sum((arb(*turn) for turn in turns), arb(0))
+        total = number_of_zeros((closing - turned) / arb.pi() * (1 if far else 2), "the characteristic function")
     lower = Half(proved[0].paths, tuple(round_below))
     upper = Half(proved[1].paths, tuple(round_above)) if len(proved) > 1 else Half()
     return SheetCount(line, total, first, begin, end, lower, upper, far, effort.spent)
@@ -119,18 +126,18 @@ def _passive_end(line: Line) -> float:
     return e
 
 
-def _way(line: Line, begin: float, end: float, loops: list[Loop], down: bool) -> Any:
-    """From begin along the edge, below the branch points, to `end`; down: and on to end − i end and −i end."""
-    points, at = [np.array([begin + 0j])], begin
+def _way(line: Line, begin: float, end: float, loops: list[Loop], down: bool) -> list[Any]:
+    """From begin along the edge to `end`, without what loops go round; down: and on to end − i end and −i end."""
+    ways, at = [], begin
     for loop in loops:
-        points += [_edge(line, at, loop.first)[1:], loop.half[1:]]
+        ways.append(_edge(line, at, loop.first))
         at = loop.last
-    points.append(_edge(line, at, end)[1:])
+    last = [_edge(line, at, end)]
     if down:
         steps = np.linspace(0, 1, 9)[1:] ** 2  # finer where waves still run
         wall = (end - 1j * end * steps).astype(np.complex64).astype(complex)
-        points += [wall, np.linspace(wall[-1], complex(0, -end), 5)[1:]]
-    return np.concatenate(points)
+        last += [wall, np.linspace(wall[-1], complex(0, -end), 5)[1:]]
+    return [*ways, np.concatenate(last)]
 
 
 def _edge(line: Line, a: float, b: float) -> Any:
@@ -151,19 +158,11 @@ def _edge(line: Line, a: float, b: float) -> Any:
     return short[np.concatenate([[True], np.diff(short) > 0])] + 0j
 
 
-def _proved(paths: Paths, first: Start, way: Any, effort: Effort) -> Proved:
-    """The link from the start to the begin of the way, and the turn along it."""
+def _proved(paths: Paths, first: Start, way: list[Any], loops: list[Loop], effort: Effort) -> Proved:
+    """The link from the start to the begin of the way, and the turns along its parts, between which are loops."""
     below = complex(0, -first.depth)
-    link = np.linspace(below, way[0], 7)
-    link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[:1]])
-    turn = (paths.plan("turn", way, effort),) if len(way) > 1 else ()
-    return paths.prove((paths.plan("link", link, effort), *turn), effort)
-
-
-def _integer(value: arb) -> int:
-    number = value.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(
-            f"the turn of the characteristic function is {value.str(5)}, which is not one number of roots"
-        )
-    return int(number)
+    link = np.linspace(below, way[0][0], 7)
+    link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[0][:1]])
+    turns = (paths.plan("turn", part, effort) for part in way)
+    reached = tuple(complex(loop.last) for loop in loops)
+    return paths.prove((paths.plan("link", link, effort), *turns), effort, reached)

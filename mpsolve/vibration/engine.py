@@ -127,20 +127,20 @@ class Engine:
         if growth > _LARGEST:
             stated = f"reach {last / self.image.rate:g}, where the motion exceeds e^{growth:.0f}"
             raise InputError("times", f"{stated}: end earlier")
-        below = self._below()
-        if below is None:
-            return self._along(self._above(last), times)[0]
+        below = self.line(last)
+        if below > 0:
+            return self._along(below, times)[0]
         found, excess, causal = self._along(below, times)
         if not causal:
             other, worse, _ = self._along(self._above(last), times)
             return found if excess <= worse else other
         return found
 
-    def _below(self) -> float | None:
-        """Between the cuts and the axis, as far as can be from roots on either side; None where not all are known."""
+    def line(self, last: float) -> float:
+        """α between cuts and axis, far from roots on either side; above all growth where not all are known."""
         floor = self.poles.floor
         if floor >= 0 or not self.poles.complete:
-            return None
+            return self._above(last)
         tries = floor * np.linspace(0.95, 0.35, 61)
         real = np.array([pole.sigma.real for pole in self.poles.poles])
         near = np.abs(tries[:, None] - real).min(1) if len(real) else np.full(len(tries), np.inf)

@@ -85,7 +85,7 @@ def solved(
     if initial not in STARTS:
         raise InputError("initial", f"is {initial!r}: give one of {', '.join(STARTS)}")
     at = _times(times)
-    image = Image(problem, _places(problem, places))
+    image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
     rough = _irregular(irregularities, image.contacts)
     acting, held = tones(image, outer, rough), tones(image, _only(outer, constant=True), ())[:0]
@@ -127,7 +127,8 @@ def _times(times: Any) -> Any:
     return at
 
 
-def _places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
+def checked_places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
+    """The places in exact numbers, the contacts where none are given."""
     if places is None:
         return problem.pencil.places
     listed = [places] if isinstance(places, (str, int, float, Fraction)) else list(places)

@@ -24,7 +24,7 @@ CASES: dict[str, tuple[Any, Any, tuple[float, float], int, float]] = {
     "16 masses, paper's beam": (BEAM, vehicles.train(vehicles.Mass(40), 16, "1.5"), (0.3, 0.9), 300, 200),
     "2 masses, two layers": (TWO_LAYER, vehicles.train(vehicles.Mass(900), 2, "2.5"), (50, 1500), 1000, 0),
     "16 masses, two layers": (TWO_LAYER, vehicles.train(vehicles.Mass(900), 16, "2.5"), (50, 1400), 200, 60),
-    "4 coaches, two layers": (TWO_LAYER, vehicles.train(COACH, 4, 25), (50, 1400), 100, 60),
+    "a coach, two layers": (TWO_LAYER, vehicles.train(COACH, 1, 25), (50, 1400), 300, 0),
 }
 
 

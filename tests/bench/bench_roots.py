@@ -1,7 +1,7 @@
 """Zeros of analytic functions: `roots` at 15 digits, proved and verified, beside cxroots and skzeros, uncertified.
 
-cxroots gets f and f′ on numpy arrays and its Romberg integration, its fastest rule here; skzeros gets the same and the
-bounding square of a disc. One run each, in processor time, with an end after LIMIT seconds. "wrong": another number
+cxroots gets f and f′ on numpy arrays and its Romberg integration, its fastest rule here; skzeros gets the same and a
+disc's bounding square. One run each, in processor time, with an end after LIMIT seconds. "wrong": another number
 of zeros than is proved, or a zero off by more than 10⁻⁶. `python tests/bench/bench_roots.py` prints the table of
 docs/roots.md.
 """
@@ -137,9 +137,8 @@ def row(
     """One line of the table, and which of the others are slower or wrong."""
     answer, proved = ours(trial)
     cells = [trial.name, str(answer.count if answer.proved else answer.reason)]
-    cells.append(
-        f"{seconds(answer.cost.seconds).strip()} + {seconds(answer.cost.verification).strip()}, {answer.cost.evaluations}"
-    )
+    cost = answer.cost
+    cells.append(f"{seconds(cost.seconds).strip()} + {seconds(cost.verification).strip()}, {cost.evaluations}")
     beaten = {}
     for name, module, run in programs:
         theirs = run(module, trial)

@@ -140,9 +140,9 @@ def _wide_disc(content: dict[str, Any]) -> None:
     content["theorem"]["lower"][0]["radius"][1] -= 8
 
 
-def _above(content: dict[str, Any]) -> None:
-    for piece in content["paths"][1]["points"]:
-        piece[1] = abs(piece[1]) if isinstance(piece[1], int) else piece[1]
+def _beside(content: dict[str, Any]) -> None:
+    edge = content["paths"][2]["points"]
+    edge.insert(1, [edge[0][0] * 2 + edge[1][0] * 0, -1, edge[0][2] - 1])
 
 
 def _less(content: dict[str, Any]) -> None:
@@ -159,7 +159,11 @@ def _damper(content: dict[str, Any]) -> None:
 
 
 def _shorter(content: dict[str, Any]) -> None:
-    content["paths"][1]["points"].pop()
+    content["paths"][-1]["points"].pop()
+
+
+def _not_joined(content: dict[str, Any]) -> None:
+    content["paths"][2]["points"].pop(0)
 
 
 FORGERIES: dict[str, tuple[str, Callable[[dict[str, Any]], None]]] = {
@@ -172,13 +176,14 @@ FORGERIES: dict[str, tuple[str, Callable[[dict[str, Any]], None]]] = {
     "half a loop": ("0.67", _one_round),
     "a loop the other way": ("0.67", _other_way),
     "a disc that the loop leaves": ("0.67", _wide_disc),
-    "a path above the cut": ("0.67", _above),
+    "a path beside the edge": ("0.67", _beside),
+    "a path that leaves something out": ("0.67", _not_joined),
     "a root too few": ("0.67", _less),
     "another mass": ("0.67", _more_mass),
     "a damper": ("0.67", _damper),
     "a path too short": ("0.67", _shorter),
     "no loop above": ("1.2", lambda content: content["theorem"].update(upper=[])),
-    "no path above": ("1.2", lambda content: content.update(paths=content["paths"][:2])),
+    "no path above": ("1.2", lambda content: content.update(paths=content["paths"][:3])),
 }
 
 
@@ -197,7 +202,7 @@ def test_without_damping_the_gap_is_left_nowhere() -> None:
     """A count that closes where it begins would miss roots between there and the branch point."""
     content = copy.deepcopy(answer("0.67", "0").certificate.content)
     content["theorem"] |= {"end": content["theorem"]["begin"], "lower": []}
-    content["paths"] = content["paths"][:1]
+    content["paths"] = content["paths"][:2]
     assert "the path ends on the cut" in judged(content).reason
 
 

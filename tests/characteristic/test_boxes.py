@@ -14,7 +14,7 @@ def test_the_roots_of_u_are_the_decaying_ones_all_over_the_box() -> None:
         wave = track.split(boxes)
         assert wave.good.mean() > 0.7
         for n in np.flatnonzero(wave.good)[:25]:
-            _, q, x = inside(family, boxes, int(n))
+            _, q, x = inside(boxes, int(n))
             roots = Receptance(family.guide(x)).roots(np.array([1j * q]))[0]
             for side in (slice(0, track.up), slice(track.up, None)):
                 # Smith: each root lies within (number of nodes)·|a_k| of a node

@@ -35,7 +35,7 @@ def test_points_of_boxes_are_inside(name: str, share: float) -> None:
     A, G = FreeMatrix(family)(boxes)
     assert G.good.sum() > (25 if share < 1e-2 else 10)
     for n in np.flatnonzero(G.good)[:20]:
-        u, q, x = inside(family, boxes, int(n))
+        u, q, x = inside(boxes, int(n))
         truth = Floats(family.reduced(x)).matrices(np.array([1j * q]))[0][0]
         weights = np.array([1.0, *u, *(u[i] * u[j] for i, j in pairs(A.m))])
         value = np.tensordot(weights, A.k[:, n], 1)

@@ -35,7 +35,10 @@ CASES: dict[str, tuple[Callable[..., Quadratic], Callable[..., Any]]] = {
     "product": (lambda f, g: f * g, lambda x, y: x * y),
     "quotient": (lambda f, g: g * f.inverse(), lambda x, y: y / x),
     "exponential": (lambda f, g: f.exp() * g, lambda x, y: np.exp(x) * y),
-    "multiple": (lambda f, g: f.times(np.arange(1.0, BOXES + 1)) + -g, lambda x, y: x * np.arange(1.0, BOXES + 1) - y),
+    "multiple": (
+        lambda f, g: f.times(np.arange(1.0, BOXES + 1)) + -g,
+        lambda x, y: x * np.arange(1.0, BOXES + 1) - y,
+    ),
 }
 
 

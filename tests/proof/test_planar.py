@@ -1,4 +1,4 @@
-"""Interval Newton in the plane: zeros that are known, to many digits; nothing where there is no zero, or a tangency."""
+"""Interval Newton in the plane: zeros that are known, to many digits; nothing where there is none, or a tangency."""
 
 from typing import Any
 

@@ -42,4 +42,4 @@ def test_little_effort_leaves_boxes_open(boxes: int) -> None:
     assert found.reason.code == "effort"
     if boxes > 100:
         assert found.open
-        assert list(found.rows())[0].keys() >= {"v low", "track.c high"}
+        assert next(iter(found.rows())).keys() >= {"v low", "track.c high"}

@@ -45,8 +45,9 @@ def test_a_loop_is_a_star_that_begins_below_the_axis() -> None:
     around = loop.points - float(made("0.67").branch_points[0][0])
     assert (np.angle(around[1:] / around[:-1]) > 0).all()
     assert loop.points[0] == loop.points[-1] == loop.first
-    assert loop.half[-1] == loop.last
-    assert (loop.half[1:-1].imag < 0).all()
+    half = loop.points[: loop.sides // 2 + 1]
+    assert half[-1] == loop.last
+    assert (half[1:-1].imag < 0).all()
     assert (np.abs(loop.points - loop.centre) < loop.reach).all()
 
 
@@ -58,3 +59,13 @@ def test_a_light_mass_leaves_room_for_small_loops_only() -> None:
 def test_effort_is_spent() -> None:
     with pytest.raises(EffortError):
         loops(made("0.67"), Effort(evaluations=10))
+
+
+def test_a_root_that_nearly_reaches_the_cut_is_left_outside() -> None:
+    """Undamped, η_M = 10, d = 1, α = 0.66: a root at z_b (1 − 1.09·10⁻⁴) by another engine."""
+    track = tracks.EulerBernoulli(EI="1/4", m=1, k=1)
+    line = on_line(reduce_problem(Problem(track, [vehicles.Mass(10), vehicles.Mass(10).at(1)], v="0.66")))
+    assert line is not None
+    (loop,) = loops(line)
+    assert loop.first > loop.centre * (1 - 1.09e-4)
+    assert loop.radius > 1e-7

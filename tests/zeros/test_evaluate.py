@@ -106,7 +106,7 @@ def test_a_cut_that_is_longer_than_declared_is_refused() -> None:
     f = evaluator("sqrt(z)")
     edge, box = acb(arb(0.05, 0.05), 0), acb(arb(0.05, 0.05), arb(0.05, 0.05))
     f.sided(box, 2, edge, acb(0, 1), (acb(0), acb(1)))  # the cut ends at 0, this edge lies beyond
+    late = acb(arb(-0.05, 0.05), 0)
     with pytest.raises(CutError):
-        late = acb(arb(-0.05, 0.05), 0)
         f.sided(late + acb(0, arb(0.05, 0.05)), 2, late, acb(0, 1), (acb(-0.1), acb(1)))
     assert issubclass(CutError, PrecisionError)

@@ -35,14 +35,14 @@ def test_coefficients_hold_the_truth(f: CallableFunction, radius: float) -> None
 def test_a_derivative_is_used_where_it_is_given() -> None:
     f = CallableFunction(only_balls, lambda z: z.exp() * (z.sin() + z.cos()))
     z = acb(arb(0, 0.5), 1)
-    value, slope = f.series(z, 2)
+    _, slope = f.series(z, 2)
     assert slope.is_finite()
     assert slope.contains((acb(0.25, 1)).exp() * (acb(0.25, 1).sin() + acb(0.25, 1).cos()))
 
 
 def test_what_a_function_raises_or_leaves_open_is_a_precision_error() -> None:
-    for bad in (lambda z: z / 0, lambda z: acb("nan"), lambda z: acb(arb(0, float("inf")))):
+    for bad in (lambda z: z / 0, lambda _: acb("nan"), lambda _: acb(arb(0, float("inf")))):
         with pytest.raises(PrecisionError):
             CallableFunction(bad).value(acb(1))
     with pytest.raises(InputError):
-        CallableFunction(lambda z: "text").value(acb(1))
+        CallableFunction(lambda _: "text").value(acb(1))

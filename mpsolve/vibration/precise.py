@@ -1,0 +1,211 @@
+"""The motion to any number of digits, in mpmath, by the formulas of the float version.
+
+Where the panels lie is decided in float64; more nodes on each give more digits. Roots come from `certify`. Nothing is
+proved: what the motion is before t = 0, where it must vanish, and a lower Ω tell the error.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.certificate.certify import certify
+from mpsolve.errors import InputError
+from mpsolve.numbers.model import rational
+from mpsolve.numbers.multiprecision import Multiprecision
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.problem import Problem
+from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vibration.engine import Engine
+from mpsolve.vibration.forcing import tones
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.line import sampled_line
+from mpsolve.vibration.poles import Poles, certified, natural
+from mpsolve.vibration.precise_image import PreciseImage, exact_terms, number
+from mpsolve.vibration.quadrature import Rule
+from mpsolve.vibration.response import checked_places
+
+MOST = 200
+_GUARD = 25
+_LEAST = 24.0
+_FURTHER = 1.5
+"""So much further than needed the line is followed: what the rest changes is the error that is told."""
+
+
+@dataclass(frozen=True)
+class PreciseVibration:
+    """The motion from rest in arrays of mpmath numbers (dtype object), in the units of the problem; not proved.
+
+    rail (places, times), the sum of steady, harmonic and transient; vehicle by coordinates; contact_force (n, times).
+    error: of the rail and of the forces, relative to the largest of each, by causality and a lower Ω; an estimate.
+    """
+
+    times: Any
+    places: tuple[Fraction, ...]
+    rail: Any
+    steady: Any
+    harmonic: Any
+    transient: Any
+    vehicle: dict[str, Any]
+    contact_force: Any
+    error: tuple[float, float]
+
+
+def response_mp(
+    problem: Problem,
+    loads: Any = None,
+    *,
+    times: Iterable[Any],
+    digits: int,
+    places: Any = None,
+    spectrum: Spectrum | None = None,
+) -> PreciseVibration:
+    """The motion from rest to `digits` digits (15 to 200) of the largest deflection, in mpmath; a minute at 20.
+
+    problem, loads, places: as for `response`. times > 0, exact numbers: the smallest one sets the work. spectrum: of
+    `certify(problem, digits=digits + 25)` at least; without it that is computed. InputError for what cannot be used.
+    """
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 15 <= digits <= MOST:
+        raise InputError("digits", f"is {digits!r}: give a whole number from 15 to {MOST}")
+    exact = [rational(t, "times") for t in times]
+    if not exact or min(exact) <= 0:
+        raise InputError("times", "hold none, or one that is not above 0: give times above 0")
+    image = Image(problem, checked_places(problem, places))
+    outer = outer_forces(image.pencil, loads)
+    K = Multiprecision(digits + _GUARD)
+    precise = PreciseImage(K.mp, image, exact_terms(image.pencil, loads), digits + _GUARD)
+    found = certify(problem, digits=digits + _GUARD, check=False) if spectrum is None else spectrum
+    poles = certified(image, found)
+    at = [K.number(t) * precise.rate for t in exact]
+    engine = Engine(image, tones(image, outer, ()), (), poles)
+    alpha = engine.line(float(max(at)))
+    work = _Work(precise, poles, found, digits, alpha)
+    omega = max(_FURTHER * 4 * digits * math.log(10) / float(min(at)), _LEAST, 8 * natural(image), 5 * work.fastest)
+    with one_thread():
+        line = sampled_line(engine.transformed, alpha, omega)
+    return work.motion(at, exact, line.panels.middle, line.panels.half, omega)
+
+
+class _Work:
+    """One motion in the making; everything scaled."""
+
+    def __init__(self, image: PreciseImage, poles: Poles, spectrum: Spectrum, digits: int, alpha: float) -> None:
+        self.image, self.mp, self.digits = image, image.mp, digits
+        self.alpha = self.mp.mpf(alpha)
+        rate = image.rate
+        balls = [(number(self.mp, root.q), root.multiplicity) for root in spectrum.roots if root.q.real >= 0]
+        self.roots = [(self.mp.mpc(0, 1) * q / rate, times) for q, times in balls]
+        self.roots = [(z, times) for z, times in self.roots if z.real > poles.floor]
+        self.cut = poles.cut
+        self.rule = Rule(self.mp, int(1.6 * digits) + 12)
+        self.zero = [self.mp.mpf(0)] * image.image.channels
+
+    @property
+    def fastest(self) -> float:
+        return max([float(abs(z)) for z, _ in self.roots] + [float(w) for w in self.image.frequencies], default=0.0)
+
+    def motion(self, at: list[Any], exact: list[Fraction], middle: Any, half: Any, omega: float) -> PreciseVibration:
+        """Everything at the times `at`."""
+        mp, image = self.mp, self.image.image
+        panels = [self._panel(mp.mpf(float(a)), mp.mpf(float(b))) for a, b in zip(middle, half, strict=True)]
+        steady, modes = self._steady(), self._modes()
+        early = [-mp.mpf(x) * 4 * self.digits * math.log(10) / omega for x in (1.0, 1.7)]
+        wide, narrow = (self._along(panels, mp.mpf(x), [*at, *early]) for x in (omega, omega / _FURTHER))
+        kept = [self._sum(steady, t) for t in [*at, *early]]
+        free = [self._sum(modes, t) for t in [*at, *early]]
+        right = [self._sum([one for one in modes if one[0].real > self.alpha], t) for t in early]
+        below = self.alpha < 0
+        rest, misfit = [], []
+        for k in range(len(at)):
+            own = wide[k] if below else _minus(wide[k], kept[k])
+            left = self._sum([one for one in modes if one[0].real <= self.alpha], at[k])
+            rest.append(_minus(own, left))
+        for k in range(len(early)):
+            before = [a + b for a, b in zip(wide[len(at) + k], right[k], strict=True)]
+            misfit.append([a + b for a, b in zip(before, kept[len(at) + k], strict=True)] if below else before)
+        parts = [np.array(rows, object).T for rows in (kept[: len(at)], free[: len(at)], rest)]
+        total = parts[0] + parts[1] + parts[2]
+        change = np.array([_minus(a, b) for a, b in zip(wide[: len(at)], narrow[: len(at)], strict=True)], object).T
+        off = np.abs(change).max(1) + np.abs(np.array(misfit, object)).max(0)
+        n, m = image.size, image.contacts
+        errors = [
+            float(off[part].max() / np.abs(total[part]).max()) for part in (slice(n + m, None), slice(n, n + m))
+        ]
+        return PreciseVibration(
+            times=tuple(exact), places=image.places, rail=total[n + m :], steady=parts[0][n + m :],
+            harmonic=parts[1][n + m :], transient=parts[2][n + m :],
+            vehicle=dict(zip(image.pencil.names, total[:n], strict=True)), contact_force=total[n : n + m],
+            error=(errors[0], errors[1]),
+        )  # fmt: skip
+
+    def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], list[list[Any]]]:
+        """Middle, half, nodes of ω, values there."""
+        nodes = [middle + half * x for x in self.rule.nodes]
+        return middle, half, nodes, [self.image(self.mp.mpc(self.alpha, w)) for w in nodes]
+
+    def _along(self, panels: list[Any], omega: Any, times: list[Any]) -> list[list[Any]]:
+        """(1/π) Re ∫ χ û e^{σt} dω for each time: rows of channels."""
+        mp = self.mp
+        width = omega / (2 * mp.sqrt(self.digits * mp.log(10)))
+        out = [list(self.zero) for _ in times]
+        for middle, half, nodes, values in panels:
+            share = [mp.erfc((w - omega / 2) / width) / 2 for w in nodes]
+            if max(share) < mp.mpf(10) ** (-self.digits - _GUARD):
+                continue
+            columns = [self.rule.series([a * row[c] for a, row in zip(share, values, strict=True)])
+                       for c in range(len(self.zero))]  # fmt: skip
+            for k, t in enumerate(times):
+                moments = self.rule.moments(half * abs(t))
+                if t < 0:
+                    moments = [mp.conj(x) for x in moments]
+                turn = half * mp.exp(mp.mpc(self.alpha, middle) * t) / mp.pi
+                out[k] = [
+                    x + (turn * mp.fdot(moments, column)).real for x, column in zip(out[k], columns, strict=True)
+                ]
+        return out
+
+    def _steady(self) -> list[tuple[Any, list[list[Any]]]]:
+        """Poles of the loads with what they keep up, from circles round them."""
+        poles = [self.mp.mpc(0), *(self.mp.mpc(0, w) for w in self.image.frequencies)]
+        return [self._circle(z, 1) for z in poles]
+
+    def _modes(self) -> list[tuple[Any, list[list[Any]]]]:
+        return [self._circle(z, times) for z, times in self.roots]
+
+    def _circle(self, middle: Any, times: int) -> tuple[Any, list[list[Any]]]:
+        """The pole and its moments (1/2πi) ∮ (σ − pole)^m û dσ."""
+        mp = self.mp
+        others = [z for z, _ in self.roots] + [mp.mpc(0)] + [mp.mpc(0, w) for w in self.image.frequencies]
+        gaps = [abs(middle - z) for other in others for z in (other, mp.conj(other))]
+        room = middle.real - self.cut
+        radius = mp.mpf("0.3") * min([gap for gap in gaps if gap > abs(middle) * mp.mpf(10) ** -self.digits] + [room])
+        count = 2 * (self.digits + _GUARD) + 8
+        turns = [radius * mp.expjpi(mp.mpf(2 * k + 1) / count) for k in range(count)]
+        values = [self.image(middle + turn) for turn in turns]
+        return middle, [
+            [
+                mp.fdot([turn ** (m + 1) for turn in turns], [row[c] for row in values]) / count
+                for c in range(len(self.zero))
+            ]
+            for m in range(times)
+        ]
+
+    def _sum(self, poles: list[tuple[Any, list[list[Any]]]], t: Any) -> list[Any]:
+        """The motion of the poles and their mirror images at the time t."""
+        total = list(self.zero)
+        for z, moments in poles:
+            factor = self.mp.exp(z * t) * (2 if z.imag > 0 else 1)
+            for m, row in enumerate(moments):
+                share = factor * t**m / self.mp.factorial(m)
+                total = [x + (share * y).real for x, y in zip(total, row, strict=True)]
+        return total
+
+
+def _minus(a: list[Any], b: list[Any]) -> list[Any]:
+    return [x - y for x, y in zip(a, b, strict=True)]
