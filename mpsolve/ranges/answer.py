@@ -6,9 +6,11 @@ import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
+from enum import Enum
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 from flint import acb, arb
 
 from mpsolve.numbers.balls import precision, rational_ball
@@ -120,13 +122,15 @@ def plain(value: Any) -> Any:
     """Data that JSON knows."""
     if isinstance(value, arb):
         ends = {"lower": outward(value, up=False), "upper": outward(value, up=True)}
-        return {"decimal": shown_digits(value), **ends, "ball": pack(value)}
+        return {"decimal": shown_digits(value), **ends, "ball": [(str(x), e) for x, e in pack(value)]}
     if isinstance(value, acb):
         return {"real": plain(value.real), "imag": plain(value.imag)}
     if isinstance(value, Fraction):
         return {"exact": str(value), "decimal": float(value)}
-    if isinstance(value, (Status,)):
+    if isinstance(value, Enum):
         return value.value
+    if isinstance(value, np.ndarray):
+        return value.tolist()
     if isinstance(value, Reason):
         return value.data()
     if isinstance(value, Mapping):

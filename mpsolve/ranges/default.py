@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
 
+from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.waves.critical import CriticalVelocities, critical_velocities
 from mpsolve.waves.speeds import wave_speeds
@@ -12,19 +14,40 @@ from mpsolve.waves.speeds import wave_speeds
 MASS_FACTORS = (Fraction(1, 5), Fraction(3))
 """Of all masses, on a chart."""
 _BEYOND = Fraction(5, 4)
+_FAR = Fraction(21, 20)
+_OFF = Fraction(1, 100)  # of a wave speed: how far off it is looked
 _PLACES = 10**6
 
 
-def velocity_ranges(problem: Problem) -> tuple[tuple[Fraction, Fraction], ...]:
-    """Ranges from 0, the second wider than the first; both hold the velocity and the least critical one.
-
-    The last holds the wave speeds of the track too. The first may be all there is.
+@dataclass(frozen=True)
+class Velocities:
+    """Ranges of velocities in ascending order: near ones hold the velocity and the least critical one, far ones go
+    on beyond the wave speeds. Wave speeds are left out with a neighbourhood: nothing can be proved across them.
     """
-    near = top_velocity(problem, critical_of(problem))
-    speeds = [root_up(square) for square in wave_speeds(problem.track).values() if square > 0]
-    far = rounded_up(max(speeds, default=Fraction(0)) * Fraction(21, 20))
-    ends = (near,) if far <= near else (near, far)
-    return tuple((Fraction(0), end) for end in ends)
+
+    near: tuple[Interval, ...]
+    far: tuple[Interval, ...] = ()
+
+
+def velocity_ranges(problem: Problem) -> Velocities:
+    """From 0 on; the file's own velocity lies in a near range unless it is next to a wave speed."""
+    top = top_velocity(problem, critical_of(problem))
+    speeds = sorted(root_up(square) for square in wave_speeds(problem.track).values() if square > 0)
+    far = rounded_up(max(speeds, default=Fraction(0)) * _FAR)
+    return Velocities(_between(Fraction(0), top, speeds), _between(top, far, speeds) if far > top else ())
+
+
+def _between(low: Fraction, high: Fraction, speeds: list[Fraction]) -> tuple[Interval, ...]:
+    """The parts of a range off the wave speeds."""
+    out, start = [], low
+    for speed in speeds:
+        before, after = speed * (1 - _OFF), speed * (1 + _OFF)
+        if after <= start or before >= high:
+            continue
+        if before > start:
+            out.append((start, before))
+        start = after
+    return (*out, (start, high)) if start < high else tuple(out)
 
 
 def top_velocity(problem: Problem, critical: CriticalVelocities | None) -> Fraction:

@@ -47,10 +47,15 @@ class Asked:
         """The ranges in words: "v from 0 km/h to 400 km/h"."""
         return ", ".join(f"{one.path} from {one.told(one.low)} to {one.told(_end(one))}" for one in self.overs)
 
-    def with_ranges(self, over: Mapping[str, tuple[Fraction, Fraction]], by_default: bool = True) -> Asked:
-        """The same question over ranges in the model's units; velocities are then told in km/h."""
-        overs = tuple(self._of(path, *ends) for path, ends in over.items())
-        return replace(self, overs=overs, by_default=by_default)
+    def by_itself(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
+        """The same question over ranges that the user did not give; velocities are told in km/h."""
+        return replace(self, overs=tuple(self._of(path, *ends) for path, ends in over.items()), by_default=True)
+
+    def answered(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
+        """The same question over the ranges of which an answer speaks."""
+        return replace(
+            self, overs=tuple(replace(one, low=over[one.path][0], high=over[one.path][1]) for one in self.overs)
+        )
 
     def _of(self, path: str, low: Fraction, high: Fraction) -> Over:
         unit = self.problem.quantity(path).unit if self.si else ""

@@ -24,7 +24,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
                       the file's value
     warnings          reasons in parts, where the file's own value lies outside a range
     answer            what the library's to_dict gives; a ball is {"decimal", "lower", "upper", "ball"}, the last as
-                      exact integers (mantissa, exponent) of middle and radius
+                      [mantissa, exponent of 2] of the middle and of the radius, mantissas as texts
     certificate       null: there is none for ranges yet
     trust, assumed    sentences
     """
@@ -41,6 +41,11 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
         "trust": trust(found),
         "assumed": ASSUMED,
     }
+
+
+def parts_data(each: list[dict[str, Any]]) -> dict[str, Any]:
+    """Several answers over neighbouring default ranges, between which a wave speed is left out, under `parts`."""
+    return {"format": FORMAT, "version": VERSION, "question": each[0]["question"], "parts": each}
 
 
 def _range(over: Any, asked: Asked) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.numbers.balls import precision
@@ -24,8 +25,43 @@ _BASE = "The roots at one point, from which all are counted, are certified and p
 _UNVERIFIED = "The roots at one point, from which all are counted, are certified; the verifier was not asked."
 
 
-def onset_text(found: Onset, asked: Asked) -> str:
+@dataclass(frozen=True)
+class Said:
+    """An answer with its name, its verdict in one sentence and its report; grows: whether something is shown to grow.
+
+    asked: the question, over the ranges of which the answer speaks.
+    """
+
+    name: str
+    answer: Answer
+    asked: Asked
+    verdict: str
+    text: str
+    grows: bool = False
+
+
+def said_of_onset(found: Onset, asked: Asked) -> Said:
     """The report of an onset."""
+    asked = asked.answered(found.over)
+    grows = found.kind in (Kind.CROSSES, Kind.UNSTABLE_FROM_START)
+    return Said("onset", found, asked, onset_verdict(found, asked), _onset(found, asked), grows)
+
+
+def said_of_ranges(found: UnstableRanges, asked: Asked) -> Said:
+    """The report of all unstable ranges of one parameter."""
+    asked = asked.answered(found.over)
+    text = framed(_ranges(found, asked), found, asked)
+    return Said("unstable_ranges", found, asked, ranges_verdict(found, asked), text, bool(found.intervals))
+
+
+def said_of_crossings(found: Crossings, asked: Asked) -> Said:
+    """The report of all crossings of the real axis."""
+    asked = asked.answered(found.over)
+    text = framed(_crossings(found, asked), found, asked)
+    return Said("crossings", found, asked, crossings_verdict(found, asked), text, bool(found.crossings))
+
+
+def _onset(found: Onset, asked: Asked) -> str:
     (over,) = asked.overs
     lines = [onset_verdict(found, asked)]
     if found.value is not None:
@@ -46,11 +82,6 @@ def onset_verdict(found: Onset, asked: Asked) -> str:
     if found.kind is Kind.CROSSES:
         return onset_at(over, found.value, found.q, "Hz" if asked.si else "1/τ")
     return undecided(found)
-
-
-def ranges_text(found: UnstableRanges, asked: Asked) -> str:
-    """The report of all unstable ranges of one parameter."""
-    return framed(_ranges(found, asked), found, asked)
 
 
 def ranges_verdict(found: UnstableRanges, asked: Asked) -> str:
@@ -74,11 +105,6 @@ def _ranges(found: UnstableRanges, asked: Asked) -> list[str]:
         )
         lines.append(f"  {over.path} from {start} to {end}: {growing(one.roots)}; {first}")
     return lines
-
-
-def crossings_text(found: Crossings, asked: Asked) -> str:
-    """The report of all crossings of the real axis."""
-    return framed(_crossings(found, asked), found, asked)
 
 
 def crossings_verdict(found: Crossings, asked: Asked) -> str:

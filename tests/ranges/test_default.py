@@ -9,9 +9,11 @@ from hypothesis import strategies as st
 
 from mpsolve import Problem, read_problem, tracks, vehicles
 from mpsolve.ranges.default import critical_of, root_up, rounded_up, top_velocity, velocity_ranges
+from mpsolve.waves.speeds import wave_speeds
 
 BOGIE = read_problem("examples/two_layer_bogie.toml").problem
 CATENARY = Problem(tracks.EulerBernoulli(EI=130, m="1.35", k=100, c="0.5", N=-20000), vehicles.Mass(10), v=139)
+RAIL = Problem(tracks.Timoshenko(EI="6.4e6", m=60, J="0.24", k="1e6", c=770, S="2.4e8"), vehicles.Mass(900), v=100)
 STRING = Problem(tracks.String(T=100, m=1, k=1, c="0.1"), vehicles.Mass(2), v=3)
 
 
@@ -36,9 +38,19 @@ def test_roots_are_not_below(square: Fraction) -> None:
 
 def test_the_range_of_a_contact_wire_holds_its_waves() -> None:
     """√(T/m) is 122 m/s, the velocity 139: a range up to twice the beam's α, 26 m/s, would say nothing."""
-    assert velocity_ranges(CATENARY)[0][1] >= 2 * 139
-    assert all(low == 0 for low, _ in velocity_ranges(CATENARY))
+    found = velocity_ranges(CATENARY)
+    assert found.near[0][0] == 0
+    assert found.near[-1][1] >= 2 * 139
+    assert found.far == ()
 
 
-def test_wave_speeds_lie_within() -> None:
-    assert velocity_ranges(STRING)[-1][1] > 10
+def test_wave_speeds_part_the_ranges() -> None:
+    """Of a string at 10; of Timoshenko's rail far beyond its critical velocity."""
+    (low, before), (after, high) = velocity_ranges(STRING).near
+    assert low == 0 < before < 10 < after < high
+    near, far = velocity_ranges(RAIL).near, velocity_ranges(RAIL).far
+    assert near[0][0] == 0
+    assert near[-1][1] == far[0][0]
+    speeds = [float(square) ** 0.5 for square in wave_speeds(RAIL.track).values()]
+    assert far[-1][1] > max(speeds)
+    assert not any(a <= speed <= b for speed in speeds for a, b in (*near, *far))
