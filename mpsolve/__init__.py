@@ -33,11 +33,11 @@ if TYPE_CHECKING:
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
-    from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.ranges.crossings import crossings
     from mpsolve.ranges.onset import onset, unstable_ranges
     from mpsolve.ranges.robust import prove_stable
     from mpsolve.ranges.sensitivity import sensitivity
+    from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
