@@ -73,7 +73,7 @@ def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
         raise InputError("over", f"has arrays that do not broadcast: their shapes are {shapes}") from None
     flat = {path: np.broadcast_to(array, shape).ravel() for path, array in arrays.items()}
     size = int(np.prod(shape, dtype=int))
-    track = {name: float(value) for name, value in _track_parameters(problem.track).items()}
+    track: dict[str, Any] = {name: float(value) for name, value in _track_parameters(problem.track).items()}
     for path, values in flat.items():
         if path.startswith("track."):
             track[path.removeprefix("track.")] = values

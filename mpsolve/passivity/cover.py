@@ -71,7 +71,7 @@ def cover(strip: Strip, first: float, effort: Effort) -> Any:
     if strip.X is None:
         return np.array([[first, np.inf, strip.low, strip.high]])
     start = first if first else 0.1
-    near = Near(strip.moving.subject, (strip.low,), (strip.high,), start)
+    near = Near(strip.moving.subject, (strip.low,), (strip.high,), max(start, 0.1))
     count = max(1, int(np.ceil(np.log2(max(strip.X / start, 1.0)))))
     ends = np.geomspace(start, max(strip.X, start * 1.01), count + 1)
     if not first:

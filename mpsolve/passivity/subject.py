@@ -12,9 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.errors import PrecisionError
 from mpsolve.numbers.affine import Affine, between
 from mpsolve.passivity.power import Power, coefficient
 from mpsolve.problem.reduced import Guide, Reduced
+from mpsolve.tracks.passive import passivity
+from mpsolve.tracks.structure import passive_by_structure
+from mpsolve.tracks.waveguide import Track
 
 Free = Mapping[tuple[int, ...], Fraction]
 """A polynomial in the free parameters."""
@@ -43,7 +47,17 @@ class Subject:
 
     @staticmethod
     def of_family(family: Any) -> Subject:
-        """The family's track, velocity and places; its parameters x̂ in its order."""
+        """The family's track, velocity and places; its parameters x̂ in its order.
+
+        PrecisionError where the track is not known to be passive at rest for all parameters: by the form of its
+        equations, or exactly where its own parameters are fixed.
+        """
+        track = family.problem.track
+        fixed = not any(path.startswith("track.") for path in family.paths)
+        if not (
+            passivity(track).passive if fixed else isinstance(track, Track) and passive_by_structure(type(track))
+        ):
+            raise PrecisionError("the track is not known to take energy at rest for all these parameters")
         D, N = (
             {(*key, *powers): c for key, row in a.items() for powers, c in row}
             for a in (family.D_rest, family.N_rest)
@@ -71,6 +85,13 @@ class Subject:
                 key = frozenset(_difference(self.places[i], self.places[j]).items())
                 number[i, j] = kept.setdefault(key, len(kept))
         return [coefficient(key, parameters) for key in kept], number
+
+
+def _passive_at_rest(family: Any) -> bool:
+    track = family.problem.track
+    if not any(path.startswith("track.") for path in family.paths):
+        return passivity(track).passive
+    return isinstance(track, Track) and passive_by_structure(type(track))
 
 
 def _difference(a: Free, b: Free) -> dict[tuple[int, ...], Fraction]:

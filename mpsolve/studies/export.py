@@ -17,7 +17,6 @@ from typing import Any, BinaryIO
 
 from mpsolve.errors import StudyError
 from mpsolve.files import checked_suffix, whole_file
-from mpsolve.model.assumed import ASSUMED
 from mpsolve.studies.blocks import ENGINE, Result, Root
 from mpsolve.studies.columns import frequency_units, parameter_titles, root_titles, unit_of
 from mpsolve.studies.design import Value
@@ -27,6 +26,10 @@ from mpsolve.studies.store import Store, store_path
 
 FORMAT = "mpsolve study"
 VERSION = 2
+ASSUMED = (
+    "The model: an infinite track and vehicles that move at a constant velocity and never leave it, linear. The "
+    "software: Python, and FLINT's ball arithmetic for what is certified; float64 results prove nothing."
+)
 KINDS = ("csv", "json", "npz", "parquet")
 _DIGITS = Context(prec=15, traps=[Inexact])
 _LONGEST = 24  # characters of a decimal

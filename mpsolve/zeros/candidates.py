@@ -17,7 +17,8 @@ _TOLERANCE = 1e-10
 def poles_by_aaa(points: Any, values: Any, most: int) -> Any:
     """The poles of a rational function of degree below `most` that agrees with the values at the points."""
     fine = np.isfinite(values)
-    points, values = points[fine], values[fine]
+    points, places = np.unique(points[fine], return_index=True)  # the sides of a cut share theirs
+    values = values[fine][places]
     if len(points) < 4:
         return np.zeros(0, complex)
     rest = np.ones(len(points), bool)

@@ -96,15 +96,21 @@ def _expression(program: Program, part: _Part) -> Expression:
 
 def factors(steps: Sequence[Step], output: int) -> dict[int, int]:
     """The steps, to whole powers, whose product an output is by its outer steps; constants are left out."""
+    return product_of(steps, output)[0]
+
+
+def product_of(steps: Sequence[Step], output: int) -> tuple[dict[int, int], list[int]]:
+    """The factors of an output that depend on z, with their powers, and the constant ones."""
     program = Program(list(steps))
     depends, found = dependent(program), Factors()
+    constants: list[int] = []
     stack = [(output, 1)]
     while stack:
         k, power = stack.pop()
         step = steps[k]
         if not depends[k]:
-            continue
-        if step[0] == "mul":
+            constants.append(k)
+        elif step[0] == "mul":
             stack += [(step[2], power), (step[1], power)]
         elif step[0] == "pow":
             stack.append((step[1], power * step[2]))
@@ -114,4 +120,4 @@ def factors(steps: Sequence[Step], output: int) -> dict[int, int]:
             stack.append((step[1], power))
         else:
             found[k] = found.get(k, 0) + power
-    return found
+    return found, constants

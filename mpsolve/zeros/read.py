@@ -10,10 +10,11 @@ from flint import acb
 
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision
-from mpsolve.zeros.fraction import as_fraction, dependent
+from mpsolve.zeros.evaluate import Evaluator
+from mpsolve.zeros.fraction import as_fraction, dependent, product_of
 from mpsolve.zeros.function import CallableFunction, ExpressionFunction, Function
 from mpsolve.zeros.parse import from_sympy, parse
-from mpsolve.zeros.program import Expression, Program
+from mpsolve.zeros.program import Expression, Program, reduced, shown
 from mpsolve.zeros.trace import UnreadableError, takes_flag, trace
 
 VOUCHED = "f gives balls that are not finite wherever it may not be analytic"
@@ -52,8 +53,28 @@ def of_expression(expression: Expression) -> Given:
     program = Program(list(expression.steps))
     if not dependent(program)[expression.numerator]:
         raise InputError("f", f"is {expression}, which vanishes nowhere or everywhere: give a function of z")
+    for output in (expression.numerator, expression.denominator):
+        if output is not None:
+            _require_constants(expression, output)
     below = None if expression.denominator is None else ExpressionFunction(expression, expression.denominator)
     return Given(ExpressionFunction(expression, expression.numerator), below, expression, (), str(expression))
+
+
+def _require_constants(expression: Expression, output: int) -> None:
+    """InputError where a constant factor is 0, or cannot be told from it."""
+    _, constants = product_of(expression.steps, output)
+    if not constants:
+        return
+    with precision(64):
+        for k in constants:
+            steps, _ = reduced(expression.steps, [k])
+            try:
+                nonzero = Evaluator(steps).run(acb(0), 1)[-1].abs_lower() > 0
+            except PrecisionError:
+                nonzero = False
+            if not nonzero:
+                stated = f"has the constant factor {shown(expression.steps, k, 60)}, which may be 0"
+                raise InputError("f", f"{stated}: leave it out, or give a function that does not vanish everywhere")
 
 
 def _step(program: Program, f: object) -> int:

@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-from mpsolve import InputError, StudyError, open_study, study
+from mpsolve import InputError, StudyError, certify, open_study, study
 from mpsolve.studies.blocks import Block
 from mpsolve.studies.export import KINDS, export
 from mpsolve.studies.spec import read_spec
@@ -118,6 +118,15 @@ def test_results_come_in_order_with_their_exact_parameters(tmp_path: Path) -> No
         assert [index for index, _, _ in found] == list(range(start, 2100))
         assert found[0][1] == spec.values(start)
         assert found[0][2].count == len(found[0][2].roots) == 2
+
+
+def test_what_float64_says_can_be_certified_afterwards(tmp_path: Path) -> None:
+    pair = {"alpha": "0.6", "eta_b": "0.05", "eta_m": [70, 70], "positions": [0, "1.5"]}
+    spec = {"study": {"kind": "float64"}, "dimensionless": pair, "parameters": {"v": ["0.66", "0.67"]}}
+    made = study(spec, store=tmp_path / "study.sqlite", workers=1)
+    growing = [index for index, _, result in made.results() if result.unstable]
+    assert growing == [1]
+    assert certify(made.problem(1), region="unstable", digits=15).unstable == 2
 
 
 def test_few_blocks_are_under_way_at_a_time(tmp_path: Path, wide: dict[str, Any], block: Any) -> None:

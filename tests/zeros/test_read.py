@@ -53,7 +53,13 @@ def test_a_function_that_does_something_else_to_a_symbol_is_refused() -> None:
         read_function(lambda z: z.sin() if isinstance(z, acb) else z, None, False)
 
 
-@pytest.mark.parametrize("f", [3, None, "3", "pi", (1, 2, 3), lambda z: 5, "1/z", [], lambda: 0])
+@pytest.mark.parametrize("f", ["z*sin(0)", "tan(0)*z/(z + 1)", "(sin(pi) + 0*z)*exp(z)", "z/(sin(pi)*(z + 2))"])
+def test_a_constant_factor_that_may_be_0_is_refused(f: str) -> None:
+    with pytest.raises(InputError):
+        read_function(f, None, False)
+
+
+@pytest.mark.parametrize("f", [3, None, "3", "pi", (1, 2, 3), lambda _: 5, "1/z", [], lambda: 0])
 def test_what_is_no_function_is_refused(f: Any) -> None:
     with pytest.raises(InputError):
         read_function(f, None, False)

@@ -1,0 +1,95 @@
+"""A second checker of certificates of version 2, kind "spectrum": python certs/second_checker/check.py FILE…
+
+Written from certs/SPEC2.md alone, with the standard library alone: balls on Python's integers, p-roots by moving nodes,
+amplitudes from jumps, signs by Sturm and Bernstein over the rationals, pieces of its own between the file's corners.
+Exit status 0 if all files are valid, else 1. "partly checked" is never valid: it names what was not checked.
+"""
+
+from __future__ import annotations
+
+import sys
+from fractions import Fraction
+from typing import Any
+
+from balls import Unclear
+from counting import Walk, count
+from enclosures import Root, check_places, check_root
+from reading import NotChecked, Path, Refused, content, dyadic, keys, listed, need, rational, whole
+from track import Track, Vehicle
+
+REGIONS = {
+    "unstable": {"kind"},
+    "below": {"kind", "height", "reach"},
+    "rectangle": {"kind", "re", "im"},
+    "disc": {"kind", "radius"},
+    "below disc": {"kind", "height", "radius"},
+    "sheet": {"kind"},
+}
+
+
+def _region(value: Any) -> dict[str, Any]:
+    need(isinstance(value, dict) and value.get("kind") in REGIONS, "the region is unknown")
+    keys(value, REGIONS[value["kind"]], "the region")
+    for key in ("height", "reach", "radius"):
+        need(key not in value or rational(value[key]) > 0, f"{key} is not positive")
+    for key in ("re", "im"):
+        if key in value:
+            low, high = (rational(c) for c in listed(value[key], 2, key))
+            need(low < high, "the rectangle is empty")
+    return value  # type: ignore[no-any-return]
+
+
+def check(raw: bytes) -> str:
+    """The claim in words, if it is proved. Raises Refused, or NotChecked."""
+    file = content(raw)
+    equations = keys(file["equations"], {"track", "velocity", "vehicle"}, "the equations")
+    claim = keys(file["claim"], {"region", "count", "unstable"}, "the claim")
+    region = _region(claim["region"])
+    claimed = whole(claim["count"], 0, 10**6), whole(claim["unstable"], 0, 10**6)
+    roots = [Root(value) for value in listed(file["roots"], 10**4, "roots")]
+    need(check_places(roots, region) == claimed, "the balls do not add up to the claim")
+    v = rational(equations["velocity"])
+    need(v >= 0, "the velocity is negative")
+    track, vehicle = Track(equations["track"], v), Vehicle(equations["vehicle"])
+    paths = [Path(value) for value in listed(file["paths"], 4, "paths")]
+    if region["kind"] in ("sheet", "disc", "below disc"):
+        raise NotChecked(f"the region {region['kind']!r}")
+    if file["basis"] is not None:
+        raise NotChecked("a basis of neutral or unfelt motions")
+    top = rational(region["im"][1]) if "im" in region else rational(region.get("height", "0"))
+    track.check_premise(max(top, Fraction(0)))
+    walk = Walk(track, vehicle)
+    number = count(walk, region, paths, file["theorem"], dyadic(file["start"]))
+    need(number == claimed[0], f"there are {number} frequencies, and the claim says {claimed[0]}")
+    for root in roots:
+        check_root(walk, root)
+    return f"exactly {claimed[0]} induced frequencies in {_words(region)}, {claimed[1]} of them with Im q < 0, in {len(roots)} balls"
+
+
+def _words(region: dict[str, Any]) -> str:
+    return ", ".join(f"{k} {v}" for k, v in region.items() if k != "kind").join((f"{region['kind']} (", ")"))
+
+
+def main(files: list[str]) -> int:
+    """One line a file."""
+    fine = bool(files)
+    for name in files:
+        try:
+            with open(name, "rb") as file:
+                raw = file.read(16_000_001)
+            print(f"valid: {name}: {check(raw)}")
+            continue
+        except Refused as error:
+            print(f"invalid: {name}: {error}")
+        except NotChecked as error:
+            print(f"partly checked: {name}: what was checked holds; not checked: {error}")
+        except OSError as error:
+            print(f"invalid: {name}: the file cannot be read: {error.strerror}")
+        except (Unclear, ArithmeticError, ValueError) as error:
+            print(f"partly checked: {name}: not checked, numbers are out of this checker's range: {error}")
+        fine = False
+    return 0 if fine else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
