@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import copy
+import math
 import os
+import time
+from collections.abc import Callable
 from typing import Any
 
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 SECONDS = float(os.environ.get("MPSOLVE_FUZZ_SECONDS", "0"))
@@ -24,12 +27,22 @@ ODD: list[Any] = [
 ]  # fmt: skip
 
 
-def budget(quick: int) -> settings:
-    """Settings for a test: `quick` examples by default, else new ones until the time is over."""
-    slow = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.function_scoped_fixture]
-    if not SECONDS:
-        return settings(max_examples=quick, deadline=None, suppress_health_check=slow, derandomize=True)
-    return settings(max_examples=10**8, deadline=None, suppress_health_check=slow, derandomize=False)
+def fuzzed(quick: int, *strategies: st.SearchStrategy[Any]) -> Callable[[Callable[..., None]], Callable[[], None]]:
+    """A test of `quick` examples, always the same; with SECONDS, more of them until these are over."""
+    slow = [HealthCheck.too_slow, HealthCheck.data_too_large]
+    few = settings(max_examples=quick, deadline=None, suppress_health_check=slow, derandomize=False, database=None)
+
+    def wrap(one: Callable[..., None]) -> Callable[[], None]:
+        def test() -> None:
+            until, number = time.monotonic() + SECONDS, 0
+            while not number or time.monotonic() < until:
+                seed(number)(few(given(*strategies)(one)))()
+                number += 1
+
+        test.__name__, test.__doc__ = one.__name__, one.__doc__
+        return test
+
+    return wrap
 
 
 def places(value: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
@@ -50,8 +63,9 @@ def near(value: Any) -> st.SearchStrategy[Any]:
         moved = st.sampled_from([1, -1, 2, -2, 8, -8, 1000, -value, -2 * value, value, value * 2**40])
         return moved.map(lambda d: value + d)
     if isinstance(value, float):
+        whole = int(value) if math.isfinite(value) else 0
         return st.sampled_from(
-            [-value, 0.0, value / 2, value * 1e9, 1e308, 5e-324, float("inf"), float("nan"), int(value)]
+            [-value, 0.0, value / 2, value * 1e9, 1e308, 5e-324, float("inf"), float("nan"), whole]
         )
     if isinstance(value, str):
         number = st.integers(-999, 999)

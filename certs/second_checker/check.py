@@ -15,6 +15,7 @@ from balls import UnclearError
 from counting import Walk, count
 from enclosures import Root, check_places, check_root
 from reading import NotCheckedError, Path, RefusedError, content, dyadic, keys, listed, need, rational, whole
+from sheet import count_sheet
 from track import Track, Vehicle
 
 REGIONS = {
@@ -57,6 +58,10 @@ def check(raw: bytes) -> str:
     walk = Walk(track, vehicle)
     for root in roots:
         check_root(walk, root)
+    if region["kind"] == "sheet":
+        number, pieces = count_sheet(track, vehicle, paths, file["theorem"], dyadic(file["start"]))
+        need(number == claimed[0], f"there are {number} frequencies, and the claim says {claimed[0]}")
+        return _claim(claimed, region, len(roots), pieces)
     if region["kind"] not in ("unstable", "below", "rectangle"):
         raise NotCheckedError(
             f"that there are no frequencies but those of the {len(roots)} balls (region {region['kind']!r})"
@@ -65,8 +70,12 @@ def check(raw: bytes) -> str:
     track.check_premise(max(top, Fraction(0)))
     number = count(walk, region, paths, file["theorem"], dyadic(file["start"]))
     need(number == claimed[0], f"there are {number} frequencies, and the claim says {claimed[0]}")
+    return _claim(claimed, region, len(roots), walk.pieces)
+
+
+def _claim(claimed: tuple[int, int], region: dict[str, Any], balls: int, pieces: int) -> str:
     held = f"exactly {claimed[0]} induced frequencies in {_words(region)}, {claimed[1]} of them with Im q < 0"
-    return f"{held}, in {len(roots)} balls, by {walk.pieces} pieces"
+    return f"{held}, in {balls} balls, by {pieces} pieces"
 
 
 def undamped(track: Track, vehicle: Vehicle) -> bool:

@@ -228,7 +228,7 @@ def count(walk: Walk, region: dict[str, Any], paths: list[Path], theorem: Any, s
     need(paths[0].points[0] == begin and paths[0].points[-1] == corners[0], "the link")
     need(all(q[1] <= max(y1, zero) for q in paths[0].points), "the link leaves the region of the premise")
     walk.enter(paths[0].points)
-    return _whole(walk.go(paths[1].points, "turn"), walk.error, 2 * PI)
+    return whole_number(walk.go(paths[1].points, "turn"), walk.error, 2 * PI)
 
 
 def _half_plane(
@@ -263,10 +263,10 @@ def _half_plane(
     if len(axis) > 1:
         walk.go(axis, "passive")
     whole = A + (vehicle.bodies - vehicle.contacts) * PI // 2 - T
-    return _whole(whole, error + wrong + 100, PI)
+    return whole_number(whole, error + wrong + 100, PI)
 
 
-def _whole(turned: int, error: int, unit: int) -> int:
+def whole_number(turned: int, error: int, unit: int) -> int:
     """The one integer in turned/unit ± error/unit, or NotCheckedError."""
     n = (2 * turned + unit) // (2 * unit)
     if 2 * (abs(turned - n * unit) + error + (abs(n) + 1) * 2**16) >= unit:

@@ -117,8 +117,8 @@ class Track:
         moving = {(0, 1): Fraction(1), (1, 0): -v}  # p and q
         w, a = _scaled(x.replaced(W, {(1, 0): Fraction(1)}, moving), k, m)
         d, b = _scaled(x.replaced(DD, {(1, 0): Fraction(1)}, moving), k, m)
-        tau = _root(1 / X, 1, m)[1]
-        low, high = _root(X, k, m)
+        tau = root_bounds(1 / X, 1, m)[1]
+        low, high = root_bounds(X, k, m)
         sieve = Fraction(0) if gap is None else 2 * PI_ABOVE / gap
         takes, last = Fraction(0), None
         for z1, z2, kappa in blocks:
@@ -131,7 +131,7 @@ class Track:
                 x.positive_on_box(x.add(w, d, -kappa), (z1, z2, Fraction(0), tau)), "a block takes less than it says"
             )
             takes += ((z2 - z1) * low - sieve) * kappa
-        takes *= _root(1 / X, b - a, m)[0]
+        takes *= root_bounds(1 / X, b - a, m)[0]
         wide, deep, Iw, Id = (max(i for i, _ in p) for p in (W, DD, W, DD))
         nw, nd = max(i + j for i, j in W), max(i + j for i, j in DD)
         need(alpha <= min(Id - Iw, nd - nw) and wide + alpha <= deep, "alpha is too large")
@@ -177,7 +177,7 @@ def _scaled(p: Terms, k: int, m: int) -> tuple[Terms, int]:
     return {(i, a - k * i - m * j): c for (i, j), c in p.items()}, a
 
 
-def _root(X: Fraction, k: int, m: int) -> tuple[Fraction, Fraction]:
+def root_bounds(X: Fraction, k: int, m: int) -> tuple[Fraction, Fraction]:
     """Bounds of X^{k/m}, X > 0."""
     target, unit = X**k, 1 << 80
     while target * unit**m < 1 << 80 * m:

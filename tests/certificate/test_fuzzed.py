@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fuzzing import SECONDS, budget, edited, flipped
-from hypothesis import given
+from fuzzing import edited, flipped, fuzzed
 from hypothesis import strategies as st
 
 from mpsolve.certificate import verify2
@@ -23,7 +22,6 @@ NAMES = ["contact_wire", "joined_masses", "rectangle", "single_mass"]
 RAW = {name: (CERTS / f"{name}.json").read_bytes() for name in NAMES}
 CONTENT = {name: json.loads(raw) for name, raw in RAW.items()}
 LONGEST, GROWTH = 60.0, 400  # processor seconds for one file, MB for all
-STARTED = time.monotonic()
 
 
 def sealed(content: Any) -> bytes:
@@ -43,11 +41,6 @@ def judged(raw: bytes) -> verify2.Verdict:
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - held < GROWTH * 1024
     assert verdict.valid is (not verdict.reason)
     return verdict
-
-
-def over(started: dict[str, float]) -> bool:
-    """Whether the time that was asked for is over: the rest of the examples pass at once."""
-    return bool(SECONDS) and time.monotonic() - started.setdefault("at", time.monotonic()) > SECONDS
 
 
 def second_look(raw: bytes) -> str:
@@ -80,25 +73,15 @@ def believed(original: dict[str, Any], raw: bytes) -> None:
     assert not second_look(raw).startswith("invalid")
 
 
-EDITS: dict[str, float] = {}
-FLIPS: dict[str, float] = {}
-
-
-@budget(150)
-@given(st.data(), st.sampled_from(NAMES))
+@fuzzed(150, st.data(), st.sampled_from(NAMES))
 def test_edited_certificates(data: st.DataObject, name: str) -> None:
-    if over(EDITS):
-        return
     content = data.draw(edited(CONTENT[name]))
     if content != CONTENT[name] and judged(raw := sealed(content)).valid:
         believed(CONTENT[name], raw)
 
 
-@budget(100)
-@given(st.data(), st.sampled_from(NAMES))
+@fuzzed(100, st.data(), st.sampled_from(NAMES))
 def test_flipped_bytes(data: st.DataObject, name: str) -> None:
-    if over(FLIPS):
-        return
     raw = data.draw(flipped(RAW[name]))
     if judged(raw).valid:
         assert json.loads(raw) == CONTENT[name]
