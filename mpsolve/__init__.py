@@ -33,6 +33,10 @@ if TYPE_CHECKING:
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
+    from mpsolve.ranges.crossings import crossings
+    from mpsolve.ranges.onset import onset, unstable_ranges
+    from mpsolve.ranges.robust import prove_stable
+    from mpsolve.ranges.sensitivity import sensitivity
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
@@ -96,6 +100,11 @@ __all__ = [
     "Amplification",
     "crossing_masses",
     "unstable_velocities",
+    "onset",
+    "unstable_ranges",
+    "crossings",
+    "prove_stable",
+    "sensitivity",
     "onset_velocity",
     "limiting_mass",
     "critical_distance",
@@ -182,6 +191,11 @@ _HOME = {
     "Amplification": "endless.amplification",
     "crossing_masses": "stability.masses",
     "unstable_velocities": "stability.velocities",
+    "onset": "ranges.onset",
+    "unstable_ranges": "ranges.onset",
+    "crossings": "ranges.crossings",
+    "prove_stable": "ranges.robust",
+    "sensitivity": "ranges.sensitivity",
     "onset_velocity": "stability.velocities",
     "limiting_mass": "stability.limiting",
     "critical_distance": "stability.distance",

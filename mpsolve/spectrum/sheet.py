@@ -165,4 +165,4 @@ def _proved(paths: Paths, first: Start, way: list[Any], loops: list[Loop], effor
     link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[0][:1]])
     turns = (paths.plan("turn", part, effort) for part in way)
     reached = tuple(complex(loop.last) for loop in loops)
-    return paths.prove((paths.plan("link", link, effort), *turns), effort, reached)
+    return paths.prove((Path("link", link), *turns), effort, reached)
