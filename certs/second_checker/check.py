@@ -62,7 +62,7 @@ def check(raw: bytes) -> str:
         number, pieces = count_sheet(track, vehicle, paths, file["theorem"], dyadic(file["start"]))
         need(number == claimed[0], f"there are {number} frequencies, and the claim says {claimed[0]}")
         return _claim(claimed, region, len(roots), pieces)
-    if region["kind"] not in ("unstable", "below", "rectangle"):
+    if region["kind"] not in ("unstable", "below", "rectangle"):  # half-discs
         raise NotCheckedError(
             f"that there are no frequencies but those of the {len(roots)} balls (region {region['kind']!r})"
         )

@@ -99,8 +99,10 @@ class Loop:
         sizes = [abs(moved.get((k, 0), ZERO)) * self.radius**k for k in range(len(z))]
         k = max(range(len(sizes)), key=lambda i: sizes[i])
         need(2 * sizes[k] > sum(sizes), "the roots of the discriminant in a loop's disc cannot be counted")  # Pellet
-        if k != 1:
-            raise NotCheckedError(f"a loop round {k} branch points")
+        fourfold = k == 3 and beam.v == 0 == beam.T  # the discriminant is 256 r³
+        if k != 1 and not fourfold:
+            raise NotCheckedError(f"a loop round a branch point of multiplicity {k}")
+        self.rounds = 4 if fourfold else 2
         low, high = self.centre - self.radius, self.centre + self.radius
         sign = x.value(z, low) > 0
         for _ in range(80):
@@ -113,9 +115,10 @@ class Loop:
                 need(cross > 0, "a loop does not turn counterclockwise")
             ahead = q[0] > high and p[1] < 0 <= q[1]  # each round passes the axis once to the right
             turned += ahead
-        need(turned == 2, "a loop does not go round twice")
-        half = (len(self.points) - 1) // 2
-        need(self.points[: half + 1] == self.points[half:], "the rounds of a loop differ")
+        need(turned == self.rounds, "a loop does not go round as often as it should")
+        one = (len(self.points) - 1) // self.rounds
+        each = [self.points[i * one : (i + 1) * one + 1] for i in range(self.rounds)]
+        need(len(self.points) == one * self.rounds + 1 and all(r == each[0] for r in each), "rounds of a loop differ")
         return k
 
 
@@ -128,7 +131,9 @@ def _round(walk: Walk, loop: Loop) -> tuple[int, int]:
     last: Thin = walk.ends[loop.points[0]]
     need(linked(first.roots, first.upper, last.roots) == last.upper, "the waves do not come back after a loop")
     times = whole_number(turned + rest, error + walk.error, 2 * PI)
-    need(times == -min(loop.multiplicity, len(walk.vehicle.sites)), "the argument turns otherwise round a loop")
+    sites = len(walk.vehicle.sites)
+    kappa = 1 if loop.multiplicity == 1 else 3 if sites == 1 else 4
+    need(times == -kappa, "the argument turns otherwise round a loop")
     walk.ends[loop.points[loop.back]] = back
     return turned, error
 
