@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
-    from mpsolve.batch.frequencies import Frequencies, frequencies
+    from mpsolve.batch.frequencies import frequencies
+    from mpsolve.batch.result import Frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.roots import real_roots, roots
@@ -52,6 +53,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.motion import Vibration
     from mpsolve.vibration.precise import PreciseVibration, response_mp
     from mpsolve.vibration.response import response
+    from mpsolve.vibration.roughness import out_of_round, rail_roughness
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
     from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
     from mpsolve.waves.dispersion import dispersion
@@ -126,6 +128,8 @@ __all__ = [
     "response_mp",
     "PreciseVibration",
     "Irregularity",
+    "rail_roughness",
+    "out_of_round",
     "Event",
     "harmonic_solution",
     "HarmonicSolution",
@@ -184,7 +188,7 @@ _HOME = {
     "Root": "spectrum.spectrum",
     "Effort": "proof.effort",
     "frequencies": "batch.frequencies",
-    "Frequencies": "batch.frequencies",
+    "Frequencies": "batch.result",
     "seeds": "fast.seeds",
     "Seeds": "fast.seeds",
     "infinite_train": "endless.infinite_train",
@@ -222,6 +226,8 @@ _HOME = {
     "response_mp": "vibration.precise",
     "PreciseVibration": "vibration.precise",
     "Irregularity": "vibration.forcing",
+    "rail_roughness": "vibration.roughness",
+    "out_of_round": "vibration.roughness",
     "Event": "vibration.liftoff",
     "Response": "motion.solution",
     "harmonic_solution": "motion.solve",

@@ -63,8 +63,9 @@ def onset(
 ) -> None:
     """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
 
-    The file's own value of that parameter plays no part, but the report says how far it is from the onset. Exit
-    status 0: proved, whatever the answer. 1: undecided, with the reason. 2: the input cannot be used.
+    The file's own value of that parameter plays no part, but the report says how far it is from the onset.
+
+    Exit status 0: proved, whatever the answer. 1: undecided, with the reason. 2: the input cannot be used.
     """
 
     def answer(question: Asked, tell: Progress | None) -> Said:

@@ -17,7 +17,7 @@ import numpy as np
 
 from mpsolve.batch.closing import closing_argument
 from mpsolve.batch.groups import Group
-from mpsolve.batch.kernel import log_delta
+from mpsolve.batch.matrix import log_delta
 from mpsolve.batch.waves import felt, moved_between, passes_branch
 
 MAX_STEP = 0.5  # rad, of the argument between neighbouring points

@@ -1,4 +1,4 @@
-"""Receptances and the characteristic matrix at very many points, each of one entry of a group.
+"""Receptances at very many points, each of one entry of a group.
 
 Sums of residues at the p-roots; companion matrices at the few points where two roots of one side nearly meet.
 """
@@ -241,73 +241,3 @@ def _slopes(group: Group, rows: Any, sigma: Any, U: Any, L: Any, lead: Any) -> t
     parts = [moved[:, i, 0] for i in range(n)]
     N_s = N_s - N * grown[:, None]
     return list(N.T), list(N_s.T), parts[: len(U)], parts[len(U) :]
-
-
-def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, Any]:
-    """The characteristic matrix with direct contacts eliminated, and its slope in σ where that of G is known."""
-    S, S_s = _pencil(group, rows, sigma)
-    A = _assembled(group, rows, S, values.G)
-    if values.G_sigma is None:
-        return A, None
-    slope = np.zeros_like(A)
-    _put_pencil(group, slope, S_s)
-    kept = len(group.kept)
-    for place, (i, contact, b) in group.through.items():
-        factor = 1 / group.B[rows, b, contact]
-        slope[:, i, kept:] -= (S_s[:, place] * factor)[:, None] * values.G[:, contact]
-        slope[:, i, kept:] -= (S[:, place] * factor)[:, None] * values.G_sigma[:, contact]
-    slope[:, group.bodies :, kept:] = values.G_sigma[:, group.indirect]
-    return A, slope
-
-
-def _pencil(group: Group, rows: Any, sigma: Any) -> tuple[Any, Any]:
-    """The entries of S that are not 0, and their slopes in σ."""
-    S0, S1, S2 = (a[rows] for a in group.pencil)
-    s = sigma[:, None]
-    return (S2 * s + S1) * s + S0, 2 * S2 * s + S1
-
-
-def _put_pencil(group: Group, A: Any, S: Any) -> None:
-    """The entries of S whose columns are unknowns."""
-    column = {body: k for k, body in enumerate(group.kept)}
-    for place, (i, j) in enumerate(group.cells):
-        if j in column:
-            A[:, i, column[j]] = S[:, place]
-
-
-def _assembled(group: Group, rows: Any, S: Any, G: Any) -> Any:
-    kept, indirect, bodies = group.kept, group.indirect, group.bodies
-    A = np.zeros((len(rows), bodies + len(indirect), len(kept) + group.contacts), complex)
-    B = group.B[rows]
-    A[:, :bodies, len(kept) :] = -B
-    _put_pencil(group, A, S)
-    own = [(place, i, contact) for place, (i, contact, b) in group.through.items() if i == b]
-    if own:
-        places, bodies_, contacts = (list(part) for part in zip(*own, strict=True))
-        factor = S[:, places] / B[:, bodies_, contacts]
-        if bodies_ == contacts == list(range(group.contacts)):
-            A[:, : group.contacts, len(kept) :] -= factor[:, :, None] * G
-        else:
-            A[:, bodies_, len(kept) :] -= factor[:, :, None] * G[:, contacts]
-    for place, (i, contact, b) in group.through.items():
-        if i != b:
-            A[:, i, len(kept) :] -= (S[:, place] / B[:, b, contact])[:, None] * G[:, contact]
-    if indirect:
-        A[:, bodies:, : len(kept)] = B.swapaxes(1, 2)[:, indirect][:, :, kept]
-        A[:, bodies:, len(kept) :] = G[:, indirect]
-        for place, j in enumerate(indirect):
-            A[:, bodies + place, len(kept) + j] += group.h[rows, j]
-    return A
-
-
-def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[Any, Any]:
-    """log Δ̂ (its imaginary part modulo 2π, up to a constant of the entry) and the p-roots at each point."""
-    out, roots = np.empty(len(rows), complex), np.empty((len(rows), group.D.shape[1] - 1), complex)
-    step = chunk_of(group)
-    for k in range(0, len(rows), step):
-        part = slice(k, k + step)
-        values = receptances(group, rows[part], sigma[part], None if near is None else near[part])
-        with np.errstate(all="ignore"):
-            sign, size = np.linalg.slogdet(matrices(group, rows[part], sigma[part], values)[0])
-        out[part], roots[part] = size + 1j * np.angle(sign), values.z
-    return out, roots

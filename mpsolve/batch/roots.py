@@ -13,7 +13,7 @@ import numpy as np
 
 from mpsolve.batch.count import Counted
 from mpsolve.batch.groups import Group
-from mpsolve.batch.kernel import chunk_of, matrices, receptances
+from mpsolve.batch.matrix import log_slope
 
 SAME = 1e-7  # relative distance of two approximations to one root
 _STEPS = 40
@@ -218,37 +218,6 @@ class Search:
             slope = slope - _poles(q, self.q[rows])
         with np.errstate(all="ignore"):
             return -1 / slope, z
-
-
-def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, Any]:
-    """d log Δ̂/dq and the p-roots at each point."""
-    out, roots = np.empty(len(q), complex), np.empty((len(q), group.D.shape[1] - 1), complex)
-    step = chunk_of(group)
-    for k in range(0, len(q), step):
-        part = slice(k, k + step)
-        with np.errstate(all="ignore"):
-            values = receptances(group, rows[part], 1j * q[part], None if near is None else near[part], slope=True)
-            out[part] = 1j * _turned(*matrices(group, rows[part], 1j * q[part], values))
-        roots[part] = values.z
-    return out, roots
-
-
-def _turned(A: Any, A_s: Any) -> Any:
-    """tr(A⁻¹A′); nan where it is not known."""
-    fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
-    A, A_s = np.where(fine[:, None, None], A, np.eye(A.shape[1])), np.where(fine[:, None, None], A_s, 0)
-    try:
-        trace = np.einsum("kii->k", np.linalg.solve(A, A_s))
-    except np.linalg.LinAlgError:  # at a root itself
-        trace = np.array([_trace(a, b) for a, b in zip(A, A_s, strict=True)])
-    return np.where(fine, trace, np.nan)
-
-
-def _trace(a: Any, b: Any) -> complex:
-    try:
-        return complex(np.trace(np.linalg.solve(a, b)))
-    except np.linalg.LinAlgError:
-        return complex(1e300)
 
 
 def _poles(q: Any, known: Any) -> Any:

@@ -11,7 +11,8 @@ from mpsolve.numbers.rootball import RootBall
 from mpsolve.zeros.count import Count
 from mpsolve.zeros.program import Expression
 from mpsolve.zeros.reals import Tiling
-from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Point, Rectangle, Region
+from mpsolve.zeros.geometry import Point
+from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Rectangle, Region
 
 FORMAT, VERSION = "mpsolve zeros", 1
 

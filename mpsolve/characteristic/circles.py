@@ -3,7 +3,7 @@
 G(ξ ≥ 0) is the sum of the residues of N e^{Pξ}/D at the upper p-roots. Upper roots that are close to each other are
 taken together, in one circle that leaves all others out, and so it does not matter whether they meet. On a circle
 of radius R the trapezoidal rule errs by Σ c_n R^{n+1} over n + 1 = ±SAMPLES, ±2 SAMPLES, …, c_n the coefficients of
-the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within which f is analytic (SPEC, circles).
+the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within which f is analytic.
 """
 
 from __future__ import annotations

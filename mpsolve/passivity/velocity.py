@@ -54,10 +54,8 @@ def passivity_velocity(
     vehicle with one contact is unstable, of whatever kind and mass. There is no certificate. InputError for a track
     that is unstable, undamped or active at rest. Source: SPEC2, section 6.6.
 
-    >>> from mpsolve.tracks import EulerBernoulli
-    >>> beam = EulerBernoulli(EI="1/4", m=1, k=1, c=1)
-    >>> passivity_velocity(beam, over={"v": (0, 2)}, digits=15).value.str(15, radius=False)
-    '1.18992097029547'
+    For EulerBernoulli(EI="1/4", m=1, k=1, c=1), the paper's beam with η_b = 0.5, `value` is 1.1899209702954530 to 16
+    digits, after some 10 s.
     """
     low, high = _range(over)
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:

@@ -158,7 +158,7 @@ class _Search:
     def _enclose(self, point: Any) -> bool:
         """Enclose the zero near a float point; True where it was."""
         size = 2 * self.judge.width * 2.0**-6
-        if any((np.abs(point - other) < 1e-6 * self.judge.width).all() for other in self._failed):
+        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
             return False
         if abs(point[0]) < 1e-6 * self.judge.width[0]:
             point = np.array([0.0, point[1]])

@@ -64,7 +64,8 @@ class Scope:
     @cached_property
     def X(self) -> float:
         """From this frequency on the contacts are passive for all parameters; `OpenError` where none is found."""
-        one = len(self.family.paths) == 1  # then boxes are few, and the least frequency costs more than they
+        # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
+        one = len(self.family.paths) == len(self.family.places) == 1
         found = far(self.envelope) if one else getattr(passive_beyond(self.envelope), "X", None)
         if found is None:
             message = "no frequency is found beyond which the contacts are passive for all these parameters"

@@ -10,33 +10,27 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from math import prod
 from pathlib import Path
 from typing import Any
 
-from mpsolve.errors import ContradictionError, InputError
+from mpsolve.errors import InputError
 from mpsolve.model import specs
-from mpsolve.model.toml import Written, parsed, text_of
-from mpsolve.numbers.exact import Exact
-from mpsolve.numbers.model import Quantity, rational
-from mpsolve.numbers.units import measured
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.inputfile import problem_of
-from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.regions import Below, Rectangle
-from mpsolve.studies.design import Axis, Listed, Span, Steps, Value, draws
+from mpsolve.studies.axes import MAX_CASES, counted, read_axes, total_of
+from mpsolve.studies.design import Axis, Listed, Span, Value, draws
+from mpsolve.studies.source import PROBLEM, problem_tables
 
 KINDS = ("certified", "float64")
 DESIGNS = ("grid", "list", "random", "quasi-random")
-MAX_CASES = 10**12
 MIN_DIGITS, MAX_DIGITS = 15, 10_000
 
-_PROBLEM = ("v", "track", "vehicle", "physical", "mass", "dimensionless")
 _TOP = {
     "title": "a text",
     "problem": "the path of a problem file",
-    **dict.fromkeys(_PROBLEM, "of the problem, as in a problem file"),
+    **dict.fromkeys(PROBLEM, "of the problem, as in a problem file"),
     "study": "a section",
     "parameters": "a section",
 }
@@ -51,8 +45,6 @@ _STUDY = {
 _DESIGN = {"kind": "the kind of design", "count": "the number of entries", "seed": "a whole number"}
 _BOUNDS = dict.fromkeys(("re_min", "re_max", "im_min", "im_max"), "the bound of the rectangle")
 _BELOW = {"below": "the height"}
-_SPAN = {"low": "the least value", "high": "the bound above"}
-_AXIS = {"start", "stop", "step", "low", "high"}
 _BLOCK = (2_048, 16_384)  # entries of a block in float64: many share one start; fewer where there are few
 
 
@@ -116,11 +108,11 @@ class Spec:
             spans = [name for name, axis in self.axes.items() if isinstance(axis, Span)]
             places = dict(zip(spans, draws(self.design, self.seed, index, len(spans)), strict=True))
         elif self.design == "list":
-            places = {name: index for name, axis in self.axes.items() if _counted(axis).count > 1}
+            places = {name: index for name, axis in self.axes.items() if counted(axis).count > 1}
         else:
             places, rest = {}, index
             for name in reversed(self.names):
-                rest, places[name] = divmod(rest, _counted(self.axes[name]).count)
+                rest, places[name] = divmod(rest, counted(self.axes[name]).count)
         return {name: axis.at(places.get(name, 0)) for name, axis in self.axes.items()}
 
     def job(self, number: int) -> tuple[str, int, int]:
@@ -185,7 +177,7 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
         if name not in content:
             raise InputError(name, f"is missing: add [{name}]")
     folder = Path(spec).parent if isinstance(spec, (str, os.PathLike)) else Path()
-    tables = _tables(content, folder)
+    tables = problem_tables(content, folder)
     problem = as_problem(problem_of(tables, Path("problem")).given)
     table = specs.section(content["study"], "study", _STUDY)
     kind = _named(table, "study.kind", KINDS)
@@ -194,7 +186,7 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
             other = "certified" if kind == "float64" else "float64"
             raise InputError(f"study.{name}", f'is for kind = "{other}" only: drop it')
     design, count, seed = _design(table)
-    axes = _axes(content["parameters"], design, problem)
+    axes = read_axes(content["parameters"], design, problem)
     return Spec(
         title=specs.title(content),
         tables=tables,
@@ -205,42 +197,9 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
         certificates=_yes_or_no(table, "certificates", False),
         design=design,
         seed=seed,
-        total=_total(axes, design, count),
+        total=total_of(axes, design, count),
         axes=axes,
     )
-
-
-def _tables(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """The problem's own tables, from the study's file or from the one that it names."""
-    own = {name: content[name] for name in _PROBLEM if name in content}
-    if "problem" not in content:
-        if not own:
-            raise InputError("problem", "is missing: give the path of a problem file, or its tables here")
-        return _texts(own)
-    if own:
-        raise InputError("problem", f"is given beside {', '.join(own)}: keep one of the two")
-    name = content["problem"]
-    if not isinstance(name, str):
-        raise InputError("problem", "is no text: give the path of a problem file")
-    read = parsed(text_of(folder / name), str(folder / name))
-    return _texts({key: value for key, value in read.items() if key in _PROBLEM})
-
-
-def _texts(table: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: _plain(value) for name, value in table.items()}
-
-
-def _plain(value: Any) -> Any:
-    """As JSON holds it: numbers as exact texts, whole ones as they are."""
-    if isinstance(value, Mapping):
-        return {str(key): _plain(inner) for key, inner in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(inner) for inner in value]
-    if isinstance(value, Written):
-        return str(Exact.parse(value, "problem"))
-    if isinstance(value, (str, bool, int)):
-        return value
-    return str(rational(value, "problem"))
 
 
 def _design(table: Mapping[str, Any]) -> tuple[str, int, int]:
@@ -255,98 +214,6 @@ def _design(table: Mapping[str, Any]) -> tuple[str, int, int]:
     if "count" not in given:
         raise InputError("study.design.count", "is missing: give the number of entries")
     return kind, _whole(given, "design.count", 0, 1, MAX_CASES), _whole(given, "design.seed", 0, 0, 2**63 - 1)
-
-
-def _axes(given: Any, design: str, problem: Problem) -> dict[str, Axis]:
-    if not isinstance(given, Mapping):
-        raise InputError("parameters", "is no section: give paths and their values in it")
-    flat = dict(_flattened(given, ""))
-    if not flat:
-        raise InputError("parameters", "is empty: give at least one path, such as v or track.k")
-    asked = {path: _quantity(problem, path) for path in flat}
-    axes = {
-        path: _axis(_measured(value, asked[path], f"parameters.{path}"), path, design) for path, value in flat.items()
-    }
-    for path, axis in axes.items():
-        for value in axis.extremes:
-            try:
-                problem.changed(path, value)
-            except InputError as error:
-                raise InputError(f"parameters.{path}", str(error).removeprefix(f"{error.key}: ")) from None
-    return axes
-
-
-def _quantity(problem: Problem, path: str) -> Quantity:
-    try:
-        return quantity_of(problem.track, problem.vehicles, problem.v, path)
-    except InputError as error:
-        raise InputError(f"parameters.{path}", str(error).removeprefix(f"{error.key}: ")) from None
-
-
-def _measured(given: Any, asked: Quantity, key: str) -> Any:
-    """Texts with units, in lists and tables too, in the parameter's own unit."""
-    if isinstance(given, Mapping):
-        return {name: _measured(value, asked, f"{key}.{name}") for name, value in given.items()}
-    if isinstance(given, (list, tuple)):
-        return [_measured(value, asked, f"{key}[{j}]") for j, value in enumerate(given, 1)]
-    return measured(given, asked.unit, key, asked.meaning)
-
-
-def _flattened(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Any]]:
-    """track.k = … in TOML is a table in a table: paths again."""
-    for name, value in table.items():
-        if isinstance(value, Mapping) and not _AXIS & value.keys():
-            yield from _flattened(value, f"{prefix}{name}.")
-        else:
-            yield f"{prefix}{name}", value
-
-
-def _axis(given: Any, name: str, design: str) -> Axis:
-    key, drawn = f"parameters.{name}", design in ("random", "quasi-random")
-    if isinstance(given, Mapping) and ({"low", "high"} & given.keys()):
-        if not drawn:
-            raise InputError(key, f'is a range, but a {design} draws nothing: give design = {{kind = "random", …}}')
-        span = Span(**specs.rationals(given, key, _SPAN))
-        if not span.low < span.high:
-            raise InputError(f"{key}.high", "is not above low: give the bounds in order")
-        return span
-    if drawn and isinstance(given, (Mapping, list, tuple)):
-        raise InputError(key, f"is several values, but a {design} design draws: give {{low, high}} or one number")
-    if isinstance(given, Mapping):
-        return Steps(*specs.steps(given, key))
-    if not isinstance(given, (list, tuple)):
-        return Listed((rational(given, key),))
-    if not given:
-        raise InputError(key, "is empty: give at least one value")
-    values = [rational(one, f"{key}[{j}]") for j, one in enumerate(given, 1)]
-    seen: set[Value] = set()
-    for j, value in enumerate(values, 1):
-        if design == "grid" and value in seen:
-            raise InputError(f"{key}[{j}]", f"is {value}, which is there already: drop one")
-        seen.add(value)
-    return Listed(tuple(values))
-
-
-def _total(axes: Mapping[str, Axis], design: str, count: int) -> int:
-    if count:
-        return count
-    lengths = {name: _counted(axis).count for name, axis in axes.items()}
-    longest = max(lengths, key=lambda name: lengths[name])
-    if design == "list":
-        for name, length in lengths.items():
-            if length not in (1, lengths[longest]):
-                stated = f"has {length} values, and {longest} has {lengths[longest]}"
-                raise InputError(f"parameters.{name}", f"{stated}: give as many, or one for all entries")
-    total = lengths[longest] if design == "list" else prod(lengths.values())
-    if total > MAX_CASES:
-        raise InputError("parameters", f"make more than {MAX_CASES} entries: give at most so many")
-    return total
-
-
-def _counted(axis: Axis) -> Listed | Steps:
-    if isinstance(axis, Span):
-        raise ContradictionError("a range between bounds has no values of its own, and was counted")
-    return axis
 
 
 def _region(given: Any, kind: str) -> Any:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import InputError
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
@@ -25,11 +25,13 @@ from mpsolve.vibration.residues import Mode, modes
 GOOD = 1e-8
 """Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
 _FORCES = 1000.0
-_ROUNDED = 1e-10
+_ROUNDED = 2e-10
 _SLOW = 2.5
 """1/(√2 − 1): an error that falls as Ω^(−1/2), as that of a force soon after the start, is so much the change."""
 _LEAST = 24.0
 _LARGEST = 650.0
+_HOPELESS = 1e6
+"""Of GOOD: an error from which on nothing is returned."""
 _HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
 _FARTHEST = 2.0**17
 _JUDGED = 80
@@ -127,13 +129,14 @@ class Engine:
         if growth > _LARGEST:
             stated = f"reach {last / self.image.rate:g}, where the motion exceeds e^{growth:.0f}"
             raise InputError("times", f"{stated}: end earlier")
-        below = self.line(last)
-        if below > 0:
-            return self._along(below, times)[0]
-        found, excess, causal = self._along(below, times)
-        if not causal:
+        alpha = self.line(last)
+        found, excess, causal = self._along(alpha, times)
+        if alpha < 0 and not causal:
             other, worse, _ = self._along(self._above(last), times)
-            return found if excess <= worse else other
+            found, excess = (found, excess) if excess <= worse else (other, worse)
+        if not excess < _HOPELESS:
+            stated = f"the motion is off by {excess * GOOD:.1e} of itself, as a root is missing or growth is too fast"
+            raise PrecisionError(f"{stated}: end earlier, or give spectrum=certify(problem)")
         return found
 
     def line(self, last: float) -> float:

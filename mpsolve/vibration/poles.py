@@ -19,7 +19,10 @@ from mpsolve.vibration.search import count_zeros, find_zeros
 
 _SHARE = 0.94
 """Of the height of the lowest cut: how far up roots are looked for."""
-_REACH = 8.0
+_REACH, _WIDER, _FURTHER = 8.0, 16.0, 3
+"""How far out roots are looked for, scaled; and so much further, so often."""
+_LONG = 4000
+"""Points of a path on which waves turn so often that it is followed no further."""
 _AXIS = 1e-3
 """Scaled: only what grows faster is looked for where the cuts begin at the axis."""
 
@@ -67,7 +70,15 @@ def searched(problem: Problem) -> Poles:
     reduced = reduce_problem(problem)
     cut = _cut(image)
     floor = _SHARE * cut if cut else _AXIS
-    count, path = count_zeros(image, floor, _REACH * max(1.0, natural(image)))
+    reach = _REACH * max(1.0, natural(image))
+    count, path = count_zeros(image, floor, reach)
+    for _ in range(_FURTHER):  # fast loads may shake a track at high frequencies
+        reach *= _WIDER
+        more, longer = count_zeros(image, floor, reach)
+        if len(longer) > _LONG:
+            break
+        if more > count:
+            count, path = more, longer
     unfelt = _right_of(_unfelt(reduced, image.rate), floor)
     rest = count - _number(unfelt) - (reduced.neutral if floor < 0 else 0)
     found = find_zeros(image, floor, rest, path, tuple(pole.sigma for pole in unfelt))

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import InputError
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.grid import float_list
 from mpsolve.motion.solve import response as motion_of_case
@@ -93,8 +93,14 @@ def solved(
         held = tones(image, _only(outer, constant=True), ())
         acting = tones(image, _only(outer, constant=False), rough)
     with one_thread():
-        poles = searched(problem) if spectrum is None else certified(image, spectrum)
-        return Engine(image, acting, held, poles).solve(at * image.rate), at
+        try:
+            poles = searched(problem) if spectrum is None else certified(image, spectrum)
+            return Engine(image, acting, held, poles).solve(at * image.rate), at
+        except np.linalg.LinAlgError:
+            stated = (
+                "the equations of the motion are singular, as those of a track without stiffness under constant loads"
+            )
+            raise PrecisionError(f"{stated}: change a parameter") from None
 
 
 def _only(outer: Outer, constant: bool) -> Outer:

@@ -18,7 +18,8 @@ from flint import acb, arb, fmpq
 from mpsolve.errors import PrecisionError
 from mpsolve.proof.effort import Effort
 from mpsolve.zeros.function import Function
-from mpsolve.zeros.regions import Cut, Point, Vertices, box_of, place_of_box
+from mpsolve.zeros.geometry import Point, Vertices, box_of, place_of_box
+from mpsolve.zeros.regions import Cut
 
 _DEEPEST = 60
 

@@ -26,8 +26,9 @@ from mpsolve.proof.winding import number_of_zeros
 from mpsolve.zeros.analytic import cover_region, hull
 from mpsolve.zeros.evaluate import CutError
 from mpsolve.zeros.function import Function, Side
+from mpsolve.zeros.geometry import Vertices
 from mpsolve.zeros.path import Leg, legs_round
-from mpsolve.zeros.regions import Cut, Vertices
+from mpsolve.zeros.regions import Cut
 
 BITS, MOST_BITS = 64, 512
 _FIRST = 32  # pieces of the path, at least one a leg and at most 8

@@ -250,14 +250,3 @@ def _bessel_j(order: int, w: Any, n: int) -> list[Any]:
 
 
 _COEFFICIENTS: dict[str, Callable[[Any, Any, int], list[Any]]] = {"hyp0f1": _hyp0f1, "bessel_j": _bessel_j}
-
-
-def guards(steps: Sequence[Step]) -> list[int]:
-    """The steps that are not analytic everywhere."""
-    depends: list[bool] = []
-    out = []
-    for k, step in enumerate(steps):
-        depends.append(step[0] == "z" or any(depends[j] for j in taken(step)))
-        if depends[k] and (step[0] in (*CUT, "atan") or (step[0] == "div" and depends[step[2]])):
-            out.append(k)
-    return out

@@ -22,7 +22,7 @@ from mpsolve.zeros.candidates import poles_by_aaa
 from mpsolve.zeros.count import BITS, Count, count_zeros
 from mpsolve.zeros.enclose import enclose
 from mpsolve.zeros.function import Function
-from mpsolve.zeros.regions import Point, Vertices, box_of, place_of_box
+from mpsolve.zeros.geometry import Point, Vertices, box_of, place_of_box
 
 _MANY = 30  # zeros that are looked for at once
 _FEW_POINTS = 6  # samples for a zero, at least

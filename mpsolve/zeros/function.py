@@ -12,8 +12,9 @@ from flint import acb, acb_series
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, bits_now, square, terms
 from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
-from mpsolve.zeros.evaluate import Evaluator, coefficients, guards
+from mpsolve.zeros.evaluate import Evaluator, coefficients
 from mpsolve.zeros.fraction import factors
+from mpsolve.zeros.guards import guards
 from mpsolve.zeros.program import Expression, reduced
 
 Side = tuple[Any, Any]

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mpsolve.errors import InputError
-from mpsolve.zeros.regions import Cut, Point, Vertices, cross, distance_squared, edges, is_convex, is_inside
+from mpsolve.zeros.geometry import Point, Vertices, cross, distance_squared, edges, is_convex, is_inside
+from mpsolve.zeros.regions import Cut
 
 
 @dataclass(frozen=True)

@@ -19,8 +19,9 @@ from mpsolve.zeros.count import Count, ZeroOnPathError, count_zeros
 from mpsolve.zeros.evaluate import PoleError
 from mpsolve.zeros.find import corners_of, find_zeros
 from mpsolve.zeros.function import Function
+from mpsolve.zeros.geometry import Vertices, box_of, grown
 from mpsolve.zeros.read import Given
-from mpsolve.zeros.regions import Cut, Disc, Polygon, Rectangle, Region, Vertices, box_of, grown, place_in
+from mpsolve.zeros.regions import Cut, Disc, Polygon, Rectangle, Region, place_in
 
 _MOVES = (Fraction(1, 1 << 12), Fraction(-1, 1 << 12), Fraction(3, 1 << 9), Fraction(-3, 1 << 9))
 """How far the boundary is moved, relative to the region's size, where the count does not pass it."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -164,8 +166,15 @@ def test_tables() -> None:
     assert table["count"] == [0, 2]
     assert table["re_1"][0] is None
     assert table["im_2"][1] < 0
-    pytest.importorskip("pandas")
-    assert len(found.to_frame()) == 2
+
+
+def test_a_data_frame_needs_pandas(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = frequencies(PAIR, {"v": [0.66]})
+    monkeypatch.setitem(sys.modules, "pandas", SimpleNamespace(DataFrame=lambda columns: ("frame", columns)))
+    assert found.to_frame() == ("frame", found.to_dict())
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(InputError, match="pip install pandas"):
+        found.to_frame()
 
 
 def test_counts_alone_need_no_roots() -> None:

@@ -1,4 +1,4 @@
-"""Δ̂ and its slope in batches against the arrays of one problem, differences, and the same by other formulas."""
+"""Receptances in batches: waves gap by gap and companion matrices say the same as sums of residues."""
 
 from __future__ import annotations
 
@@ -11,10 +11,7 @@ from mpsolve import Problem, tracks, vehicles
 from mpsolve.batch import kernel
 from mpsolve.batch.entries import entries_of
 from mpsolve.batch.groups import Group, groups_of
-from mpsolve.batch.kernel import log_delta, receptances
-from mpsolve.batch.roots import log_slope
-from mpsolve.characteristic.floats import Floats
-from mpsolve.problem.reduced import reduce_problem
+from mpsolve.batch.kernel import receptances
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1", eta="0.02")
 TWO_LAYER = tracks.TwoLayer(
@@ -41,20 +38,6 @@ def points(n: int = 30) -> Any:
 
 
 @pytest.mark.parametrize("name", PROBLEMS)
-def test_delta_is_that_of_one_problem(name: str) -> None:
-    problem = PROBLEMS[name]
-    group, sigma, rows = group_of(problem), points(), np.zeros(30, int)
-    reduced = reduce_problem(problem)
-    expected, slope = Floats(reduced).delta(sigma * group.unit[0] / float(reduced.frequency_unit))
-    found, _ = log_delta(group, rows, sigma)
-    ratio = np.exp(found) / expected
-    assert np.allclose(ratio, ratio[0], rtol=1e-9)
-    assert abs(ratio[0].imag) < 1e-9 * abs(ratio[0])
-    rate = 1j * slope / expected * group.unit[0] / float(reduced.frequency_unit)
-    assert np.allclose(log_slope(group, rows, -1j * sigma)[0], rate, rtol=1e-8)
-
-
-@pytest.mark.parametrize("name", PROBLEMS)
 def test_waves_gap_by_gap_and_companions_say_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     group, sigma, rows = group_of(PROBLEMS[name]), points(), np.zeros(30, int)
     plain = receptances(group, rows, sigma, slope=True)
@@ -67,14 +50,3 @@ def test_waves_gap_by_gap_and_companions_say_the_same(name: str, monkeypatch: py
         size = np.abs(plain.G).max((1, 2), keepdims=True)
         assert (np.abs(found.G - plain.G) < 1e-9 * size).all()
         assert (np.abs(found.G_sigma - plain.G_sigma) < 1e-8 * np.abs(plain.G_sigma).max((1, 2), keepdims=True)).all()
-
-
-def test_long_trains_leave_no_float() -> None:
-    """Exponents beyond the range of float64."""
-    group = group_of(Problem(BEAM, [vehicles.Mass(40).at(x) for x in (0, 1, 3000)], v="0.8"))
-    log, _ = log_delta(group, np.zeros(5, int), 1j * np.linspace(0.1, 3, 5))
-    alone = group_of(Problem(BEAM, [vehicles.Mass(40).at(x) for x in (0, 1)], v="0.8"))
-    single = group_of(Problem(BEAM, vehicles.Mass(40), v="0.8"))
-    parts = [log_delta(one, np.zeros(5, int), 1j * np.linspace(0.1, 3, 5))[0] for one in (alone, single)]
-    rest = np.exp(log - parts[0] - parts[1])
-    assert np.allclose(rest, rest[0], rtol=1e-8)  # far apart they do not feel one another

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
+from oracle_general.package import as_problem
 
 from mpsolve.certificate.solve import certify_problem, checked_digits
 from mpsolve.errors import InputError
@@ -56,3 +59,12 @@ def test_a_divergence_is_one_root_on_the_axis() -> None:
 def test_digits_that_are_none(digits: object) -> None:
     with pytest.raises(InputError, match="digits"):
         checked_digits(digits)
+
+
+@pytest.mark.parametrize("seed", [78, 123])
+def test_p_roots_that_nearly_meet_on_the_line(seed: int) -> None:
+    """The verifier's nodes keep apart on their own scale, and the contour's crowds of points do not hide a root."""
+    table = json.loads((Path(__file__).parents[1] / "data" / "general_counts.json").read_text())
+    row = next(row for row in table if row.get("seed") == seed)
+    found = certify_problem(as_problem(row), region="unstable")
+    assert (found.status, found.count) == (Status.PROVED, row["count"])

@@ -639,7 +639,7 @@ def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
             z = walker.mark((fmpq(k, 15), fmpq(0)) if k > 15 else (fmpq(k, 15), fmpq(k - 15, 15)), z).z
         corner = (fmpq(2), fmpq(0))
         walker.marks[corner] = walker.mark(corner, z)
-        sharp = v2.closing(walker, fmpq(2))
+        sharp = v2.closing(walker.bordered, waves, walker.marks[corner])
     with v2.precision(10):
         a = v2.accretive(walker.bordered, acb(0, 2), v2.kernels(waves, walker.marks[corner].split, arb(0), 1))
         order = v2.greatest_first(a)
@@ -647,7 +647,7 @@ def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
             once = v2.pivots(acb_mat([[a[i][j] for j in order] for i in order])).rad()
         except v2.Refused:
             once = arb("inf")
-        found = v2.closing(walker, fmpq(2))
+        found = v2.closing(walker.bordered, waves, walker.marks[corner])
     assert not once < 0.1
     assert found.rad() < 0.1
     assert found.overlaps(sharp)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
 from passive_subjects import RAIL, TRACKS, family_and_envelope, least, reduced_and_envelope
 
 from mpsolve import Problem, tracks, vehicles
+from mpsolve.characteristic.floats import Receptance
 from mpsolve.passivity.far import far, least_gap, slopes
 
 
@@ -52,3 +54,29 @@ def test_none_beyond_the_speed_of_short_waves() -> None:
 def test_slopes_of_a_beam() -> None:
     _, envelope = reduced_and_envelope("rail")
     assert slopes(envelope.subject, np.zeros((1, 0))) == [Fraction(1, 2)]
+
+
+@pytest.mark.parametrize("name", ["rail", "string", "two layers"])
+def test_one_real_point_closes_the_half_plane(name: str) -> None:
+    """Lemma 3 of SPEC2, section 6.7, in floats: where R²λ > 18XM/π, the mobility is passive on all of |σ| = R."""
+    reduced, envelope = reduced_and_envelope(name, 2)
+    receptance, places, X = Receptance(reduced.guide), reduced.places, far(envelope)
+    assert X is not None
+
+    def mobility(sigma: Any) -> Any:
+        G = np.empty((len(sigma), 2, 2), complex)
+        for i in range(2):
+            for j in range(2):
+                G[:, i, j] = receptance(sigma, [places[i] - places[j]], False)[0][0]
+        return sigma[:, None, None] * G
+
+    def hermitian(sigma: Any) -> Any:
+        V = mobility(sigma)
+        return np.linalg.eigvalsh((V + np.swapaxes(V.conj(), 1, 2)) / 2)
+
+    M = np.abs(hermitian(1j * np.linspace(1e-4, X, 4000))).max()
+    R = next(R for R in 2.0 ** np.arange(1, 40) * X
+             if R * hermitian(np.array([R + 0j]))[0, 0] > 18 * X * M / np.pi)  # fmt: skip
+    assert R < 2.0**36 * X
+    arc = R * np.exp(1j * np.linspace(0, np.pi / 2, 2000)[:-1])
+    assert (hermitian(arc)[:, 0] > 0).all()

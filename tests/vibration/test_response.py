@@ -24,6 +24,7 @@ from mpsolve import (
     tracks,
     vehicles,
 )
+from mpsolve.errors import PrecisionError
 from mpsolve.motion.solve import response as by_the_paper
 from mpsolve.problem.cases import as_problem
 
@@ -231,3 +232,18 @@ def test_the_file_of_the_examples() -> None:
     assert set(found.vehicle) == {"rear wheel", "front wheel", "frame bounce", "frame pitch"}
     assert found.error.rail < 1e-8 * np.abs(found.rail).max()
     assert found.rail == pytest.approx(found.steady + found.harmonic + found.transient, abs=1e-18)
+
+
+def test_a_root_far_out_is_found() -> None:
+    """A light slab under a load much faster than its waves grows at a frequency far above those of the vehicle."""
+    track = tracks.Slab(EI=11, m=32, k_pad=18, c_pad="7.25", EI_slab="0.25", m_slab=15, k=9, c=9)
+    problem = Problem(track, vehicles.Mass(23), v=26)
+    found = response(problem, times=np.linspace(0, 0.1, 20))
+    root = next(root for root in certify(problem, region="unstable", check=False).roots if root.q.real > 0)
+    assert [part.q for part in found.induced] == pytest.approx([complex(root.q.mid())], rel=1e-9)
+    assert found.error.rail < 1e-8 * np.abs(found.rail).max()
+
+
+def test_a_track_without_stiffness_at_rest_is_refused() -> None:
+    with pytest.raises((InputError, PrecisionError)):
+        response(Problem(tracks.EulerBernoulli(EI=1, m=1, k=0), vehicles.Mass(1), v=0), times=[1])

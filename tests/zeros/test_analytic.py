@@ -10,7 +10,8 @@ from functions import function
 from mpsolve.numbers.balls import precision
 from mpsolve.proof.effort import Effort
 from mpsolve.zeros.analytic import NotAnalyticError, cells, cover_region, halves, hull, is_outside
-from mpsolve.zeros.regions import Cut, Polygon, Rectangle, Vertices
+from mpsolve.zeros.geometry import Vertices
+from mpsolve.zeros.regions import Cut, Polygon, Rectangle
 
 F = Fraction
 BOX = Rectangle(-1, 1, -1, 1).polygon

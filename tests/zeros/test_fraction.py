@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 from flint import acb
 
-from mpsolve.zeros.evaluate import Evaluator, guards
+from mpsolve.zeros.evaluate import Evaluator
 from mpsolve.zeros.fraction import as_fraction, factors
+from mpsolve.zeros.guards import guards
 from mpsolve.zeros.parse import parse
 from mpsolve.zeros.program import Program, reduced, shown
 

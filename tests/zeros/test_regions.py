@@ -7,20 +7,8 @@ from fractions import Fraction
 import pytest
 
 from mpsolve.errors import InputError
-from mpsolve.zeros.regions import (
-    Cut,
-    Disc,
-    HalfPlane,
-    Polygon,
-    Rectangle,
-    distance_squared,
-    edges,
-    grown,
-    is_inside,
-    is_simple,
-    place_in,
-    place_of_box,
-)
+from mpsolve.zeros.geometry import distance_squared, edges, is_simple, place_of_box
+from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle, place_in
 
 F = Fraction
 SQUARE = ((F(0), F(0)), (F(2), F(0)), (F(2), F(2)), (F(0), F(2)))
@@ -41,22 +29,6 @@ def test_a_polygon_is_turned_left_and_must_be_simple() -> None:
             Polygon(bad)
 
 
-@pytest.mark.parametrize(
-    ("low", "high", "place"),
-    [
-        ((F(1, 4), F(1, 4)), (F(1, 2), F(1, 2)), True),
-        ((F(2), F(2)), (F(3), F(3)), False),
-        ((F(-3), F(-3)), (F(-1), F(-1)), False),
-        ((F(1, 2), F(1, 2)), (F(2), F(2)), None),
-        ((F(-1), F(-1)), (F(9), F(9)), None),
-        ((F(2), F(1, 4)), (F(3), F(1, 2)), True),
-        ((F(0), F(1, 4)), (F(1, 2), F(1, 2)), None),
-    ],
-)
-def test_boxes_in_an_ell(low: tuple[F, F], high: tuple[F, F], place: bool | None) -> None:
-    assert place_of_box(ELL, low, high) is place
-
-
 def test_boxes_in_a_rectangle_and_a_disc() -> None:
     assert place_of_box(SQUARE, (F(1), F(1)), (F(3, 2), F(3, 2))) is True
     assert place_of_box(SQUARE, (F(1), F(1)), (F(2), F(2))) is None
@@ -65,18 +37,6 @@ def test_boxes_in_a_rectangle_and_a_disc() -> None:
     assert place_in(disc, (F(0), F(0)), (F(1, 2), F(1, 2))) is True
     assert place_in(disc, (F(0), F(0)), (F(3, 5), F(4, 5))) is None
     assert place_in(disc, (F(4, 5), F(4, 5)), (F(1), F(1))) is False
-
-
-def test_inside_a_polygon() -> None:
-    assert is_inside(ELL, (F(1, 2), F(3)))
-    assert not is_inside(ELL, (F(2), F(3)))
-
-
-def test_grown_holds_the_polygon() -> None:
-    larger = grown(SQUARE, F(1, 10))
-    assert larger is not None
-    assert all(is_inside(larger, p) for p in SQUARE)
-    assert grown(ELL, F(1, 10)) is None
 
 
 @pytest.mark.parametrize(
