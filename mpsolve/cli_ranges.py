@@ -201,7 +201,7 @@ def table(file: Path, output: Path | None, certificates: Path | None, workers: i
             checked_suffix(checked_output(output, file, "the table"), (".csv", ".json") if ours else _TABLES)
         if certificates is not None and (ours or (certificates.exists() and not certificates.is_dir())):
             stated = f"{certificates} is a file: give the path of a folder"
-            raise InputError("certificates", "there are none for this kind of table: leave it out" if ours else stated)
+            raise InputError("certificates", "there are none for this kind of table: drop it" if ours else stated)
         if ours:
             with progress() as tell:
                 made = read_table(file, workers, tell)
@@ -274,8 +274,8 @@ def _by_default(
 ) -> list[Said]:
     """The answers over the default ranges in ascending order.
 
-    defaults: "near"; "first", which ends with the first range in which something grows, and goes on to far ones as
-    long as they are decided; "chart", masses too, and the range that holds the file's own velocity.
+    defaults: "near"; "first", step by step up to the first range in which something grows, or that is undecided;
+    "chart", masses too, and the range that holds the file's own velocity.
     """
     from mpsolve.ranges.default import MASS_FACTORS, velocity_ranges
 
@@ -284,18 +284,13 @@ def _by_default(
         v = question.problem.v
         one = next((ends for ends in ranges.near if ends[0] <= v <= ends[1]), ranges.near[0])
         return [_told(answer(question.by_itself({"v": one, "scale.mass": MASS_FACTORS}), tell))]
-    out = []
-    for ends in ranges.near:
+    out: list[Said] = []
+    for ends in ranges.steps if defaults == "first" else ranges.near:
         out.append(_told(answer(question.by_itself({"v": ends}), tell)))
-        if defaults == "first" and (not out[-1].answer.proved or out[-1].grows):
-            return out
-    for ends in ranges.far if defaults == "first" else ():
-        more = _told(answer(question.by_itself({"v": ends}), tell))
-        if not more.answer.proved:
+        if defaults == "first" and (out[-1].grows or not out[-1].answer.proved):
             break
-        out.append(more)
-        if more.grows:
-            break
+    if len(out) > 1 and not out[-1].answer.proved and out[-1].asked.overs[0].low >= ranges.near[-1][1]:
+        out.pop()  # beyond all ranges that hold the velocity and the least critical one: nothing is said of it
     return out
 
 

@@ -63,7 +63,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
 def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
     """In the paper's ratios, to 1e-12 of what another program with its own certificate proves."""
     data = json.loads(run("onset", PLAIN, "--over", "v=0.6..0.7", "--digits", 20, "--json").stdout)
-    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), ("0.6", "0.7"), 20)
+    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"), digits=20)
     value = data["answer"]["value"]
     assert truth.alpha is not None
     assert abs(float(value["decimal"]) - float(truth.alpha.mid())) < 1e-12
@@ -91,7 +91,7 @@ def test_units_and_the_default_range(run: Run) -> None:
     assert "STABLE for v from 0 km/h to 688.3 km/h, where a vibration at 3.13 Hz begins to grow." in result.stdout
     assert "v: 191.183147740034 m/s (688.3 km/h)" in result.stdout
     assert "v is 360 km/h, 328.3 km/h (47.7 %) below the onset." in result.stdout
-    assert "The range: v from 0 km/h to 1332 km/h (give others with --over)." in result.stdout
+    assert "The range: v from 0 km/h to 720 km/h (give others with --over)." in result.stdout
     assert "Proved, without certificate" in result.stdout
 
 
@@ -166,7 +166,7 @@ def test_a_table_of_any_problem(run: Run) -> None:
     assert "2 entries: 1 proved, 1 stable." in result.stdout
     entry = json.loads(Path("t.json").read_text("utf-8"))["entries"][0][1]
     middle, radius = ((int(x), e) for x, e in entry["balls"][0])
-    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), ("0.6", "0.7"), 20).alpha
+    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"), digits=20).alpha
     assert truth is not None
     assert arb(middle, radius).overlaps(truth)
 

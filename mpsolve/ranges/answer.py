@@ -72,7 +72,7 @@ class Answer(Portable):
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON: exact numbers as texts, with decimals beside them."""
-        hidden = {"proofs", "problem"}
+        hidden = {"proofs", "problem", "spectrum"}
         return {one.name: plain(getattr(self, one.name)) for one in fields(self) if one.name not in hidden} | {
             "proved": self.proved
         }

@@ -23,10 +23,13 @@ _PLACES = 10**6
 class Velocities:
     """Ranges of velocities in ascending order: near ones hold the velocity and the least critical one, far ones go
     on beyond the wave speeds. Wave speeds are left out with a neighbourhood: nothing can be proved across them.
+
+    steps: the same as near and far together, parted at twice the velocity, as faster ones may take long.
     """
 
     near: tuple[Interval, ...]
     far: tuple[Interval, ...] = ()
+    steps: tuple[Interval, ...] = ()
 
 
 def velocity_ranges(problem: Problem) -> Velocities:
@@ -34,7 +37,10 @@ def velocity_ranges(problem: Problem) -> Velocities:
     top = top_velocity(problem, critical_of(problem))
     speeds = sorted(root_up(square) for square in wave_speeds(problem.track).values() if square > 0)
     far = rounded_up(max(speeds, default=Fraction(0)) * _FAR)
-    return Velocities(_between(Fraction(0), top, speeds), _between(top, far, speeds) if far > top else ())
+    slow = min(rounded_up(2 * problem.v), top) if problem.v else top
+    beyond = _between(top, far, speeds) if far > top else ()
+    steps = _between(Fraction(0), slow, speeds) + _between(slow, top, speeds) + beyond
+    return Velocities(_between(Fraction(0), top, speeds), beyond, steps)
 
 
 def _between(low: Fraction, high: Fraction, speeds: list[Fraction]) -> tuple[Interval, ...]:

@@ -8,6 +8,7 @@ from mpsolve.numbers.spoken import decimal
 from mpsolve.ranges.answer import Answer
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import trust
+from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED
 
 FORMAT = "mpsolve ranges"
@@ -25,9 +26,11 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     warnings          reasons in parts, where the file's own value lies outside a range
     answer            what the library's to_dict gives; a ball is {"decimal", "lower", "upper", "ball"}, the last as
                       [mantissa, exponent of 2] of the middle and of the radius, mantissas as texts
+    spectrum          the report of certify at a counterexample, or null
     certificate       null: there is none for ranges yet
     trust, assumed    sentences
     """
+    spectrum = getattr(found, "spectrum", None)
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -37,6 +40,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
         "ranges": {one.path: _range(one, asked) for one in asked.overs},
         "warnings": [reason.data() for reason in asked.warnings],
         "answer": found.to_dict(),
+        "spectrum": None if spectrum is None else spectrum_data(spectrum, asked.title),
         "certificate": None,
         "trust": trust(found),
         "assumed": ASSUMED,

@@ -20,8 +20,8 @@ def rows_csv(said: list[Said]) -> str:
     rate = "rad/s" if said[0].asked.si else "√(k/m)"
     units = {"value": over.si, "start": over.si, "end": over.si, "q": rate}
     names = list(dict.fromkeys(name for row in rows for name in row))
-    headings = [f"{over.path if name == 'value' else name} [{units[name]}]" if units.get(name) else name
-                for name in names]  # fmt: skip
+    named = {name: over.path if name == "value" else name for name in names}
+    headings = [f"{named[name]} [{units[name]}]" if units.get(name) else named[name] for name in names]
     return _csv([headings, *([_text(row.get(name)) for name in names] for row in rows)])
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.outcome import Status
@@ -54,6 +54,15 @@ def said_of_ranges(found: UnstableRanges, asked: Asked) -> Said:
     return Said("unstable_ranges", found, asked, ranges_verdict(found, asked), text, bool(found.intervals))
 
 
+def _end_text(ball: Any, over: Over, digits: int) -> str:
+    """An end of the range itself as it was written: no crossing touches it."""
+    with precision(working_bits(digits)):
+        for end in (over.low, over.high):
+            if end is not None and ball.overlaps(rational_ball(end)):
+                return over.told(end)
+    return value_text(ball, over, digits)
+
+
 def said_of_crossings(found: Crossings, asked: Asked) -> Said:
     """The report of all crossings of the real axis."""
     asked = asked.answered(found.over)
@@ -99,7 +108,7 @@ def _ranges(found: UnstableRanges, asked: Asked) -> list[str]:
     (over,) = asked.overs
     lines = [ranges_verdict(found, asked)]
     for one in found.intervals:
-        start, end = (value_text(ball, over, found.digits) for ball in (one.start, one.end))
+        start, end = (_end_text(ball, over, found.digits) for ball in (one.start, one.end))
         first = (
             "the range begins" if one.q is None else f"it starts with {frequency_text(one.q, asked, found.digits)}"
         )

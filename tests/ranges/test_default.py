@@ -42,6 +42,8 @@ def test_the_range_of_a_contact_wire_holds_its_waves() -> None:
     assert found.near[0][0] == 0
     assert found.near[-1][1] >= 2 * 139
     assert found.far == ()
+    assert (0, 280) in found.steps
+    assert found.steps[-1][1] == found.near[-1][1]
 
 
 def test_wave_speeds_part_the_ranges() -> None:
