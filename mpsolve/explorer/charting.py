@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.frequencies import Frequencies, frequencies
+from mpsolve.batch.frequencies import frequencies
+from mpsolve.batch.result import Frequencies
 from mpsolve.errors import InputError
 from mpsolve.pictures.chart import chart_picture
 from mpsolve.problem.problem import Problem

@@ -1,0 +1,70 @@
+"""The papers of examples/papers: every check comes to its end, with these verdicts and numbers, and can fail."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from mpsolve import verify
+from mpsolve.claims import Paper, Verdict
+from mpsolve.claims.load import load
+from mpsolve.claims.report import Report
+from mpsolve.claims.run import audit, checked
+
+FOLDER = Path(__file__).parents[3] / "examples" / "papers"
+
+
+def paper(name: str) -> Paper:
+    return load(FOLDER / name)
+
+
+@cache
+def report(name: str) -> Report:
+    return audit(paper(name), workers=1)
+
+
+def verdicts(name: str) -> dict[str, Verdict]:
+    return {claim.id: finding.verdict for claim, finding in report(name).entries}
+
+
+def numbers(name: str, claim: str) -> list[str]:
+    (finding,) = (finding for one, finding in report(name).entries if one.id == claim)
+    return [value for _, value in finding.numbers]
+
+
+def changed(name: str, claim: str, **at: tuple[str, ...]) -> Verdict:
+    """The verdict where other cases are looked at."""
+    one = paper(name).claim(claim)
+    return checked(replace(one, at={**one.at, **at})).verdict
+
+
+@pytest.mark.parametrize("name", ["metrikine_1997"])
+def test_certificates_are_valid(name: str, tmp_path: Path) -> None:
+    found = report(name)
+    assert found.complete
+    paths = found.save_certificates(tmp_path)
+    assert paths
+    assert all(verify(path).valid for path in paths)
+
+
+def test_one_mass_on_a_compressed_beam() -> None:
+    assert verdicts("metrikine_1997") == {
+        "onset": Verdict.CONDITIONAL,
+        "growth": Verdict.PROVED,
+        "compression": Verdict.CONDITIONAL,
+        "compression-all": Verdict.CONDITIONAL,
+        "overcritical": Verdict.PROVED,
+        "overcritical-amplification": Verdict.AGREES,
+    }
+    # as onset_velocity("0.1", 10), found in another way, has it
+    assert numbers("metrikine_1997", "onset") == ["1.2585393862629"]
+    assert numbers("metrikine_1997", "compression")[0] == "1.2585393862629"
+
+
+def test_its_verdicts_can_be_others() -> None:
+    assert changed("metrikine_1997", "compression", N=("0.5", "0.25")) is Verdict.REFUTED
+    assert changed("metrikine_1997", "growth", v=("1",)) is Verdict.UNDECIDABLE
+    assert changed("metrikine_1997", "overcritical-amplification", c=("0.2",), v=("0:0.5:1",)) is Verdict.DISAGREES
