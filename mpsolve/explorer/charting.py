@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.answer import Frequencies
+from mpsolve.batch.result import Frequencies
 from mpsolve.batch.frequencies import frequencies
 from mpsolve.errors import InputError
 from mpsolve.pictures.chart import chart_picture

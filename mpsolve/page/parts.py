@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.answer import Frequencies
 from mpsolve.batch.frequencies import frequencies
+from mpsolve.batch.result import Frequencies
 from mpsolve.certificate.certify import certify
 from mpsolve.page.budget import Budget, Part
 from mpsolve.problem.cases import Given, as_problem
