@@ -41,7 +41,7 @@ def changed(name: str, claim: str, **at: tuple[str, ...]) -> Verdict:
     return checked(replace(one, at={**one.at, **at})).verdict
 
 
-@pytest.mark.parametrize("name", ["metrikine_1997"])
+@pytest.mark.parametrize("name", ["metrikine_1997", "verichev_2001"])
 def test_certificates_are_valid(name: str, tmp_path: Path) -> None:
     found = report(name)
     assert found.complete
@@ -68,3 +68,14 @@ def test_its_verdicts_can_be_others() -> None:
     assert changed("metrikine_1997", "compression", N=("0.5", "0.25")) is Verdict.REFUTED
     assert changed("metrikine_1997", "growth", v=("1",)) is Verdict.UNDECIDABLE
     assert changed("metrikine_1997", "overcritical-amplification", c=("0.2",), v=("0:0.5:1",)) is Verdict.DISAGREES
+
+
+def test_an_oscillator_and_a_bogie() -> None:
+    assert verdicts("verichev_2001") == {
+        "2001-growth": Verdict.PROVED,
+        "2001-domains": Verdict.PROVED,
+        "2002-growth": Verdict.PROVED,
+        "2002-below": Verdict.REFUTED,
+    }
+    assert changed("verichev_2001", "2001-growth", v=("200",)) is Verdict.UNDECIDABLE
+    assert changed("verichev_2001", "2002-below", v=("200",)) is Verdict.UNDECIDABLE

@@ -1,0 +1,38 @@
+"""The findings: each asserts its numbers and is drawn, and what it asserts can fail."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+FOLDER = Path(__file__).parents[2] / "examples" / "findings"
+FINDINGS = sorted(path.stem for path in FOLDER.glob("*.py"))
+WRONG = {"rail_damping": {"ONSETS": {"0": "191.183147740035"}}, "sprung_wheel": {"COUNTS": (0, 2, 2, 2)}}
+
+
+@pytest.fixture
+def load(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Imports a module of the findings as it is when run as a script."""
+    monkeypatch.syspath_prepend(str(FOLDER))
+    return importlib.import_module
+
+
+@pytest.mark.parametrize("name", FINDINGS)
+def test_its_numbers_are_right_and_drawn(
+    name: str, load: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    module = load(name)
+    module.check()
+    assert module.visualize(tmp_path / f"{name}.svg").read_text("utf-8").rstrip().endswith("</svg>")
+    for key, value in WRONG[name].items():
+        monkeypatch.setattr(module, key, value)
+    with pytest.raises(AssertionError):
+        module.check()
+
+
+def test_the_page_tells_of_each() -> None:
+    text = (FOLDER / "README.md").read_text("utf-8")
+    assert all(f"`{name}.py`" in text for name in FINDINGS)
