@@ -39,7 +39,7 @@ _MODULES = {
     "robust": "ranges",
     "chart": "ranges",
     "critical-distance": "stability",
-    "table": "ranges",
+    "table": "table",
     "train": "train",
     "response": "response",
     "compare": "response",

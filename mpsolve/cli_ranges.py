@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, effort_of, one_sentence, progress
+from mpsolve.cli_answered import answered
+from mpsolve.cli_tools import effort_of, one_sentence
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
@@ -25,9 +23,6 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
 _OUTPUT = click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
 )
-_SUFFIXES = (".json", ".csv")
-_CHART = (".svg", *_SUFFIXES)
-_TABLES = (".csv", ".json", ".tex")
 
 
 def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -78,7 +73,7 @@ def onset(
             return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
-    _answer(file, overs, answer, as_json, output, "near" if everything else "first")
+    answered(file, overs, answer, as_json, output, "near" if everything else "first")
 
 
 @click.command()
@@ -103,7 +98,7 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    _answer(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output)
 
 
 @click.command()
@@ -128,7 +123,7 @@ def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bo
 
     with one_sentence():
         _required(overs)
-    _answer(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output)
 
 
 def _required(overs: tuple[str, ...]) -> None:
@@ -169,155 +164,7 @@ def chart(
         )
         return said_of_chart(found, question)
 
-    _answer(file, overs, answer, as_json, output, "chart", _CHART)
+    answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
 
 
-@click.command()
-@_FILE
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    help="Write FILE.csv or .json (.tex too in the paper's ratios).",
-)
-@click.option(
-    "--certificates", type=click.Path(path_type=Path), help="Folder for certificates (tables in the paper's ratios)."
-)
-@click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
-def table(file: Path, output: Path | None, certificates: Path | None, workers: int | None) -> None:
-    """Prove a table of onsets, or of all unstable ranges, over a grid of two parameters, as FILE (TOML) describes it.
-
-    FILE names a problem file, the range and the two grids (examples/rail_table.toml), or gives all of it in the
-    paper's ratios (examples/onset_table.toml). Without -o it is printed as CSV. Exit status 0: every entry is proved.
-    1: some are undecided, or the file could not be written. 2: the input cannot be used.
-    """
-    with one_sentence():
-        from mpsolve.errors import InputError
-        from mpsolve.files import checked_suffix, write_whole
-        from mpsolve.report.range_table import is_of_a_problem, read_table, summary, table_csv, table_json
-
-        ours = is_of_a_problem(file)
-        if output is not None:
-            checked_suffix(checked_output(output, file, "the table"), (".csv", ".json") if ours else _TABLES)
-        if certificates is not None and (ours or (certificates.exists() and not certificates.is_dir())):
-            stated = f"{certificates} is a file: give the path of a folder"
-            raise InputError("certificates", "there are none for this kind of table: drop it" if ours else stated)
-        if ours:
-            with progress() as tell:
-                made = read_table(file, workers, tell)
-            proved = made.proved
-            if output is None:
-                click.echo(table_csv(made), nl=False)
-            else:
-                write_whole(output, table_csv(made) if output.suffix.lower() == ".csv" else table_json(made))
-                click.echo(f"{summary(made)}\n{output}")
-        else:
-            proved = _of_ratios(file, output, certificates, workers)
-    sys.exit(0 if proved else UNDECIDED)
-
-
-def _of_ratios(file: Path, output: Path | None, certificates: Path | None, workers: int | None) -> bool:
-    """The table of a file in the paper's ratios."""
-    from mpsolve.stability.table import onset_table
-
-    with progress() as tell:
-        made = onset_table(file, workers, tell)
-    if output is None:
-        click.echo(made.to_csv(), nl=False)
-    else:
-        found = [entry.status for row in made.entries for entry in row]
-        counts = (
-            f"{found.count(one)} {one}" for one in ("proved", "stable", "unstable", "undecided") if one in found
-        )
-        click.echo(f"{len(found)} entries: {', '.join(counts)}.\n{made.save(output)}")
-    if certificates is not None:
-        made.save_certificates(certificates)
-    return made.proved
-
-
-COMMANDS = (onset, crossings, robust, chart, table)
-
-
-def _answer(
-    file: Path,
-    overs: tuple[str, ...],
-    answer: Callable[[Asked, Progress | None], Said],
-    as_json: bool,
-    output: Path | None,
-    defaults: str = "near",
-    suffixes: tuple[str, ...] = _SUFFIXES,
-) -> None:
-    """Reads, answers, reports, writes and exits. defaults: the ranges where none is given."""
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.problem.inputfile import read_source
-        from mpsolve.report.ranges_asked import asked
-
-        source = read_source(file)
-        if output is not None:
-            checked_suffix(checked_output(output, file, "the answer"), suffixes)
-        question = asked(source.given, source.title, overs)
-        with progress() as tell:
-            said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
-        if as_json:
-            click.echo(json.dumps(_data(said), ensure_ascii=False, indent=1))
-        else:
-            click.echo("\n".join(one.text for one in said), nl=False)
-        if output is not None:
-            _write(output, said)
-            click.echo(str(output), err=as_json)
-    sys.exit(0 if all(one.answer.proved for one in said) else UNDECIDED)
-
-
-def _by_default(
-    question: Asked, answer: Callable[[Asked, Progress | None], Said], tell: Progress | None, defaults: str
-) -> list[Said]:
-    """The answers over the default ranges in ascending order.
-
-    defaults: "near"; "first", step by step up to the first range in which something grows, or that is undecided;
-    "chart", masses too, and the range that holds the file's own velocity.
-    """
-    from mpsolve.ranges.default import MASS_FACTORS, velocity_ranges
-
-    ranges = velocity_ranges(question.problem)
-    if defaults == "chart":
-        v = question.problem.v
-        one = next((ends for ends in ranges.near if ends[0] <= v <= ends[1]), ranges.near[0])
-        return [_told(answer(question.by_itself({"v": one, "scale.mass": MASS_FACTORS}), tell))]
-    out: list[Said] = []
-    for ends in ranges.steps if defaults == "first" else ranges.near:
-        out.append(_told(answer(question.by_itself({"v": ends}), tell)))
-        if defaults == "first" and (out[-1].grows or not out[-1].answer.proved):
-            break
-    if len(out) > 1 and not out[-1].answer.proved and out[-1].asked.overs[0].low >= ranges.near[-1][1]:
-        out.pop()  # beyond all ranges that hold the velocity and the least critical one: nothing is said of it
-    return out
-
-
-def _told(said: Said) -> Said:
-    """With the names of options in remedies."""
-    from mpsolve.report.remedies import on_command_line
-
-    return replace(said, verdict=on_command_line(said.verdict), text=on_command_line(said.text))
-
-
-def _data(said: list[Said]) -> dict[str, Any]:
-    from mpsolve.report.ranges_data import parts_data, ranges_data
-
-    each = [ranges_data(one.name, one.verdict, one.answer, one.asked) for one in said]
-    return each[0] if len(each) == 1 else parts_data(each)
-
-
-def _write(output: Path, said: list[Said]) -> None:
-    from mpsolve.files import write_whole
-    from mpsolve.report.ranges_files import cells_csv, rows_csv
-
-    suffix, chart = output.suffix.lower(), said[0].answer
-    if suffix == ".svg":
-        from mpsolve.pictures.proved_chart import proved_chart
-
-        write_whole(output, proved_chart(chart, said[0].asked))
-    elif suffix == ".csv":
-        write_whole(output, cells_csv(chart, said[0].asked) if said[0].name == "chart" else rows_csv(said))
-    else:
-        write_whole(output, json.dumps(_data(said), ensure_ascii=False, indent=1) + "\n")
+COMMANDS = (onset, crossings, robust, chart)

@@ -1,9 +1,9 @@
 """Where a determinant of Taylor models vanishes: nowhere in a box, at one real point at most, or not told.
 
 With floats X, Y from the singular values at the middle, X A Y = [[I + E, e], [f, g]]; where ‖E‖ ≤ η < 1, det A = 0
-exactly where s = g − f (I + E)⁻¹ e is 0, and |s − (g − f e)| ≤ ‖f‖ ‖e‖ η/(1 − η), with ‖e‖ = max |e_i|/x_i and the norms
-that belong to it, for some x > 0. The real box has no zero of s if Re(d s) > 0 for one direction d: near a zero the
-coefficients of s are all but parallel, as roots move along the real axis, so that directions normal to them tell most.
+exactly where s = g − f (I + E)⁻¹ e is 0, and |s − (g − f e)| ≤ ‖f‖ ‖e‖ η/(1 − η), with ‖e‖ = max |e_i|/x_i and the
+norms that belong to it, for some x > 0. The real box has no zero of s if Re(d s) > 0 for one direction d: near a zero
+the coefficients of s are all but parallel, as roots move along the real axis, so directions normal to them tell most.
 """
 
 from __future__ import annotations

@@ -27,6 +27,15 @@ KNOWN = {
 }
 
 
+@pytest.mark.parametrize(("number", "known"), [(4, 0.610), (8, 0.551), (16, 0.479)])
+def test_rows_of_masses(number: int, known: float) -> None:
+    row = [vehicles.Mass(40).at(Fraction(3, 2) * k) for k in range(number)]
+    found = onset(Problem(BEAM, row, v=0), over={"v": ("0.1", known + 0.01)}, check=False)
+    assert found.kind is Kind.CROSSES
+    assert found.value is not None
+    assert abs(float(found.value) - known) < 6e-4  # as floats have it, to three digits
+
+
 @pytest.mark.parametrize("name", KNOWN)
 def test_onsets_are_those_of_another_program(name: str) -> None:
     problem, over, known = KNOWN[name]
