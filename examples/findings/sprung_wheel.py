@@ -1,7 +1,7 @@
 """A stable window above instability: one sprung wheel on a damped Timoshenko rail.
 
-A wheel of 1 t under a body of 10 t, on a 60E1 rail on a soft foundation. Bars: the number of growing roots over the
-velocity (two make one vibration); every boundary and every count between them is proved. Dotted: from this velocity on
+A wheel of 1 t under a body of 10 t, on a 60E1 rail on a soft foundation. Bars: the number of growing roots over
+the velocity (two make one vibration); every boundary and every count between them is proved. Dotted: from this velocity on
 a wave can run with the wheel. Without the suspension, as bare masses of 1 t or of 11 t, there is no such window.
 """
 
