@@ -9,8 +9,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from mpsolve import critical_distance, crossing_masses, onset_velocity, unstable_velocities
+from mpsolve import critical_distance, crossing_masses
 from mpsolve.report.figures import COLOUR, save_figure
+from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
 FOLDER = Path(__file__).resolve().parent.parent / "certs"
 

@@ -33,8 +33,13 @@ if TYPE_CHECKING:
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
+    from mpsolve.ranges.chart import Chart, stability_chart
+    from mpsolve.ranges.crossings import Crossing, Crossings, crossings
+    from mpsolve.ranges.onset import Onset, Unstable, UnstableRanges, onset, unstable_ranges
+    from mpsolve.ranges.robust import Robust, prove_stable
+    from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
+    from mpsolve.ranges.table import Table, stability_table
     from mpsolve.spectrum.spectrum import Root, Spectrum
-    from mpsolve.stability.chart import stability_chart
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
     from mpsolve.stability.limiting import limiting_mass
@@ -42,7 +47,6 @@ if TYPE_CHECKING:
     from mpsolve.stability.masses import crossing_masses
     from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
-    from mpsolve.stability.velocities import onset_velocity, unstable_velocities
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
@@ -95,8 +99,11 @@ __all__ = [
     "amplification",
     "Amplification",
     "crossing_masses",
-    "unstable_velocities",
-    "onset_velocity",
+    "onset",
+    "unstable_ranges",
+    "crossings",
+    "prove_stable",
+    "sensitivity",
     "limiting_mass",
     "critical_distance",
     "cut_points",
@@ -104,6 +111,16 @@ __all__ = [
     "damping_sensitivity",
     "onset_table",
     "stability_chart",
+    "Onset",
+    "Unstable",
+    "UnstableRanges",
+    "Crossings",
+    "Crossing",
+    "Robust",
+    "Sensitivity",
+    "Chart",
+    "stability_table",
+    "Table",
     "Load",
     "response",
     "Response",
@@ -181,15 +198,28 @@ _HOME = {
     "amplification": "endless.amplification",
     "Amplification": "endless.amplification",
     "crossing_masses": "stability.masses",
-    "unstable_velocities": "stability.velocities",
-    "onset_velocity": "stability.velocities",
+    "onset": "ranges.onset",
+    "unstable_ranges": "ranges.onset",
+    "crossings": "ranges.crossings",
+    "prove_stable": "ranges.robust",
+    "sensitivity": "ranges.sensitivity",
     "limiting_mass": "stability.limiting",
     "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
     "frequency_lines": "stability.lines",
     "damping_sensitivity": "stability.sensitivity",
     "onset_table": "stability.table",
-    "stability_chart": "stability.chart",
+    "stability_chart": "ranges.chart",
+    "Onset": "ranges.onset",
+    "Unstable": "ranges.onset",
+    "UnstableRanges": "ranges.onset",
+    "Crossings": "ranges.crossings",
+    "Crossing": "ranges.crossings",
+    "Robust": "ranges.robust",
+    "Sensitivity": "ranges.sensitivity",
+    "Chart": "ranges.chart",
+    "stability_table": "ranges.table",
+    "Table": "ranges.table",
     "Load": "model.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",

@@ -34,11 +34,12 @@ _MODULES = {
     "certify": "certify",
     "report": "report",
     "explore": "explore",
-    "onset": "stability",
-    "crossings": "stability",
+    "onset": "ranges",
+    "crossings": "ranges",
+    "robust": "ranges",
+    "chart": "ranges",
     "critical-distance": "stability",
-    "table": "stability",
-    "chart": "stability",
+    "table": "table",
     "train": "train",
     "response": "response",
     "compare": "response",
@@ -54,6 +55,36 @@ _MODULES = {
 """The module cli_… that holds each command; it is loaded when the command is asked for."""
 
 
+EXAMPLES = {
+    "verify": "mpsolve verify mine.certificate.json",
+    "derive": "mpsolve derive mine.toml",
+    "models": "mpsolve models two-layer",
+    "new": 'mpsolve new ballasted --vehicle shinkansen --v "300 km/h" -o mine.toml',
+    "work-out": 'mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m"',
+    "schema": "mpsolve schema input > mpsolve.schema.json",
+    "certify": "mpsolve certify mine.toml --region unstable",
+    "explore": "mpsolve explore mine.toml",
+    "onset": "mpsolve onset rail.toml --over v=0..400km/h",
+    "crossings": "mpsolve crossings rail.toml --over scale.mass=0.1..3",
+    "robust": "mpsolve robust rail.toml --over v=0..150km/h --over track.k=0.8e6..1.2e6",
+    "critical-distance": "mpsolve critical-distance pair.toml --from 0.5 --to 2",
+    "table": "mpsolve table onsets.toml -o onsets.csv",
+    "chart": "mpsolve chart rail.toml --over v=100..300 --over scale.mass=0.5..2 -o chart.svg",
+    "response": "mpsolve response pair.toml -o motion.csv --to 50",
+    "compare": "mpsolve compare pair.toml -o compare.svg --to 50",
+    "critical": "mpsolve critical mine.toml -o critical.svg",
+    "receptance": "mpsolve receptance mine.toml --omega 1,600,100 --xi=-1.5,0,1.5 -o receptance.csv",
+    "study": "mpsolve study study.toml -o study.sqlite",
+    "status": "mpsolve status study.sqlite",
+    "export": "mpsolve export study.sqlite --to csv",
+    "report": "mpsolve report rail.toml -o rail.html",
+    "train": "mpsolve train mine.toml --spacing 25",
+    "roots": 'mpsolve roots "sin(z) - z/2" --rectangle -10 10 -5 5',
+    "audit": "mpsolve audit examples/paper --only xii",
+}
+"""One for each command, at the end of its help."""
+
+
 class _Commands(click.Group):
     """The commands of this file, and those of `_MODULES`."""
 
@@ -61,11 +92,13 @@ class _Commands(click.Group):
         return [*_MODULES, *super().list_commands(ctx)]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in _MODULES:
-            return super().get_command(ctx, cmd_name)
-        module = import_module(f"mpsolve.cli_{_MODULES[cmd_name]}")
-        commands: tuple[click.Command, ...] = module.COMMANDS
-        return next(command for command in commands if command.name == cmd_name)
+        command = super().get_command(ctx, cmd_name)
+        if cmd_name in _MODULES:
+            commands: tuple[click.Command, ...] = import_module(f"mpsolve.cli_{_MODULES[cmd_name]}").COMMANDS
+            command = next(one for one in commands if one.name == cmd_name)
+        if command is not None and cmd_name in EXAMPLES:
+            command.epilog = f"\b\nExample:\n  {EXAMPLES[cmd_name]}"
+        return command
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})

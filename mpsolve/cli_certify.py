@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
+from mpsolve.cli_tools import UNDECIDED, certificate_path, effort_of, one_sentence, progress, show
 
 if TYPE_CHECKING:
-    from mpsolve.proof.effort import Effort
     from mpsolve.spectrum.spectrum import Spectrum
 
 _REFUSED = ("verifier", "not-verified")
@@ -52,7 +51,7 @@ def certify(
 
         source = read_source(file)
         path = certificate_path(source.path, output)
-        options = {"region": region_of(region, source.given), "digits": digits, "effort": _effort(effort)}
+        options = {"region": region_of(region, source.given), "digits": digits, "effort": effort_of(effort)}
         with progress() as tell:
             spectrum = _told(lambda: prove(source.given, progress=tell, **options))
         _report(spectrum, source.title, path, as_json, output is None)
@@ -80,17 +79,6 @@ def region_of(text: str | None, given: Any = None) -> Any:
     if isinstance(given, Case):
         return Rectangle(*bounds)
     return Rectangle(*(measured(bound.strip(), "rad/s", "region") for bound in bounds))
-
-
-def _effort(seconds: float | None) -> Effort | None:
-    from mpsolve.errors import InputError
-    from mpsolve.proof.effort import Effort
-
-    if seconds is None:
-        return None
-    if not seconds > 0:
-        raise InputError("effort", f"is {seconds:g}: give a number of seconds above 0")
-    return Effort(seconds=seconds)
 
 
 def _told(prove: Any) -> Spectrum:

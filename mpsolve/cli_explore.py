@@ -18,7 +18,7 @@ def explore(file: Path | None, port: int, browser: bool) -> None:
 
     Without FILE it begins with a preset. Nothing leaves the machine. Ctrl-C ends it. Needs the extra `explore`.
 
-    Example: mpsolve explore examples/two_layer_bogie.toml
+    Exit status 0: ended. 2: the file cannot be used, or the extra is missing.
     """
     with one_sentence():
         from mpsolve.errors import InputError

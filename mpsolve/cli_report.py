@@ -29,8 +29,6 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
 
     Exit status 0: the vibrations are proved, stable or not. 1: they are undecided, as the page says, or the page
     could not be written. 2: the input cannot be used.
-
-    Example: mpsolve report examples/two_layer_bogie.toml --pdf bogie.pdf
     """
     with one_sentence():
         from mpsolve.errors import InputError

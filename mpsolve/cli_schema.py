@@ -12,7 +12,8 @@ from mpsolve.cli_tools import one_sentence
 def schema(what: str) -> None:
     """Print a JSON Schema (draft 2020-12): of input files, or of what certify --json prints.
 
-    Exit status 0: printed. Editors that know TOML check a file against it after the line "#:schema ./mpsolve.schema.json".
+    Exit status 0: printed. Editors that know TOML check a file against it after the line
+    "#:schema ./mpsolve.schema.json".
     """
     with one_sentence():
         import json

@@ -1,4 +1,4 @@
-"""The commands about stability over whole ranges: onset, crossings, critical-distance, table, chart."""
+"""The command about the least stable distance of masses on the paper's beam: critical-distance."""
 
 from __future__ import annotations
 
@@ -9,74 +9,21 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, certificate_path, checked_output, one_sentence, progress, show
+from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress, show
 
 if TYPE_CHECKING:
     from mpsolve.numbers.exact import Exact
     from mpsolve.progress import Progress
     from mpsolve.report.answer import Answer, Source
-    from mpsolve.stability.table import OnsetTable
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
 _DIGITS = click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
 _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-_WORKERS = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
 
 
 def _certificate_option(kind: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
     text = f"Path of the certificate.  [default: NAME.{kind}.certificate.json in the working directory]"
     return click.option("-o", "--output", type=click.Path(path_type=Path), help=text)
-
-
-@click.command()
-@_FILE
-@click.option("--from", "low", default="0", show_default=True, help="Where the range of velocity ratios starts.")
-@click.option("--to", "high", default="2", show_default=True, help="Where it ends.")
-@click.option("--all", "everything", is_flag=True, help="All unstable ranges instead of the first onset.")
-@_DIGITS
-@_JSON
-@_certificate_option("onset")
-def onset(file: Path, low: str, high: str, everything: bool, digits: int, as_json: bool, output: Path | None) -> None:
-    """Prove the first velocity ratio at which the case in FILE (TOML) becomes unstable, and write a certificate.
-
-    The velocity of the case itself is not used. Exit status 0: proved. 1: undecided, with the reason and what
-    helps, or the certificate could not be written. 2: the input cannot be used.
-    """
-
-    def answer(source: Source, tell: Progress | None) -> Answer:
-        from mpsolve.report.onsets import onset_answer, ranges_answer
-        from mpsolve.stability.velocities import onset_velocity, unstable_velocities
-
-        case, (start, end) = source.case, _range(low, high)
-        model = case.eta_b, case.eta_m, case.positions, case.eta_n, case.eta_s
-        if everything:
-            return ranges_answer(unstable_velocities(*model, (start, end), digits, tell), source, digits)
-        return onset_answer(onset_velocity(*model, (start, end), digits, tell), source, start, end, digits)
-
-    _answer(file, output, "onset", as_json, answer)
-
-
-@click.command()
-@_FILE
-@_DIGITS
-@_JSON
-@_certificate_option("crossings")
-def crossings(file: Path, digits: int, as_json: bool, output: Path | None) -> None:
-    """Prove all masses at which the case in FILE (TOML) becomes unstable or stable, at its velocity.
-
-    The masses grow from 0 to infinity in the proportions of the case. Exit status as for onset.
-    """
-
-    def answer(source: Source, _tell: Progress | None) -> Answer:
-        from mpsolve.report.crossings import crossings_answer, largest
-        from mpsolve.stability.masses import crossing_masses
-
-        case, unit = source.case, largest(source)
-        shares = [ratio / unit for ratio in case.eta_m]
-        found = crossing_masses(case.alpha, case.eta_b, case.positions, shares, case.eta_n, case.eta_s, digits)
-        return crossings_answer(found, source, digits)
-
-    _answer(file, output, "crossings", as_json, answer)
 
 
 @click.command("critical-distance")
@@ -94,7 +41,7 @@ def distance(file: Path, low: str, high: str, digits: int, as_json: bool, output
     """
 
     def answer(source: Source, tell: Progress | None) -> Answer:
-        from mpsolve.report.crossings import distance_answer
+        from mpsolve.report.distance import distance_answer
         from mpsolve.stability.distance import critical_distance
 
         case, (start, end) = source.case, _range(low, high)
@@ -106,80 +53,7 @@ def distance(file: Path, low: str, high: str, digits: int, as_json: bool, output
     _answer(file, output, "distance", as_json, answer)
 
 
-@click.command()
-@_FILE
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="Write FILE.csv, .json or .tex, not the terminal."
-)
-@click.option("--certificates", type=click.Path(path_type=Path), help="Folder for a certificate of each entry.")
-@_WORKERS
-def table(file: Path, output: Path | None, certificates: Path | None, workers: int | None) -> None:
-    """Prove a table of onsets over a grid of two parameters, as FILE (TOML) describes it.
-
-    Without -o it is printed as CSV. Exit status 0: every entry is proved. 1: some are undecided (the notes say
-    why), or a file could not be written. 2: the input cannot be used.
-    """
-    with one_sentence():
-        from mpsolve.errors import InputError
-        from mpsolve.files import checked_suffix
-        from mpsolve.stability.table import SUFFIXES, onset_table
-
-        if output is not None:
-            checked_suffix(checked_output(output, file, "the table"), SUFFIXES)
-        if certificates is not None and certificates.exists() and not certificates.is_dir():
-            raise InputError("certificates", f"{certificates} is a file: give the path of a folder")
-        with progress() as tell:
-            made = onset_table(file, workers, tell)
-        _save_table(made, output)
-        if certificates is not None:
-            made.save_certificates(certificates)
-    sys.exit(0 if made.proved else UNDECIDED)
-
-
-def _save_table(made: OnsetTable, output: Path | None) -> None:
-    """To the file, and a summary; as CSV on standard output without one, or if it cannot be written."""
-    from mpsolve.errors import CertificateError
-
-    try:
-        if output is not None:
-            click.echo(f"{_summary(made)}\n{made.save(output)}")
-            return
-    except CertificateError:
-        click.echo(made.to_csv(), nl=False)
-        raise
-    click.echo(made.to_csv(), nl=False)
-
-
-def _summary(made: OnsetTable) -> str:
-    entries = [entry.status for row in made.entries for entry in row]
-    counts = (f"{entries.count(status)} {status}" for status in ("proved", "stable", "unstable", "undecided"))
-    return f"{len(entries)} entries: {', '.join(text for text in counts if not text.startswith('0 '))}."
-
-
-@click.command()
-@_FILE
-@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, help="NAME.png, .svg, .pdf or .json.")
-@_WORKERS
-def chart(file: Path, output: Path, workers: int | None) -> None:
-    """Prove the columns of a stability chart, as FILE (TOML) describes it, and draw it.
-
-    Exit status 0: every column is proved. 1: some are open (hatched), or the file could not be written. 2: the
-    input cannot be used.
-    """
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.stability.chart import SUFFIXES, stability_chart
-
-        checked_suffix(checked_output(output, file, "the chart"), SUFFIXES)
-        with progress() as tell:
-            made = stability_chart(file, workers, tell)
-        made.save(output)
-        proved = sum(column.proved for column in made.columns)
-        click.echo(f"{proved} of {len(made.columns)} columns proved.\n{output}")
-    sys.exit(0 if made.proved else UNDECIDED)
-
-
-COMMANDS = (onset, crossings, distance, table, chart)
+COMMANDS = (distance,)
 
 
 def _range(low: str, high: str) -> tuple[Exact, Exact]:

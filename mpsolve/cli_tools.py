@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Group
 
     from mpsolve.progress import Progress
+    from mpsolve.proof.effort import Effort
     from mpsolve.report.blocks import Document
 
 _NARROW = 40  # columns; a narrower terminal breaks lines itself
@@ -69,6 +70,18 @@ def checked_output(path: Path, source: Path, what: str) -> Path:
             "output", f"{path} cannot be used ({error.strerror}): give another path for {what}"
         ) from None
     return path
+
+
+def effort_of(seconds: float | None) -> Effort | None:
+    """The effort of an option in seconds; None where it was not given."""
+    from mpsolve.errors import InputError
+    from mpsolve.proof.effort import Effort
+
+    if seconds is None:
+        return None
+    if not seconds > 0:
+        raise InputError("effort", f"is {seconds:g}: give a number of seconds above 0")
+    return Effort(seconds=seconds)
 
 
 def show(report: Group | Document) -> None:

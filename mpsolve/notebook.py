@@ -19,7 +19,6 @@ from mpsolve.motion.solution import Response
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.problem.cases import as_paper
 from mpsolve.report import spectrum_words as words
-from mpsolve.report.chart import picture
 from mpsolve.report.figures import figure_of
 from mpsolve.report.figures_plane import q_plane
 from mpsolve.report.figures_response import displacements
@@ -29,7 +28,6 @@ from mpsolve.report.statement import proved, verdict
 from mpsolve.report.text import in_words, motion_rows
 from mpsolve.report.vibration import own_vibrations, vibrations
 from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.stability.chart import StabilityChart
 from mpsolve.stability.table import OnsetTable
 from mpsolve.stability.table_text import notes, proved_sentence
 
@@ -49,9 +47,6 @@ def card(result: Any) -> str:
 def save_picture(result: Any, path: Path) -> Path:  # noqa: ARG001 (what is registered below needs it)
     """Writes the picture of the result."""
     raise TypeError(f"a {type(result).__name__} has no picture")
-
-
-save_picture.register(StabilityChart, picture)
 
 
 @card.register

@@ -470,7 +470,9 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             paths = [("link", link), ("turn", turn)]
             if passive and track.v == 0:
                 number = (
-                    v2.closing(walker.bordered, walker.waves, walker.marks[rho_, zero]) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
+                    v2.closing(walker.bordered, walker.waves, walker.marks[rho_, zero])
+                    + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2
+                    - T
                 ) / arb.pi()
             elif passive:
                 d = q_(depth or float(arb(rho_)))
@@ -478,7 +480,9 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
                 axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if rho_ < X else [(rho_, zero)]
                 paths += [("passive", walls), ("passive", axis)]
                 number = (
-                    v2.closing(walker.bordered, walker.waves, walker.marks[rho_, zero]) + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2 - T
+                    v2.closing(walker.bordered, walker.waves, walker.marks[rho_, zero])
+                    + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2
+                    - T
                 ) / arb.pi()
             else:
                 more, U = arc(walker, rho_)

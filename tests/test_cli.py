@@ -38,24 +38,26 @@ def test_verify_says_a_line_for_each_file(run: Run) -> None:
     run("certify", PLAIN, "-o", "good.json")
     Path("broken.json").write_text('{"format": "mpsolve certificate"', encoding="utf-8")
     result = run("verify", "good.json")
-    claim = (
-        "exactly 4 induced frequencies on the whole physical sheet, 2 of them with Im q < 0; "
-        "case alpha = 67/100, eta_b = 1/20, eta_n = 0, eta_s = 0, eta_m = 70, 70 at 0, 3/2"
-    )
-    assert (result.exit_code, result.stdout) == (0, f"valid: good.json: {claim}\n")
+    first, *rest = result.stdout.splitlines()
+    assert result.exit_code == 0
+    assert first.startswith("valid: good.json: exactly 4 induced frequencies q ")
+    assert "2 of them with Im q < 0" in first
+    assert all(line.startswith("  ") for line in rest)
     result = run("verify", "broken.json", "good.json", "missing.json")
     assert result.exit_code == 1
-    assert [line.split(":")[0] for line in result.stdout.splitlines()] == ["invalid", "valid", "invalid"]
+    lines = [line for line in result.stdout.splitlines() if not line.startswith("  ")]
+    assert [line.split(":")[0] for line in lines] == ["invalid", "valid", "invalid"]
 
 
 def test_verify_shows_the_equations_of_version_2(run: Run) -> None:
     result = run("verify", CERTS / "contact_wire.json", CERTS / "single_mass.json")
     assert result.exit_code == 0
-    first, *rest, last = result.stdout.splitlines()
-    assert first.startswith(f"valid: {CERTS / 'contact_wire.json'}: exactly 2 induced frequencies")
-    assert all(line.startswith("  ") for line in rest)
-    assert "(-27000 P^2 + 107/100 s^2 + 2 s + 500) u1 = load" in " ".join(line.strip() for line in rest)
-    assert last.startswith("valid: ")
+    lines = result.stdout.splitlines()
+    heads = [line for line in lines if not line.startswith("  ")]
+    assert heads[0].startswith(f"valid: {CERTS / 'contact_wire.json'}: exactly 2 induced frequencies")
+    assert heads[1].startswith(f"valid: {CERTS / 'single_mass.json'}: ")
+    assert len(heads) == 2
+    assert "(-27000 P^2 + 107/100 s^2 + 2 s + 500) u1 = load" in " ".join(line.strip() for line in lines)
 
 
 def test_derive(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -111,7 +113,10 @@ def test_importing_the_command_is_light() -> None:
     assert not [name for name in done.stdout.split() if name.startswith("mpsolve.report")]
 
 
-@pytest.mark.parametrize("name", sorted(cli.commands))
+ALL = {name: cli.get_command(click.Context(cli), name) for name in cli.list_commands(click.Context(cli))}
+
+
+@pytest.mark.parametrize("name", sorted(ALL))
 def test_each_help_ends_with_an_example_that_can_be_typed(name: str) -> None:
     """The words of the example are those that the command takes."""
     example = _EXAMPLES[name]
@@ -119,7 +124,7 @@ def test_each_help_ends_with_an_example_that_can_be_typed(name: str) -> None:
     assert " ".join(shown).endswith(f"Example: {example}")
     words = shlex.split(example.partition(" > ")[0])
     assert words[:2] == ["mpsolve", name]
-    command, rest = cli.commands[name], words[2:]
+    command, rest = ALL[name], words[2:]
     if isinstance(command, click.Group):
         command, rest = command.commands[rest[0]], rest[1:]
     command.make_context(name, rest)

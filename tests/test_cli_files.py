@@ -39,7 +39,6 @@ def test_a_dash_reads_standard_input(tmp_path: Path) -> None:
     ("command", "file", "said"),
     [
         ("certify", "onset_table.toml", "is a table, as its [rows] shows: use mpsolve table"),
-        ("certify", "stability_chart.toml", "is a chart, as its [x] shows: use mpsolve chart"),
         ("certify", "study_certified.toml", "is a study, as its [study] shows: use mpsolve study"),
         ("receptance", "onset_table.toml", "is a table, as its [rows] shows: use mpsolve table"),
         ("table", "rail_60e1.toml", "is a case, as its [physical] shows: use mpsolve certify"),

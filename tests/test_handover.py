@@ -87,8 +87,8 @@ def test_the_shell_hands_over_the_same_in_json(solver: ModuleType, folder: Path,
     roots = json.loads((shell / "induced.json").read_text("utf-8"))["roots"]
     truth = [complex(root.q.mid()) for root in certify(solver.CASE).roots]
     assert [complex(float(root["re"]["value"]), float(root["im"]["value"])) for root in roots] == truth
-    onset = json.loads((shell / "onset.json").read_text("utf-8"))["onset"]["alpha"]
-    assert abs(float(onset["value"]) - float(solver.onset())) < 1e-12
+    onset = json.loads((shell / "onset.json").read_text("utf-8"))["answer"]["value"]
+    assert abs(float(onset["decimal"]) - float(solver.first_unstable())) < 1e-12
     table = json.loads((shell / "receptance.json").read_text("utf-8"))
     G = receptance(solver.TRACK, solver.XI, solver.OMEGA, v=solver.CASE.alpha)
     assert np.array_equal(np.array(table["G_re"]) + 1j * np.array(table["G_im"]), G)
@@ -177,8 +177,8 @@ def test_the_maple_readers_name_what_is_there(folder: Path, shell: Path) -> None
     names = (shell / "receptance.csv").read_text().splitlines()[0].split(",")
     assert '"re_G("' in (FOLDER / "read_receptance.mpl").read_text()
     assert all(re.fullmatch(r"(re|im)_G\([-\d.]+\)", name) for name in names[1:])
-    onset = json.loads((shell / "onset.json").read_text("utf-8"))["onset"]
-    paths = re.findall(r'answer\["onset"\]\["(\w+)"\]\["(\w+)"\]', (FOLDER / "read_onset.mpl").read_text())
+    onset = json.loads((shell / "onset.json").read_text("utf-8"))["answer"]
+    paths = re.findall(r'answer\["(\w+)"\]\["(\w+)"\]', (FOLDER / "read_onset.mpl").read_text())
     assert [float(onset[key][part]) > 0 for key, part in paths] == [True, True]
 
 
@@ -187,4 +187,4 @@ def test_the_receptance_table_and_the_onset(solver: ModuleType, folder: Path) ->
         rows = list(csv.reader(stream))
     assert rows[0][:3] == ["omega", "re_G(-1.5)", "im_G(-1.5)"]
     assert len(rows) == 1 + len(solver.OMEGA)
-    assert solver.onset() == "0.666918957285"
+    assert solver.first_unstable() == "0.666918957285"

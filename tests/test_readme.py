@@ -1,4 +1,4 @@
-"""What README shows runs as it stands: the library example, and every `mpsolve` command."""
+"""What README and the pages it leads to show runs as it stands: the library example, and every `mpsolve` command."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click import Context
 from click.testing import CliRunner
 
 import mpsolve
@@ -20,6 +21,8 @@ from mpsolve.model.inputfile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_in
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
+INPUT = (ROOT / "docs/reference/input.md").read_text("utf-8").split("## Masses on one beam")[1]
+TRIAL = (ROOT / "docs/how-to/paper.md").read_text("utf-8")
 BLOCK = README.split("## The command line")[1].split("## The library")[0]
 SHOWN = re.findall(
     r"^    (\w+\(\S.*\)[\w.\[\]]*) +# (.*)$", README.split("## The library")[1].split("```")[2], flags=re.MULTILINE
@@ -62,12 +65,18 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
             digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
             assert value.str(60, radius=False).startswith(digits), expression
             balls += 1
-    assert (len(SHOWN), balls) == (19, 5)
+    assert (len(SHOWN), balls) == (28, 6)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
 
 
+def test_the_pages_that_it_leads_to_exist() -> None:
+    linked = re.findall(r"\]\((?!https?:)([^)#]+)\)", README)
+    assert len(linked) > 10
+    assert [path for path in linked if not (ROOT / path).exists()] == []
+
+
 def test_every_command_is_shown() -> None:
-    assert {shlex.split(command)[1] for command in COMMANDS} == cli.commands.keys()
+    assert {shlex.split(command)[1] for command in COMMANDS} == set(cli.list_commands(Context(cli)))
 
 
 def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -84,7 +93,7 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
-    shown = re.findall(r"```toml\n(.*?)```", README, flags=re.DOTALL)
+    shown = re.findall(r"```toml\n(.*?)```", INPUT, flags=re.DOTALL)
     assert len(shown) == 2
     for text, known in zip(shown, ((PHYSICAL, MASS), (DIMENSIONLESS, LOAD)), strict=True):
         file = tmp_path / "case.toml"
@@ -92,15 +101,14 @@ def test_the_input_files_that_are_shown_hold_every_key(tmp_path: Path) -> None:
         assert read_input(file).title in ("One axle", "")
         keys = set(re.findall(r"^(\w+) +=", text, flags=re.MULTILINE))
         assert keys - {"title"} == {*known[0], *known[1]}
-    for command in ("response", "report"):
-        said = cli.commands[command].help or ""
-        assert [name for name in (*list(MASS)[2:], *LOAD) if name not in said] == []
+    command = cli.get_command(Context(cli), "response")
+    assert command is not None
+    assert [name for name in (*list(MASS)[2:], *LOAD) if name not in (command.help or "")] == []
 
 
 def test_the_paper_on_trial(tmp_path: Path) -> None:
     """The folder that is shown is a paper: its claim is proved, and refuted with another number."""
-    block = README.split("## A paper on trial")[1].split("\n## ")[0]
-    lines = block[block.index("    from mpsolve") :].splitlines()
+    lines = TRIAL[TRIAL.index("    from mpsolve") :].splitlines()
     code = "\n".join(line.removeprefix("    ") for line in itertools.takewhile(lambda x: x[:1] in ("", " "), lines))
     (tmp_path / "paper.py").write_text(code, "utf-8")
     paper = load(tmp_path)

@@ -1,12 +1,11 @@
-"""What README shows of own tracks and vehicles runs as it stands."""
+"""What README and the site show of own tracks and vehicles runs as it stands."""
 
 from __future__ import annotations
 
 import re
-import textwrap
 from pathlib import Path
 
-from mpsolve import Problem, tracks, vehicles
+from mpsolve import tracks, vehicles
 from mpsolve.problem.inputfile import read_problem
 
 ROOT = Path(__file__).parents[1]
@@ -14,11 +13,11 @@ README = (ROOT / "README.md").read_text("utf-8")
 
 
 def test_the_own_track() -> None:
-    section = README.split("## Your own track or vehicle")[1].split("\n## ")[0]
-    code = textwrap.dedent("\n".join(line for line in section.splitlines() if line.startswith("    ")))
-    names = {"tracks": tracks, "vehicles": vehicles, "Problem": Problem}
+    section = (ROOT / "docs/how-to/own-track.md").read_text("utf-8")
+    code = re.findall(r"```{code-cell} ipython3\n(.*?)```", section, flags=re.DOTALL)[0]
+    names: dict[str, object] = {}
     exec(code, names)
-    assert names["problem"].pencil.places == (0, 2.5, 5)
+    assert names["answer"].problem.pencil.places == (0, 2.5, 5)
     for path in re.findall(r"`(mpsolve/[\w/.]+)`", section):
         assert (ROOT / path).exists()
 

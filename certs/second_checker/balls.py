@@ -14,7 +14,7 @@ bits = 64
 """The working precision. `set_bits` changes it."""
 
 
-class Unclear(ArithmeticError):
+class UnclearError(ArithmeticError):
     """A ball is too wide to tell."""
 
 
@@ -39,7 +39,7 @@ def size(a: int, b: int, e: int) -> float:
     try:
         return ldexp(sqrt(x * x + y * y), e)
     except OverflowError:
-        raise Unclear("a number is too large") from None
+        raise UnclearError("a number is too large") from None
 
 
 class Ball:
@@ -80,9 +80,11 @@ class Ball:
 
     def complex(self) -> complex:
         """The midpoint in floats, for guesses."""
-        return complex(ldexp(float(self.a >> k), self.e + k), ldexp(float(self.b >> k), self.e + k)) if (
-            k := max(0, max(self.a.bit_length(), self.b.bit_length()) - 200)
-        ) else complex(ldexp(float(self.a), self.e), ldexp(float(self.b), self.e))
+        return (
+            complex(ldexp(float(self.a >> k), self.e + k), ldexp(float(self.b >> k), self.e + k))
+            if (k := max(0, max(self.a.bit_length(), self.b.bit_length()) - 200))
+            else complex(ldexp(float(self.a), self.e), ldexp(float(self.b), self.e))
+        )
 
     def sign(self) -> int:
         """The sign of the real part, or 0 if it cannot be told."""
@@ -100,7 +102,12 @@ class Ball:
             return Ball(y.a, y.b, y.e, r)
         if k > 3 * bits:  # y, of some bits, is far below what x resolves
             floor = x.e - 2 * bits
-            return Ball((x.a << 2 * bits) + (y.a >> floor - y.e), (x.b << 2 * bits) + (y.b >> floor - y.e), floor, up(r + ldexp(1.5, floor)))
+            return Ball(
+                (x.a << 2 * bits) + (y.a >> floor - y.e),
+                (x.b << 2 * bits) + (y.b >> floor - y.e),
+                floor,
+                up(r + ldexp(1.5, floor)),
+            )
         return Ball((x.a << k) + y.a, (x.b << k) + y.b, y.e, r)
 
     def __sub__(self, other: Ball) -> Ball:
@@ -115,10 +122,10 @@ class Ball:
         return Ball(a * c - b * d, a * d + b * c, self.e + other.e, r)
 
     def inverse(self) -> Ball:
-        """1/self. Raises Unclear if 0 may be in the ball."""
+        """1/self. Raises UnclearError if 0 may be in the ball."""
         low = self.lower()
         if not low > 0:
-            raise Unclear("a divisor may be 0")
+            raise UnclearError("a divisor may be 0")
         square = self.a * self.a + self.b * self.b
         k = bits + square.bit_length()
         a, b = (self.a << k) // square, (-self.b << k) // square
@@ -155,7 +162,7 @@ def from_complex(z: complex) -> Ball:
 def exp(z: Ball) -> Ball:
     """e^z: of z/2^k by its series, then squared k times."""
     if not z.upper() < 1e6:
-        raise Unclear("an exponent is too large")
+        raise UnclearError("an exponent is too large")
     k = max(0, int(z.upper()).bit_length() + 8)
     before = set_bits(bits + k + 16)
     try:
@@ -173,7 +180,7 @@ def exp(z: Ball) -> Ball:
         set_bits(before)
     if z.r:
         if not z.r < 1:
-            raise Unclear("an exponent is too wide")
+            raise UnclearError("an exponent is too wide")
         out = out.wide(up(out.upper() * z.r * (1 + z.r)))  # e^r − 1 ≤ r(1 + r) for r < 1
     return Ball(out.a, out.b, out.e, out.r)
 
@@ -202,16 +209,16 @@ PI = 4 * _arctan(1, 1)
 
 
 def arg(z: Ball) -> tuple[int, int]:
-    """The principal argument in units of 2^-FIXED, and a bound for its error. Raises Unclear if the ball meets x ≤ 0."""
+    """The principal argument in units of 2^-FIXED, and a bound for its error; UnclearError next to x ≤ 0."""
     low = z.lower()
     if not low > 0:
-        raise Unclear("an argument of what may be 0")
+        raise UnclearError("an argument of what may be 0")
     x, y = abs(z.a), abs(z.b)
     angle = _arctan(y, x) if y <= x else PI // 2 - _arctan(x, y)
     if z.a < 0:
         angle = PI - angle
         if not Ball(0, z.b, z.e, z.r).lower() > 0:
-            raise Unclear("an argument next to the cut")
+            raise UnclearError("an argument next to the cut")
     if z.b < 0:
         angle = -angle
     spread = Fraction(z.r) / Fraction(low) * 2  # arcsin x ≤ πx/2

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 from fractions import Fraction
 from typing import Any
 
 import balls as b
-from balls import FIXED, ONE, PI, ZERO, Ball, Unclear, arg, ball
-from reading import NotChecked, Path, Point, along, keys, need, rational
+from balls import ONE, PI, ZERO, Ball, UnclearError, arg, ball
+from reading import NotCheckedError, Path, Point, along, need, rational
 from taylor import Line, constant, determinant, near_one, solve
 from track import Track, Vehicle
-from waves import THIN, WIDE, Thin, Waves
+from waves import THIN, WIDE, Thin, Waves, sigma
 
 DEEPEST = 14
 """A piece is halved so often, then it stays unclear."""
@@ -36,45 +37,58 @@ class Walk:
             rows.append(S + [const(-v.B[i][j]) for j in range(c)])
         for i in range(c):
             gaps = [G[v.places[i] - v.places[j]] for j in range(c)]
-            rows.append([const(v.B[j][i]) for j in range(n)] + [g + const(v.h[i] if i == j else 0) for j, g in enumerate(gaps)])
+            rows.append(
+                [const(v.B[j][i]) for j in range(n)]
+                + [g + const(v.h[i] if i == j else 0) for j, g in enumerate(gaps)]
+            )
         return rows
 
     def value(self, thin: Thin) -> Ball:
         """Δ at a point."""
         return determinant(self.bordered(thin.at, self.waves.receptances(thin, self.gaps), ball))
 
+    def enter(self, link: list[Point]) -> None:
+        """The sides at the link's end: by the signs of Re P if none is 0 there, else along the link.
+
+        No p-root is imaginary in H, so that signs last to its boundary.
+        """
+        at = sigma(link[-1])
+        try:
+            self.ends[link[-1]] = self.waves.start(at)
+        except UnclearError:
+            self.ends[link[0]] = self.waves.start(sigma(link[0]))
+            self.go(link, "link")
+
     def go(self, points: list[Point], kind: str) -> int:
         """Along the points; the change of arg Δ for a turn (units of 2^−FIXED), its error added to self.error."""
         thin = self.ends.get(points[0])
         if thin is None:
-            raise NotChecked("a path begins where none ended")
+            raise NotCheckedError("a path begins where none ended")
         self.turned, self.error = 0, 0
         value = self.value(thin) if kind == "turn" else ONE
-        for q in points[1:]:
-            thin, value = self.step(thin, value, points, q, kind)
+        for here, q in itertools.pairwise(points):
+            thin, value = self.step(thin, value, here, q, kind)
         self.ends[points[-1]] = thin
         return self.turned
 
-    def step(self, thin: Thin, value: Ball, points: list[Point], end: Point, kind: str) -> tuple[Thin, Ball]:
+    def step(self, thin: Thin, value: Ball, here: Point, end: Point, kind: str) -> tuple[Thin, Ball]:
         """One piece of the file, halved where it must be."""
-        begin = points[points.index(end) - 1] if points.count(end) == 1 else None
         todo = [(end, 0)]
-        here = begin
-        if here is None:
-            here = next(p for p, q in zip(points, points[1:], strict=False) if q == end)
         while todo:
             q, depth = todo.pop()
             try:
                 thin, value = self.piece(thin, value, here, q, kind)
                 here = q
-            except Unclear as error:
+            except UnclearError as error:
                 if depth >= DEEPEST:
-                    raise NotChecked(f"a piece of a {kind} near q = {float(q[0]):.6g} + {float(q[1]):.6g}i: {error}") from None
+                    raise NotCheckedError(
+                        f"a piece of a {kind} near q = {float(q[0]):.6g} + {float(q[1]):.6g}i: {error}"
+                    ) from None
                 todo += [(q, depth + 1), (((here[0] + q[0]) / 2, (here[1] + q[1]) / 2), depth + 1)]
         return thin, value
 
     def piece(self, thin: Thin, value: Ball, begin: Point, end: Point, kind: str) -> tuple[Thin, Ball]:
-        """One piece, or Unclear."""
+        """One piece, or UnclearError."""
         self.pieces += 1
         last, lines, at, r = self.waves.follow(thin, end)
         if kind == "link":
@@ -100,10 +114,12 @@ class Walk:
         s = Line(at, ONE, 0.0, r)
         A = self.bordered(s, G, lambda c: constant(ball(c), r))
         n = len(A)
-        R = solve([[e.a.mid() for e in row] for row in A], [[ONE if i == j else ZERO for j in range(n)] for i in range(n)])
+        R = solve(
+            [[e.a.mid() for e in row] for row in A], [[ONE if i == j else ZERO for j in range(n)] for i in range(n)]
+        )
         RA = [[_sum([A[k][j].times(R[i][k]) for k in range(n)]) for j in range(n)] for i in range(n)]
         if not near_one(RA, r) < 1:
-            raise Unclear("the determinant may be 0")
+            raise UnclearError("the determinant may be 0")
 
     def passive(self, G: dict[Fraction, Line], at: Ball, r: float, begin: Point, end: Point) -> None:
         """The Hermitian part of σG over the places is positive definite on the segment: X·herm·X* is near 1."""
@@ -124,22 +140,28 @@ class Walk:
                 pairs = [(k, m) for k in range(n) for m in range(n)]
                 zero = _sum([X[i][k] * H0[k][m] * X[j][m].conj() for k, m in pairs]) - (ONE if i == j else ZERO)
                 one = _sum([X[i][k] * H1[k][m] * X[j][m].conj() for k, m in pairs])
-                total += zero.upper() + one.upper() + sum(size[i][k] * Q[k][m] * size[j][m] for k, m in pairs) * (1 + 2.0**-40)
+                total += (
+                    zero.upper()
+                    + one.upper()
+                    + sum(size[i][k] * Q[k][m] * size[j][m] for k, m in pairs) * (1 + 2.0**-40)
+                )
             if not b.up(total) < 1:
-                raise Unclear("the track may feed in")
+                raise UnclearError("the track may feed in")
 
     def accretive(self, thin: Thin) -> tuple[int, int]:
         """α of section 5 at a point: the sum of Arg of the pivots of [[S/σ, −B], [Bᵀ, σ(G + h)]], contacts first."""
         v, s = self.vehicle, thin.at
         A = self.bordered(s, self.waves.receptances(thin, self.gaps), ball)
         n, over = v.bodies, s.inverse()
-        A = [[e * over for e in row[:n]] + row[n:] for row in A[:n]] + [row[:n] + [e * s for e in row[n:]] for row in A[n:]]
+        A = [[e * over for e in row[:n]] + row[n:] for row in A[:n]] + [
+            row[:n] + [e * s for e in row[n:]] for row in A[n:]
+        ]
         for order in (list(range(n, len(A))) + list(range(n)), list(range(len(A)))):
             try:
                 return _pivot_args([[A[i][j] for j in order] for i in order])
-            except Unclear:
+            except UnclearError:
                 continue
-        raise NotChecked("pivots at the end of the turn may be 0")
+        raise NotCheckedError("pivots at the end of the turn may be 0")
 
 
 def _at(line: Line, t: Ball) -> Ball:
@@ -158,7 +180,7 @@ def _pivot_args(A: list[list[Ball]]) -> tuple[int, int]:
     for k in range(len(A)):
         angle, wrong = arg(A[k][k])
         if not abs(angle) <= PI // 2 + wrong + 4:
-            raise Unclear("a pivot of an accretive matrix is not in the right half-plane")
+            raise UnclearError("a pivot of an accretive matrix is not in the right half-plane")
         total, error = total + angle, error + wrong
         over = A[k][k].inverse()
         for i in range(k + 1, len(A)):
@@ -176,7 +198,7 @@ def _inverse_factor(H: list[list[complex]]) -> list[list[Ball]]:
             rest = H[i][j] - sum(L[i][k] * L[j][k].conjugate() for k in range(j))
             if i == j:
                 if not rest.real > 0:
-                    raise Unclear("the track may feed in")
+                    raise UnclearError("the track may feed in")
                 L[i][i] = complex(rest.real**0.5)
             else:
                 L[i][j] = rest / L[j][j]
@@ -197,23 +219,24 @@ def count(walk: Walk, region: dict[str, Any], paths: list[Path], theorem: Any, s
     if kind in ("unstable", "below"):
         return _half_plane(walk, region, paths, kinds, theorem, begin)
     if kind != "rectangle":
-        raise NotChecked(f"the region {kind!r}")
+        raise NotCheckedError(f"the region {kind!r}")
     (x0, x1), (y0, y1) = ([rational(c) for c in region[k]] for k in ("re", "im"))
     corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
     if theorem is not None:
-        raise NotChecked("a rectangle beside the cuts (section 8.6)")
+        raise NotCheckedError("a rectangle beside the cuts (section 8.6)")
     need(kinds == ["link", "turn"] and along(paths[1].points, corners), "the turn is not round the rectangle")
     need(paths[0].points[0] == begin and paths[0].points[-1] == corners[0], "the link")
     need(all(q[1] <= max(y1, zero) for q in paths[0].points), "the link leaves the region of the premise")
-    walk.ends[begin] = walk.waves.start(ball(start))
-    walk.go(paths[0].points, "link")
-    return _whole(walk.go(paths[1].points, "turn"), walk.error, 2 * PI)
+    walk.enter(paths[0].points)
+    return whole_number(walk.go(paths[1].points, "turn"), walk.error, 2 * PI)
 
 
-def _half_plane(walk: Walk, region: dict[str, Any], paths: list[Path], kinds: list[str], theorem: Any, begin: Point) -> int:
+def _half_plane(
+    walk: Walk, region: dict[str, Any], paths: list[Path], kinds: list[str], theorem: Any, begin: Point
+) -> int:
     zero, vehicle = Fraction(0), walk.vehicle
     if walk.track.v == 0:
-        raise NotChecked("a load at rest")
+        raise NotCheckedError("a load at rest")
     need(kinds == ["link", "turn", "passive", "passive"], "the paths are not those of the region")
     link, turn, walls, axis = (p.points for p in paths)
     rho = turn[-1][0]
@@ -228,12 +251,11 @@ def _half_plane(walk: Walk, region: dict[str, Any], paths: list[Path], kinds: li
     depth = -walls[-1][1]
     need(depth > 0 and along(walls, [(rho, zero), (rho, -depth), (zero, -depth)]), "the walls")
     X = axis[-1][0]
-    need(axis == [(rho, zero)] or (X > rho and along(axis, [(rho, zero), (X, zero)])), "the axis beyond the turn")
+    need(axis == [(rho, zero)] or (rho < X and along(axis, [(rho, zero), (X, zero)])), "the axis beyond the turn")
     walk.track.check_passive_at_rest()
     walk.track.check_decay()
     walk.track.check_far(theorem, X, vehicle.gap)
-    walk.ends[begin] = walk.waves.start(ball(-begin[1]))
-    walk.go(link, "link")
+    walk.enter(link)
     T = walk.go(turn, "turn")
     error = walk.error
     A, wrong = walk.accretive(walk.ends[turn[-1]])
@@ -241,14 +263,14 @@ def _half_plane(walk: Walk, region: dict[str, Any], paths: list[Path], kinds: li
     if len(axis) > 1:
         walk.go(axis, "passive")
     whole = A + (vehicle.bodies - vehicle.contacts) * PI // 2 - T
-    return _whole(whole, error + wrong + 100, PI)
+    return whole_number(whole, error + wrong + 100, PI)
 
 
-def _whole(turned: int, error: int, unit: int) -> int:
-    """The one integer in turned/unit ± error/unit, or NotChecked."""
+def whole_number(turned: int, error: int, unit: int) -> int:
+    """The one integer in turned/unit ± error/unit, or NotCheckedError."""
     n = (2 * turned + unit) // (2 * unit)
     if 2 * (abs(turned - n * unit) + error + (abs(n) + 1) * 2**16) >= unit:
-        raise NotChecked("the angle does not tell the number")
+        raise NotCheckedError("the angle does not tell the number")
     if abs(turned - n * unit) > error + (abs(n) + 1) * 2**16:
-        raise NotChecked("no whole number is in the angle")
+        raise NotCheckedError("no whole number is in the angle")
     return n

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import comb, lcm
 
 Poly = list[Fraction]
@@ -52,7 +52,14 @@ def odd_parts(p: Poly) -> list[Poly]:
     b, c = divide(p, common)[0], divide(derivative(p), common)[0]
     out, k = [], 1
     while len(b) > 1:
-        d = trimmed([x - y for x, y in zip(c + [Fraction(0)] * len(b), derivative(b) + [Fraction(0)] * (len(c) + 2), strict=False)])
+        d = trimmed(
+            [
+                x - y
+                for x, y in zip(
+                    c + [Fraction(0)] * len(b), derivative(b) + [Fraction(0)] * (len(c) + 2), strict=False
+                )
+            ]
+        )
         a = gcd(b, d) if d else [x / b[-1] for x in b]
         if k % 2 and len(a) > 1:
             out.append(a)
@@ -73,7 +80,7 @@ def positive_roots(p: Poly) -> int:
 
     def changes(signs: list[Fraction]) -> int:
         kept = [s for s in signs if s]
-        return sum((x > 0) != (y > 0) for x, y in zip(kept, kept[1:], strict=False))
+        return sum((x > 0) != (y > 0) for x, y in pairwise(kept))
 
     return changes([q[0] for q in chain if q]) - changes([q[-1] for q in chain if q])
 
@@ -166,7 +173,12 @@ def poly_det(A: list[list[Poly]]) -> Poly:
             part = product(entry, poly_det([row[:j] + row[j + 1 :] for row in A[1:]]))
             n = max(len(out), len(part))
             sign = (-1) ** j
-            out = trimmed([(out[i] if i < len(out) else Fraction(0)) + (sign * part[i] if i < len(part) else 0) for i in range(n)])
+            out = trimmed(
+                [
+                    (out[i] if i < len(out) else Fraction(0)) + (sign * part[i] if i < len(part) else 0)
+                    for i in range(n)
+                ]
+            )
     return out
 
 
@@ -217,7 +229,9 @@ def minors(A: list[list[Poly]]) -> list[Poly]:
     return [poly_det([[A[i][j] for j in c] for i in c]) for k in range(1, n + 1) for c in combinations(range(n), k)]
 
 
-def positive_on_box(p: Terms, box: tuple[Fraction, Fraction, Fraction, Fraction], beyond: Fraction | None = None) -> bool:
+def positive_on_box(
+    p: Terms, box: tuple[Fraction, Fraction, Fraction, Fraction], beyond: Fraction | None = None
+) -> bool:
     """Whether p > 0 on [x0, x1] × [y0, y1]: Bernstein coefficients, halving; where xy > beyond nothing is asked."""
     x0, x1, y0, y1 = box
     shifted = replaced(p, {(0, 0): x0, (1, 0): x1 - x0}, {(0, 0): y0, (0, 1): y1 - y0})
@@ -261,7 +275,7 @@ def halves(rows: list[list[int]]) -> tuple[list[list[int]], list[list[int]]]:
         for k in range(n + 1):
             left.append(now[0] << n - k)
             right.append(now[-1] << n - k)
-            now = [x + y for x, y in zip(now, now[1:], strict=False)]
+            now = [x + y for x, y in pairwise(now)]
         low.append(left)
         high.append(right[::-1])
     return low, high

@@ -1,8 +1,9 @@
-"""Reads a certificate of version 2: plain bounded values, or Refused."""
+"""Reads a certificate of version 2: plain bounded values, or RefusedError."""
 
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 import re
 from fractions import Fraction
@@ -10,22 +11,35 @@ from typing import Any
 
 Point = tuple[Fraction, Fraction]
 MOST_BYTES, MOST_POINTS = 16_000_000, 20_000
-KEYS = {"format", "version", "kind", "equations", "basis", "bits", "start", "paths", "theorem", "claim", "roots", "sha256"}
+KEYS = {
+    "format",
+    "version",
+    "kind",
+    "equations",
+    "basis",
+    "bits",
+    "start",
+    "paths",
+    "theorem",
+    "claim",
+    "roots",
+    "sha256",
+}
 RATIONAL = re.compile(r"-?[0-9]{1,120}(/[0-9]{1,120})?", re.ASCII)
 
 
-class Refused(Exception):
+class RefusedError(Exception):
     """The certificate does not prove its claim, or is none."""
 
 
-class NotChecked(Exception):
+class NotCheckedError(Exception):
     """This checker cannot do that part. It says nothing about the certificate."""
 
 
 def need(truth: bool, words: str) -> None:
-    """Raise Refused unless it is so."""
+    """Raise RefusedError unless it is so."""
     if truth is not True:
-        raise Refused(words)
+        raise RefusedError(words)
 
 
 def keys(value: Any, names: set[str], what: str) -> dict[str, Any]:
@@ -76,7 +90,7 @@ def _pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _no_float(text: str) -> Any:
-    raise Refused(f"{text[:20]}: no floats belong in a certificate")
+    raise RefusedError(f"{text[:20]}: no floats belong in a certificate")
 
 
 def content(raw: bytes) -> dict[str, Any]:
@@ -87,23 +101,29 @@ def content(raw: bytes) -> dict[str, Any]:
             raw.decode("ascii"), object_pairs_hook=_pairs, parse_float=_no_float, parse_constant=_no_float
         )
     except (ValueError, RecursionError) as error:
-        raise Refused(f"no JSON in ASCII ({str(error)[:80]})") from None
+        raise RefusedError(f"no JSON in ASCII ({str(error)[:80]})") from None
     need(isinstance(value, dict), "no object")
     kind = (value.get("format"), value.get("version"), value.get("kind"))
-    need(kind == ("mpsolve certificate", 2, "spectrum") and type(kind[1]) is int, "no spectrum certificate of version 2")
+    need(
+        kind == ("mpsolve certificate", 2, "spectrum") and type(kind[1]) is int,
+        "no spectrum certificate of version 2",
+    )
     keys(value, KEYS, "the certificate")
     rest = {k: v for k, v in value.items() if k != "sha256"}
     text = json.dumps(rest, sort_keys=True, separators=(",", ":"))
     need(value["sha256"] == hashlib.sha256(text.encode("ascii")).hexdigest(), "the checksum is of another content")
     whole(value["bits"], 53, 256)
-    return value
+    return rest | {"sha256": value["sha256"]}
 
 
 class Path:
     """A path of the file."""
 
     def __init__(self, value: Any) -> None:
-        need(isinstance(value, dict) and {"kind", "points"} <= set(value) <= {"kind", "points", "special"}, "a path's keys")
+        need(
+            isinstance(value, dict) and {"kind", "points"} <= set(value) <= {"kind", "points", "special"},
+            "a path's keys",
+        )
         self.kind = value["kind"]
         need(self.kind in ("link", "turn", "passive"), "a path's kind is unknown")
         self.points = [point(p) for p in listed(value["points"], MOST_POINTS, "points")]
@@ -116,7 +136,7 @@ def along(points: list[Point], corners: list[Point]) -> bool:
     if points[0] != corners[0] or points[-1] != corners[-1]:
         return False
     k = 0
-    for p, q in zip(points, points[1:], strict=False):
+    for p, q in itertools.pairwise(points):
         if k + 1 >= len(corners):
             return False
         (x, y), (u, w) = corners[k], corners[k + 1]

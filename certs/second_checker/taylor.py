@@ -1,8 +1,8 @@
-"""First-order models over a disc: value(t) = a + b·t + e for |t| ≤ r, where |e| ≤ rest. Lines of one disc have one r."""
+"""First-order models over a disc: a + b·t + e for |t| ≤ r, |e| ≤ rest. Lines of one disc have one r."""
 
 from __future__ import annotations
 
-from balls import ONE, ZERO, Ball, Unclear, exp, up
+from balls import ONE, ZERO, Ball, UnclearError, exp, up
 
 
 class Line:
@@ -54,7 +54,7 @@ class Line:
         low = self.a.lower()
         y = up(self.spread() / low * (1 + 2.0**-40))
         if not y < 0.99:
-            raise Unclear("a divisor varies too much")
+            raise UnclearError("a divisor varies too much")
         rest = up((self.rest / low + y * y / (1 - y)) / low * (1 + 2.0**-40))
         return Line(one, -(self.b * one * one), rest, self.r)
 
@@ -62,9 +62,11 @@ class Line:
         """e^self: |e^u − 1 − u| ≤ y²/2 / (1 − y/3) for |u| ≤ y < 3."""
         y = self.spread()
         if not y < 2:
-            raise Unclear("an exponential varies too much")
+            raise UnclearError("an exponential varies too much")
         head = exp(self.a)
-        return Line(head, head * self.b, up(head.upper() * (self.rest + y * y / 2 / (1 - y / 3) * (1 + 2.0**-40))), self.r)
+        return Line(
+            head, head * self.b, up(head.upper() * (self.rest + y * y / 2 / (1 - y / 3) * (1 + 2.0**-40))), self.r
+        )
 
 
 def constant(c: Ball, r: float) -> Line:

@@ -1,13 +1,14 @@
-"""The track and the vehicle of a certificate, and what must hold of them: sections 2, 3 and 6 of SPEC2.md, exactly."""
+"""The track and the vehicle of a certificate, and what must hold of them: sections 2, 3, 6 of SPEC2.md, exactly."""
 
 from __future__ import annotations
 
+import itertools
 from fractions import Fraction
 from typing import Any
 
 import exact as x
 from exact import Poly, Terms
-from reading import NotChecked, keys, listed, matrix, need, rational, whole
+from reading import NotCheckedError, keys, listed, matrix, need, rational, whole
 
 
 class Track:
@@ -53,14 +54,17 @@ class Track:
         lead = x.trimmed([Fraction(c) for c in _shift(self.lead(), -height)])
         if lead[-1] < 0:
             lead = [-c for c in lead]
-        need(all(H and H[0] > 0 for H in x.hurwitz([[c] if c else [] for c in lead])), "lead has a root in the region")
+        need(
+            all(H and H[0] > 0 for H in x.hurwitz([[c] if c else [] for c in lead])), "lead has a root in the region"
+        )
 
     def check_passive_at_rest(self) -> None:
         """Section 6.1; W and |D|² are kept."""
         top = max((j for row in self.A for entry in row for _, j in entry), default=0)
         for j in range(top + 1):
             part = [[{i: c for (i, k), c in entry.items() if k == j} for entry in row] for row in self.A]
-            n, kept = len(part), []
+            n = len(part)
+            kept: list[list[Poly]] = []
             for a in range(n):
                 kept.append([])
                 for b in range(n):
@@ -68,7 +72,9 @@ class Track:
                     if j % 2 == 0:
                         need(part[a][b] == mirrored, "the track's stiffness or inertia is not symmetric")
                     both = {i: part[a][b].get(i, 0) + mirrored.get(i, 0) for i in {*part[a][b], *mirrored}}
-                    kept[-1].append([Fraction((-1) ** (j // 2) * both.get(i, 0)) / 2 for i in range(max(both, default=-1) + 1)])
+                    kept[-1].append(
+                        [Fraction((-1) ** (j // 2) * both.get(i, 0)) / 2 for i in range(max(both, default=-1) + 1)]
+                    )
             if j % 2 == 0:
                 continue
             for minor in x.minors([[x.trimmed(e) for e in row] for row in kept]):
@@ -77,13 +83,16 @@ class Track:
                 need(not y or x.nonnegative(y), "the track's damping may feed in")
         self.W, self.DD = self._power()
         need(bool(self.W), "the track does not damp at all")
-        need(max(j for _, j in self.N) < max(j for _, j in self.D), "the track's receptance is not bounded by inertia")
+        need(
+            max(j for _, j in self.N) < max(j for _, j in self.D), "the track's receptance is not bounded by inertia"
+        )
 
     def _power(self) -> tuple[Terms, Terms]:
         """W = −Im(N conj D) and |D|² at P = ip, s = iΩ, in p and Ω."""
 
         def parts(p: Terms) -> tuple[Terms, Terms]:
-            real, imaginary = {}, {}
+            real: Terms = {}
+            imaginary: Terms = {}
             for (i, j), c in p.items():
                 turned = (i + j) % 4
                 (imaginary if turned % 2 else real)[i, j] = -c if turned in (2, 3) else c
@@ -108,17 +117,21 @@ class Track:
         moving = {(0, 1): Fraction(1), (1, 0): -v}  # p and q
         w, a = _scaled(x.replaced(W, {(1, 0): Fraction(1)}, moving), k, m)
         d, b = _scaled(x.replaced(DD, {(1, 0): Fraction(1)}, moving), k, m)
-        tau = _root(1 / X, 1, m)[1]
-        low, high = _root(X, k, m)
+        tau = root_bounds(1 / X, 1, m)[1]
+        low, high = root_bounds(X, k, m)
         sieve = Fraction(0) if gap is None else 2 * PI_ABOVE / gap
         takes, last = Fraction(0), None
         for z1, z2, kappa in blocks:
             need(z1 < z2 and (last is None or last <= z1) and kappa > 0, "the blocks are not in order")
             last = z2
-            need(v * z2 * (high if z2 > 0 else low) < X and (z2 - z1) * low > sieve, "a block is too far or too narrow")
-            need(x.positive_on_box(x.add(w, d, -kappa), (z1, z2, Fraction(0), tau)), "a block takes less than it says")
+            need(
+                v * z2 * (high if z2 > 0 else low) < X and (z2 - z1) * low > sieve, "a block is too far or too narrow"
+            )
+            need(
+                x.positive_on_box(x.add(w, d, -kappa), (z1, z2, Fraction(0), tau)), "a block takes less than it says"
+            )
             takes += ((z2 - z1) * low - sieve) * kappa
-        takes *= _root(1 / X, b - a, m)[0]
+        takes *= root_bounds(1 / X, b - a, m)[0]
         wide, deep, Iw, Id = (max(i for i, _ in p) for p in (W, DD, W, DD))
         nw, nd = max(i + j for i, j in W), max(i + j for i, j in DD)
         need(alpha <= min(Id - Iw, nd - nw) and wide + alpha <= deep, "alpha is too large")
@@ -142,7 +155,9 @@ PI_ABOVE = Fraction(355, 113)  # greater than π
 
 
 def _shift(p: Poly, by: Fraction) -> Poly:
-    moved = x.replaced({(0, j): c for j, c in enumerate(p) if c}, {(1, 0): Fraction(1)}, {(0, 1): Fraction(1), (0, 0): by})
+    moved = x.replaced(
+        {(0, j): c for j, c in enumerate(p) if c}, {(1, 0): Fraction(1)}, {(0, 1): Fraction(1), (0, 0): by}
+    )
     return [moved.get((0, j), Fraction(0)) for j in range(len(p))]
 
 
@@ -162,7 +177,7 @@ def _scaled(p: Terms, k: int, m: int) -> tuple[Terms, int]:
     return {(i, a - k * i - m * j): c for (i, j), c in p.items()}, a
 
 
-def _root(X: Fraction, k: int, m: int) -> tuple[Fraction, Fraction]:
+def root_bounds(X: Fraction, k: int, m: int) -> tuple[Fraction, Fraction]:
     """Bounds of X^{k/m}, X > 0."""
     target, unit = X**k, 1 << 80
     while target * unit**m < 1 << 80 * m:
@@ -176,7 +191,7 @@ def _root(X: Fraction, k: int, m: int) -> tuple[Fraction, Fraction]:
 
 
 def _edges(d: Terms, n: Terms, v: Fraction, slow: bool) -> None:
-    """The test on each edge of Newton's polygon of d(·, σ), σ → ∞; slow: the chart of s and σ, slopes below 1 only."""
+    """The test on each edge of Newton's polygon of d(·, σ), σ → ∞; slow: in s and σ, slopes below 1 only."""
     need(any(i == 0 for i, _ in d), "a p-root is 0 for all σ")
     top = {i: max(j for k, j in d if k == i) for i, _ in d}
     at, last = 0, max(top)
@@ -186,8 +201,12 @@ def _edges(d: Terms, n: Terms, v: Fraction, slow: bool) -> None:
         theta = -steepest
         value = top[at] + theta * at
         if not (slow and theta >= 1):
-            edge = [d.get((i, int(value - theta * i)), Fraction(0)) if (value - theta * i).denominator == 1 else Fraction(0)
-                    for i in range(at, end + 1)]
+            edge = [
+                d.get((i, int(value - theta * i)), Fraction(0))
+                if (value - theta * i).denominator == 1
+                else Fraction(0)
+                for i in range(at, end + 1)
+            ]
             if theta == 1 and v and not slow:
                 times = 0
                 while len(edge) > 1 and x.value(edge, 1 / v) == 0:
@@ -202,7 +221,7 @@ def _edges(d: Terms, n: Terms, v: Fraction, slow: bool) -> None:
             if len(edge) > 1:
                 need(len(x.gcd(edge, x.derivative(edge))) == 1, "p-roots are alike at infinity")
                 if max(theta * i + j for i, j in n) - (value - theta) >= 0:
-                    raise NotChecked("the receptance is not shown to fall at infinity")
+                    raise NotCheckedError("the receptance is not shown to fall at infinity")
         at = end
 
 
@@ -230,5 +249,5 @@ class Vehicle:
         ]
         need(x.rank([list(row) for row in rows]) == c, "two rigid contacts at one place share a force")
         self.sites = sites
-        gaps = [q - p for p, q in zip(sites, sites[1:], strict=False)]
+        gaps = [q - p for p, q in itertools.pairwise(sites)]
         self.gap = min(gaps) if gaps else None

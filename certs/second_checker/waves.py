@@ -1,13 +1,13 @@
 """The waves of the track: p-roots in discs that follow σ, their sides, and the receptances, in two ways.
 
 Roots. Let z_k(t) = z_k + z'_k t be moving nodes. By partial fractions d/(lead·Π(P − z_i)) = 1 + Σ W_i/(P − z_i) with
-W_i = d(z_i)/(lead·Π_{j≠i}(z_i − z_j)). Where Σ|W_i|/|P − z_i| < 1 on the circle |P − z_k| = ε_k, which no other node is
-within, the disc holds as many roots as nodes (Rouché): one. Disjoint discs hold all n.
+W_i = d(z_i)/(lead·Π_{j≠i}(z_i − z_j)). Where Σ|W_i|/|P − z_i| < 1 on the circle |P − z_k| = ε_k with no other node
+in it, the disc holds as many roots as nodes (Rouché): one. Disjoint discs hold all n.
 Sides. Discs of two pieces of σ hold the same roots at a common σ; where each disc of one meets just one of the other,
 the root is the same.
-Amplitudes. w = Σ_U c_k e^{P_k ξ} ahead of the load and Σ_L c_k e^{P_k ξ} behind it solve d(∂, σ)w = N(∂, σ)δ if the jumps
-of w^(j) at 0 are the coefficients h_j of N/d = Σ h_j P^{−j−1} (j < n): a linear system, used at single points. On discs
-c_k = ±N/(lead·Π_{i≠k}(P_k − P_i)).
+Amplitudes. w = Σ_U c_k e^{P_k ξ} ahead of the load and Σ_L c_k e^{P_k ξ} behind it solve d(∂, σ)w = N(∂, σ)δ if the
+jumps of w^(j) at 0 are the coefficients h_j of N/d = Σ h_j P^{−j−1} (j < n): a linear system, used at single points.
+On discs c_k = ±N/(lead·Π_{i≠k}(P_k − P_i)).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 import balls as b
-from balls import ONE, ZERO, Ball, Unclear, ball, exp, from_complex, up
+from balls import ONE, ZERO, Ball, UnclearError, ball, exp, from_complex, up
 from exact import Terms
 from reading import Point
 from taylor import Line, constant, solve
@@ -95,7 +95,7 @@ class Waves:
         return aberth(c, near)
 
     def enclosed(self, at: Ball, r: float, z: list[Ball], slopes: list[Ball]) -> list[Line]:
-        """The roots as lines in t over |σ − at| ≤ r. Raises Unclear if they are not proved apart."""
+        """The roots as lines in t over |σ − at| ≤ r. Raises UnclearError if they are not proved apart."""
         D, _ = self.balls()
         s, zero = Line(at, ONE, 0.0, r), constant(ZERO, r)
         rows = [horner([constant(c, r) for c in row], s, zero) for row in D]
@@ -118,7 +118,10 @@ class Waves:
         rows = [horner(row, at, ZERO) for row in D]
         z = [from_complex(y) for y in near]
         for _ in range(max(2, b.bits.bit_length() - 4)):
-            z = [(y - horner(rows, y, ZERO) / horner([c * ball(i) for i, c in enumerate(rows)][1:], y, ZERO)).mid() for y in z]
+            z = [
+                (y - horner(rows, y, ZERO) / horner([c * ball(i) for i, c in enumerate(rows)][1:], y, ZERO)).mid()
+                for y in z
+            ]
         return [line.a.wide(line.rest) for line in self.enclosed(at, 0.0, z, [ZERO] * self.n)]
 
     def piece(self, at: Ball, r: float, near: list[complex]) -> list[Line]:
@@ -131,7 +134,7 @@ class Waves:
             whole = [sum(complex(float(x)) * where**j for j, x in enumerate(row)) for row in self.d]
             below = sum(i * c * y ** (i - 1) for i, c in enumerate(whole) if i)
             if below == 0:
-                raise Unclear("two p-roots meet")
+                raise UnclearError("two p-roots meet")
             slopes.append(from_complex(-sum(c * y**i for i, c in enumerate(part)) / below))
         return self.enclosed(at, r, [from_complex(y) for y in z], slopes)
 
@@ -144,7 +147,7 @@ class Waves:
         """The signs of Re P, none 0."""
         out = [y.sign() for y in roots]
         if 0 in out:
-            raise Unclear("a p-root may be imaginary")
+            raise UnclearError("a p-root may be imaginary")
         return out
 
     def follow(self, begin: Thin, end: Point) -> tuple[Thin, list[Line], Ball, float]:
@@ -170,7 +173,8 @@ class Waves:
         D, N = self.balls()
         d = [horner(row, thin.at, ZERO) for row in D]
         top = [horner(row, thin.at, ZERO) for row in N] + [ZERO] * self.n
-        over, h = d[-1].inverse(), []
+        over = d[-1].inverse()
+        h: list[Ball] = []
         for j in range(self.n):
             rest = top[self.n - 1 - j]
             for i in range(j):
@@ -190,7 +194,9 @@ class Waves:
             out[gap] = total
         return out
 
-    def receptance_lines(self, lines: list[Line], ups: int, at: Ball, r: float, gaps: list[Fraction]) -> dict[Fraction, Line]:
+    def receptance_lines(
+        self, lines: list[Line], ups: int, at: Ball, r: float, gaps: list[Fraction]
+    ) -> dict[Fraction, Line]:
         """G over a disc; the first roots are those of U."""
         D, N = self.balls()
         s, zero = Line(at, ONE, 0.0, r), constant(ZERO, r)
@@ -214,25 +220,25 @@ class Waves:
 
 
 def _radii(weights: list[float], apart: list[list[float]]) -> list[float]:
-    """ε_k with |W_k|/ε_k + Σ|W_i|/(|z_k − z_i| − ε_k) < 1, discs disjoint; or Unclear."""
+    """ε_k with |W_k|/ε_k + Σ|W_i|/(|z_k − z_i| − ε_k) < 1, discs disjoint; or UnclearError."""
     out, n = [], len(weights)
     for k, w in enumerate(weights):
         others = [i for i in range(n) if i != k]
         e = max(1.1 * w, 1e-280)
         for _ in range(3):
             if not all(apart[k][i] > 1.01 * e for i in others):
-                raise Unclear("p-roots are not apart")
+                raise UnclearError("p-roots are not apart")
             g = sum(weights[i] / (apart[k][i] - e) for i in others)
             if not g < 0.9:
-                raise Unclear("p-roots are not apart")
+                raise UnclearError("p-roots are not apart")
             e = max(1.02 * w / (1 - g), 1e-280)
         if not all(apart[k][i] > 1.01 * e for i in others):
-            raise Unclear("p-roots are not apart")
+            raise UnclearError("p-roots are not apart")
         if not up(w / e + sum(up(weights[i] / ((apart[k][i] - e) * (1 - 2.0**-40))) for i in others)) < 1:
-            raise Unclear("p-roots are not apart")
+            raise UnclearError("p-roots are not apart")
         out.append(e)
     if not all(up(out[i] + out[k]) < apart[k][i] for k in range(n) for i in range(n) if i != k):
-        raise Unclear("p-roots are not apart")
+        raise UnclearError("p-roots are not apart")
     return out
 
 
@@ -242,8 +248,8 @@ def linked(ones: list[Ball], marks: list[bool], others: list[Ball]) -> list[bool
     for y in others:
         met = [k for k, z in enumerate(ones) if not (z - y).lower() > 0]
         if len(met) != 1:
-            raise Unclear("p-roots cannot be told from each other")
+            raise UnclearError("p-roots cannot be told from each other")
         taken.append(met[0])
     if len(set(taken)) != len(ones):
-        raise Unclear("p-roots cannot be told from each other")
+        raise UnclearError("p-roots cannot be told from each other")
     return [marks[k] for k in taken]

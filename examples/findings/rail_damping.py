@@ -39,7 +39,7 @@ def check() -> None:
         answer = found(eta)
         assert answer.kind is Kind.CROSSES, f"η = {eta}: {answer.kind}, {answer.reason}"
         assert answer.proved, f"η = {eta}: {answer.reason}"
-        assert answer.value.ball.str(15, radius=False) == printed, f"η = {eta}: {answer.value}, not {printed}"
+        assert answer.value.str(15, radius=False) == printed, f"η = {eta}: {answer.value}, not {printed}"
 
 
 def draw(ax: Any) -> Any:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mpsolve import Case, onset_velocity, receptance, seeds, tracks
+from mpsolve import Case, onset, receptance, seeds, tracks
 
 GRID = {"alpha": ("0.5", "0.67"), "eta_b": ("0.05",), "eta_m": (70,), "d": ("1.5",)}
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
@@ -38,9 +38,9 @@ def write(folder: Path) -> list[Path]:
     return [*files, path]
 
 
-def onset() -> str:
-    """The first unstable velocity ratio of the track, to 12 proved digits."""
-    return str(onset_velocity("0.05", (70, 70), (0, "1.5"), digits=20).alpha.str(12, radius=False))
+def first_unstable() -> str:
+    """The first unstable velocity ratio of the case, to 12 proved digits."""
+    return str(onset(CASE, over={"v": (0, 1)}, digits=20).value.str(12, radius=False))
 
 
 def newton(file: Path) -> list[tuple[complex, complex, float]]:
@@ -82,4 +82,4 @@ if __name__ == "__main__":
         print(path)
     for seed, root, radius in newton(target / "seeds.csv"):
         print(f"seed {seed:.12f}  root {root:.12f}  within {abs(root - seed):.1e} of it, radius {radius:.3f}")
-    print("onset at alpha =", onset())
+    print("onset at alpha =", first_unstable())

@@ -2,12 +2,12 @@
 %
 %   [alpha, q] = read_onset('onset.json')       first unstable velocity ratio, and the root +-q that turns unstable there
 %
-% Both are proved to 16 digits; they are empty where no onset was found in the range (see stable_below, reason).
+% Both are proved to 16 digits; they are empty where no onset was found in the range (see answer.kind, reason).
 function [alpha, q] = read_onset(file)
   answer = jsondecode(fileread(file));
   alpha = []; q = [];
-  if ~isempty(answer.onset)
-    alpha = str2double(answer.onset.alpha.value);
-    q = str2double(answer.onset.q.value);
+  if strcmp(answer.answer.kind, 'crosses')
+    alpha = str2double(answer.answer.value.decimal);
+    q = str2double(answer.answer.q.decimal);
   end
 end

@@ -2,9 +2,9 @@
 # the first unstable velocity ratio and the root +-q that turns unstable there; [] where no onset was found in the range.
 readOnset := proc(file::string)
   local answer;
-  answer := JSON:-ParseFile(file);
-  if type(answer["onset"], table) then
-    [parse(answer["onset"]["alpha"]["value"]), parse(answer["onset"]["q"]["value"])];
+  answer := JSON:-ParseFile(file)["answer"];
+  if answer["kind"] = "crosses" then
+    [parse(answer["value"]["decimal"]), parse(answer["q"]["decimal"])];
   else
     [];
   end if;

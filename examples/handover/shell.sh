@@ -11,5 +11,5 @@ mpsolve certify $case --digits 20 --json -o induced.certificate.json > induced.j
 # the receptance G(xi, omega) of the track, as JSON and for text import: xi ahead of the force is positive
 mpsolve receptance $case --xi=-1.5,0,1.5 --omega 0.02,0.3,15 --json -o receptance.json
 mpsolve receptance $case --xi=-1.5,0,1.5 --omega 0.02,0.3,15 -o receptance.csv
-# the first unstable velocity, proved: onset.alpha.value
-mpsolve onset $case --digits 20 --json -o onset.certificate.json > onset.json
+# the first unstable velocity, proved: answer.value.decimal
+mpsolve onset $case --over v=0..1 --digits 20 --json > onset.json

@@ -9,9 +9,9 @@ from typing import Any
 from mpsolve.certificate.format import Certificate, digest
 from mpsolve.numbers.rootball import RootBall
 from mpsolve.zeros.count import Count
+from mpsolve.zeros.geometry import Point
 from mpsolve.zeros.program import Expression
 from mpsolve.zeros.reals import Tiling
-from mpsolve.zeros.geometry import Point
 from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Rectangle, Region
 
 FORMAT, VERSION = "mpsolve zeros", 1

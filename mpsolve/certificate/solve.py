@@ -7,6 +7,7 @@ from fractions import Fraction
 from time import process_time
 from typing import Any
 
+from mpsolve.certificate.entries import root_entries
 from mpsolve.certificate.format import Certificate
 from mpsolve.certificate.sheet_file import sheet_certificate
 from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
@@ -14,7 +15,6 @@ from mpsolve.certificate.whole_sheet import closing_words, sheet_halves, unstabl
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.model import shown
-from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
@@ -160,7 +160,7 @@ def _spectrum(
             problem, count.region, digits, Status.UNDECIDED, found.reason, known=_known(count), cost=cost, **common
         )
     unstable = unstable_number(found.balls)
-    certificate = _certificate(reduced, count, _entries(found.balls), unstable)
+    certificate = _certificate(reduced, count, root_entries(found.balls), unstable)
     if check:
         tell("verifying", 0.0)
     status, reason, verified, seconds = _checked(certificate, check)
@@ -170,7 +170,7 @@ def _spectrum(
         again = _recounted(reduced, asked, budget, room)
         if again is None or (again.total, again.region) != (count.total, count.region):
             break
-        certificate = _certificate(reduced, again, _entries(found.balls), unstable)
+        certificate = _certificate(reduced, again, root_entries(found.balls), unstable)
         status, reason, verified, more = _checked(certificate, check)
         pieces, seconds = again.pieces, seconds + more
         if reason is None:
@@ -242,32 +242,3 @@ def _checked(certificate: Any, check: bool) -> tuple[Status, Reason | None, str,
         return Status.PROVED, None, verdict.claim, seconds
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"
     return Status.UNDECIDED, Reason("verifier", message, {}, _REMEDY), "", seconds
-
-
-def _entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:
-    """One entry for a pair q, −q̄, one for a root by itself."""
-    out = []
-    for ball in balls:
-        if ball.symmetry is Symmetry.IMAGINARY:
-            out.append(_entry(ball, False))
-        elif ball.q.real > 0:
-            out.append(_entry(ball, any(other.q.overlaps(ball.mirrored.q) for other in balls)))
-        elif not any(other.q.overlaps(ball.mirrored.q) for other in balls):
-            out.append(_entry(ball, False))
-    return out
-
-
-def _entry(ball: RootBall, pair: bool) -> RootEntry:
-    re, im = (_on_grid(x.mid(), ball.exponent) for x in (ball.q.real, ball.q.imag))
-    side = max((_fraction(x.rad()) for x in (ball.q.real, ball.q.imag)), default=Fraction(0))
-    return RootEntry(re, im, ball.exponent, side * Fraction(3, 2), ball.multiplicity, pair)
-
-
-def _on_grid(x: Any, exponent: int) -> int:
-    mantissa, own = x.man_exp()
-    return int(mantissa) << (int(own) - exponent) if mantissa else 0
-
-
-def _fraction(x: Any) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

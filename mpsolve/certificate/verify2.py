@@ -2239,7 +2239,7 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     number, below = sum(r.number for r in roots), sum(r.number for r in roots if r.z[1] < 0)
     said = [
         f"exactly {number} induced frequenc{'y' if number == 1 else 'ies'} q with {region.words}"
-        + (f", {below} of them with Im q < 0" if region.height > 0 else "")
+        + (f", {below} of them with Im q < 0" if region.kind not in ("unstable", "disc") else "")
         + (f", enclosed in {len(roots)} ball{'' if len(roots) == 1 else 's'}" if roots else "")
     ]
     for root in roots:

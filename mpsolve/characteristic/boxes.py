@@ -64,6 +64,11 @@ class Wave:
     good: Any
     strain: Any
 
+    def take(self, rows: Any) -> Wave:
+        """Those of some boxes."""
+        z, tight, low, good = (part[rows] for part in (self.z, self.tight, self.low, self.good))
+        return Wave(self.D[rows], z, self.up, tight, low, good, self.strain[:, rows])
+
 
 @dataclass(frozen=True)
 class FreeTrack:

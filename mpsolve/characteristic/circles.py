@@ -3,7 +3,7 @@
 G(ξ ≥ 0) is the sum of the residues of N e^{Pξ}/D at the upper p-roots. Upper roots that are close to each other are
 taken together, in one circle that leaves all others out, and so it does not matter whether they meet. On a circle
 of radius R the trapezoidal rule errs by Σ c_n R^{n+1} over n + 1 = ±SAMPLES, ±2 SAMPLES, …, c_n the coefficients of
-the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within which f is analytic (SPEC, circles).
+the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within which f is analytic.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ _INNER, _OUTER = (
     0.85,
 )  # where f is bounded, between the roots inside and the circle; of the next root's distance
 _RADIUS = 0.4  # of a circle, relative to the distance of the next root outside
+_GROWTH = 7.5  # over the largest distance: of a circle's outer radius
 _NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
 _CLOSEST = 0.9
 
@@ -62,19 +63,22 @@ class FreeReceptance:
     def __call__(self, boxes: Boxes) -> Receptances:
         """Over each box."""
         with np.errstate(all="ignore"):
-            y, rho = boxes.variables
-            wave, N = self.track.split(boxes), self.track.N(y, rho)
+            whole = self.track.split(boxes)
+            rows = np.flatnonzero(whole.good)  # the others are not bounded anyway
+            y, rho = boxes.take(rows).variables
+            wave, N = whole.take(rows), self.track.N(y, rho)
             forms, ahead, which = self.distances
             xi = forms(y, rho)
-            k = np.zeros(xi.k.shape, complex)
-            e = np.zeros(xi.e.shape)
+            k = np.zeros((len(xi.k), boxes.count, len(ahead)), complex)
+            e = np.full((boxes.count, len(ahead)), np.inf)
             for mask, own in ((ahead, True), (~ahead, False)):
-                if mask.any():
+                if mask.any() and len(rows):
                     side = self._side(wave, N, xi[:, mask], own)
-                    k[..., mask], e[:, mask] = side.k, side.e
-            good = wave.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
+                    at_ = np.ix_(rows, np.flatnonzero(mask))
+                    k[:, at_[0], at_[1]], e[at_] = side.k, side.e
+            good = whole.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
             G = Quadratic(k, e, xi.m)
-            return Receptances(G[:, which], good, wave)
+            return Receptances(G[:, which], good, whole)
 
     def _side(self, wave: Wave, N: Quadratic, xi: Quadratic, upper: bool) -> Quadratic:
         """G at the distances of one sign, from the roots of one side."""
@@ -124,7 +128,7 @@ class Circles:
 def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
     """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
 
-    A circle stays so small that e^{Pξ} grows little on it: (r/R)^SAMPLES e^{−rξ} is greatest at r = SAMPLES/ξ.
+    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that.
     """
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
@@ -143,7 +147,7 @@ def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
     if other.shape[1]:
         outer = np.minimum(outer, np.abs(centre[:, :, None] - other[:, None, :]).min(2))
     outer = np.minimum(outer, 4 * (np.abs(centre) + inner))
-    outer = np.minimum(outer, np.maximum(SAMPLES / np.maximum(reach[:, None], TINY), 3 * inner))
+    outer = np.minimum(outer, np.maximum(_GROWTH / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)
 

@@ -109,8 +109,8 @@ def _value(coefficients: Any, z: Any) -> tuple[Any, Any]:
 def side_nodes(T: Any, up: int) -> Any:
     """Floats near the roots of Σ T[:, 0, i] P^i, those of U first, never two the same.
 
-    T[:, j, i] belongs to P^i t^j. Of roots with one real part those come first that would have the smaller one to the
-    right in σ: a wave on the edge of a cut belongs to the side from which it comes.
+    T[:, j, i] belongs to P^i t^j. Of roots with one real part those come first that would have the smaller one
+    further to the right in σ: a wave on the edge of a cut belongs to the side from which it comes.
     """
     z = near_roots(T[:, 0, :])
     key = z.real.copy()

@@ -72,6 +72,15 @@ class FreeProved:
         return [[self.distances.index(a - b) for b in places] for a in places]
 
     @cached_property
+    def _present(self) -> FreePolynomial:
+        """D without powers of P that are not there at the only point of the family: a damping that is still 0."""
+        point, D = self.family.ring.point, self.family.D
+        if any(a != b for a, b in self.family.over.values()):
+            return D
+        top = max(i for (i, _), c in D.items() if c.at(point))
+        return {key: c for key, c in D.items() if key[0] <= top}
+
+    @cached_property
     def _slopes(self) -> list[tuple[FreePolynomial, FreePolynomial]]:
         """Of D and N in σ and in each parameter."""
         D, N = self.family.D, self.family.N
@@ -94,7 +103,7 @@ class FreeProved:
     def _receptances(self, sigma: Any, x: list[Any], slopes: bool) -> tuple[list[Any], list[list[Any]]]:
         """G at each distance, and for σ and each parameter its slopes."""
         size = self.family.degree + 1
-        D = BallSymbol(self.family.D, x, size)
+        D = BallSymbol(self._present, x, max(i for i, _ in self._present) + 1)
         N = BallSymbol(self.family.N, x, max(i for i, _ in self.family.N) + 1)
         none = BallSymbol({}, x, 1)
         split = split_ball(cast(Symbols, _Pairs(D, N, none, none)), sigma, self.upper)

@@ -1,6 +1,6 @@
 """Where an endless row cannot have a growing motion: beyond a rectangle, for every z of the circle at once.
 
-Proved for V(z, σ) = σĜ(z, σ), the mobility of the row (docs/infinite-train.md has the proof):
+Proved for V(z, σ) = σĜ(z, σ), the mobility of the row (docs/theory/infinite-train.md has the proof):
 * −Im Ĝ > 0 for real q ≥ X: the tail theorem holds for any number of contacts at this gap, so for the row;
 * Re V > 0 for real q from ρ to X, and on the walls of |Re q| ≤ ρ, −depth ≤ Im q ≤ 0, for all |z| = 1, by boxes;
 * every finite piece of the row is a compression of it, and its receptance vanishes at infinity: by Phragmén–Lindelöf

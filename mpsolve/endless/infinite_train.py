@@ -88,7 +88,7 @@ def infinite_train(
     its outer contacts, in the problem's unit of length. effort bounds the work, progress hears of it. Undecided
     answers carry a `Reason`; what is computed (`ahead`, `back`, `separation`) is there all the same.
     Raises InputError for a track that is unstable or undamped, and for a spacing at which vehicles would overlap.
-    The mathematics is in docs/infinite-train.md.
+    The mathematics is in docs/theory/infinite-train.md.
 
     >>> from mpsolve import Problem, infinite_train, tracks, vehicles
     >>> beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.frequencies import Frequencies, frequencies
+from mpsolve.batch.frequencies import frequencies
+from mpsolve.batch.result import Frequencies
 from mpsolve.errors import InputError
 from mpsolve.pictures.chart import chart_picture
 from mpsolve.problem.problem import Problem
@@ -34,7 +35,7 @@ class Chart:
     found: Frequencies
 
     def picture(self, now: Problem, proved: tuple[ProvedPoint, ...] = ()) -> str:
-        """The chart, with the present problem and the proved ones that differ from it in these two parameters only."""
+        """The chart with the present problem, and proved ones that differ from it in these two parameters only."""
         xs, ys = np.asarray(self.found.over[self.x])[:, 0], np.asarray(self.found.over[self.y])[0]
         across, up = self._title(self.x), self._title(self.y)
         here = self._point(now)

@@ -74,7 +74,6 @@ _KINDS = {
     "study": ("a study", "mpsolve study"),
     "rows": ("a table", "mpsolve table"),
     "columns": ("a table", "mpsolve table"),
-    "x": ("a chart", "mpsolve chart"),
     "track": ("a problem", "mpsolve certify"),
     "physical": ("a case", "mpsolve certify"),
     "dimensionless": ("a case", "mpsolve certify"),

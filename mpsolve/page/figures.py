@@ -10,7 +10,7 @@ import numpy as np
 from mpsolve.batch.view import look
 from mpsolve.errors import MpsolveError
 from mpsolve.page.parts import Parts
-from mpsolve.page.words import Speech, ball_of, speech
+from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import chart_picture
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
 from mpsolve.pictures.model import model_picture
@@ -123,7 +123,7 @@ def _marks(parts: Parts, factor: float) -> list[Mark]:
     marks = [Mark(float(parts.problem.v) * factor, "this case")]
     found = parts.onset.value
     if found is not None and str(getattr(found.kind, "value", found.kind)) == "crosses":
-        marks.append(Mark(float(ball_of(found.value).mid()) * factor, "onset"))
+        marks.append(Mark(float(found.value.mid()) * factor, "onset"))
     return marks
 
 

@@ -9,20 +9,20 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.frequencies import Frequencies, frequencies
+from mpsolve.batch.frequencies import frequencies
+from mpsolve.batch.result import Frequencies
 from mpsolve.certificate.certify import certify
 from mpsolve.page.budget import Budget, Part
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
+from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity
 from mpsolve.report.spectrum_words import verdict
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
-from mpsolve.waves.critical import CriticalVelocities, critical_velocities
+from mpsolve.waves.critical import CriticalVelocities
 
 LINE_POINTS, CHART_COLUMNS, CHART_ROWS = 81, 49, 25
-_MASSES = (Fraction(1, 5), Fraction(3))
-"""Factors on all masses that the chart shows."""
 
 
 @dataclass(frozen=True)
@@ -77,31 +77,6 @@ def gather(
     )
 
 
-def top_velocity(problem: Problem, critical: CriticalVelocities | None) -> Fraction:
-    """Up to where the page looks: twice the velocity, and past the least critical velocity, in round numbers."""
-    wanted = 2 * problem.v
-    if critical is not None and len(critical):
-        wanted = max(wanted, Fraction(float(critical.velocities[0].value.mid())) * Fraction(5, 4))
-    return rounded_up(wanted or Fraction(100))
-
-
-def rounded_up(x: Fraction) -> Fraction:
-    """The next number with two figures."""
-    step = Fraction(10) ** (len(str(int(x))) - 2) if x >= 1 else Fraction(1, 100)
-    return -(-x // step) * step
-
-
-def critical_of(problem: Problem) -> CriticalVelocities:
-    """The critical velocities of a constant force, over a range that holds the velocity itself."""
-    reach = max(problem.v * 4, Fraction(1))
-    for _ in range(8):
-        found = critical_velocities(problem.track, over={"v": (0, reach)})
-        if len(found):
-            return found
-        reach *= 4
-    return found
-
-
 def onset_of(problem: Problem, top: Fraction, seconds: float) -> Any:
     """The first velocity at which a vibration begins to grow."""
     from mpsolve.ranges.onset import onset
@@ -137,7 +112,7 @@ def lines_of(problem: Problem, top: Fraction) -> Frequencies:
 
 def chart_of(problem: Problem, top: Fraction) -> Frequencies:
     """How many roots grow over velocity and masses, in floats."""
-    factors = np.linspace(float(_MASSES[0]), float(_MASSES[1]), CHART_ROWS)
+    factors = np.linspace(float(MASS_FACTORS[0]), float(MASS_FACTORS[1]), CHART_ROWS)
     over = {"v": velocities(top, CHART_COLUMNS)[:, None], "scale.mass": factors[None, :]}
     return frequencies(problem, over, roots=False)
 

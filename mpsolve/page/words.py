@@ -73,7 +73,7 @@ def velocity_card(parts: Parts) -> Card:
     if kind != "crosses":
         return Card(question, "undecided", f"{found.reason}. {here}", "open")
     with precision(128):
-        value = ball_of(found.value)
+        value = found.value
         shift = value - rational_ball(v)
         where = speak.velocity(value)
         if shift > 0:
@@ -81,11 +81,6 @@ def velocity_card(parts: Parts) -> Card:
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
         return Card(question, f"stable below {where}", said, "proved")
-
-
-def ball_of(value: Any) -> Any:
-    """The ball of a value that an answer about ranges gives."""
-    return getattr(value, "ball", value)
 
 
 def growth_card(parts: Parts) -> Card | None:

@@ -43,6 +43,7 @@ class PassivityVelocity(Portable):
 
     @property
     def proved(self) -> bool:
+        """Whether the whole answer is proved."""
         return self.status.holds
 
     def __bool__(self) -> bool:

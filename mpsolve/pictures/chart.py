@@ -13,12 +13,12 @@ from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, bo
 def chart_picture(
     x: Any, y: Any, counts: Any, x_title: str, y_title: str, title: str,
     here: tuple[float, float] | None = None, boundaries: Sequence[tuple[Any, Any]] = (),
-    proved: Sequence[tuple[float, float, bool]] = (),
+    proved: Sequence[tuple[float, float, bool]] = (), open_words: str = "hatched: open",
 ) -> str:  # fmt: skip
     """counts[i, j] belongs to the cell round (x[i], y[j]): 0 stable, more is darker, −1 is hatched as open.
 
     here: the point of the case; boundaries: curves (x, y) where a root crosses the real axis; proved: points (x, y,
-    whether stable) that have been proved: circles are stable, squares not.
+    whether stable) that have been proved: circles are stable, squares not. open_words: what the legend says of −1.
     """
     edges_x, edges_y = _edges(x), _edges(y)
     axes = Axes((edges_x[0], edges_x[-1]), (edges_y[0], edges_y[-1]))
@@ -35,7 +35,7 @@ def chart_picture(
     parts += [_proved(axes, *one) for one in proved]
     if here is not None:
         parts += _here(axes, *here)
-    parts += _legend(counts)
+    parts += _legend(counts, open_words)
     parts += axes.titled(x_title, y_title)
     return svg(parts, title)
 
@@ -81,9 +81,9 @@ def _proved(axes: Axes, x: float, y: float, stable: bool) -> str:
     )
 
 
-def _legend(counts: Any) -> list[str]:
+def _legend(counts: Any, open_words: str) -> list[str]:
     found = sorted(set(np.ravel(counts).tolist()))
-    said = {0: "blank: stable", -1: "hatched: open"}
+    said = {0: "blank: stable", -1: open_words}
     words = [said.get(k, f"shaded: {k} roots grow" if k <= 2 else f"darker: {k} and more") for k in found]
     kept = [
         w

@@ -13,6 +13,9 @@ from mpsolve.problem.parameters import changed, parameters_of, quantity_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
 
+_MOST = 2000
+"""Coordinates of all vehicles together."""
+
 
 @dataclass(frozen=True, init=False)
 class Problem:
@@ -64,7 +67,11 @@ class Problem:
         """All vehicles as one: bodies in the order of the vehicles, contacts from rear to front."""
         one = len(self.vehicles) == 1
         endings = ["" if one else f" of vehicle {k}" for k in range(1, len(self.vehicles) + 1)]
-        pencils = [checked_pencil(placed.vehicle.pencil) for placed in self.vehicles]
+        pencils = [placed.vehicle.pencil for placed in self.vehicles]
+        size = sum(pencil.size for pencil in pencils)
+        if size > _MOST:  # matrices of this size are kept whole
+            raise InputError("vehicles", f"have {size} coordinates together: give vehicles with at most {_MOST}")
+        pencils = [checked_pencil(pencil) for pencil in pencils]
         places = [placed.position for placed in self.vehicles]
         return joined(list(zip(pencils, places, endings, strict=True)))
 

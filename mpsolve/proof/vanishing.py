@@ -1,9 +1,9 @@
 """Where a determinant of Taylor models vanishes: nowhere in a box, at one real point at most, or not told.
 
 With floats X, Y from the singular values at the middle, X A Y = [[I + E, e], [f, g]]; where ‖E‖ ≤ η < 1, det A = 0
-exactly where s = g − f (I + E)⁻¹ e is 0, and |s − (g − f e)| ≤ |f|₁ |e|_∞ η/(1 − η). The real box has no zero of s if
-Re(d s) > 0 for one direction d: near a zero the coefficients of s are all but parallel, as roots move along the real
-axis, so that directions normal to them tell most.
+exactly where s = g − f (I + E)⁻¹ e is 0, and |s − (g − f e)| ≤ ‖f‖ ‖e‖ η/(1 − η), with ‖e‖ = max |e_i|/x_i and the
+norms that belong to it, for some x > 0. The real box has no zero of s if Re(d s) > 0 for one direction d: near a zero
+the coefficients of s are all but parallel, as roots move along the real axis, so directions normal to them tell most.
 """
 
 from __future__ import annotations
@@ -47,14 +47,26 @@ def scalar(A: Quadratic, good: Any) -> Scalar:
         B = Quadratic(k, e * UP + TINY, A.m)
         E = B[:, :-1, :-1]
         defect = np.abs(E.k[0] - np.eye(n - 1)) + E.spread
-        eta = defect.sum(2).max(1) * UP
+        x = _weights(defect)
+        eta = (np.einsum("bij,bj->bi", defect, x) / x).max(1) * UP * UP
         column, row = B[:, :-1, -1:], B[:, -1:, :-1]
         product = (row @ column)[:, 0, 0]
         s = B[:, -1, -1] + -product
-        rest = row.size[:, 0].sum(1) * column.size[:, :, 0].max(1) * eta / (1 - eta) * UP
+        rest = (row.size[:, 0] * x).sum(1) * (column.size[:, :, 0] / x).max(1) * eta / (1 - eta) * UP * UP
         fine = eta < 0.9
         strain = np.where(finite, np.abs(B.b).sum(3).max(2), 0.0)
         return Scalar(Quadratic(s.k, np.where(fine, s.e + rest, np.inf), s.m), finite & fine, strain)
+
+
+def _weights(defect: Any) -> Any:
+    """Positive x for which the norm max (E x)_i/x_i is nearly the least."""
+    x = np.ones(defect.shape[:2])
+    for _ in range(8):
+        y = np.einsum("bij,bj->bi", defect, x)
+        y = y + 0.02 * x
+        x = y / y.max(1, keepdims=True)
+        x = np.where(np.isfinite(x) & (x > 0), x, 1.0)
+    return x
 
 
 @dataclass(frozen=True)

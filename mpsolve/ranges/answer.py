@@ -6,9 +6,11 @@ import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
+from enum import Enum
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 from flint import acb, arb
 
 from mpsolve.numbers.balls import precision, rational_ball
@@ -18,28 +20,6 @@ from mpsolve.problem.cases import Given
 from mpsolve.proof.subdivide import Covered
 
 Interval = tuple[Fraction, Fraction]
-
-
-@dataclass(frozen=True)
-class Value(Portable):
-    """A real number in a ball, in the units of the problem; `lower` and `upper` are floats rounded outward."""
-
-    ball: Any
-
-    @property
-    def lower(self) -> float:
-        return outward(self.ball, up=False)
-
-    @property
-    def upper(self) -> float:
-        return outward(self.ball, up=True)
-
-    def __float__(self) -> float:
-        return float(self.ball.mid())
-
-    def __str__(self) -> str:
-        with precision(max(int(self.ball.mid().bits()), 53) + 32):
-            return str(self.ball.str(radius=False))
 
 
 @dataclass(frozen=True)
@@ -68,7 +48,8 @@ class Proof(Portable):
 
 @dataclass(frozen=True)
 class Answer(Portable):
-    """Base of the answers. over: the ranges that were looked at, in the problem's units.
+    """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
+    from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
     """
@@ -91,7 +72,7 @@ class Answer(Portable):
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON: exact numbers as texts, with decimals beside them."""
-        hidden = {"proofs", "problem"}
+        hidden = {"proofs", "problem", "spectrum"}
         return {one.name: plain(getattr(self, one.name)) for one in fields(self) if one.name not in hidden} | {
             "proved": self.proved
         }
@@ -122,6 +103,12 @@ def outward(ball: Any, up: bool) -> float:
         return x
 
 
+def shown_digits(ball: Any) -> str:
+    """The decimals of a ball that are sure, one digit of them within 1."""
+    with precision(max(int(ball.mid().bits()), 53) + 32):
+        return str(ball.str(radius=False))
+
+
 def within(ball: Any, interval: Interval) -> bool | None:
     """Whether a ball lies in a closed interval; None where it cannot be told."""
     with precision(max(int(ball.mid().bits()), 53) + 64):
@@ -133,14 +120,17 @@ def within(ball: Any, interval: Interval) -> bool | None:
 
 def plain(value: Any) -> Any:
     """Data that JSON knows."""
-    if isinstance(value, Value):
-        return {"decimal": str(value), "lower": value.lower, "upper": value.upper, "ball": pack(value.ball)}
-    if isinstance(value, (arb, acb)):
-        return str(value)
+    if isinstance(value, arb):
+        ends = {"lower": outward(value, up=False), "upper": outward(value, up=True)}
+        return {"decimal": shown_digits(value), **ends, "ball": [(str(x), e) for x, e in pack(value)]}
+    if isinstance(value, acb):
+        return {"real": plain(value.real), "imag": plain(value.imag)}
     if isinstance(value, Fraction):
         return {"exact": str(value), "decimal": float(value)}
-    if isinstance(value, (Status,)):
+    if isinstance(value, Enum):
         return value.value
+    if isinstance(value, np.ndarray):
+        return value.tolist()
     if isinstance(value, Reason):
         return value.data()
     if isinstance(value, Mapping):

@@ -1,8 +1,8 @@
 """Stability charts as proved regions: how many roots grow over two parameters.
 
-The box of (q, x, y) is covered. Boxes that stay open project to a thin strip of cells round the curves on which a root
-is real, whatever folds, crossings and cusps they have. No root is real over any other cell, so the number of roots that
-grow is the same on each connected part of them: one certified spectrum in each tells it.
+The box of (q, x, y) is covered. Boxes that stay open project to a thin strip of cells round the curves on which a
+root is real, whatever folds, crossings and cusps they have. No root is real over any other cell, so the number of
+roots that grow is the same on each connected part of them: one certified spectrum in each tells it.
 """
 
 from __future__ import annotations

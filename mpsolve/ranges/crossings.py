@@ -22,25 +22,34 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, Value, within
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
-from mpsolve.ranges.scope import OpenError, Scope, checked_over, one_path, scope_of
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
 
 @dataclass(frozen=True)
 class Crossing(Portable):
-    """A root q that is real at the parameter `value`; both in the problem's units.
+    """A root q that is real at the parameter `value`: two balls in the problem's units.
 
-    direction: by how much the number of unstable roots grows there with the parameter: ±2, and ±1 where q = 0.
+    lower, upper: floats that hold `value` between them. direction: by how much the number of unstable roots grows
+    there with the parameter: ±2, and ±1 where q = 0.
     """
 
-    value: Value
-    q: Value
+    value: Any
+    q: Any
     direction: int | None
+
+    @property
+    def lower(self) -> float:
+        return outward(self.value, up=False)
+
+    @property
+    def upper(self) -> float:
+        return outward(self.value, up=True)
 
 
 @dataclass(frozen=True)
@@ -52,7 +61,9 @@ class Crossings(Answer):
     counts: tuple[int, ...] | None = None
 
     def rows(self) -> list[Mapping[str, Any]]:
-        return [{"value": float(c.value), "q": float(c.q), "direction": c.direction} for c in self.crossings]
+        return [
+            {"value": float(c.value.mid()), "q": float(c.q.mid()), "direction": c.direction} for c in self.crossings
+        ]
 
 
 def crossings(
@@ -90,6 +101,7 @@ def find(
     """`crossings` of checked arguments."""
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
     scope = scope_of(problem, over)
     try:
         X = scope.X
@@ -104,12 +116,12 @@ def find(
     reason, inside = cover.reason, []
     for one in search.found:
         crossing = _in_units(one, scope)
-        where = within(crossing.value.ball, next(iter(over.values())))
+        where = within(crossing.value, next(iter(over.values())))
         if where is None and reason is None:
             reason = Reason("end", "a crossing lies at an end of the range", {}, "give a range that ends elsewhere")
         if where:
             inside.append(crossing)
-    inside.sort(key=lambda one: float(one.value))
+    inside.sort(key=lambda one: float(one.value.mid()))
     common: dict[str, Any] = {"digits": digits, "crossings": tuple(inside)}
     counts, base = None, None
     if reason is None:
@@ -146,7 +158,7 @@ class _Search:
     def _enclose(self, point: Any) -> bool:
         """Enclose the zero near a float point; True where it was."""
         size = 2 * self.judge.width * 2.0**-6
-        if any((np.abs(point - other) < 1e-6 * self.judge.width).all() for other in self._failed):
+        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
             return False
         if abs(point[0]) < 1e-6 * self.judge.width[0]:
             point = np.array([0.0, point[1]])
@@ -181,7 +193,7 @@ def _in_units(one: Scaled, scope: Scope) -> Crossing:
     with precision(max(int(one.x.mid().bits()), 53) + 64):
         value = one.x * rational_ball(scope.family.units[0])
         q = one.q * rational_ball(scope.family.frequency_unit)
-        return Crossing(Value(value), Value(q), one.gained)
+        return Crossing(value, q, one.gained)
 
 
 def _counts(
@@ -190,7 +202,7 @@ def _counts(
     """(the numbers of unstable roots between crossings, the spectrum from which they are counted, why not)."""
     path, (low, high) = next(iter(over.items()))
     for one, other in pairwise(found):
-        if not one.value.ball < other.value.ball:
+        if not one.value < other.value:
             return None, None, Reason("close", "two crossings cannot be told apart", {}, "ask for more digits")
     if any(one.direction is None for one in found):
         return (
@@ -198,7 +210,7 @@ def _counts(
             None,
             Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits"),
         )
-    end = Fraction(found[0].value.lower) if found else high
+    end = Fraction(found[0].lower) if found else high
     at = _short(low, end)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
     if base.stable is None or base.unstable is None:

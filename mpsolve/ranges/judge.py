@@ -23,6 +23,8 @@ from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most
 
 NONZERO, PASSIVE, KNOWN = 1, 2, 3
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
+_SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
+_TRIED = 8  # of a batch
 Found = Callable[[Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish: True where a zero was enclosed there."""
 
@@ -59,7 +61,10 @@ class Judge:
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
-        rest = np.flatnonzero((kind == 0) & _seems_passive(G) & (low[0] > 0))
+        rest = np.flatnonzero((kind == 0) & (low[0] > 0))
+        if len(rest):
+            middles = Boxes(boxes.m[:, rest], 0 * boxes.r[:, rest])
+            rest = rest[_seems_passive(self.matrix.receptance(middles))]
         if len(rest):
             kind[rest[passive_on(self.envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
         if self.found is not None and (kind == 0).any():
@@ -75,8 +80,9 @@ class Judge:
     def _look(self, boxes: Boxes, s: Scalar, kind: Any) -> None:
         """Zeros that open boxes show are enclosed."""
         u = guess(s.s)
-        near = (kind == 0) & s.good & (np.abs(u) < 1.2).all(0) & one_at_most(s.s)
-        for n in np.flatnonzero(near):
+        small = (boxes.r < _SMALL * self.width[:, None]).all(0)
+        near = (kind == 0) & s.good & (np.abs(u) < 1.2).all(0) & (one_at_most(s.s) | small)
+        for n in np.flatnonzero(near)[:_TRIED]:
             point = boxes.m[:, n] + boxes.r[:, n] * u[:, n]
             if not any(((point >= a) & (point <= b)).all() for a, b in self.known) and self.found is not None:
                 self.found(point)
@@ -113,7 +119,7 @@ def _seems_passive(G: Receptances) -> Any:
     """In floats: −Im G at the middle is positive definite."""
     with np.errstate(all="ignore"):
         middle = G.G.k[0]
-        finite = np.isfinite(middle).all((1, 2))
+        finite = G.good & np.isfinite(middle).all((1, 2))
         middle = np.where(finite[:, None, None], middle, 0)
         H = (middle - np.swapaxes(middle.conj(), 1, 2)) * 0.5j
         return finite & (np.linalg.eigvalsh(H)[:, 0] > 0)

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
+from fractions import Fraction
 from typing import Any
 
 from mpsolve.certificate.solve import checked_digits
-from mpsolve.numbers.balls import arb, rational_ball
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.packed import Portable
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, Value
+from mpsolve.ranges.answer import Answer, outward
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.scope import checked_over, one_path
 
@@ -35,10 +37,20 @@ class Unstable(Portable):
     start, end: balls; an end of the range itself is exact, and then q is None at the start.
     """
 
-    start: Value
-    end: Value
-    q: Value | None
+    start: Any
+    end: Any
+    q: Any | None
     roots: int
+
+    @property
+    def lower(self) -> float:
+        """A float at or below `start`."""
+        return outward(self.start, up=False)
+
+    @property
+    def upper(self) -> float:
+        """A float at or above `end`."""
+        return outward(self.end, up=True)
 
 
 @dataclass(frozen=True)
@@ -50,8 +62,7 @@ class UnstableRanges(Answer):
 
     def rows(self) -> list[Mapping[str, Any]]:
         return [
-            {"start": float(i.start), "end": float(i.end), "q": i.q and float(i.q), "roots": i.roots}
-            for i in self.intervals
+            {"start": _near(i.start), "end": _near(i.end), "q": _near(i.q), "roots": i.roots} for i in self.intervals
         ]
 
 
@@ -60,16 +71,25 @@ class Onset(Answer):
     """The least value of a range from which on some root grows.
 
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
-    unstable_from_start, or undecided.
+    unstable_from_start, or undecided. value, q: balls in the problem's units; lower, upper: floats that hold `value`
+    between them, so that the problem is stable from the start of the range to `lower`; None without a value.
     """
 
     digits: int = 15
     kind: Kind = Kind.UNDECIDED
-    value: Value | None = None
-    q: Value | None = None
+    value: Any | None = None
+    q: Any | None = None
+
+    @property
+    def lower(self) -> float | None:
+        return None if self.value is None else outward(self.value, up=False)
+
+    @property
+    def upper(self) -> float | None:
+        return None if self.value is None else outward(self.value, up=True)
 
     def rows(self) -> list[Mapping[str, Any]]:
-        return [{"kind": self.kind.value, "value": self.value and float(self.value), "q": self.q and float(self.q)}]
+        return [{"kind": self.kind.value, "value": _near(self.value), "q": _near(self.q)}]
 
 
 def unstable_ranges(
@@ -115,8 +135,11 @@ def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
     if found.counts is None:
         return ()
     low, high = next(iter(found.over.values()))
-    starts: list[tuple[Value, Value | None]] = [(_exact(low), None), *((c.value, c.q) for c in found.crossings)]
-    ends = [*(c.value for c in found.crossings), _exact(high)]
+    starts: list[tuple[Any, Any | None]] = [
+        (_exact(low, found.digits), None),
+        *((c.value, c.q) for c in found.crossings),
+    ]
+    ends = [*(c.value for c in found.crossings), _exact(high, found.digits)]
     return tuple(
         Unstable(start, end, q, number)
         for (start, q), end, number in zip(starts, ends, found.counts, strict=True)
@@ -124,9 +147,14 @@ def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
     )
 
 
-def _exact(x: Any) -> Value:
-    ball = rational_ball(x)
-    return Value(arb(ball.mid(), ball.rad()))
+def _exact(x: Fraction, digits: int) -> Any:
+    """An end of the range, to a few more digits than were asked for."""
+    with precision(working_bits(digits)):
+        return rational_ball(x)
+
+
+def _near(ball: Any) -> float | None:
+    return None if ball is None else float(ball.mid())
 
 
 def _found(

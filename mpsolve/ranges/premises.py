@@ -20,6 +20,7 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.realroots import as_fmpq, is_positive
 from mpsolve.problem.family import Family, Interval
 from mpsolve.tracks.at_rest import hurwitz_minors
+from mpsolve.waves.speeds import wave_speeds
 
 _HALVINGS = 8
 
@@ -41,6 +42,34 @@ def require_stable_track(family: Family) -> None:
                 "over", f"holds values of {names} for which the track is not proved stable and damped by itself: "
                 "give narrower ranges, or more damping")  # fmt: skip
         waiting += [(half, depth + 1) for half in _halves(box, depth % len(free))]
+
+
+def require_no_wave_speed(family: Family) -> None:
+    """InputError where the highest coefficient of D in P may vanish: short waves then run with the contacts."""
+    top = family.degree
+    lead = [c for (i, _), c in family.D.items() if i == top]
+    constant = all(j == 0 for i, j in family.D if i == top)
+    row = {tuple(e): c for e, c in lead[0]} if len(lead) == 1 else {}
+    if constant and row and all(min(e) >= 0 for e in row):
+        least, most = _least(row, family.box), _least({e: -c for e, c in row.items()}, family.box)
+        if least > 0 or most > 0 or (len(family.paths) == 1 and _keeps_sign(row, family.box[0])):
+            return
+    speeds = ", ".join(f"{name}: {float(x) ** 0.5:.6g}" for name, x in wave_speeds(family.problem.track).items())
+    known = f" ({speeds})" if speeds else ""
+    raise InputError("over", f"may hold a speed at which short waves of the track run{known}: ask below and above it")
+
+
+def _keeps_sign(row: dict[tuple[int, ...], Fraction], interval: Interval) -> bool:
+    """Exactly, by the roots of a polynomial in one parameter: none in the closed interval."""
+    low, high = interval
+    # x = (low + high y)/(1 + y) runs through [low, high) for y ≥ 0; times (1 + y)^degree
+    degree = max(e[0] for e in row)
+    total = fmpq_poly([])
+    for (e,), c in row.items():
+        first, second = fmpq_poly([as_fmpq(low), as_fmpq(high)]), fmpq_poly([1, 1])
+        total += as_fmpq(c) * first**e * second ** (degree - e)
+    ends = sum((c * high ** e[0] for e, c in row.items()), Fraction(0))
+    return ends != 0 and (is_positive(total) or is_positive(-total))
 
 
 def _conditions(family: Family, free: list[int]) -> list[Any]:

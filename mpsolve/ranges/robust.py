@@ -21,7 +21,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.glance import corners_and_more, count_seen
-from mpsolve.ranges.scope import OpenError, Scope, checked_over, scope_of
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 
 _BOXES = 1_000_000
 _TRIED = 12  # open boxes at which a root that grows is looked for
@@ -129,6 +129,7 @@ def _robust(
 ) -> Robust:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
     question = _Question(problem, over, scope_of(problem, over), budget, check, started)
     try:
         return _answer(question, progress)

@@ -18,13 +18,16 @@ from mpsolve.numbers.model import rational, shown
 from mpsolve.outcome import Reason
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
+from mpsolve.passivity.far import far
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.family import Family, Interval, family_of
 from mpsolve.problem.problem import Problem
 from mpsolve.ranges.judge import Judge
-from mpsolve.ranges.premises import require_stable_track
+from mpsolve.ranges.premises import require_no_wave_speed, require_stable_track
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
+
+_LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
 
 
 class OpenError(PrecisionError):
@@ -61,11 +64,13 @@ class Scope:
     @cached_property
     def X(self) -> float:
         """From this frequency on the contacts are passive for all parameters; `OpenError` where none is found."""
-        found = passive_beyond(self.envelope)
+        # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
+        one = len(self.family.paths) == len(self.family.places) == 1
+        found = far(self.envelope) if one else getattr(passive_beyond(self.envelope), "X", None)
         if found is None:
             message = "no frequency is found beyond which the contacts are passive for all these parameters"
             raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
-        return float(found.X)
+        return float(found)
 
     def judge(self) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole."""
@@ -83,7 +88,23 @@ def scope_of(problem: Problem, over: Mapping[str, Interval]) -> Scope:
     family = family_of(problem, over)
     require_premises(family.base, HalfPlane())
     require_stable_track(family)
+    require_no_wave_speed(family)
     return Scope(family)
+
+
+def from_above_rest(problem: Problem, over: Mapping[str, Interval]) -> dict[str, Interval]:
+    """The ranges from a small velocity on where a range begins at v = 0 and the equations lose p-roots there.
+
+    Nothing is claimed of slower velocities.
+    """
+    out = dict(over)
+    low, high = out.get("v", (Fraction(1), Fraction(1)))
+    if low:
+        return out
+    D = problem.track.waveguide.dispersion
+    if max(i for i, _ in D) < max(i + j for i, j in D):
+        out["v"] = (high * _LEAST, high)
+    return out
 
 
 def checked_over(problem: Problem, over: object) -> dict[str, Interval]:

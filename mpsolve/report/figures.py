@@ -2,7 +2,7 @@
 
 Every figure is drawn by a function that takes matplotlib axes and returns them: `q_plane`, `roots_zoom`, `root_ball`,
 `whole_contour` (figures_plane.py), `line_frequencies`, `line_growth` (figures_lines.py), `displacements`,
-`contact_forces` (figures_response.py), `stability_map` (figures_chart.py), `onsets`, `lowest_parts`,
+`contact_forces` (figures_response.py), `onsets`, `lowest_parts`,
 `amplitude_range` (figures_ranges.py).
 """
 

@@ -37,7 +37,23 @@ def draw_history(
     for part in parts:
         curve = getattr(found, part)[index, order] * scale.length
         ax.plot(found.tau[order] * scale.time, curve, color=_COLOURS[part], linewidth=1.0, label=_PARTS[part])
+    lost = min((time for time in found.contact_loss if time is not None), default=None)
+    if lost is not None:
+        _beyond(found, ax, lost, [getattr(found, part)[index] * scale.length for part in parts], scale)
     return _over_time(ax, scale, f"at $ξ = {found.xi[index]:g}$")
+
+
+def _beyond(found: Response, ax: Axes, lost: float, curves: list[Any], scale: Scale) -> None:
+    """Pale what comes after contact is lost, beyond the model, and no axis is stretched for it."""
+    within = found.tau <= lost
+    if within.any() and not within.all():
+        low, high = (f([f(curve[within]) for curve in curves]) for f in (min, max))
+        room = 0.06 * (high - low) or 1.0
+        ax.set_ylim(low - room, high + room)
+    ax.axvspan(lost * scale.time, found.tau.max() * scale.time, color="white", alpha=0.7, zorder=3)
+    ax.axvline(lost * scale.time, color="#D55E00", linewidth=0.8, linestyle="--")
+    said = "contact is lost at the dashed line: pale what is beyond the model"
+    ax.set_title(said, fontsize=8, color="#D55E00")
 
 
 def _over_time(ax: Axes, scale: Scale, where: str) -> Axes:

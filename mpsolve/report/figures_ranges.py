@@ -10,12 +10,21 @@ from typing import TYPE_CHECKING
 
 from mpsolve.errors import InputError
 from mpsolve.model.specs import ONE_MASS
-from mpsolve.report.chart import SYMBOLS
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.stability.table import OnsetTable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+SYMBOLS = {
+    "alpha": "$α$",
+    "eta_m": "$η_M$",
+    "d": "$d$",
+    "eta_b": "$η_b$",
+    "eta_n": "$η_N$",
+    "eta_s": "$η_S$",
+    "masses": "masses",
+}
 
 
 def onsets(table: OnsetTable, ax: Axes, look: Look = COLOUR) -> Axes:

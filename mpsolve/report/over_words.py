@@ -25,13 +25,13 @@ def unstable_from_start(over: Over) -> str:
     return f"UNSTABLE already at {over.path} = {over.told(over.low)}, where the range begins."
 
 
-def onset_at(over: Over, value: Any, q: Any) -> str:
+def onset_at(over: Over, value: Any, q: Any, unit: str = "Hz") -> str:
     """The verdict where the first root begins to grow at `value`, a ball in SI, with the frequency q in rad/s.
 
-    q: a ball ≥ 0; where it is 0 the deflection grows without oscillation.
+    q: a ball ≥ 0; where it is 0 the deflection grows without oscillation. unit: of q/2π.
     """
     with precision(_BITS):
-        motion = "a deflection" if q == 0 else f"a vibration at {rounded(abs(q) / (2 * arb.pi()))} Hz"
+        motion = "a deflection" if q == 0 else f"a vibration at {rounded(abs(q) / (2 * arb.pi()))} {unit}"
         return (
             f"STABLE for {over.path} from {over.told(over.low)} to {over.told(value)}, where {motion} begins to grow."
         )

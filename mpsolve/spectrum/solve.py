@@ -118,8 +118,12 @@ def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
     small = max(2 * high, 1.5)
     sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
     below = [Area(0.0, size, h - size, h) for size in sizes]
-    none_above = count.far is not None and not count.upper.paths  # the track is passive on the whole upper half
-    return tuple(below[:1] + ([] if none_above else [Area(0.0, small, h, h + small)]) + below[1:])
+    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small)]) + below[1:])
+
+
+def _none_above(count: SheetCount) -> bool:
+    """Whether track and vehicle are passive on the whole half above the cuts."""
+    return count.far is not None and not count.upper.paths
 
 
 def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
@@ -130,7 +134,7 @@ def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
         turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
         points = np.concatenate([*turns, *rings, [count.begin + 0j]])
         near = points[np.abs(points) < max(16.0, 4 * count.end)]
-        return np.concatenate([near, near.conj()]) + 1j * float(count.line.height)
+        return np.concatenate([near] if _none_above(count) else [near, near.conj()]) + 1j * float(count.line.height)
     points = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
     if not count.half:
         return points

@@ -14,10 +14,11 @@ import numpy as np
 import pytest
 from measure import median, seconds
 
-from mpsolve import Case, onset_velocity
+from mpsolve import Case
 from mpsolve.fields import Float64
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
+from mpsolve.stability.velocities import onset_velocity
 
 NEEDS = "the comparison needs cxroots: pip install '.[bench]'"
 ETA_B, ETA_M, PLACES = "0.05", (70, 70), (0, "1.5")

@@ -3,7 +3,7 @@
 cxroots gets f and f′ on numpy arrays and its Romberg integration, its fastest rule here; skzeros gets the same and a
 disc's bounding square. One run each, in processor time, with an end after LIMIT seconds. "wrong": another number
 of zeros than is proved, or a zero off by more than 10⁻⁶. `python tests/bench/bench_roots.py` prints the table of
-docs/roots.md.
+docs/how-to/roots.md.
 """
 
 from __future__ import annotations

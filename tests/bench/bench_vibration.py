@@ -24,9 +24,7 @@ def infinite() -> None:
     one = median(lambda: response(PROBLEM, times=SOME, places=[0], spectrum=spectrum), 9)
     bare = median(lambda: response(PROBLEM, times=SOME, places=[0]), 9)
     print(f"2,000 times × 4 places {seconds(whole)} with the roots (goal: 1 s)")
-    print(
-        f"200 times × 1 place {seconds(one)} with the roots (goal: 100 ms), {seconds(bare)} with kept ones"
-    )
+    print(f"200 times × 1 place {seconds(one)} with the roots (goal: 100 ms), {seconds(bare)} with kept ones")
     print(f"critical velocities {seconds(median(lambda: critical_velocities(PROBLEM.track), 5))} (goal: 0.2 s)")
 
 

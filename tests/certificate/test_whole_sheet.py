@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from mpsolve import InputError, Problem, Status, certify, tracks, vehicles
+from mpsolve import Effort, InputError, Problem, Status, certify, tracks, vehicles
 from mpsolve.certificate import verify2
 from mpsolve.certificate.format import digest
 from mpsolve.certificate.solve import certify_problem
@@ -114,6 +114,23 @@ def test_a_rectangle_across_a_cut_is_refused() -> None:
     row = [vehicles.Mass(70), vehicles.Mass(70).at("1.5")]
     with pytest.raises(InputError, match="beyond the gap of the cuts"):
         certify(Problem(tracks.EulerBernoulli(**PAPER, c="0.1"), row, v="0.67"), region=Rectangle(-1, 1, -1, 1))
+
+
+@pytest.mark.parametrize(
+    ("c", "v", "evaluations", "code", "words"),
+    [
+        ("0.1", "0.67", 40, "effort", 'or ask for "unstable"'),
+        ("0", "1", None, "sheet", "change the velocity a little, or give some damping"),
+    ],
+)
+def test_what_stays_open_says_why(c: str, v: str, evaluations: int | None, code: str, words: str) -> None:
+    problem = Problem(tracks.EulerBernoulli(**PAPER, c=c), [vehicles.Mass(70)], v=v)
+    effort = None if evaluations is None else Effort(evaluations=evaluations)
+    found = certify(problem, region="sheet", digits=15, effort=effort)
+    assert found.status is Status.UNDECIDED
+    assert found.reason is not None
+    assert found.reason.code == code
+    assert words in found.reason.remedy
 
 
 # --- forgeries ---------------------------------------------------------------------------------------------

@@ -11,13 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Truth, grid
 
-from mpsolve import Case, certify, unstable_velocities
+from mpsolve import Case, certify
 from mpsolve.errors import InputError
 from mpsolve.fast.cases import Cases
 from mpsolve.fast.follow import Outcome
 from mpsolve.fast.frequencies import Frequencies, frequencies
 from mpsolve.fast.order import alike
 from mpsolve.model.edge import edge_value
+from mpsolve.stability.velocities import unstable_velocities
 
 ALPHA = np.arange(1, 141) / 100
 STUDY = {

@@ -6,25 +6,11 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from mpsolve import Problem, read_problem, tracks, vehicles
-from mpsolve.page.parts import critical_of, gather, rounded_up, top_velocity, velocities
+from mpsolve.page.parts import gather, velocities
 
 BOGIE = read_problem("examples/two_layer_bogie.toml").problem
-
-
-@given(st.fractions(min_value="1/100", max_value=10**9))
-def test_round_numbers_are_not_below(x: Fraction) -> None:
-    up = rounded_up(x)
-    assert x <= up <= x * Fraction(11, 10) + Fraction(1, 100)
-
-
-def test_the_range_holds_the_velocity_and_the_first_critical_one() -> None:
-    top = top_velocity(BOGIE, critical_of(BOGIE))
-    assert top > 2 * BOGIE.v
-    assert float(top) > float(critical_of(BOGIE).velocities[0].value.mid())
 
 
 def test_velocities_fill_the_range() -> None:

@@ -13,7 +13,7 @@ from vehicle_models import random_vehicles
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks import String
-from mpsolve.vehicles import Mass, Oscillator
+from mpsolve.vehicles import Mass, Oscillator, train
 
 TRACK = String(T=1, m=1, k=1, c=1)
 
@@ -59,3 +59,9 @@ def test_what_is_no_problem_is_refused(values: Any, key: str) -> None:
     with pytest.raises(InputError) as caught:
         Problem(*values)
     assert caught.value.key == key
+
+
+def test_a_train_too_long_for_its_matrices_is_refused() -> None:
+    assert Problem(TRACK, train(Mass(1), 1000, 1), v=1).pencil.size == 1000
+    with pytest.raises(InputError, match="3000 coordinates"):
+        _ = Problem(TRACK, [train(Mass(1), 1000, 1)] * 3, v=1).pencil

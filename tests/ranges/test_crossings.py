@@ -35,9 +35,9 @@ def test_velocities_are_those_of_the_engine_for_one_beam(in_velocity: Crossings)
     ranges = unstable_velocities(eta_b="0.05", eta_m=("40", "40"), positions=("0", "1.5"), alpha=(0, 1), digits=20)
     ends = [x for interval in ranges for x in (interval.start, interval.end)][:3]
     for crossing, end in zip(in_velocity.crossings, ends, strict=True):
-        assert crossing.value.ball.overlaps(end)
-        assert crossing.value.ball.rad() < 1e-29
-        assert crossing.value.lower <= float(end) <= crossing.value.upper
+        assert crossing.value.overlaps(end)
+        assert crossing.value.rad() < 1e-29
+        assert crossing.lower <= float(end) <= crossing.upper
     assert np.isclose(float(in_velocity.crossings[0].q), float(ranges[0].q_start))
 
 
@@ -93,7 +93,7 @@ def test_the_answer_travels(in_velocity: Crossings) -> None:
     again = pickle.loads(pickle.dumps(in_velocity))
     assert again.counts == in_velocity.counts
     with precision(64):
-        assert again.crossings[0].value.ball.overlaps(in_velocity.crossings[0].value.ball)
+        assert again.crossings[0].value.overlaps(in_velocity.crossings[0].value)
     data = json.loads(in_velocity.to_json())
     assert data["status"] == "proved"
     assert data["crossings"][0]["value"]["decimal"].startswith("0.73787693709")

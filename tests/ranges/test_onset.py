@@ -1,8 +1,11 @@
 """Onsets that others have computed, and the kinds of an answer."""
 
+import math
+import pickle
 from fractions import Fraction
 
 import pytest
+from flint import arb
 from free_cases import BEAM, BOGIE, LAYERS, PAIR, RAIL
 
 from mpsolve import Problem, tracks, vehicles
@@ -24,6 +27,15 @@ KNOWN = {
 }
 
 
+@pytest.mark.parametrize(("number", "known"), [(4, 0.610), (8, 0.551), (16, 0.479)])
+def test_rows_of_masses(number: int, known: float) -> None:
+    row = [vehicles.Mass(40).at(Fraction(3, 2) * k) for k in range(number)]
+    found = onset(Problem(BEAM, row, v=0), over={"v": ("0.1", known + 0.01)}, check=False)
+    assert found.kind is Kind.CROSSES
+    assert found.value is not None
+    assert abs(float(found.value) - known) < 6e-4  # as floats have it, to three digits
+
+
 @pytest.mark.parametrize("name", KNOWN)
 def test_onsets_are_those_of_another_program(name: str) -> None:
     problem, over, known = KNOWN[name]
@@ -31,7 +43,7 @@ def test_onsets_are_those_of_another_program(name: str) -> None:
     assert found.status is Status.PROVED
     assert found.kind is Kind.CROSSES
     assert found.value is not None
-    assert found.value.ball.rad() < 1e-10
+    assert found.value.rad() < 1e-10
     assert abs(float(found.value) / known - 1) < 1e-6
 
 
@@ -43,4 +55,29 @@ def test_each_kind_of_answer() -> None:
     assert [part.roots for part in ranges.intervals] == [2, 2]
     assert (float(ranges.intervals[0].start), ranges.intervals[0].q) == (0.75, None)
     assert float(ranges.intervals[-1].end) == 1
-    assert not ranges.intervals[0].end.ball.overlaps(ranges.intervals[1].start.ball)
+    assert not ranges.intervals[0].end.overlaps(ranges.intervals[1].start)
+
+
+def test_an_answer_gives_balls_and_floats_round_them() -> None:
+    problem = Problem(BEAM, PAIR, v=0)
+    found = onset(problem, over={"v": ("0.7", "0.75")}, digits=40)
+    assert found.value is not None
+    assert found.lower is not None
+    assert found.upper is not None
+    assert found.value > found.lower
+    assert found.value < found.upper
+    assert math.nextafter(math.nextafter(found.lower, 1), 1) >= found.upper
+    again = pickle.loads(pickle.dumps(found))
+    assert again.value.mid() == found.value.mid()
+    data = found.to_dict()["value"]
+    assert (data["lower"], data["upper"]) == (found.lower, found.upper)
+    assert found.value.contains(arb(data["decimal"])) or found.value.overlaps(arb(data["decimal"]))
+
+
+def test_ends_of_the_range_have_the_digits_asked_for() -> None:
+    ranges = unstable_ranges(Problem(BEAM, PAIR, v=0), over={"v": ("0.75", "0.8")}, digits=100)
+    (part,) = ranges.intervals
+    assert part.start.rad() < 1e-100
+    assert part.end.rad() < 1e-100
+    assert Fraction(part.lower) <= Fraction("0.75")
+    assert Fraction(part.upper) >= Fraction("0.8")

@@ -20,11 +20,9 @@ from mpsolve.motion.solve import response
 from mpsolve.numbers.exact import Exact
 from mpsolve.report import figures_lines, figures_plane, figures_response
 from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
-from mpsolve.report.figures_chart import stability_map
 from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.vibration import vibrations
-from mpsolve.stability.chart import Band, Column, Point, StabilityChart
 from mpsolve.stability.table import Entry, OnsetTable
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
@@ -42,19 +40,6 @@ def motion() -> Any:
 @pytest.fixture(scope="module")
 def lines() -> Any:
     return frequency_lines("0.05", 70, 0, alpha=["0.5", "0.6", "0.7"])
-
-
-CHART = StabilityChart(
-    "",
-    15,
-    {},
-    (Exact(0), Exact(1)),
-    Grid("factor", (Exact.parse("0.5"), Exact(1))),
-    (
-        Column((), (Band(0.0, 1.0, 0),), (), True, ""),
-        Column((Point("0.66", "0.1", 1),), (Band(0.0, 0.66, 0), Band(0.66, 1.0, 2)), (), True, ""),
-    ),
-)
 
 
 def placed(ax: Any, gid: str) -> tuple[float, float]:
@@ -210,14 +195,6 @@ def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
             assert y == 0
 
 
-def test_the_map_marks_the_case() -> None:
-    figure = figure_of(lambda ax: stability_map(CHART, CASE, ax))
-    assert placed(figure.axes[0], "case-mark") == (1.0, 0.67)
-    (legend,) = figure.legends
-    texts = [text.get_text() for text in legend.get_texts()]
-    assert texts == ["this case", "stable", "2 unstable roots", "two roots become unstable"]
-
-
 DRAWN: dict[str, Callable[[Any, Any, Any], Any]] = {
     "plane": lambda ax, _motion, _lines: figures_plane.q_plane(SPECTRUM, ax, GREY),
     "zoom": lambda ax, _motion, _lines: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
@@ -225,7 +202,6 @@ DRAWN: dict[str, Callable[[Any, Any, Any], Any]] = {
     "contour": lambda ax, _motion, _lines: figures_plane.whole_contour(SPECTRUM, ax, GREY),
     "frequency": lambda ax, _motion, lines: figures_lines.line_frequencies(lines, ax, SPECTRUM, None, GREY),
     "growth": lambda ax, _motion, lines: figures_lines.line_growth(lines, ax, SPECTRUM, None, GREY),
-    "chart": lambda ax, _motion, _lines: stability_map(CHART, CASE, ax, None, GREY),
     "displacement": lambda ax, motion, _lines: figures_response.displacements(motion, ax, None, GREY),
     "contact": lambda ax, motion, _lines: figures_response.contact_forces(motion, ax, None, GREY),
 }

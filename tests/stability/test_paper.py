@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from mpsolve import crossing_masses, cut_points, onset_velocity, unstable_velocities
+from mpsolve import crossing_masses, cut_points
+from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
 # Section 4.2, undamped: the last velocity ratio of the grid 0.01 with both frequency pairs, printed
 LAST_WITH_BOTH_PAIRS = {

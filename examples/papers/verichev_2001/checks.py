@@ -63,7 +63,7 @@ def domains(claim: Claim) -> Finding:
         found = crossings(oscillator(v, "1000"), over={f"vehicles[0].{name}": (low, high)})
         if not found.proved or found.counts is None:
             raise PrecisionError(str(found.reason))
-        numbers += [(f"{name}: a boundary, {unit}", shown(one.value.ball, 12)) for one in found.crossings]
+        numbers += [(f"{name}: a boundary, {unit}", shown(one.value, 12)) for one in found.crossings]
         numbers.append((f"  growing roots from {low} to {high}", ", ".join(map(str, found.counts))))
         mixed.append(0 in found.counts and any(found.counts))
     if not all(mixed):

@@ -1,0 +1,38 @@
+"""The balls of roots as a certificate names them: one entry for a pair q, −q̄, on a grid of powers of two."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.certificate.spectrum_file import RootEntry
+from mpsolve.numbers.rootball import RootBall, Symmetry
+
+
+def root_entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:
+    """One entry for a pair q, −q̄, one for a root by itself."""
+    out = []
+    for ball in balls:
+        if ball.symmetry is Symmetry.IMAGINARY:
+            out.append(_entry(ball, False))
+        elif ball.q.real > 0:
+            out.append(_entry(ball, any(other.q.overlaps(ball.mirrored.q) for other in balls)))
+        elif not any(other.q.overlaps(ball.mirrored.q) for other in balls):
+            out.append(_entry(ball, False))
+    return out
+
+
+def _entry(ball: RootBall, pair: bool) -> RootEntry:
+    re, im = (_on_grid(x.mid(), ball.exponent) for x in (ball.q.real, ball.q.imag))
+    side = max((_fraction(x.rad()) for x in (ball.q.real, ball.q.imag)), default=Fraction(0))
+    return RootEntry(re, im, ball.exponent, side * Fraction(3, 2), ball.multiplicity, pair)
+
+
+def _on_grid(x: Any, exponent: int) -> int:
+    mantissa, own = x.man_exp()
+    return int(mantissa) << (int(own) - exponent) if mantissa else 0
+
+
+def _fraction(x: Any) -> Fraction:
+    mantissa, exponent = x.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

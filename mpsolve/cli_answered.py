@@ -1,0 +1,105 @@
+"""How the commands about ranges ask, report and write: ranges by default, JSON, files, exit statuses."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
+
+if TYPE_CHECKING:
+    from mpsolve.progress import Progress
+    from mpsolve.report.ranges_asked import Asked
+    from mpsolve.report.ranges_words import Said
+
+
+def answered(
+    file: Path,
+    overs: tuple[str, ...],
+    answer: Callable[[Asked, Progress | None], Said],
+    as_json: bool,
+    output: Path | None,
+    defaults: str = "near",
+    suffixes: tuple[str, ...] = (".json", ".csv"),
+) -> None:
+    """Reads, answers, reports, writes and exits. defaults: the ranges where none is given."""
+    with one_sentence():
+        from mpsolve.files import checked_suffix
+        from mpsolve.problem.inputfile import read_source
+        from mpsolve.report.ranges_asked import asked
+
+        source = read_source(file)
+        if output is not None:
+            checked_suffix(checked_output(output, file, "the answer"), suffixes)
+        question = asked(source.given, source.title, overs)
+        with progress() as tell:
+            said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
+        if as_json:
+            click.echo(json.dumps(_data(said), ensure_ascii=False, indent=1))
+        else:
+            click.echo("\n".join(one.text for one in said), nl=False)
+        if output is not None:
+            _write(output, said)
+            click.echo(str(output), err=as_json)
+    sys.exit(0 if all(one.answer.proved for one in said) else UNDECIDED)
+
+
+def _by_default(
+    question: Asked, answer: Callable[[Asked, Progress | None], Said], tell: Progress | None, defaults: str
+) -> list[Said]:
+    """The answers over the default ranges in ascending order.
+
+    defaults: "near"; "first", step by step up to the first range in which something grows, or that is undecided;
+    "chart", masses too, and the range that holds the file's own velocity.
+    """
+    from mpsolve.ranges.default import MASS_FACTORS, velocity_ranges
+
+    ranges = velocity_ranges(question.problem)
+    if defaults == "chart":
+        v = question.problem.v
+        one = next((ends for ends in ranges.near if ends[0] <= v <= ends[1]), ranges.near[0])
+        return [_told(answer(question.by_itself({"v": one, "scale.mass": MASS_FACTORS}), tell))]
+    out: list[Said] = []
+    for ends in ranges.steps if defaults == "first" else ranges.near:
+        out.append(_told(answer(question.by_itself({"v": ends}), tell)))
+        if defaults == "first" and (out[-1].grows or not out[-1].answer.proved):
+            break
+    if len(out) > 1 and not out[-1].answer.proved and out[-1].asked.overs[0].low >= ranges.near[-1][1]:
+        out.pop()  # beyond all ranges that hold the velocity and the least critical one: nothing is said of it
+    return out
+
+
+def _told(said: Said) -> Said:
+    """With the names of options in remedies."""
+    from mpsolve.report.remedies import on_command_line
+
+    return replace(said, verdict=on_command_line(said.verdict), text=on_command_line(said.text))
+
+
+def _data(said: list[Said]) -> dict[str, Any]:
+    from mpsolve.report.ranges_data import parts_data, ranges_data
+
+    each = [ranges_data(one.name, one.verdict, one.answer, one.asked) for one in said]
+    return each[0] if len(each) == 1 else parts_data(each)
+
+
+def _write(output: Path, said: list[Said]) -> None:
+    from mpsolve.files import write_whole
+    from mpsolve.report.ranges_files import cells_csv, rows_csv
+
+    suffix = output.suffix.lower()
+    drawn: Any = said[0].answer
+    if suffix == ".svg":
+        from mpsolve.pictures.proved_chart import proved_chart
+
+        write_whole(output, proved_chart(drawn, said[0].asked))
+    elif suffix == ".csv":
+        write_whole(output, cells_csv(drawn, said[0].asked) if said[0].name == "chart" else rows_csv(said))
+    else:
+        write_whole(output, json.dumps(_data(said), ensure_ascii=False, indent=1) + "\n")

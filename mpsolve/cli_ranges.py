@@ -1,0 +1,170 @@
+"""The commands about stability over ranges of any parameters of any problem: onset, crossings, robust, chart."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mpsolve.cli_answered import answered
+from mpsolve.cli_tools import effort_of, one_sentence
+
+if TYPE_CHECKING:
+    from mpsolve.progress import Progress
+    from mpsolve.report.ranges_asked import Asked
+    from mpsolve.report.ranges_words import Said
+
+_FILE = click.argument("file", type=click.Path(path_type=Path))
+_DIGITS = click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
+_EFFORT = click.option("--effort", type=float, metavar="SECONDS", help="Processor time that the proof may take.")
+_JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+_OUTPUT = click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
+)
+
+
+def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    many = "; again for each parameter" if several else ""
+    text = (
+        f"PATH=LOW..HIGH: a parameter (v, track.k, vehicles.wheel, vehicles[0].M, gap[0], scale.mass) and its range, "
+        f"such as v=0..400km/h{many}.  {default}"
+    )
+    return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
+
+
+_VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity and the waves of the track]"
+
+
+@click.command()
+@_FILE
+@_over(False, _VELOCITIES)
+@click.option(
+    "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
+)
+@_DIGITS
+@_EFFORT
+@_JSON
+@_OUTPUT
+def onset(
+    file: Path,
+    overs: tuple[str, ...],
+    everything: bool,
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+) -> None:
+    """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
+
+    The file's own value of that parameter plays no part, but the report says how far it is from the onset.
+
+    Exit status 0: proved, whatever the answer. 1: undecided, with the reason. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.ranges.onset import onset as prove
+        from mpsolve.ranges.onset import unstable_ranges
+        from mpsolve.report import ranges_words as words
+
+        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        if everything:
+            return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
+        return words.said_of_onset(prove(question.given, over=question.over, **options), question)
+
+    answered(file, overs, answer, as_json, output, "near" if everything else "first")
+
+
+@click.command()
+@_FILE
+@_over(False, _VELOCITIES)
+@_DIGITS
+@_EFFORT
+@_JSON
+@_OUTPUT
+def crossings(
+    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+) -> None:
+    """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
+
+    A root q is real there. Exit status as for onset.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.ranges.crossings import crossings as prove
+        from mpsolve.report import ranges_words as words
+
+        found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
+        return words.said_of_crossings(found, question)
+
+    answered(file, overs, answer, as_json, output)
+
+
+@click.command()
+@_FILE
+@_over(True, "At least one must be given.")
+@_EFFORT
+@_JSON
+@_OUTPUT
+def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bool, output: Path | None) -> None:
+    """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
+
+    Or find a certified counterexample, or list the parts of the ranges that stay open. Exit status 0: proved stable,
+    or proved unstable at the point that is shown. 1: undecided. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.ranges.robust import prove_stable
+        from mpsolve.report.robust_words import said_of_robust
+
+        found = prove_stable(question.given, over=question.over, effort=effort_of(effort), progress=tell)
+        return said_of_robust(found, question)
+
+    with one_sentence():
+        _required(overs)
+    answered(file, overs, answer, as_json, output)
+
+
+def _required(overs: tuple[str, ...]) -> None:
+    from mpsolve.errors import InputError
+
+    if not overs:
+        raise InputError("--over", "is missing: give the range of each uncertain parameter, as in --over v=0..80m/s")
+
+
+@click.command()
+@_FILE
+@_over(True, "[default: velocities as for onset, and scale.mass=0.2..3, a factor on all masses]")
+@click.option(
+    "--depth", type=int, default=6, show_default=True, help="2^DEPTH cells along each parameter, DEPTH 2 to 10."
+)
+@_EFFORT
+@_JSON
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Draw FILE.svg, or write FILE.csv or .json, with each cell.",
+)
+def chart(
+    file: Path, overs: tuple[str, ...], depth: int, effort: float | None, as_json: bool, output: Path | None
+) -> None:
+    """Prove how many roots grow over two parameters of the problem in FILE (TOML): as regions, and strips between.
+
+    Exit status 0: every region is proved. 1: some are open. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.ranges.chart import stability_chart
+        from mpsolve.report.robust_words import said_of_chart
+
+        found = stability_chart(
+            question.given, over=question.over, depth=depth, effort=effort_of(effort), progress=tell
+        )
+        return said_of_chart(found, question)
+
+    answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
+
+
+COMMANDS = (onset, crossings, robust, chart)

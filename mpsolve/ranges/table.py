@@ -1,0 +1,193 @@
+"""Tables over grids of any two parameters: the onset, or all unstable ranges, of each entry, in proved digits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.decimals import fixed_digits, working_bits
+from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.packed import Portable
+from mpsolve.outcome import Reason
+from mpsolve.parallel.pool import run_bunches
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.over import Over
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.scope import checked_over, one_path
+
+QUANTITIES = ("onset", "unstable ranges")
+_GUARD = 5  # digits beyond those that are printed
+_LEAST = 15
+_MOST = 10_000
+_MOST_DIGITS = 1000
+
+
+@dataclass(frozen=True)
+class Entry(Portable):
+    """One entry. status: "proved" (`text` is the number, correctly rounded in the unit of the table, or the ranges),
+    "stable" (nothing grows in the range), "unstable" (from its start on) or "undecided", with the reason.
+
+    balls: the onset, or the ends of the ranges, in the model's unit. over: the range of which the entry speaks.
+    """
+
+    status: str
+    text: str
+    over: tuple[Fraction, Fraction]
+    reason: Reason | None = None
+    balls: tuple[Any, ...] = field(default=(), repr=False)
+
+
+@dataclass(frozen=True)
+class Table:
+    """entries[i][j] belongs to rows[1][i] and columns[1][j]; an axis is (path, exact values in the model's unit)."""
+
+    quantity: str
+    over: Over
+    rows: tuple[str, tuple[Fraction, ...]]
+    columns: tuple[str, tuple[Fraction, ...]]
+    digits: int
+    entries: tuple[tuple[Entry, ...], ...]
+    title: str = ""
+
+    @property
+    def proved(self) -> bool:
+        """Whether no entry is undecided."""
+        return all(entry.status != "undecided" for row in self.entries for entry in row)
+
+
+@dataclass(frozen=True)
+class _Job:
+    problem: Problem
+    quantity: str
+    over: Over
+    digits: int
+    seconds: float | None
+
+
+def stability_table(
+    problem: Given,
+    *,
+    over: Mapping[str, Any] | Over,
+    rows: Mapping[str, Sequence[Any]],
+    columns: Mapping[str, Sequence[Any]],
+    quantity: str = "onset",
+    digits: int = 10,
+    seconds: float | None = None,
+    workers: int | None = None,
+    progress: Progress | None = None,
+    title: str = "",
+) -> Table:
+    """The onset in a range of one parameter, or all unstable ranges, over a grid of two others; every digit proved.
+
+    over: {path: (low, high)}, or an `Over` with the unit in which numbers are printed. rows, columns: {path: values}.
+    digits: of each number. seconds: of processor time that an entry may take. workers: processes, as many as there
+    are processors if None; they are spawned, so that a script must call this under `if __name__ == "__main__":`.
+    There are no certificates. InputError names the path or the value that cannot be.
+    """
+    given = as_problem(problem)
+    if quantity not in QUANTITIES:
+        raise InputError("quantity", f'is {quantity!r}: give "onset" or "unstable ranges"')
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:
+        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {_MOST_DIGITS}")
+    asked = over if isinstance(over, Over) else _over(given, over)
+    first, second = _axis(given, rows, "rows"), _axis(given, columns, "columns")
+    if len({asked.path, first[0], second[0]}) < 3:
+        raise InputError("columns", f"has {second[0]}, rows {first[0]}, the range {asked.path}: give three others")
+    jobs = [_Job(_at(given, first, i, second, j), quantity, asked, digits, seconds)
+            for i in range(len(first[1])) for j in range(len(second[1]))]  # fmt: skip
+    found = run_bunches(_solve_all, jobs, workers, progress, "table")
+    width = len(second[1])
+    entries = tuple(tuple(found[k : k + width]) for k in range(0, len(found), width))
+    return Table(quantity, asked, first, second, digits, entries, title)
+
+
+def _over(problem: Problem, over: Mapping[str, Any]) -> Over:
+    ranges = checked_over(problem, over)
+    path = one_path(ranges)
+    unit = problem.quantity(path).unit
+    return Over(path, *ranges[path], unit, unit)
+
+
+def _axis(problem: Problem, axis: object, key: str) -> tuple[str, tuple[Fraction, ...]]:
+    if not isinstance(axis, Mapping) or len(axis) != 1:
+        raise InputError(key, 'is no grid of one parameter: give {"gap[0]": [1, 2, 3]}, for example')
+    path, values = next(iter(axis.items()))
+    quantity = problem.quantity(path)
+    if isinstance(values, str) or not 1 <= len(values) <= _MOST:
+        raise InputError(key, f"gives no list of values of {path}: give 1 to {_MOST}")
+    out: list[Fraction] = []
+    for k, value in enumerate(values):
+        number = rational(value, f"{key}.values[{k + 1}]", quantity.unit, quantity.meaning)
+        if number in out:
+            raise InputError(f"{key}.values[{k + 1}]", f"is {shown(number)}, which is there already: drop one")
+        out.append(number)
+    return path, tuple(out)
+
+
+def _at(
+    problem: Problem,
+    rows: tuple[str, tuple[Fraction, ...]],
+    i: int,
+    columns: tuple[str, tuple[Fraction, ...]],
+    j: int,
+) -> Problem:
+    """The problem of one entry; factors on masses and gaps are applied last."""
+    both = [("rows", i, rows[0], rows[1][i]), ("columns", j, columns[0], columns[1][j])]
+    for key, k, path, value in sorted(both, key=lambda one: one[2].startswith("scale.")):
+        try:
+            problem = problem.changed(path, value)
+        except InputError as error:
+            told = str(error).removeprefix(f"{error.key}: ")
+            raise InputError(f"{key}.values[{k + 1}]", f"is a value of {path}, which {told}") from None
+    return problem
+
+
+def _solve_all(jobs: Sequence[_Job]) -> list[Entry]:
+    return [_solve(job) for job in jobs]
+
+
+def _solve(job: _Job) -> Entry:
+    ends = (job.over.low, job.over.high)
+    effort = None if job.seconds is None else Effort(seconds=job.seconds)
+    options: dict[str, Any] = {"digits": max(_LEAST, job.digits + _GUARD), "effort": effort, "check": False}
+    try:
+        prove = _onset if job.quantity == "onset" else _ranges
+        return prove(job, {job.over.path: ends}, options)
+    except (InputError, PrecisionError) as error:
+        return Entry("undecided", "undecided", ends, Reason("entry", str(error), {}, ""))  # type: ignore[arg-type]
+
+
+def _onset(job: _Job, over: Any, options: Any) -> Entry:
+    found = onset(job.problem, over=over, **options)
+    ends = found.over[job.over.path]
+    if not found.proved:
+        return Entry("undecided", "undecided", ends, found.reason)
+    if found.kind is Kind.CROSSES:
+        return Entry("proved", _number(found.value, job), ends, balls=(found.value,))
+    status = "stable" if found.kind is Kind.STABLE else "unstable"
+    return Entry(status, status, ends)
+
+
+def _ranges(job: _Job, over: Any, options: Any) -> Entry:
+    found = unstable_ranges(job.problem, over=over, **options)
+    ends = found.over[job.over.path]
+    if not found.proved:
+        return Entry("undecided", "undecided", ends, found.reason)
+    if not found.intervals:
+        return Entry("stable", "stable", ends)
+    texts = [f"{_number(one.start, job)}..{_number(one.end, job)}" for one in found.intervals]
+    balls = tuple(ball for one in found.intervals for ball in (one.start, one.end))
+    return Entry("proved", " ".join(texts), ends, balls=balls)
+
+
+def _number(ball: Any, job: _Job) -> str:
+    """In the unit of the table."""
+    with precision(working_bits(job.digits + _GUARD)):
+        return fixed_digits(job.over.shown(ball), job.digits)

@@ -1,0 +1,85 @@
+"""A question about ranges as it was asked: what the file holds, and the ranges in the user's own units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from mpsolve.errors import InputError
+from mpsolve.model.parameters import Case
+from mpsolve.outcome import Reason
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.over import Over, parse_overs
+from mpsolve.problem.problem import Problem
+
+_NO_END = "has no upper end: give one, such as {path}=0..{example}, for a range without an end is not proved"
+
+
+@dataclass(frozen=True)
+class Asked:
+    """given: of the file; problem: the same as a Problem; overs: the ranges, by default where the user gave none."""
+
+    given: Given
+    problem: Problem
+    title: str
+    overs: tuple[Over, ...]
+    by_default: bool = False
+
+    @property
+    def over(self) -> dict[str, tuple[Fraction, Fraction]]:
+        """The ranges as the library takes them."""
+        return {one.path: (one.low, _end(one)) for one in self.overs}
+
+    @property
+    def si(self) -> bool:
+        """Whether quantities are in SI; a Case has the paper's ratios."""
+        return not isinstance(self.given, Case)
+
+    @property
+    def warnings(self) -> tuple[Reason, ...]:
+        """Of each range that does not hold the file's own value."""
+        found = (one.outside(self.problem) for one in self.overs)
+        return tuple(reason for reason in found if reason is not None)
+
+    @property
+    def ranges(self) -> str:
+        """The ranges in words: "v from 0 km/h to 400 km/h"."""
+        return ", ".join(f"{one.path} from {one.told(one.low)} to {one.told(_end(one))}" for one in self.overs)
+
+    def by_itself(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
+        """The same question over ranges that the user did not give; velocities are told in km/h."""
+        return replace(self, overs=tuple(self._of(path, *ends) for path, ends in over.items()), by_default=True)
+
+    def answered(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
+        """The same question over the ranges of which an answer speaks."""
+        return replace(
+            self, overs=tuple(replace(one, low=over[one.path][0], high=over[one.path][1]) for one in self.overs)
+        )
+
+    def _of(self, path: str, low: Fraction, high: Fraction) -> Over:
+        unit = self.problem.quantity(path).unit if self.si else ""
+        return Over(path, low, high, unit, "km/h" if unit == "m/s" else unit)
+
+
+def asked(given: Given, title: str, texts: Iterable[str]) -> Asked:
+    """What `texts` ask, such as "v=0..400 km/h"; InputError for a range without an end and for units of a ratio."""
+    problem = as_problem(given)
+    overs = parse_overs(texts, problem)
+    for one in overs:
+        if one.high is None:
+            example = "400km/h" if one.path == "v" and one.si else "10"
+            raise InputError("--over", f"names {one.path}, which {_NO_END.format(path=one.path, example=example)}")
+    if isinstance(given, Case):
+        for one in overs:
+            if one.unit != one.si:
+                stated = f"gives {one.path} in {one.unit}, but the file holds the paper's ratios"
+                raise InputError("--over", f"{stated}: give numbers without units, v being α")
+        overs = tuple(replace(one, si="", unit="") for one in overs)
+    return Asked(given, problem, title, overs)
+
+
+def _end(over: Over) -> Fraction:
+    if over.high is None:
+        raise InputError("--over", f"names {over.path}, which has no upper end: give one")
+    return over.high

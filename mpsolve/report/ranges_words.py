@@ -1,0 +1,187 @@
+"""What answers about ranges say to people: a verdict, the numbers, the ranges, and how far all of it is proved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.decimals import proved_digits, working_bits
+from mpsolve.numbers.spoken import rounded, spoken
+from mpsolve.outcome import Status
+from mpsolve.problem.over import Over
+from mpsolve.ranges.answer import Answer
+from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.onset import Kind, Onset, UnstableRanges
+from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_from_start
+from mpsolve.report.ranges_asked import Asked
+from mpsolve.report.spectrum_words import ASSUMED
+
+WITHOUT = (
+    "Proved, without certificate: boxes of frequency and parameters are excluded in rigorous arithmetic, but no file "
+    "of that is written yet for others to check."
+)
+_BASE = "The roots at one point, from which all are counted, are certified and passed the standalone verifier."
+_UNVERIFIED = "The roots at one point, from which all are counted, are certified; the verifier was not asked."
+
+
+@dataclass(frozen=True)
+class Said:
+    """An answer with its name, its verdict in one sentence and its report; grows: whether something is shown to grow.
+
+    asked: the question, over the ranges of which the answer speaks.
+    """
+
+    name: str
+    answer: Answer
+    asked: Asked
+    verdict: str
+    text: str
+    grows: bool = False
+
+
+def said_of_onset(found: Onset, asked: Asked) -> Said:
+    """The report of an onset."""
+    asked = asked.answered(found.over)
+    grows = found.kind in (Kind.CROSSES, Kind.UNSTABLE_FROM_START)
+    return Said("onset", found, asked, onset_verdict(found, asked), _onset(found, asked), grows)
+
+
+def said_of_ranges(found: UnstableRanges, asked: Asked) -> Said:
+    """The report of all unstable ranges of one parameter."""
+    asked = asked.answered(found.over)
+    text = framed(_ranges(found, asked), found, asked)
+    return Said("unstable_ranges", found, asked, ranges_verdict(found, asked), text, bool(found.intervals))
+
+
+def _end_text(ball: Any, over: Over, digits: int) -> str:
+    """An end of the range itself as it was written: no crossing touches it."""
+    with precision(working_bits(digits)):
+        for end in (over.low, over.high):
+            if end is not None and ball.overlaps(rational_ball(end)):
+                return over.told(end)
+    return value_text(ball, over, digits)
+
+
+def said_of_crossings(found: Crossings, asked: Asked) -> Said:
+    """The report of all crossings of the real axis."""
+    asked = asked.answered(found.over)
+    text = framed(_crossings(found, asked), found, asked)
+    return Said("crossings", found, asked, crossings_verdict(found, asked), text, bool(found.crossings))
+
+
+def _onset(found: Onset, asked: Asked) -> str:
+    (over,) = asked.overs
+    lines = [onset_verdict(found, asked)]
+    if found.value is not None:
+        lines += [f"  {over.path}: {value_text(found.value, over, found.digits)}"]
+        lines += [f"  frequency: {frequency_text(found.q, asked, found.digits)}"]
+        if over.path in asked.problem.parameters and not over.path.startswith("scale."):
+            lines.append(margin(over, found.value, asked.problem.parameters[over.path]))
+    return framed(lines, found, asked)
+
+
+def onset_verdict(found: Onset, asked: Asked) -> str:
+    """One sentence that begins with STABLE, UNSTABLE or UNDECIDED."""
+    (over,) = asked.overs
+    if found.kind is Kind.STABLE:
+        return stable_throughout(over)
+    if found.kind is Kind.UNSTABLE_FROM_START:
+        return unstable_from_start(over)
+    if found.kind is Kind.CROSSES:
+        return onset_at(over, found.value, found.q, "Hz" if asked.si else "1/τ")
+    return undecided(found)
+
+
+def ranges_verdict(found: UnstableRanges, asked: Asked) -> str:
+    """One sentence."""
+    (over,) = asked.overs
+    if not found.proved:
+        return undecided(found)
+    if not found.intervals:
+        return stable_throughout(over)
+    many = len(found.intervals)
+    return f"UNSTABLE in {'one part' if many == 1 else f'{many} parts'} of the range of {over.path}."
+
+
+def _ranges(found: UnstableRanges, asked: Asked) -> list[str]:
+    (over,) = asked.overs
+    lines = [ranges_verdict(found, asked)]
+    for one in found.intervals:
+        start, end = (_end_text(ball, over, found.digits) for ball in (one.start, one.end))
+        first = (
+            "the range begins" if one.q is None else f"it starts with {frequency_text(one.q, asked, found.digits)}"
+        )
+        lines.append(f"  {over.path} from {start} to {end}: {growing(one.roots)}; {first}")
+    return lines
+
+
+def crossings_verdict(found: Crossings, asked: Asked) -> str:
+    """One sentence."""
+    (over,) = asked.overs
+    if not found.proved:
+        return undecided(found)
+    number = len(found.crossings)
+    said = {0: "no value", 1: "one value"}.get(number, f"{number} values")
+    return f"Stability changes at {said} of {over.path} in the range."
+
+
+def _crossings(found: Crossings, asked: Asked) -> list[str]:
+    (over,) = asked.overs
+    lines = [crossings_verdict(found, asked)]
+    counts = found.counts or (None,) * (len(found.crossings) + 1)
+    if found.counts is not None:
+        lines.append(f"  from {over.told(over.low)} on: {growing(found.counts[0])}")
+    for one, count in zip(found.crossings, counts[1:], strict=True):
+        after = "" if count is None else f"; beyond it {growing(count)}"
+        where = value_text(one.value, over, found.digits)
+        lines.append(f"  {over.path} = {where}: {frequency_text(one.q, asked, found.digits)}{after}")
+    return lines
+
+
+def growing(count: int) -> str:
+    """How many roots grow, q and −q̄ both counted."""
+    return {0: "stable", 1: "1 root grows"}.get(count, f"{count} roots grow")
+
+
+def undecided(found: Answer) -> str:
+    """The verdict of an answer that is not proved."""
+    return f"UNDECIDED: {found.reason}."
+
+
+def value_text(ball: Any, over: Over, digits: int) -> str:
+    """All digits in the model's unit, and few in the one that was written, or that people use."""
+    with precision(working_bits(digits)):
+        own = f"{proved_digits(ball, digits)} {over.si}".strip()
+        other = over.told(ball) if over.unit != over.si else spoken(ball, over.si)
+    return own if not over.si or other.endswith(f" {over.si}") else f"{own} ({other})"
+
+
+def frequency_text(q: Any, asked: Asked, digits: int) -> str:
+    """q with all its digits, and in Hz; 0 for a deflection that grows without oscillation."""
+    if q == 0:
+        return "q = 0, a deflection that does not oscillate"
+    with precision(working_bits(digits)):
+        number = proved_digits(q, digits)
+        if not asked.si:
+            return f"q = {number} √(k/m)"
+        from flint import arb
+
+        return f"q = {number} rad/s ({rounded(q / (2 * arb.pi()))} Hz)"
+
+
+def framed(lines: list[str], found: Answer, asked: Asked) -> str:
+    """The report: title, verdict, numbers; then the ranges, warnings, and how sure it is."""
+    title = [asked.title] if asked.title else []
+    default = " (give others with --over)" if asked.by_default else ""
+    lines = [*title, *lines, f"The range: {asked.ranges}{default}."]
+    lines += [f"Warning: {reason}." for reason in asked.warnings]
+    return "\n".join([*lines, trust(found), f"Assumed: {ASSUMED}"]) + "\n"
+
+
+def trust(found: Answer) -> str:
+    """How far the answer is proved, said plainly."""
+    if not found.proved:
+        known = "" if not found.known else " What is listed is proved all the same, but may not be all."
+        return f"Not decided, so nothing is claimed of the whole range.{known}"
+    return f"{WITHOUT} {_BASE if found.status is Status.PROVED else _UNVERIFIED}"

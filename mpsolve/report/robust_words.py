@@ -1,0 +1,80 @@
+"""What is said of proofs over boxes of parameters, and of charts."""
+
+from __future__ import annotations
+
+from mpsolve.numbers.spoken import beside, rounded
+from mpsolve.outcome import Status
+from mpsolve.ranges.chart import BOUNDARY, Chart
+from mpsolve.ranges.robust import Robust
+from mpsolve.report.ranges_asked import Asked
+from mpsolve.report.ranges_words import Said, framed, growing, undecided
+from mpsolve.report.spectrum_words import ASSUMED
+
+_SHOWN = 8
+
+
+def said_of_robust(found: Robust, asked: Asked) -> Said:
+    """The report of a proof over a box."""
+    asked = asked.answered(found.over)
+    return Said("robust", found, asked, _robust_verdict(found), _robust(found, asked), found.stable is False)
+
+
+def _robust_verdict(found: Robust) -> str:
+    if not found.proved or found.stable is None:
+        return undecided(found)
+    return "STABLE for all these values." if found.stable else "UNSTABLE for some of these values."
+
+
+def _robust(found: Robust, asked: Asked) -> str:
+    lines = [_robust_verdict(found)]
+    if found.counterexample is not None:
+        lines.append("  A vibration grows at the point")
+        lines += [f"    {path} = {_value(x, path, asked)}" for path, x in found.counterexample.items()]
+    if found.open:
+        lines.append(
+            f"  Open: {len(found.open)} parts of the ranges" + (", such as" if len(found.open) > _SHOWN else "")
+        )
+        for box in found.open[:_SHOWN]:
+            shown = (
+                f"{one.path} from {one.told(box[one.path][0])} to {one.told(box[one.path][1])}" for one in asked.overs
+            )
+            lines.append(f"    {', '.join(shown)}")
+    if found.stable is False and found.proved:
+        return _refuted(lines, found, asked)
+    return framed(lines, found, asked)
+
+
+def _refuted(lines: list[str], found: Robust, asked: Asked) -> str:
+    """One certified point is enough: what is said of boxes has no part in it."""
+    sure = "and passed the standalone verifier" if found.status is Status.PROVED else "; the verifier was not asked"
+    title = [asked.title] if asked.title else []
+    proof = f"The roots at this point are certified {sure}. Other points were not asked for."
+    return "\n".join([*title, *lines, f"The ranges: {asked.ranges}.", proof, f"Assumed: {ASSUMED}"]) + "\n"
+
+
+def _value(x: object, path: str, asked: Asked) -> str:
+    return beside(x, asked.problem.quantity(path).unit) if asked.si else rounded(x)
+
+
+def said_of_chart(found: Chart, asked: Asked) -> Said:
+    """The report of a chart."""
+    asked = asked.answered(found.over)
+    return Said("chart", found, asked, _chart_verdict(found), framed(_chart(found, asked), found, asked))
+
+
+def _chart_verdict(found: Chart) -> str:
+    if not found.proved:
+        return undecided(found)
+    regions = f"{len(found.parts)} region{'s' if len(found.parts) > 1 else ''}"
+    return f"{100 * found.share:.3g} % of the chart is decided, in {regions}; in strips the number may change."
+
+
+def _chart(found: Chart, asked: Asked) -> list[str]:
+    lines = [_chart_verdict(found)]
+    total = found.counts.size
+    for part in found.parts:
+        where = ", ".join(f"{one.path} = {one.told(part.point[one.path])}" for one in asked.overs)
+        count = "open" if part.roots is None else growing(part.roots)
+        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, certified at {where}")
+    strip = float((found.counts == BOUNDARY).mean())
+    return [*lines, f"  strips in which a boundary runs, or may run: {100 * strip:.3g} % of the chart"]

@@ -1,0 +1,234 @@
+"""What `certificate/test_broken_provers.py` breaks: problems, and formulas of the prover in a false form."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from mpsolve import Problem
+from mpsolve.tracks import EulerBernoulli, String, TwoLayer
+from mpsolve.vehicles import Mass, Vehicle
+
+BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="1/10")
+ZERO = [[0, 0], [0, 0]]
+PROBLEMS = {
+    "pair": (Problem(BEAM, [Mass(40).at(0), Mass(40).at("3/2")], v="13/10"), "unstable"),
+    "wire": (Problem(String(T=27_000, m="1.07", k=500, c=2), [Mass("8.5")], v=100), ("below", "0.9")),
+    "joined": (
+        Problem(
+            EulerBernoulli(EI="1/4", m=1, k=1, c=1),
+            [Vehicle(M=[[10, 0], [0, 10]], C=ZERO, K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=[0, "3/2"])],
+            v="13/10",
+        ),
+        "unstable",
+    ),
+    "sprung": (
+        Problem(
+            BEAM,
+            [
+                Vehicle(
+                    M=[[40, 0], [0, 20]],
+                    C=[[1, -1], [-1, 1]],
+                    K=[[10, -10], [-10, 10]],
+                    B=[[1], [0]],
+                    places=[0],
+                    k_contact=2,
+                )
+            ],
+            v="13/10",
+        ),
+        "unstable",
+    ),
+    "layers": (
+        Problem(
+            TwoLayer(
+                EI=6380430,
+                m="60.2",
+                k_pad=3 * 10**8,
+                c_pad=3 * 10**4,
+                m_sleeper=250,
+                k_ballast=10**8,
+                c_ballast=8 * 10**4,
+            ),
+            [Mass(900)],
+            v=680,
+        ),
+        "unstable",
+    ),
+}
+
+
+class Mutation(NamedTuple):
+    """`old` becomes `new` in the source of `name` (or Class.method) of `module`; tried on the problem `on`."""
+
+    words: str
+    module: str
+    name: str
+    old: str
+    new: str
+    on: str = "pair"
+
+
+CHARACTERISTIC = [
+    Mutation(
+        "inertia has the other sign",
+        "characteristic.bordered",
+        "Arrays._pencil",
+        "Jet(S0 + S1 * z + S2 * z * z",
+        "Jet(S0 + S1 * z - S2 * z * z",
+    ),
+    Mutation(
+        "contact forces push the other way",
+        "characteristic.bordered",
+        "Arrays._rows",
+        "np.hstack([-self.B, more])",
+        "np.hstack([self.B, more])",
+    ),
+    Mutation(
+        "a direct contact moves against the rail",
+        "characteristic.bordered",
+        "Arrays._rows",
+        "-nearest(1 / d.b)",
+        "nearest(1 / d.b)",
+    ),
+    Mutation(
+        "contact springs are left out",
+        "characteristic.bordered",
+        "Arrays._rows",
+        "G[:, indirect, :] + compliance",
+        "G[:, indirect, :]",
+        "sprung",
+    ),
+    Mutation(
+        "waves behind a load have the other sign",
+        "characteristic.discs",
+        "receptances",
+        "behind, -1.0)",
+        "behind, 1.0)",
+    ),
+    Mutation(
+        "D_P: the factors of powers are off by one",
+        "characteristic.discs",
+        "_slopes",
+        "np.arange(1, c.shape[2])",
+        "np.arange(2, c.shape[2] + 1)",
+        "joined",
+    ),
+    Mutation(
+        "the last pivot's argument is dropped",
+        "proof.turning",
+        "pivot_arguments",
+        "np.diagonal(lu, axis1=1, axis2=2)).sum(1)",
+        "np.diagonal(lu, axis1=1, axis2=2))[:, :-1].sum(1)",
+    ),
+    Mutation(
+        "one root too many in U", "characteristic.start", "_tell_apart", "if root.real < 0)", "if root.real < 0) + 1"
+    ),
+    Mutation(
+        "pieces are tested on half of their disc", "characteristic.paths", "discs", "* _WIDER * UP", "* 0.5 * UP"
+    ),
+    Mutation(
+        "the cofactors of det A lose their signs",
+        "tracks.waveguide",
+        "determinant",
+        "Fraction(-1) ** j",
+        "Fraction(1)",
+        "layers",
+    ),
+    Mutation("mass scales like a damper", "problem.reduced", "reduce_problem", "rate**k", "rate**min(k, 1)", "wire"),
+    Mutation(
+        "mass and damping are exchanged",
+        "problem.reduced",
+        "reduce_problem",
+        "(parts.K, parts.C, parts.M)",
+        "(parts.K, parts.M, parts.C)",
+        "joined",
+    ),
+]
+PASSIVITY = [
+    Mutation(
+        "what is absorbed: a product has the other sign",
+        "passivity.tail",
+        "Absorption.of",
+        "Fraction(-1)",
+        "Fraction(1)",
+        "layers",
+    ),
+    Mutation("the envelope is ten times too low", "passivity.tail", "_envelope", "known * UP", "known * UP / 10"),
+    Mutation(
+        "V is G without the factor σ", "characteristic.paths", "Paths._evaluate", "positive(sigma * G", "positive(G"
+    ),
+    Mutation("the Hermitian part is the difference", "characteristic.paths", "_hermitian", "+ np", "- np"),
+    Mutation(
+        "the exponent of what is absorbed is off by one",
+        "passivity.tail",
+        "Absorption.exponent",
+        "tops[1] - tops[0]",
+        "tops[1] - tops[0] - 1",
+    ),
+    Mutation(
+        "the blocks are three times as long",
+        "passivity.tail",
+        "_prove",
+        "proved.append((z1, z2, held * kappa))",
+        "proved.append((3 * z1, 3 * z2, held * kappa))",
+    ),
+    Mutation("each block absorbs tenfold", "passivity.tail", "_prove", "held * kappa", "10 * held * kappa"),
+]
+SPECTRUM = [
+    Mutation(
+        "the closing angle of the rigid motions is dropped",
+        "spectrum.count",
+        "_half_plane",
+        "closing + order * arb.pi() / 2",
+        "closing",
+        "sprung",
+    ),
+    Mutation(
+        "contacts are added to bodies",
+        "spectrum.count",
+        "_half_plane",
+        "reduced.bodies - reduced.contacts",
+        "reduced.bodies + reduced.contacts",
+    ),
+    Mutation("the turn has the other sign", "spectrum.count", "_half_plane", "- _turn(proved)", "+ _turn(proved)"),
+    Mutation(
+        "pivots of the closing turn the other way",
+        "spectrum.closing",
+        "_pivot_arguments",
+        "total += pivot.arg()",
+        "total -= pivot.arg()",
+    ),
+    Mutation(
+        "S is not divided by σ in the closing", "spectrum.closing", "_accretive", "entry / sigma if", "entry if"
+    ),
+    Mutation(
+        "a turn round a rectangle is halved",
+        "spectrum.count",
+        "_turn",
+        "arb(value, error)",
+        "arb(value, error) / 2",
+        "wire",
+    ),
+    Mutation("roots are mirrored in the real axis", "spectrum.enclose", "in_units", "-sigma.real", "sigma.real"),
+    Mutation("radii are a thousandth", "certificate.solve", "_entry", "side * Fraction(3, 2)", "side / 1000"),
+    Mutation(
+        "every root is counted as growing", "spectrum.solve", "unstable_number", "_sign(ball)", "(True)", "wire"
+    ),
+    Mutation(
+        "det: forces of bodies push the other way",
+        "characteristic.determinant",
+        "Bordering.rows",
+        "like - K.number(x)",
+        "like + K.number(x)",
+        "sprung",
+    ),
+    Mutation(
+        "det: direct contacts have the other sign",
+        "characteristic.determinant",
+        "Bordering.rows",
+        "x - factor * G[k]",
+        "x + factor * G[k]",
+        "joined",
+    ),
+]
+MUTATIONS = CHARACTERISTIC + PASSIVITY + SPECTRUM

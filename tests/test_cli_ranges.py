@@ -1,0 +1,203 @@
+"""The commands about ranges: what they say, in whose units, their files and exit statuses."""
+
+from __future__ import annotations
+
+import csv
+import json
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from flint import arb
+
+from mpsolve.cli import cli
+from mpsolve.stability.masses import crossing_masses
+from mpsolve.stability.velocities import onset_velocity
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+RAIL, PLAIN = EXAMPLES / "rail_60e1.toml", EXAMPLES / "dimensionless.toml"
+CATENARY = """
+title = "Contact wire"
+v = 139
+[track]
+model = "euler-bernoulli"
+EI = 130
+m = 1.35
+k = 100
+c = 0.5
+N = -20000
+[[vehicle]]
+model = "mass"
+M = 10
+position = 0
+[[vehicle]]
+model = "mass"
+M = 10
+position = 1
+"""
+TABLE = """
+problem = "pair.toml"
+over = "v=0.5..0.7"
+digits = 6
+[rows]
+parameter = "gap[0]"
+values = [1.5]
+[columns]
+parameter = "scale.mass"
+values = [0.1, 1]
+"""
+Run = Callable[..., Result]
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """The command in a working directory with some inputs."""
+    monkeypatch.chdir(tmp_path)
+    for name, text in {"wire": CATENARY, "table": TABLE, "pair": PLAIN.read_text("utf-8")}.items():
+        Path(f"{name}.toml").write_text(text, encoding="utf-8")
+    return lambda *arguments: CliRunner().invoke(cli, [str(x) for x in arguments], catch_exceptions=False)
+
+
+def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
+    """In the paper's ratios, to 1e-12 of what another program with its own certificate proves."""
+    data = json.loads(run("onset", PLAIN, "--over", "v=0.6..0.7", "--digits", 20, "--json").stdout)
+    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"), digits=20)
+    value = data["answer"]["value"]
+    assert truth.alpha is not None
+    assert abs(float(value["decimal"]) - float(truth.alpha.mid())) < 1e-12
+    assert value["lower"] <= float(truth.alpha.mid()) <= value["upper"]
+    assert data["certificate"] is None
+    assert data["trust"].startswith("Proved, without certificate")
+    assert data["ranges"]["v"]["high"] == {"exact": "7/10", "decimal": "0.7"}
+
+
+def test_the_crossing_masses_are_those_of_the_paper_s_own_proof(run: Run) -> None:
+    result = run("crossings", PLAIN, "--over", "scale.mass=0..2", "--json", "-o", "c.csv")
+    found = json.loads(result.stdout)["answer"]["crossings"]
+    known = [c.eta for c in crossing_masses("0.67", "0.05", (0, "1.5")) if float(c.eta.mid()) < 140]
+    assert [abs(float(one["value"]["decimal"]) * 70 / float(eta.mid()) - 1) < 1e-12
+            for one, eta in zip(found, known, strict=True)] == [True] * len(known)  # fmt: skip
+    with Path("c.csv").open(encoding="utf-8", newline="") as file:
+        heading, *rows = csv.reader(file)
+    assert heading == ["scale.mass", "q [√(k/m)]", "direction"]
+    assert len(rows) == len(found) > 0
+
+
+def test_units_and_the_default_range(run: Run) -> None:
+    result = run("onset", RAIL)
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert "STABLE for v from 0 km/h to 688.3 km/h, where a vibration at 3.13 Hz begins to grow." in result.stdout
+    assert "v: 191.183147740034 m/s (688.3 km/h)" in result.stdout
+    assert "v is 360 km/h, 328.3 km/h (47.7 %) below the onset." in result.stdout
+    assert "The range: v from 0 km/h to 720 km/h (give others with --over)." in result.stdout
+    assert "Proved, without certificate" in result.stdout
+
+
+def test_a_contact_wire_is_not_called_stable_for_every_velocity(run: Run) -> None:
+    """Its α = 2 is 26 m/s, but it runs at 139: the default range holds that."""
+    result = run("onset", "wire.toml", "--json")
+    data = json.loads(result.stdout)
+    assert float(data["ranges"]["v"]["high"]["decimal"]) >= 139
+    assert data["answer"]["kind"] in ("crosses", "unstable_from_start", "undecided")
+    assert (result.exit_code == 1) == (data["answer"]["kind"] == "undecided")
+
+
+def test_a_value_outside_the_range_is_told(run: Run) -> None:
+    result = run("onset", RAIL, "--over", "v=0..200km/h")
+    assert result.exit_code == 0
+    assert "STABLE for every v from 0 km/h to 200 km/h." in result.stdout
+    assert "Warning: v is 360 km/h, outside the range from 0 to 200 km/h" in result.stdout
+
+
+def test_all_unstable_parts(run: Run) -> None:
+    result = run("onset", PLAIN, "--over", "v=0.6..0.7", "--all")
+    assert result.exit_code == 0
+    assert "UNSTABLE in one part of the range of v." in result.stdout
+    assert "v from 0.666918957284550 to 0.7: 2 roots grow" in result.stdout
+
+
+def test_little_effort_is_undecided(run: Run) -> None:
+    result = run("onset", PLAIN, "--over", "v=0..1", "--effort", "0.01")
+    assert result.exit_code == 1
+    assert result.stdout.splitlines()[1].startswith("UNDECIDED: ")
+    assert "--effort SECONDS" in result.stdout
+    assert "Proved" not in result.stdout
+
+
+def test_robust(run: Run) -> None:
+    over = ("--over", "v=0..80 m/s", "--over", "track.k=0.9..1.1 MN/m²")
+    result = run("robust", RAIL, *over)
+    assert (result.exit_code, "STABLE for all these values." in result.stdout) == (0, True)
+    assert "Warning: v is 100 m/s, outside" in result.stdout
+    result = run("robust", RAIL, "--over", "v=190..210 m/s", "--over", "track.k=0.9..1.1 MN/m²", "--json")
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["answer"]["stable"]) == (0, False)
+    assert data["verdict"] == "UNSTABLE for some of these values."
+
+
+def test_a_chart_and_its_files(run: Run) -> None:
+    over = ("--over", "v=0.5..0.9", "--over", "scale.mass=0.8..1.2", "--depth", 3)
+    result = run("chart", PLAIN, *over, "-o", "chart.svg")
+    assert result.exit_code == 0
+    assert "of the chart is decided" in result.stdout
+    svg = Path("chart.svg").read_text("utf-8")
+    assert ET.fromstring(svg).tag.endswith("svg")
+    assert "velocity ratio α" in svg
+    run("chart", PLAIN, *over, "-o", "chart.csv")
+    with Path("chart.csv").open(encoding="utf-8", newline="") as file:
+        heading, *rows = csv.reader(file)
+    assert heading == ["v low", "v high", "scale.mass low", "scale.mass high", "roots"]
+    assert len(rows) == 64
+    assert {row[4] for row in rows} <= {"0", "2", "boundary", "open"}
+    assert ("0.5", "0") in {(row[0], row[4]) for row in rows}
+
+
+def test_a_table_of_any_problem(run: Run) -> None:
+    result = run("table", "table.toml", "--workers", 1)
+    assert (result.exit_code, result.stderr) == (0, "")
+    lines = result.stdout.splitlines()
+    assert (
+        lines[0] == '"gap[0] \\ scale.mass: onset of v",0.1,1' or lines[0] == "gap[0] \\ scale.mass: onset of v,0.1,1"
+    )
+    assert lines[1] == "1.5,stable,0.666919"
+    result = run("table", "table.toml", "--workers", 1, "-o", "t.json")
+    assert "2 entries: 1 proved, 1 stable." in result.stdout
+    entry = json.loads(Path("t.json").read_text("utf-8"))["entries"][0][1]
+    middle, radius = ((int(x), e) for x, e in entry["balls"][0])
+    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"), digits=20).alpha
+    assert truth is not None
+    assert arb(middle, radius).overlaps(truth)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "key", "said"),
+    [
+        (["onset", "none.toml"], "none.toml", ""),
+        (["onset", RAIL, "--over", "v=0.."], "--over", "no upper end"),
+        (["onset", RAIL, "--over", "v"], "--over", "v=0..400km/h"),
+        (["onset", RAIL, "--over", "speed=0..1"], "--over", "the parameters are"),
+        (["onset", RAIL, "--over", "v=0..1", "--over", "track.k=1..2"], "over", "give one path"),
+        (["onset", PLAIN, "--over", "v=0..3km/h"], "--over", "the file holds the paper's ratios"),
+        (["onset", PLAIN, "--digits", "14"], "digits", ""),
+        (["onset", PLAIN, "--effort", "0"], "effort", ""),
+        (["onset", "pair.toml", "-o", "pair.toml"], "output", ""),
+        (["crossings", PLAIN, "-o", "no/c.json"], "output", ""),
+        (["crossings", PLAIN, "-o", "c.txt"], "output", ".json, .csv"),
+        (["robust", PLAIN], "--over", "is missing"),
+        (["chart", PLAIN, "-o", "c.png"], "output", ".svg"),
+        (["chart", PLAIN, "--over", "v=0..1"], "over", "a chart is over two parameters"),
+        (["table", "pair.toml"], "pair.toml", "use mpsolve certify"),
+        (["table", "table.toml", "-o", "a.tex"], "output", ".csv, .json"),
+        (["table", "table.toml", "--workers", "0"], "workers", ""),
+        (["table", "table.toml", "--certificates", "certs"], "certificates", "none for this kind"),
+    ],
+)
+def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[object], key: str, said: str) -> None:
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert result.stderr.startswith(f"mpsolve: {key}: ")
+    assert result.stderr.count("\n") == 1
+    assert said in result.stderr
