@@ -10,8 +10,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from mpsolve import Problem, tracks, vehicles
-from mpsolve.ranges.onset import Kind, onset
+from mpsolve import Problem, onset, tracks, vehicles
+from mpsolve.ranges.onset import Kind
 from mpsolve.report.figures import COLOUR, save_figure
 
 PICTURE = Path(__file__).parent / "rail_damping.svg"

@@ -12,8 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from mpsolve import Problem, certify, critical_velocities, tracks, vehicles
-from mpsolve.ranges.crossings import crossings
+from mpsolve import Problem, certify, critical_velocities, crossings, tracks, vehicles
 from mpsolve.report.figures import COLOUR, save_figure
 
 PICTURE = Path(__file__).parent / "sprung_wheel.svg"

@@ -8,12 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve import Problem, certify, receptance, tracks, vehicles
+from mpsolve import Problem, certify, crossings, onset, receptance, tracks, vehicles
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, grid, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.ranges.crossings import crossings
-from mpsolve.ranges.onset import Kind, onset
+from mpsolve.ranges.onset import Kind
 
 _PLACES = np.linspace(-15.0, 10.0, 1001)  # about the load, where its greatest deflection is looked for
 
@@ -86,9 +85,7 @@ def falls(claim: Claim) -> Finding:
     c, M = claim.numbers("c", "M")
     low, high = claim.values("v")
     found = [first(c, N, M, low, high) for N in claim.values("N")]
-    numbers = [
-        (f"N = {N}: onset v", shown(one.value, 14)) for N, one in zip(claim.values("N"), found, strict=True)
-    ]
+    numbers = [(f"N = {N}: onset v", shown(one.value, 14)) for N, one in zip(claim.values("N"), found, strict=True)]
     if not all(below(y.value, x.value) for x, y in pairwise(found)):
         return Finding(Verdict.REFUTED, "The onset does not fall from each compression to the next.", numbers)
     sentence = (
@@ -103,9 +100,7 @@ def falls_between(claim: Claim) -> Finding:
     ends, numbers = claim.values("N"), []
     for v in claim.values("v"):
         found = along(problem(c, "0", M, v), "track.N", ends)
-        numbers += [
-            (f"v = {v}: {_seen(found)}; they change at N", shown(one.value, 12)) for one in found.crossings
-        ]
+        numbers += [(f"v = {v}: {_seen(found)}; they change at N", shown(one.value, 12)) for one in found.crossings]
         answer = from_one_on(found.counts)
         if answer is None:
             return Finding(Verdict.UNDECIDABLE, f"At v = {v} no compression up to {ends[1]} is unstable.", numbers)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from mpsolve import Problem, certify, critical_velocities, tracks, vehicles
+from mpsolve import Problem, certify, critical_velocities, crossings, tracks, vehicles
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.ranges.crossings import crossings
 
 TRACK = tracks.Timoshenko(EI="6.4e6", m=60, S="2.5e8", J="0.24", k="1e6", c=770)
 _SUSPENSION: dict[str, Any] = {"k": "1e6", "c": "1e4"}
