@@ -10,8 +10,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from mpsolve import Problem, tracks, vehicles
-from mpsolve.ranges.onset import Kind, onset
+from mpsolve import Problem, onset, tracks, vehicles
+from mpsolve.ranges.onset import Kind
 from mpsolve.report.figures import COLOUR, save_figure
 
 PICTURE = Path(__file__).parent / "rail_damping.svg"
@@ -39,7 +39,7 @@ def check() -> None:
         answer = found(eta)
         assert answer.kind is Kind.CROSSES, f"η = {eta}: {answer.kind}, {answer.reason}"
         assert answer.proved, f"η = {eta}: {answer.reason}"
-        assert answer.value.ball.str(15, radius=False) == printed, f"η = {eta}: {answer.value}, not {printed}"
+        assert answer.value.str(15, radius=False) == printed, f"η = {eta}: {answer.value}, not {printed}"
 
 
 def draw(ax: Any) -> Any:

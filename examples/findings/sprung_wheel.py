@@ -1,8 +1,8 @@
 """A stable window above instability: one sprung wheel on a damped Timoshenko rail.
 
-A wheel of 1 t under a body of 10 t, on a 60E1 rail on a soft foundation. Bars: the number of growing roots over
-the velocity (two make one vibration); every boundary and every count between them is proved. Dotted: from this velocity on
-a wave can run with the wheel. Without the suspension, as bare masses of 1 t or of 11 t, there is no such window.
+A wheel of 1 t under a body of 10 t, on a 60E1 rail on a soft foundation. Bars: the number of growing roots over the
+velocity (two make one vibration); every boundary and every count between them is proved. Dotted: from here on a wave
+can run with the wheel. Without the suspension, as bare masses of 1 t or of 11 t, there is no such window.
 """
 
 from __future__ import annotations
@@ -12,8 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from mpsolve import Problem, certify, critical_velocities, tracks, vehicles
-from mpsolve.ranges.crossings import crossings
+from mpsolve import Problem, certify, critical_velocities, crossings, tracks, vehicles
 from mpsolve.report.figures import COLOUR, save_figure
 
 PICTURE = Path(__file__).parent / "sprung_wheel.svg"
@@ -38,7 +37,7 @@ def check() -> None:
     answer = found()
     assert answer.proved, str(answer.reason)
     assert answer.counts == COUNTS, str(answer.counts)
-    assert tuple(one.value.ball.str(15, radius=False) for one in answer.crossings) == BOUNDARIES
+    assert tuple(one.value.str(15, radius=False) for one in answer.crossings) == BOUNDARIES
     for v, count in zip((300, 312, 350, 400), COUNTS, strict=True):
         certified = certify(Problem(TRACK, WHEEL, v=v), region="unstable", digits=15)
         assert certified.proved, f"v = {v}: {certified.reason}"
@@ -47,7 +46,7 @@ def check() -> None:
         bare = found(vehicles.Mass(mass))
         assert bare.proved, f"{mass} kg: {bare.reason}"
         assert bare.counts == (0, 2), f"{mass} kg: {bare.counts}"
-        assert bare.crossings[0].value.ball.str(15, radius=False) == boundary, f"{mass} kg"
+        assert bare.crossings[0].value.str(15, radius=False) == boundary, f"{mass} kg"
     least = critical_velocities(TRACK).velocities[0].value
     assert least.str(12, radius=False) == WAVE, str(least)
 

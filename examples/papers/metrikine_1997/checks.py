@@ -8,12 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve import Problem, certify, receptance, tracks, vehicles
+from mpsolve import Problem, certify, crossings, onset, receptance, tracks, vehicles
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, grid, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.ranges.crossings import crossings
-from mpsolve.ranges.onset import Kind, onset
+from mpsolve.ranges.onset import Kind
 
 _PLACES = np.linspace(-15.0, 10.0, 1001)  # about the load, where its greatest deflection is looked for
 
@@ -52,7 +51,7 @@ def starts(claim: Claim) -> Finding:
     c, M = claim.numbers("c", "M")
     ends = claim.values("v")
     found = along(problem(c, "0", M, ends[1]), "v", ends)
-    numbers = [(f"{_seen(found)}; the roots change at v", shown(one.value.ball, 14)) for one in found.crossings]
+    numbers = [(f"{_seen(found)}; the roots change at v", shown(one.value, 14)) for one in found.crossings]
     certificates = _sides(claim, "1.25", "1.27")
     answer = from_one_on(found.counts)
     if answer is None:
@@ -86,14 +85,12 @@ def falls(claim: Claim) -> Finding:
     c, M = claim.numbers("c", "M")
     low, high = claim.values("v")
     found = [first(c, N, M, low, high) for N in claim.values("N")]
-    numbers = [
-        (f"N = {N}: onset v", shown(one.value.ball, 14)) for N, one in zip(claim.values("N"), found, strict=True)
-    ]
-    if not all(below(y.value.ball, x.value.ball) for x, y in pairwise(found)):
+    numbers = [(f"N = {N}: onset v", shown(one.value, 14)) for N, one in zip(claim.values("N"), found, strict=True)]
+    if not all(below(y.value, x.value) for x, y in pairwise(found)):
         return Finding(Verdict.REFUTED, "The onset does not fall from each compression to the next.", numbers)
     sentence = (
         f"For M = {M}, c = {c} the proved onset falls from each of these compressions to the next, down to "
-        f"{shown(found[-1].value.ball, 4)} of the critical velocity without compression."
+        f"{shown(found[-1].value, 4)} of the critical velocity without compression."
     )
     return Finding(Verdict.CONDITIONAL, sentence, numbers)
 
@@ -103,9 +100,7 @@ def falls_between(claim: Claim) -> Finding:
     ends, numbers = claim.values("N"), []
     for v in claim.values("v"):
         found = along(problem(c, "0", M, v), "track.N", ends)
-        numbers += [
-            (f"v = {v}: {_seen(found)}; they change at N", shown(one.value.ball, 12)) for one in found.crossings
-        ]
+        numbers += [(f"v = {v}: {_seen(found)}; they change at N", shown(one.value, 12)) for one in found.crossings]
         answer = from_one_on(found.counts)
         if answer is None:
             return Finding(Verdict.UNDECIDABLE, f"At v = {v} no compression up to {ends[1]} is unstable.", numbers)
@@ -123,7 +118,7 @@ def overcritical(claim: Claim) -> Finding:
     low, high = claim.values("v")
     numbers, certificates = [], []
     for c in claim.values("c"):
-        numbers.append((f"c = {c}: onset v", shown(first(c, "0", M, low, high).value.ball, 14)))
+        numbers.append((f"c = {c}: onset v", shown(first(c, "0", M, low, high).value, 14)))
         there = certify(problem(c, "0", M, high), region="unstable", digits=15)
         if not (there.proved and there.unstable):
             return Finding(Verdict.UNDECIDABLE, f"No growing vibration is proved for c = {c}.", numbers)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from mpsolve import Problem, certify, critical_velocities, tracks, vehicles
+from mpsolve import Problem, certify, critical_velocities, crossings, tracks, vehicles
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.ranges.crossings import crossings
 
 TRACK = tracks.Timoshenko(EI="6.4e6", m=60, S="2.5e8", J="0.24", k="1e6", c=770)
 _SUSPENSION: dict[str, Any] = {"k": "1e6", "c": "1e4"}
@@ -63,7 +62,7 @@ def domains(claim: Claim) -> Finding:
         found = crossings(oscillator(v, "1000"), over={f"vehicles[0].{name}": (low, high)})
         if not found.proved or found.counts is None:
             raise PrecisionError(str(found.reason))
-        numbers += [(f"{name}: a boundary, {unit}", shown(one.value.ball, 12)) for one in found.crossings]
+        numbers += [(f"{name}: a boundary, {unit}", shown(one.value, 12)) for one in found.crossings]
         numbers.append((f"  growing roots from {low} to {high}", ", ".join(map(str, found.counts))))
         mixed.append(0 in found.counts and any(found.counts))
     if not all(mixed):
