@@ -74,6 +74,7 @@ class Chart(Answer):
         return count if count >= 0 else None
 
     def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
         return [{path: float(v) for path, v in part.point.items()} | {"roots": part.roots, "cells": part.cells}
                 for part in self.parts]  # fmt: skip
 

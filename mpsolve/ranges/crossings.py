@@ -45,10 +45,12 @@ class Crossing(Portable):
 
     @property
     def lower(self) -> float:
+        """A float at or below `value`."""
         return outward(self.value, up=False)
 
     @property
     def upper(self) -> float:
+        """A float at or above `value`."""
         return outward(self.value, up=True)
 
 
@@ -61,6 +63,7 @@ class Crossings(Answer):
     counts: tuple[int, ...] | None = None
 
     def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
         return [
             {"value": float(c.value.mid()), "q": float(c.q.mid()), "direction": c.direction} for c in self.crossings
         ]

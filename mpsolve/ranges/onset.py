@@ -61,6 +61,7 @@ class UnstableRanges(Answer):
     intervals: tuple[Unstable, ...] = ()
 
     def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
         return [
             {"start": _near(i.start), "end": _near(i.end), "q": _near(i.q), "roots": i.roots} for i in self.intervals
         ]
@@ -82,13 +83,16 @@ class Onset(Answer):
 
     @property
     def lower(self) -> float | None:
+        """A float at or below `value`."""
         return None if self.value is None else outward(self.value, up=False)
 
     @property
     def upper(self) -> float | None:
+        """A float at or above `value`."""
         return None if self.value is None else outward(self.value, up=True)
 
     def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
         return [{"kind": self.kind.value, "value": _near(self.value), "q": _near(self.q)}]
 
 

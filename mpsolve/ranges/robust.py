@@ -42,6 +42,7 @@ class Robust(Answer):
     open: tuple[Mapping[str, Interval], ...] = ()
 
     def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
         out: list[Mapping[str, Any]] = []
         for box in self.open:
             ends = [

@@ -47,6 +47,7 @@ class Sensitivity(Answer):
     spectrum: Any = field(default=None, repr=False)
 
     def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
         return [{"q": complex(root.q.mid()), "parameter": path, "slope": complex(slope.mid())}
                 for root in self.roots for path, slope in root.by.items()]  # fmt: skip
 
