@@ -25,7 +25,7 @@ INPUT = (ROOT / "docs/reference/input.md").read_text("utf-8").split("## Masses o
 TRIAL = (ROOT / "docs/how-to/paper.md").read_text("utf-8")
 BLOCK = README.split("## The command line")[1].split("## The library")[0]
 SHOWN = re.findall(
-    r"^    (\w+\(\S.*\)[\w.\[\]]*) +# (.*)$", README.split("## The library")[1].split("```")[2], flags=re.MULTILINE
+    r"^    (\w+\(\S.*\)[\w.\[\]\"]*) +# (.*)$", README.split("## The library")[1].split("```")[2], flags=re.MULTILINE
 )
 COMMANDS = [line.split("#")[0].strip() for line in BLOCK.splitlines() if line.startswith("    mpsolve ")]
 
