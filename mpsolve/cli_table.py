@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import click
@@ -49,11 +51,25 @@ def table(file: Path, output: Path | None, certificates: Path | None, workers: i
             if output is None:
                 click.echo(table_csv(made), nl=False)
             else:
-                write_whole(output, table_csv(made) if output.suffix.lower() == ".csv" else table_json(made))
+                text = table_csv(made) if output.suffix.lower() == ".csv" else table_json(made)
+                with _printed_else(text):
+                    write_whole(output, text)
                 click.echo(f"{summary(made)}\n{output}")
         else:
             proved = _of_ratios(file, output, certificates, workers)
     sys.exit(0 if proved else UNDECIDED)
+
+
+@contextmanager
+def _printed_else(text: str) -> Iterator[None]:
+    """Nothing is lost where a file cannot be written: the table is printed then."""
+    from mpsolve.errors import CertificateError
+
+    try:
+        yield
+    except CertificateError:
+        click.echo(text, nl=False)
+        raise
 
 
 def _of_ratios(file: Path, output: Path | None, certificates: Path | None, workers: int | None) -> bool:
@@ -69,7 +85,9 @@ def _of_ratios(file: Path, output: Path | None, certificates: Path | None, worke
         counts = (
             f"{found.count(one)} {one}" for one in ("proved", "stable", "unstable", "undecided") if one in found
         )
-        click.echo(f"{len(found)} entries: {', '.join(counts)}.\n{made.save(output)}")
+        with _printed_else(made.to_csv()):
+            made.save(output)
+        click.echo(f"{len(found)} entries: {', '.join(counts)}.\n{output}")
     if certificates is not None:
         made.save_certificates(certificates)
     return made.proved

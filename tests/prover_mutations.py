@@ -210,7 +210,7 @@ SPECTRUM = [
         "wire",
     ),
     Mutation("roots are mirrored in the real axis", "spectrum.enclose", "in_units", "-sigma.real", "sigma.real"),
-    Mutation("radii are a thousandth", "certificate.solve", "_entry", "side * Fraction(3, 2)", "side / 1000"),
+    Mutation("radii are a thousandth", "certificate.entries", "_entry", "side * Fraction(3, 2)", "side / 1000"),
     Mutation(
         "every root is counted as growing", "spectrum.solve", "unstable_number", "_sign(ball)", "(True)", "wire"
     ),

@@ -61,6 +61,9 @@ def certify(
     if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
         other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
         return replace(other, note=other.note or _SHEET) if other.proved else found
+    if paper is not None and _lossless(paper) and not found.proved and wanted in ("sheet", "unstable"):
+        other = _on_sheet(problem, paper, wanted, options)  # next to the critical velocity
+        return other if other.proved else found
     if wanted is None and not found.proved:
         other = certify(problem, region="unstable", **options)
         return replace(other, note=other.note or _ABOVE) if other.proved else found

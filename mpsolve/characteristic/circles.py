@@ -20,7 +20,7 @@ from mpsolve.numbers.jets import TINY, UP, U, exponential
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.family import Family
 
-SAMPLES = 24
+SAMPLES = 32
 _TOGETHER = 0.3  # roots of one side closer than this share of the distance to the other side share a circle
 _INNER, _OUTER = (
     0.05,

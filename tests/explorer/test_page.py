@@ -82,7 +82,7 @@ class Seen:
 
     def verdict(self, pattern: str) -> str:
         self.page.wait_for_function(
-            "p => new RegExp(p).test(document.querySelector('#verdict').innerText)", arg=pattern, timeout=15_000
+            "p => new RegExp(p).test(document.querySelector('#verdict').innerText)", arg=pattern, timeout=60_000
         )
         return str(self.page.inner_text("#verdict"))
 
@@ -111,11 +111,11 @@ def test_a_slider_moves_and_undo_comes_back(seen: Seen) -> None:
     before = seen.page.input_value("#field-v")
     for _ in range(30):
         seen.page.keyboard.press("ArrowRight")
-    seen.page.wait_for_function("v => document.querySelector('#field-v').value !== v", arg=before, timeout=15_000)
+    seen.page.wait_for_function("v => document.querySelector('#field-v').value !== v", arg=before, timeout=60_000)
     time.sleep(0.5)
     assert float(seen.page.input_value("#field-v")) > float(before)
     seen.page.click("#undo")
-    seen.page.wait_for_function("v => document.querySelector('#field-v').value === v", arg=before, timeout=15_000)
+    seen.page.wait_for_function("v => document.querySelector('#field-v').value === v", arg=before, timeout=60_000)
 
 
 def test_a_hundred_quick_changes_end_at_the_last(seen: Seen) -> None:

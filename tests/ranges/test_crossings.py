@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from free_cases import BEAM, LAYERS, PAIR
 
-from mpsolve import Problem, vehicles
+from mpsolve import Case, Problem, vehicles
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision
 from mpsolve.outcome import Status
@@ -118,3 +118,13 @@ def test_spent_effort_leaves_the_question_open() -> None:
 def test_what_cannot_be_asked_is_refused(over: dict[str, object], said: str) -> None:
     with pytest.raises(InputError, match=said):
         crossings(PROBLEM, over=over)
+
+
+@pytest.mark.parametrize("ends", [(0, 2), ("0.9", "1.1")])
+def test_masses_at_which_stability_changes_in_wide_and_narrow_ranges(ends: tuple[object, object]) -> None:
+    """The crossing mass of the paper's pair at α = 0.67, as the engine of its beam has it: 66.7175598…"""
+    case = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
+    found = crossings(case, over={"scale.mass": ends}, effort=Effort(seconds=60), check=False)
+    (one,) = found.crossings
+    assert abs(70 * float(one.value.mid()) - 66.71755984618989) < 1e-11
+    assert found.counts == (0, 2)

@@ -95,7 +95,7 @@ def test_without_the_theorem_a_half_disc_counts_the_same(monkeypatch: pytest.Mon
     assert other.total == above.total
 
 
-@pytest.mark.parametrize("region", [Rectangle(-1, 1, "-1/2", 1), Below(Fraction(1)), Rectangle(-1, 1, "1/2", 1)])
+@pytest.mark.parametrize("region", [Rectangle(-9, 9, "-1/2", 1), Below(Fraction(1))])
 def test_a_region_that_reaches_a_cut_is_refused(region: Region) -> None:
     assert lowest_cut(BEAM)[1] < 0.06
     with pytest.raises(InputError, match="cut"):

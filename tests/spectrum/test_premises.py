@@ -93,9 +93,10 @@ def test_a_wave_speed_is_refused(track: object, v: int) -> None:
 
 def test_a_region_ends_below_the_cuts() -> None:
     problem = Problem(PLAIN, [Mass(1).at(0)], v="0.3")
-    for region in (Rectangle(-1, 1, "-0.5", "0.2"), Below(Fraction(1, 5))):
-        with pytest.raises(InputError, match=r"below the lowest cut, at 0\.1"):
-            counted(problem, region)
+    with pytest.raises(InputError, match=r"below the lowest cut, at 0\.1"):
+        counted(problem, Below(Fraction(1, 5)))
+    with pytest.raises(InputError, match="cut"):
+        counted(problem, Rectangle(-9, 9, "-0.5", "0.2"))
     touching = Problem(Timoshenko(EI=1, m=1, S=9, J=1, k=1, c="1/5"), [Mass(1).at(0)], v="0.3")
     with pytest.raises(InputError, match="come down to the real axis"):
         counted(touching, Rectangle(-1, 1, "-0.5", "0.01"))
