@@ -65,6 +65,7 @@ def page_html(parts: Parts, stem: str) -> str:
         motion=figures.motion(parts),
         motion_reason=parts.response.reason,
         critical=_critical(parts, speak),
+        critical_status=_critical_status(parts),
         critical_reason=parts.critical.reason,
         proved=proved(spectrum),
         verified=verified(spectrum).split("\n"),
@@ -147,6 +148,11 @@ def _root(root: Root, speak: Speech, digits: int) -> tuple[str, str, str, str, s
     pair = "±" if not root.q.real.contains(0) else ""
     growth = rounded(root.growth).replace("-", "−")
     return rounded(root.frequency), growth, doing(root, speak), pair + real, imag.replace("-", "−"), root.multiplicity
+
+
+def _critical_status(parts: Parts) -> str:
+    found = parts.critical.value
+    return "proved" if found is not None and found.status.holds else "open"
 
 
 def _critical(parts: Parts, speak: Speech) -> list[tuple[str, str]]:

@@ -65,7 +65,9 @@ def velocity_card(parts: Parts) -> Card:
     kind = str(getattr(found.kind, "value", found.kind))
     here = f"It runs at {speak.velocity(v)}."
     if kind == "stable":
-        return Card(question, "no change", f"Stable all the way up to {speak.velocity(parts.top)}. {here}", "proved")
+        low, high = next(iter(found.over.values()))
+        said = f"Stable all the way from {speak.velocity(low)} to {speak.velocity(high)}. {here}"
+        return Card(question, "no change", said, "proved")
     if kind == "unstable_from_start":
         return Card(
             question, "unstable from the start", f"A vibration grows at the least velocities too. {here}", "proved"
@@ -80,6 +82,8 @@ def velocity_card(parts: Parts) -> Card:
             said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / value, 3)} % of it."
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
+        low = next(iter(found.over.values()))[0]
+        said = f"{said} Looked at from {speak.velocity(low)} on." if low else said
         return Card(question, f"stable below {where}", said, "proved")
 
 
@@ -129,7 +133,8 @@ def wave_card(parts: Parts) -> Card | None:
         return None
     first = part.value.velocities[0]
     said = "There a constant force without any mass is followed by a free wave of the track, without damping."
-    return Card("What is the critical velocity of a force?", speak.velocity(first.value), said, "proved")
+    status = "proved" if part.value.status.holds else "open"
+    return Card("What is the critical velocity of a force?", speak.velocity(first.value), said, status)
 
 
 def missing(question: str, part: Part[Any]) -> Card:

@@ -51,7 +51,8 @@ class Answer(Portable):
     """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
     from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
-    When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    When undecided, `reason` says why and what helps, and `known` what is proved all the same. What rests on a tree of
+    boxes is `Status.UNVERIFIED` where it is proved: no verifier reads trees yet, only the spectrum of the one point.
     """
 
     problem: Given

@@ -188,6 +188,7 @@ def _counted(
         where = labels == k + 1
         if number >= _MOST_PARTS:
             counts[where] = OPEN
+            reason = reason or _too_many(len(order))
             continue
         progress("regions", 0.8 + 0.2 * number / len(order))
         i, j = _inmost(where)
@@ -208,6 +209,11 @@ def _counted(
         if roots is None and reason is None:
             reason = found.reason or Reason("base", "the roots of a region are not counted", {}, "")
     return tuple(parts), reason
+
+
+def _too_many(parts: int) -> Reason:
+    stated = f"the chart falls into {parts} parts, of which {_MOST_PARTS} are counted"
+    return Reason("parts", stated, {"parts": str(parts)}, "raise the depth, so that small parts come together")
 
 
 def _whole(found: Any) -> bool:

@@ -137,8 +137,7 @@ def find(
     if reason is not None:
         known = {"crossings": len(inside)}
         return Crossings(problem, over, Status.UNDECIDED, reason, known, proofs, cost, **common)
-    status = Status.PROVED if check else Status.UNVERIFIED
-    return Crossings(problem, over, status, proofs=proofs, cost=cost, counts=counts, **common)
+    return Crossings(problem, over, Status.UNVERIFIED, proofs=proofs, cost=cost, counts=counts, **common)
 
 
 @dataclass

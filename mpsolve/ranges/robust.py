@@ -167,8 +167,7 @@ def _answer(question: _Question, progress: Progress) -> Robust:
     common: dict[str, Any] = {"proofs": proofs, "cost": question.cost(base)}
     if reason is not None:
         return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)
-    status = Status.PROVED if question.check else Status.UNVERIFIED
-    return Robust(question.problem, question.over, status, stable=True, **common)
+    return Robust(question.problem, question.over, Status.UNVERIFIED, stable=True, **common)
 
 
 def _beside_open(question: _Question, cover: Covered) -> Robust | None:

@@ -184,4 +184,5 @@ def trust(found: Answer) -> str:
     if not found.proved:
         known = "" if not found.known else " What is listed is proved all the same, but may not be all."
         return f"Not decided, so nothing is claimed of the whole range.{known}"
-    return f"{WITHOUT} {_BASE if found.status is Status.PROVED else _UNVERIFIED}"
+    verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
+    return f"{WITHOUT} {_BASE if found.proofs and verified else _UNVERIFIED}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
@@ -25,6 +25,7 @@ class Onset:
     kind: str
     value: Any = None
     reason: str = "it is open"
+    over: Any = field(default_factory=lambda: {"v": (Fraction(0), Fraction(400))})
 
 
 def parts(problem: Problem = PAIR, **more: Any) -> Parts:
