@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
+from numpy.linalg import LinAlgError
+
 from mpsolve.errors import MpsolveError
 
 T = TypeVar("T")
@@ -54,6 +56,6 @@ class Budget:
         start = self.clock()
         try:
             value = make(max(share * left, least))
-        except MpsolveError as error:
+        except (MpsolveError, ArithmeticError, LinAlgError) as error:
             return Part(name, reason=str(error), seconds=self.clock() - start)
         return Part(name, value, seconds=self.clock() - start)

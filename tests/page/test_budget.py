@@ -45,3 +45,9 @@ def test_an_error_of_a_part_is_its_reason() -> None:
     part = Budget(1.0, lambda *_: None, Clock()).part("x", fails)
     assert "is wrong" in part.reason
     assert not part.late
+
+
+def test_a_failure_of_floats_does_not_end_the_page() -> None:
+    part = Budget(1.0, lambda *_: None, Clock()).part("x", lambda _: 1 / 0)
+    assert "division" in part.reason
+    assert not part.there
