@@ -42,6 +42,7 @@ MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 2
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 BOXES = 20_000  # that a polynomial's positivity may take
 BITS = 64
+POINTS, TOGETHER = 32, 0.3  # of a circle; roots closer than this share of the distance of others share one
 SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -545,6 +546,34 @@ def pairs(m: int) -> tuple[tuple[int, int, int], ...]:
     return tuple((1 + m + n, i, j) for n, (i, j) in enumerate(both))
 
 
+def product_of(a: Sequence[Any], b: Sequence[Any], m: int) -> list[Any]:
+    """The coefficients of a product, up to the second order."""
+    a0, b0 = a[0], b[0]
+    k = [a0 * b0]
+    k += [a0 * b[i] + a[i] * b0 for i in range(1, m + 1)]
+    for n, i, j in pairs(m):
+        term = a0 * b[n] + a[n] * b0 + a[i] * b[j]
+        k.append(term + a[j] * b[i] if i != j else term)
+    return k
+
+
+def inverse_of(a: Sequence[Any], m: int) -> list[Any]:
+    c = 1 / a[0]
+    w = [x * c for x in a]
+    k = [c, *(-x * c for x in w[1 : m + 1])]
+    for n, i, j in pairs(m):
+        k.append((w[i] * w[j] * (1 if i == j else 2) - w[n]) * c)
+    return k
+
+
+def exponential_of(a: Sequence[Any], m: int) -> list[Any]:
+    value = a[0].exp()
+    k = [value, *(x * value for x in a[1 : m + 1])]
+    for n, i, j in pairs(m):
+        k.append((a[n] + (a[i] * a[i] / 2 if i == j else a[i] * a[j])) * value)
+    return k
+
+
 class Form:
     """f(u) = k_0 + Σ k_i u_i + Σ_{i≤j} k_ij u_i u_j + rest, |rest| ≤ e, for all complex |u_i| ≤ 1.
 
@@ -586,43 +615,20 @@ class Form:
         return Form([self.k[0] + c, *self.k[1:]], self.e, self.m)
 
     def __mul__(self, other: Form) -> Form:
-        a, b, m = self.k, other.k, self.m
-        a0, b0 = a[0], b[0]
-        k = [a0 * b0]
-        k += [a0 * b[i] + a[i] * b0 for i in range(1, m + 1)]
-        for n, i, j in pairs(m):
-            term = a0 * b[n] + a[n] * b0 + a[i] * b[j]
-            k.append(term + a[j] * b[i] if i != j else term)
         x0, x1, x2 = self.sizes
         y0, y1, y2 = other.sizes
         e = x1 * y2 + x2 * (y1 + y2) + (x0 + x1 + x2) * other.e + self.e * (y0 + y1 + y2 + other.e)
-        return Form(k, e, m)
+        return Form(product_of(self.k, other.k, self.m), e, self.m)
 
     def inverse(self) -> Form:
         """1/f = (1 − w + w² − w³/(1 + w))/k_0 with f = k_0 (1 + w)."""
         require(not self.k[0].contains(0), "a quantity may be infinite over a box")
-        c, m = 1 / self.k[0], self.m
-        size = abs(c)
-        w = [x * c for x in self.k]
+        size = 1 / abs(self.k[0])
         p, q, eps = self.sizes[1] * size, self.sizes[2] * size, self.e * size
         y = p + q + eps
         require(y < 0.95, "a quantity may be infinite over a box")
-        k = [c, *(-x * c for x in w[1 : m + 1])]
-        for n, i, j in pairs(m):
-            k.append((w[i] * w[j] * (1 if i == j else 2) - w[n]) * c)
-        return Form(k, size * (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y)), m)
-
-    def exp(self) -> Form:
-        """e^f = e^{k_0} (1 + w + w²/2 + …), |e^w − 1 − w − w²/2| ≤ e^y − 1 − y − y²/2 for |w| ≤ y."""
-        value, w, m = self.k[0].exp(), self.k, self.m
-        _, p, q = self.sizes
-        y = p + q + self.e
-        require(y < 40, "a wave may change too much over a box")
-        k = [value, *(x * value for x in w[1 : m + 1])]
-        for n, i, j in pairs(m):
-            k.append((w[n] + (w[i] * w[i] / 2 if i == j else w[i] * w[j])) * value)
-        beyond = y.exp() * y**3 / 6
-        return Form(k, abs(value) * (self.e + (q + self.e) * (2 * p + q + self.e) / 2 + beyond), m)
+        rest = size * (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y))
+        return Form(inverse_of(self.k, self.m), rest, self.m)
 
     def rested(self, more: Any) -> Form:
         """The same with more in the rest."""
@@ -750,23 +756,16 @@ class Split:
         self.z, self.up = z, sum(bool(x.real < 0) for x in z)
         self.sides = [range(self.up), range(self.up, n)]
         self.gap = [[abs(z[i] - z[k]) if i != k else arb(1) for k in range(n)] for i in range(n)]
-        self.rows = [self.about(k) for k in range(n)]
+        self.values = [self.about(z_, 0) for z_ in z]
         self.box, self.tight = self.contraction(throughout)
 
-    def about(self, k: int) -> list[Form]:
-        """E_0, E_1, E_2, … with D(z_k + h) = Σ E_i h^i; from the third on only roughly."""
-        powers, n, out = [acb(1)], self.n, []
-        for _ in range(n):
-            powers.append(powers[-1] * self.z[k])
-        for i in range(n + 1):
-            factors = [powers[l - i] * comb(l, i) for l in range(i, n + 1)]
-            if i < 3:
-                out.append(total([self.D[l].scaled(c) for l, c in zip(range(i, n + 1), factors, strict=True)], self.m))
-            else:
-                first = sum((self.D[l].k[0] * c for l, c in zip(range(i, n + 1), factors, strict=True)), NONE)
-                rest = sum((self.D[l].spread * abs(c) for l, c in zip(range(i, n + 1), factors, strict=True)), ZERO)
-                out.append(number(first, self.m).rested(rest))
-        return out
+    def about(self, z: Any, i: int) -> Form:
+        """E_i in D(z + h) = Σ E_i h^i."""
+        power, out = acb(1), []
+        for l in range(i, self.n + 1):
+            out.append(self.D[l].scaled(power * comb(l, i)))
+            power = power * z
+        return total(out, self.m)
 
     def contraction(self, throughout: bool) -> tuple[list[Any], list[Any]]:
         """The pair of Lemma 1 over the box, proved to be (roots with Re P < 0, the others) at its middle.
@@ -783,11 +782,12 @@ class Split:
             for x in self.gap[k]:
                 size = size * x
             self.scale.append(size)
-        wide = self.solved([row[0].size / size for row, size in zip(self.rows, self.scale, strict=True)])
+        wide = self.solved([f.size / size for f, size in zip(self.values, self.scale, strict=True)])
         if wide is None:
             raise Wide("the p-roots of both sides are not kept apart over a box", self.strain())
+        self.thin = [abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)]
         if not self.apart(wide[1]):
-            thin = self.solved([abs(row[0].k[0]) / size for row, size in zip(self.rows, self.scale, strict=True)])
+            thin = self.solved(self.thin)
             fine = thin is not None and self.apart(thin[1]) and all(
                 x < y for x, y in zip(thin[1], wide[0], strict=True)
             )  # fmt: skip
@@ -826,59 +826,161 @@ class Split:
             for k in self.sides[side]:
                 near = min((float(self.gap[k][l]) for l in self.sides[other]), default=1.0)
                 for i in range(self.m):
-                    moved = float(abs(self.rows[k][0].k[1 + i]))
+                    moved = float(abs(self.values[k].k[1 + i]))
                     out[i] = max(out[i], moved / (float(self.scale[k]) * near))
         return out
 
-    def isolated(self, side: range) -> list[Any] | None:
-        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor; or None."""
-        radii = []
-        for k in side:
-            for widening in (1.02, 1.1, 1.5, 3):
-                e = (self.tight[k] * widening).upper()
-                near = [(self.tight[j], self.gap[k][j] - e) for j in side if j != k]
-                if all(gap > 0 for _, gap in near):
-                    g = sum((t / gap for t, gap in near), ZERO)
-                    if g < 1 and self.tight[k] < e * (1 - g):
-                        radii.append(e)
-                        break
-            else:
-                return None
-        both = combinations(range(len(radii)), 2)
-        start = side.start
-        return radii if all(self.gap[start + i][start + k] > radii[i] + radii[k] for i, k in both) else None
+    @cached_property
+    def roots(self) -> list[Any]:
+        """Balls of the p-roots at the middle of the box, by Lemma 2."""
+        thin = self.solved(self.thin)
+        require(thin is not None, "the p-roots of both sides are not kept apart")
+        tight, out = thin[1] if thin else [], []
+        for side in self.sides:
+            for k in side:
+                e = (tight[k] * 2).upper()
+                others = [(tight[j], self.gap[k][j] - e) for j in side if j != k]
+                if not all(gap > e for _, gap in others):
+                    raise Wide("two p-roots meet in the middle of a box", self.strain())
+                g = sum((t / gap for t, gap in others), ZERO)
+                require(g < 0.5, "two p-roots meet in the middle of a box")
+                out.append(self.z[k] + spectra.box(arb(e)))
+        return out
 
-    def root(self, k: int, e: Any) -> Form:
-        """h with z_k + h the one root in the disc |h| ≤ e: twice h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0)."""
-        E, m = self.rows[k], self.m
-        if E[1].k[0].contains(0):
-            raise Wide("two p-roots of one side meet over a box", self.strain())
-        c = -1 / E[1].k[0]
-        size, moved = abs(c), E[1].spread
-        above = [f.size for f in E[2:]]
-        e = bound(e, (E[0].size + self.higher(e, moved, above)) * size)
-        first = E[0].scaled(c).rested(size * self.higher(e, moved, above))
-        turn = Form([NONE, *E[1].k[1:]], E[1].e, m)
-        second = E[0] + turn * first + E[2] * (first * first)
-        return second.rested(sum((x * e**i for i, x in enumerate(above[1:], 3)), ZERO)).scaled(c)
-
-    @staticmethod
-    def higher(e: Any, moved: Any, above: list[Any]) -> Any:
-        return moved * e + sum((x * e**i for i, x in enumerate(above, 2)), ZERO)
-
-    def weight(self, k: int, h: Form, N: list[Form]) -> Form:
-        """N/D_P at z_k + h."""
-        E, e = self.rows[k], h.size
-        square = h * h
-        slope = E[1] + (E[2] * h).scaled(2)
-        if self.n >= 3:
-            slope = slope + (E[3] * square).scaled(3)
-        slope = slope.rested(sum((i * E[i].size * e ** (i - 1) for i in range(4, self.n + 1)), ZERO))
-        point = h.plus(self.z[k])
-        above = N[-1]
+    def wave(self, k: int, N: list[Form]) -> tuple[list[Any], list[Any]]:
+        """The Taylor coefficients of the k-th p-root and of N/D_P there, at the middle of the box."""
+        m, p = self.m, self.roots[k]
+        E = [self.about(p, i).k for i in range(min(4, self.n + 1))]
+        E[0][0] = NONE
+        require(not E[1][0].contains(0), "two p-roots meet in the middle of a box")
+        c = -1 / E[1][0]
+        turn, first = [NONE, *E[1][1:]], [x * c for x in E[0]]
+        h = E[0]
+        slope = E[1]
+        if self.n > 1:
+            second = product_of(E[2], product_of(first, first, m), m)
+            h = [(x + y + w) * c for x, y, w in zip(E[0], product_of(turn, first, m), second, strict=True)]
+            slope = [x + 2 * y for x, y in zip(slope, product_of(E[2], h, m), strict=True)]
+        if self.n > 2:
+            square = product_of(h, h, m)
+            slope = [x + 3 * E[3][0] * y for x, y in zip(slope, square, strict=True)]
+        point, above = [p, *h[1:]], N[-1].k
         for f in reversed(N[:-1]):
-            above = above * point + f
-        return above * slope.inverse()
+            above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
+        return point, product_of(above, inverse_of(slope, m), m)
+
+    def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
+        """(middle, radii, p-roots inside): the other roots lie outside the third radius, those inside within the
+        first; roots of one side that are close share a circle."""
+        own, z = list(self.sides[side]), [complex(x) for x in self.z]
+        others = [k for k in range(self.n) if k not in own]
+        far = {k: min((abs(z[k] - z[l]) for l in others), default=1e300) for k in own}
+        groups: list[list[int]] = []
+        for k in own:
+            near = [g for g in groups if any(abs(z[k] - z[l]) <= TOGETHER * min(far[k], far[l]) for l in g)]
+            groups = [g for g in groups if g not in near] + [[k, *(l for g in near for l in g)]]
+        out = []
+        for g in groups:
+            middle = sum(z[k] for k in g) / len(g)
+            size = max(abs(z[k] - middle) for k in g)
+            outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
+            radius = max(0.4 * outer, (size * outer) ** 0.5)
+            inner = max(0.35 * radius, size + 3 * len(g) * max(float(self.tight[k]) for k in g))
+            if not inner < 0.9 * radius < 0.8 * outer:
+                raise Wide("p-roots come too near to others over a box", self.strain())
+            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)], g))
+        return out
+
+    def rest(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
+        """Bounds of what G at each distance departs from its Taylor polynomial of second order (section 10.4): of
+        sums over points of circles round the p-roots, and of what these sums do not see."""
+        m, out = self.m, [ZERO] * len(distances)
+        D = [acb_poly([f.k[i] for f in self.D]) for i in range(1, len(self.D[0].k))]
+        lost, lead = arb_poly([f.e for f in self.D]), abs(self.D[-1].k[0])
+        for middle, radii, inside in self.circles(side):
+            radius = radii[1]
+            far = abs(middle) + radius
+            above = of_polynomial(N, far)
+            waves = [moduli_of_wave(f, far) for f in distances]
+            share = radius / POINTS
+            for turn in turns():
+                P = middle + radius * turn
+                d = lead
+                for z in self.roots:
+                    d = d * abs(P - z)
+                sizes = [abs(f(P)) for f in D]
+                p, q, eps = sum(sizes[:m], ZERO) / d, sum(sizes[m:], ZERO) / d, lost(far) / d
+                y = p + q + eps
+                if not y < 0.95:
+                    raise Wide("p-roots move too much over a box", self.strain())
+                inverse = (1 / d, p / d, (q + p * p) / d,
+                           (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y)) / d)  # fmt: skip
+                quotient = of_moduli(above, inverse)
+                for n, (f, wave) in enumerate(zip(distances, waves, strict=True)):
+                    if wave is None:
+                        out[n] = out[n] + quotient[3] * share
+                        continue
+                    grown = (P * f.k[0]).real.exp()
+                    out[n] = out[n] + of_moduli(quotient, wave)[3] * grown * share
+            for n, x in enumerate(self.unseen(middle, radii, N, distances)):
+                out[n] = out[n] + x * (2 + len(D))
+        return [x.upper() for x in out]
+
+    def unseen(self, middle: Any, radii: list[Any], N: list[Form], distances: Sequence[Form]) -> list[Any]:
+        """How much the mean over POINTS points of the circle may differ from the integral, for |u_i| ≤ 1: by bounds
+        of N e^{Pξ}/D on two circles, with no root of D between them."""
+        out = [ZERO] * len(distances)
+        for r, ratio in ((radii[0], radii[0] / radii[1]), (radii[2], radii[1] / radii[2])):
+            away = [abs(abs(middle - z) - r) for z in self.z]
+            low = abs(self.D[-1].k[0]) - self.D[-1].spread
+            for x in away:
+                low = low * x
+            for side in self.sides:
+                share = 1 - sum((self.tight[k] / away[k] for k in side), ZERO)
+                if not share > 0.05:
+                    raise Wide("p-roots come too near to others over a box", self.strain())
+                low = low * share
+            require(low > 0, "p-roots come too near to others over a box")
+            far, power = abs(middle) + r, ratio**POINTS
+            bound_ = sum(of_polynomial(N, far), ZERO) / low * r * power / (1 - power)
+            for n, f in enumerate(distances):
+                out[n] = out[n] + bound_ * ((middle * f.k[0]).real + r * abs(f.k[0]) + far * f.spread).exp()
+        return out
+
+
+@lru_cache(maxsize=8)
+def turns_at(bits: int) -> list[Any]:
+    return [acb(arb(fmpq(2 * a, POINTS))).exp_pi_i() for a in range(POINTS)]
+
+
+def turns() -> list[Any]:
+    return turns_at(flint.ctx.prec)
+
+
+def of_polynomial(f: Sequence[Form], far: Any) -> tuple[Any, Any, Any, Any]:
+    """Moduli of the parts of Σ f_i P^i, |P| ≤ far."""
+    out, power = (ZERO, ZERO, ZERO, ZERO), arb(1)
+    for g in f:
+        a, b, c = g.sizes
+        out = (out[0] + a * power, out[1] + b * power, out[2] + c * power, out[3] + g.e * power)
+        power = power * far
+    return out
+
+
+def of_moduli(a: Any, b: Any) -> tuple[Any, Any, Any, Any]:
+    """Bounds of the parts of a product: of order 0, 1, 2, and the rest."""
+    rest = a[1] * b[2] + a[2] * (b[1] + b[2]) + (a[0] + a[1] + a[2]) * b[3] + a[3] * (b[0] + b[1] + b[2] + b[3])
+    return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + a[1] * b[1] + a[2] * b[0], rest
+
+
+def moduli_of_wave(distance: Form, far: Any) -> Any:
+    """Of e^{P(ξ − ξ_0)} for |P| ≤ far; None where the distance is 0."""
+    if distance.size.is_zero():
+        return None
+    p, q, eps = distance.sizes[1] * far, distance.sizes[2] * far, distance.e * far
+    y = p + q + eps
+    require(y < 40, "a wave may change too much over a box")
+    return arb(1), p, q + p * p / 2, eps + (q + eps) * (2 * p + q + eps) / 2 + y.exp() * y**3 / 6
 
 
 def bound(x: Any, y: Any) -> Any:
@@ -891,30 +993,21 @@ def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
     place, m = split.place, split.m
     N = [place.value(f) for f in waves.N]
     distances = waves.ordered(x)
-    out = []
-    roots: dict[int, list[tuple[Form, Form]]] = {}
-    for ahead, distance in distances:
-        side = 0 if ahead else 1
-        if side not in roots:
-            here = split.sides[side]
-            radii = split.isolated(here)
-            if radii is None:
-                raise Wide("two p-roots of one side meet over a box", split.strain())
-            h = [split.root(k, e) for k, e in zip(here, radii, strict=True)]
-            roots[side] = [
-                (one.plus(split.z[k]), split.weight(k, one, N)) for k, one in zip(here, h, strict=True)
-            ]
-        fixed = all(not any(e) for e, _ in distance)
-        each = []
-        for P, w in roots[side]:
-            if not distance:
-                each.append(w)
-            elif fixed:
-                each.append(w * P.scaled(acb(distance[0][1])).exp())
-            else:
-                each.append(w * (P * place.value(distance)).exp())
-        G = total(each, m)
-        out.append(-G if side else G)
+    forms = [place.value(f) for _, f in distances]
+    out = [number(0, m)] * len(forms)
+    for side in (0, 1):
+        chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
+        if not chosen:
+            continue
+        each = [split.wave(k, N) for k in split.sides[side]]
+        rests = split.rest(side, N, [forms[n] for n in chosen])
+        for n, rest in zip(chosen, rests, strict=True):
+            k = [NONE] * len(forms[n].k)
+            for P, w in each:
+                term = w if not distances[n][1] else product_of(w, exponential_of(product_of(P, forms[n].k, m), m), m)
+                k = [a - b if side else a + b for a, b in zip(k, term, strict=True)]
+            require(rest.is_finite() and all(y.is_finite() for y in k), "G is not bounded over a box")
+            out[n] = Form(k, rest, m)
     return out
 
 
