@@ -42,7 +42,7 @@ MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 2
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 BOXES = 20_000  # that a polynomial's positivity may take
 BITS = 64
-POINTS, TOGETHER = 32, 0.3  # of a circle; roots closer than this share of the distance of others share one
+POINTS, TOGETHER, SMALL = 24, 0.3, 64  # of a circle; roots closer than this share of the distance of others share one
 SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -630,6 +630,15 @@ class Form:
         rest = size * (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y))
         return Form(inverse_of(self.k, self.m), rest, self.m)
 
+    def exp(self) -> Form:
+        """e^f: |e^w − 1 − w − w²/2| ≤ e^y y³/6 for |w| ≤ y."""
+        _, p, q = self.sizes
+        y = p + q + self.e
+        require(y < 40, "a wave may change too much over a box")
+        rest = self.e + (q + self.e) * (2 * p + q + self.e) / 2 + y.exp() * y**3 / 6
+        k = exponential_of(self.k, self.m)
+        return Form(k, abs(self.k[0].exp()) * rest, self.m)
+
     def rested(self, more: Any) -> Form:
         """The same with more in the rest."""
         return Form(self.k, self.e + more, self.m)
@@ -869,6 +878,56 @@ class Split:
             above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
         return point, product_of(above, inverse_of(slope, m), m)
 
+    @property
+    def small(self) -> bool:
+        """Whether the box moves p-roots by little of their distances."""
+        both = combinations(range(self.n), 2)
+        return all((self.tight[k] + self.tight[l]) * SMALL < self.gap[k][l] for k, l in both)
+
+    def isolated(self, side: range) -> list[Any]:
+        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
+        radii = []
+        for k in side:
+            for widening in (1.02, 1.1, 1.5, 3):
+                e = (self.tight[k] * widening).upper()
+                near = [(self.tight[j], self.gap[k][j] - e) for j in side if j != k]
+                if all(gap > 0 for _, gap in near):
+                    g = sum((t / gap for t, gap in near), ZERO)
+                    if g < 1 and self.tight[k] < e * (1 - g):
+                        radii.append(e)
+                        break
+            else:
+                raise Wide("two p-roots of one side meet over a box", self.strain())
+        both = combinations(range(len(radii)), 2)
+        apart = all(self.gap[side[i]][side[k]] > radii[i] + radii[k] for i, k in both)
+        require(apart, "two p-roots of one side meet over a box")
+        return radii
+
+    def sharp(self, k: int, e: Any, N: list[Form]) -> tuple[Form, Form]:
+        """The root in the disc of radius e round node k, and N/D_P there, as forms: with D(z + h) = Σ E_i h^i,
+        h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself twice."""
+        E = [self.about(self.z[k], i) for i in range(self.n + 1)]
+        require(not E[1].k[0].contains(0), "two p-roots of one side meet over a box")
+        c = -1 / E[1].k[0]
+        turn = Form([NONE, *E[1].k[1:]], E[1].e, self.m)
+        h = number(0, self.m).rested(e)
+        for _ in range(3):
+            e = h.size
+            more = sum((f.size * e**i for i, f in enumerate(E[3:], 3)), ZERO)
+            above = E[0] + turn * h + (E[2] * (h * h) if self.n > 1 else number(0, self.m))
+            h = above.rested(more).scaled(c)
+        e = h.size
+        slope = E[1]
+        if self.n > 1:
+            slope = slope + (E[2] * h).scaled(2)
+        if self.n > 2:
+            slope = slope + (E[3] * (h * h)).scaled(3)
+        slope = slope.rested(sum((i * E[i].size * e ** (i - 1) for i in range(4, self.n + 1)), ZERO))
+        point, value = h.plus(self.z[k]), N[-1]
+        for f in reversed(N[:-1]):
+            value = value * point + f
+        return point, value * slope.inverse()
+
     def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
         """(middle, radii, p-roots inside): the other roots lie outside the third radius, those inside within the
         first; roots of one side that are close share a circle."""
@@ -884,9 +943,10 @@ class Split:
             middle = sum(z[k] for k in g) / len(g)
             size = max(abs(z[k] - middle) for k in g)
             outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
+            size += len(g) * max(float(self.tight[k]) for k in g)
             radius = max(0.4 * outer, (size * outer) ** 0.5)
-            inner = max(0.35 * radius, size + 3 * len(g) * max(float(self.tight[k]) for k in g))
-            if not inner < 0.9 * radius < 0.8 * outer:
+            inner = size + 0.08 * (radius - size)
+            if not inner < 0.9 * radius < 0.75 * outer:
                 raise Wide("p-roots come too near to others over a box", self.strain())
             out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)], g))
         return out
@@ -937,7 +997,7 @@ class Split:
                 low = low * x
             for side in self.sides:
                 share = 1 - sum((self.tight[k] / away[k] for k in side), ZERO)
-                if not share > 0.05:
+                if not share > 0:
                     raise Wide("p-roots come too near to others over a box", self.strain())
                 low = low * share
             require(low > 0, "p-roots come too near to others over a box")
@@ -989,25 +1049,33 @@ def bound(x: Any, y: Any) -> Any:
 
 
 def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
-    """G at each distance over the box."""
+    """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
+    sharp = split.small
     place, m = split.place, split.m
     N = [place.value(f) for f in waves.N]
     distances = waves.ordered(x)
     forms = [place.value(f) for _, f in distances]
     out = [number(0, m)] * len(forms)
-    for side in (0, 1):
+    for side, here in enumerate(split.sides):
         chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
         if not chosen:
             continue
-        each = [split.wave(k, N) for k in split.sides[side]]
+        if sharp:
+            roots = [split.sharp(k, e, N) for k, e in zip(here, split.isolated(here), strict=True)]
+            for n in chosen:
+                each_ = [w * (P * forms[n]).exp() if distances[n][1] else w for P, w in roots]
+                out[n] = -total(each_, m) if side else total(each_, m)
+            continue
+        each = [split.wave(k, N) for k in here]
         rests = split.rest(side, N, [forms[n] for n in chosen])
         for n, rest in zip(chosen, rests, strict=True):
             k = [NONE] * len(forms[n].k)
             for P, w in each:
                 term = w if not distances[n][1] else product_of(w, exponential_of(product_of(P, forms[n].k, m), m), m)
                 k = [a - b if side else a + b for a, b in zip(k, term, strict=True)]
-            require(rest.is_finite() and all(y.is_finite() for y in k), "G is not bounded over a box")
             out[n] = Form(k, rest, m)
+    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
+    require(finite, "G is not bounded over a box")
     return out
 
 
@@ -1067,33 +1135,42 @@ class Matrix:
 
 
 def diagonal(a: list[list[complex]]) -> tuple[list[list[complex]], list[list[complex]]]:
-    """X, Y with X a Y ≈ diag(1, …, 1, s), s small where a is nearly singular: nothing rests on them."""
+    """X, Y with X a Y ≈ diag(1, …, 1, s), by the singular values of a with rows and columns scaled, the least one
+    last; by rotations of pairs of columns. Nothing rests on them."""
     n = len(a)
     r = [1 / (max(map(abs, row)) or 1) for row in a]
     c = [1 / (max(abs(r[i] * a[i][j]) for i in range(n)) or 1) for j in range(n)]
-    b = [[r[i] * a[i][j] * c[j] for j in range(n)] for i in range(n)]
-    X = [[r[i] if i == j else 0j for j in range(n)] for i in range(n)]
-    Y = [[c[i] if i == j else 0j for j in range(n)] for i in range(n)]
-    for k in range(n - 1):
-        i, j = max(((i, j) for i in range(k, n) for j in range(k, n)), key=lambda at_: abs(b[at_[0]][at_[1]]))
-        for rows in (b, X):
-            rows[k], rows[i] = rows[i], rows[k]
-        for rows in (b, Y):
-            for row in rows:
-                row[k], row[j] = row[j], row[k]
-        pivot = b[k][k] or 1e-300
-        X[k] = [x / pivot for x in X[k]]
-        b[k] = [x / pivot for x in b[k]]
-        for i in range(k + 1, n):
-            factor = b[i][k]
-            X[i] = [x - factor * y for x, y in zip(X[i], X[k], strict=True)]
-            b[i] = [x - factor * y for x, y in zip(b[i], b[k], strict=True)]
-        for j in range(k + 1, n):
-            factor = b[k][j]
-            for row in Y:
-                row[j] -= factor * row[k]
-            b[k][j] = 0j
-    return X, Y
+    b = [[r[i] * a[i][j] * c[j] for i in range(n)] for j in range(n)]  # columns
+    V = [[c[i] if i == j else 0j for i in range(n)] for j in range(n)]
+    for _ in range(12):
+        turned = False
+        for p, q in combinations(range(n), 2):
+            one = sum(abs(x) ** 2 for x in b[p])
+            two = sum(abs(x) ** 2 for x in b[q])
+            cross = sum(x.conjugate() * y for x, y in zip(b[p], b[q], strict=True))
+            if abs(cross) <= 1e-12 * (one * two) ** 0.5:
+                continue
+            turned = True
+            phase = cross / abs(cross)
+            zeta = (two - one) / (2 * abs(cross))
+            t = (1 if zeta >= 0 else -1) / (abs(zeta) + (1 + zeta * zeta) ** 0.5)
+            cos = 1 / (1 + t * t) ** 0.5
+            sin = cos * t
+            for rows in (b, V):
+                x, y = rows[p], rows[q]
+                rows[p] = [cos * u - sin * phase.conjugate() * v for u, v in zip(x, y, strict=True)]
+                rows[q] = [sin * phase * u + cos * v for u, v in zip(x, y, strict=True)]
+        if not turned:
+            break
+    sizes = [sum(abs(x) ** 2 for x in column) ** 0.5 or 1e-300 for column in b]
+    order = sorted(range(n), key=lambda k: -sizes[k])
+    scale = [sizes[k] for k in order]
+    if n > 1:
+        scale[-1] = scale[-2]
+    X = []
+    for k, size in zip(order, scale, strict=True):
+        X.append([x.conjugate() / sizes[k] / size * r[i] for i, x in enumerate(b[k])])
+    return X, [[V[k][i] for k in order] for i in range(n)]
 
 
 def scalar(A: list[list[Form]]) -> Form:
