@@ -37,6 +37,11 @@ def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | 
     found = vibrate(source.problem, source.loads, times=times, places=places, initial=initial)
     if kind == ".csv":
         save_table(found, output)
+    elif kind == ".json":
+        from mpsolve.motion.output import save_json
+        from mpsolve.vibration.table import columns
+
+        save_json(columns(found), output, source.title, _summary(found))
     elif kind == ".npz":
         save_arrays(found, output)
     else:

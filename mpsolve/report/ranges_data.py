@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from mpsolve.numbers.spoken import decimal
 from mpsolve.ranges.answer import Answer
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import trust
-from mpsolve.report.spectrum_data import spectrum_data
+from mpsolve.report.spectrum_data import number, spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED
 
 FORMAT = "mpsolve ranges"
@@ -55,5 +54,5 @@ def parts_data(each: list[dict[str, Any]]) -> dict[str, Any]:
 def _range(over: Any, asked: Asked) -> dict[str, Any]:
     own = asked.problem.parameters.get(over.path)
     ends = {"low": over.low, "high": over.high, "own": own}
-    exact = {name: x if x is None else {"exact": str(x), "decimal": decimal(x)} for name, x in ends.items()}
+    exact = {name: x if x is None else number(x) for name, x in ends.items()}
     return {**exact, "unit": over.si}
