@@ -50,6 +50,7 @@ def page_html(parts: Parts, stem: str) -> str:
         mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
         cards=cards(parts),
         limits=limit_rows(parts),
+        warnings=[str(one) for one in parts.spectrum.warnings],
         late=parts.late,
         drawing=figures.drawing(parts),
         tables=tables(parts),

@@ -121,7 +121,7 @@ def contact_card(parts: Parts) -> Card:
     return Card(
         question,
         when,
-        f"Contact {event.contact + 1} lifts off then; the model says nothing of what follows.",
+        f"Contact {event.contact}, counted from the rear, lifts off then; the model says nothing of what follows.",
         "computed",
     )
 

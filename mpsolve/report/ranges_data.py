@@ -22,7 +22,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     title, verdict    the title of the file, or "", and one sentence
     ranges            for each path {"low", "high", "own": {"exact", "decimal"}, "unit"}, in the model's units; own is
                       the file's value
-    warnings          reasons in parts, where the file's own value lies outside a range
+    warnings          reasons in parts: what looks like a mistake, where the file's own value is outside a range
     answer            what the library's to_dict gives; a ball is {"decimal", "lower", "upper", "ball"}, the last as
                       [mantissa, exponent of 2] of the middle and of the radius, mantissas as texts
     spectrum          the report of certify at a counterexample, or null
