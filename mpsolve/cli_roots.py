@@ -118,6 +118,8 @@ def _json(answer: Any) -> str:
         for zero in answer.roots
     ]
     data = {
+        "format": "mpsolve roots",
+        "version": 1,
         "function": answer.function,
         "region": _where(answer.region),
         "status": answer.status.value,
