@@ -1,0 +1,303 @@
+"""Where in a range of one parameter the least stable root lies lowest: the global minimum of Im q, proved.
+
+A line Im q = h a little above the minimum is crossed downwards and upwards by one root (and its mirror −q̄) alone, as
+the proved list of its crossings and the certified roots at one point say; so below the line there is no other root,
+anywhere in the range. Over a box of (q, parameter) that holds this root between its crossings it is proved that Im q
+bends upwards, or at an end of the range rises from there: so it is lowest where its slope changes its sign, or at the
+end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import ceil, inf, log2
+from time import process_time
+from typing import Any
+
+import numpy as np
+
+from mpsolve.certificate.solve import certify_problem, checked_digits
+from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.outcome import Reason, Status
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward
+from mpsolve.ranges.branch import Tube, tube
+from mpsolve.ranges.critical import Candidate, Lowest, at_end, lowest_near, sharpened
+from mpsolve.ranges.least_seen import least_seen
+from mpsolve.ranges.line import Line, cross_line
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.spectrum.candidates import Area
+
+_BOXES = 400_000
+_SHARES = (2.0**-6, 2.0**-9, 2.0**-12)
+"""Of the range: how far apart, about, the root crosses the line; narrower where another one is nearly as low."""
+_SIDES = {"inside": np.array([-1.0, 1.0]), "start": np.array([1.0]), "end": np.array([-1.0])}
+_TUBES = ((1, 1.5), (2, 1.5), (4, 2.0), (8, 2.0))
+"""Boxes in which a root is followed, and how much wider than it moves they are."""
+_SEEDS = 4  # times that a lower root elsewhere is taken up
+_NEXT = "give a shorter range round the lowest point"
+
+
+@dataclass(frozen=True)
+class Worst(Answer):
+    """The lowest root in a range of one parameter: the one that grows fastest, or decays most slowly.
+
+    value, q, growth: balls in the problem's units, growth = −Im q in 1/s; None where undecided. where: "inside" (a
+    stationary point), "start" or "end" of the range, "" where undecided. lower, upper: floats that hold `value`.
+    """
+
+    digits: int = 15
+    value: Any | None = None
+    q: Any | None = None
+    where: str = ""
+
+    @property
+    def growth(self) -> Any | None:
+        """−Im q, the rate at which it grows: e^{growth t}."""
+        return None if self.q is None else -self.q.imag
+
+    @property
+    def lower(self) -> float | None:
+        """A float at or below `value`."""
+        return None if self.value is None else outward(self.value, up=False)
+
+    @property
+    def upper(self) -> float | None:
+        """A float at or above `value`."""
+        return None if self.value is None else outward(self.value, up=True)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
+        from mpsolve.ranges.answer import plain
+
+        return super().to_dict() | {"growth": plain(self.growth)}
+
+    def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping."""
+        if self.value is None or self.q is None:
+            return []
+        near = {"value": self.value, "re q": self.q.real, "im q": self.q.imag}
+        return [{name: float(ball.mid()) for name, ball in near.items()} | {"where": self.where}]
+
+
+def worst(
+    problem: Given,
+    *,
+    over: Mapping[str, Any],
+    digits: int = 15,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Worst:
+    """The value of one parameter in a closed range at which the least Im q over all roots is smallest: proved.
+
+    over: {path: (low, high)}, in the problem's units. check: have the standalone verifier pass the spectrum from
+    which the roots are counted. Raises InputError for a path that there is not and for ranges that cannot be.
+    """
+    given = as_problem(problem)
+    ranges = checked_over(given, over)
+    one_path(ranges)
+    with one_thread():
+        found = _worst(given, ranges, checked_digits(digits), effort, progress or silent, check)
+    return replace(found, problem=problem)
+
+
+def _worst(
+    problem: Problem, over: dict[str, Interval], digits: int, effort: Effort | None, progress: Progress, check: bool
+) -> Worst:
+    started = process_time()
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
+    question = _Question(problem, over, scope_of(problem, over), digits, budget, progress, check)
+    try:
+        answer = question.answer()
+    except (OpenError, EffortError) as error:
+        answer = question.open(error.reason)
+    except PrecisionError as error:
+        answer = question.open(Reason("lowest", str(error), {}, _NEXT))
+    checked = question.base.cost.verification if question.base is not None else 0.0
+    return replace(answer, cost=Spent(process_time() - started - checked, checked, budget.spent))
+
+
+@dataclass
+class _Question:
+    """A range under proof."""
+
+    problem: Problem
+    over: dict[str, Interval]
+    scope: Scope
+    digits: int
+    budget: Effort
+    progress: Progress
+    check: bool
+    base: Any = None
+
+    def open(self, reason: Reason) -> Worst:
+        return Worst(self.problem, self.over, Status.UNDECIDED, reason, digits=self.digits)
+
+    @property
+    def _ends(self) -> tuple[Any, Any]:
+        return rational_ball(self.scope.family.box[0][0]), rational_ball(self.scope.family.box[0][1])
+
+    def answer(self) -> Worst:
+        """Attempts from the lowest root that floats see, and from others where it turns out not to be the lowest."""
+        low, high = float(self.scope.low[0]), float(self.scope.high[0])
+        reason = Reason("lowest", "no root is seen below the cuts", {}, "give another range")
+        for _ in range(_SEEDS):
+            found = self._seen(low, high)
+            if found is None:
+                return self.open(reason)
+            if not found.q.imag < 0:
+                stated = "no root grows anywhere in this range, as far as floats tell"
+                return self.open(Reason("stable", stated, {}, "prove that with onset or prove_stable"))
+            answer, beside = self._attempts(found)
+            if answer is not None:
+                return answer
+            reason = Reason("lowest", "two roots are lowest to within what can be told apart", {}, _NEXT)
+            if beside is None:
+                break
+            low, high = beside
+        return self.open(reason)
+
+    def _seen(self, low: float, high: float) -> Candidate | None:
+        self.progress("search", 0.0)
+        family = self.scope.family
+        area = Area(0.0, 2.0, -1.0, 0.0)
+        seen = least_seen(family, low, high, area)
+        if seen is None:
+            return None
+        with precision(80):
+            return lowest_near(self.scope.proved, seen.q, seen.x, self._ends, seen.step)
+
+    def _attempts(self, found: Candidate) -> tuple[Worst | None, tuple[float, float] | None]:
+        """(the answer, or where else to look for a lower root)."""
+        beside = None
+        for share in _SHARES:
+            width, height = _above(found, share, self.scope)
+            near = [found.beside(step) for step in _SIDES[found.where] * width]
+            points = [(abs(q.real), x) for x, q in near]
+            line = cross_line(self.scope.family, height, points, self.budget, self.progress)
+            if line.reason is not None:
+                raise OpenError(line.reason)
+            cover = _tube(line, found)
+            if cover is not None:
+                answer = self._proved(line, cover, found)
+                if answer is not None:
+                    return answer, None
+            beside = _elsewhere(line, found)
+        return None, beside
+
+    def _proved(self, line: Line, cover: Tube, found: Candidate) -> Worst | None:
+        """The answer where it is proved that the root of the tube alone comes below the line."""
+        changes = [one.gained for one in line.crossings]
+        number = 1 if line.crossings[0].q == 0 else 2
+        expected = {"inside": [number, -number], "start": [-number], "end": [number]}[found.where]
+        if changes != expected or self._below(line, found) != number:
+            return None
+        goal = ceil(self.digits * log2(10)) + 24
+        raised = replace(found, q=found.q - acb(0, rational_ball(line.height)))
+        lowest = self._sharp(line, raised, goal)
+        if not all(cover.holds(q, x) for x, q in lowest.beside) or not _between(line, lowest, found.where):
+            return None
+        return self._in_units(line, lowest, found.where)
+
+    def _sharp(self, line: Line, found: Candidate, goal: int) -> Lowest:
+        if found.where == "inside":
+            return sharpened(line.scope.proved, found, goal)
+        end = self.scope.family.box[0][found.where == "end"]
+        return at_end(line.scope.proved, found, lambda: rational_ball(end), goal)
+
+    def _below(self, line: Line, found: Candidate) -> int | None:
+        """The certified number of roots below the line where the lowest one was found."""
+        family = self.scope.family
+        low, high = family.box[0]
+        at = min(max(Fraction(float(found.x)), low), high)
+        if self.base is None or self.base.problem != family.at([at]):
+            self.progress("base", 0.9)
+            self.base = certify_problem(family.at([at]), region="unstable", digits=15, check=self.check)
+        if self.base.stable is None:
+            return None
+        height = rational_ball(line.height * family.frequency_unit)
+        each = [
+            (bool(root.q.imag < height), bool(root.q.imag > height), root.multiplicity) for root in self.base.roots
+        ]
+        return sum(n for below, _, n in each if below) if all(a or b for a, b, _ in each) else None
+
+    def _in_units(self, line: Line, lowest: Lowest, where: str) -> Worst:
+        family = self.scope.family
+        with precision(max(int(lowest.q.real.mid().bits()), int(lowest.x.mid().bits()), 53) + 64):
+            unit = rational_ball(family.frequency_unit)
+            q = (lowest.q + acb(0, rational_ball(line.height))) * unit
+            value = lowest.x * rational_ball(family.units[0])
+        proof = Proof(self.over, family.units, family.frequency_unit, line.scope.X, line.cover, line.known, self.base)
+        return Worst(
+            self.problem,
+            self.over,
+            Status.UNVERIFIED,
+            proofs=(proof,),
+            digits=self.digits,
+            value=value,
+            q=q,
+            where=where,
+        )
+
+
+def _above(found: Candidate, share: float, scope: Scope) -> tuple[float, Fraction]:
+    """(width, a height above the lowest point, a short float): the root crosses it so far beside the point, about."""
+    width = share * float(scope.high[0] - scope.low[0])
+    least, slope = float(found.q.imag.mid()), 0.0 if found.where == "inside" else abs(found.slope)
+    lift = slope * width + max(found.bend, 0.0) * width**2 / 2
+    if least < 0 and lift > -least / 2:
+        lift = -least / 2
+        width = min(width, lift / slope if slope else (2 * lift / found.bend) ** 0.5)
+    return width, Fraction(float(np.float32(least + lift)))
+
+
+def _tube(line: Line, found: Candidate) -> Tube | None:
+    """The root, followed from one crossing to the other or to the end of the range: lowest at one point, proved."""
+    if not 1 <= len(line.crossings) <= 2:
+        return None
+    ends = [one.x for one in line.crossings]
+    if len(ends) == 1:
+        exact = rational_ball(line.scope.family.box[0][found.where == "end"])
+        ends = [exact, ends[0]] if found.where == "start" else [ends[0], exact]
+    here = float(found.x)
+    for number, slack in _TUBES:
+        with precision(80):
+            middles = [ends[0] + (ends[1] - ends[0]) * k / number for k in range(1, number)]
+            edges = [ends[0], *(arb(x.mid()) for x in middles), ends[1]]
+        x = np.interp(np.arange(2 * number + 1) / 2, np.arange(number + 1), [float(edge) for edge in edges])
+        points = [found.beside(at - here)[1] - 1j * float(line.height) for at in x]
+        got = tube(line.scope.matrix, [abs(q.real) + 1j * q.imag for q in points], edges, slack)
+        if got is None or not all(got.holds(one.q, one.x) for one in line.crossings):
+            continue
+        if {"inside": got.bends_up, "start": got.rises, "end": got.falls}[found.where]:
+            return got
+    return None
+
+
+def _between(line: Line, lowest: Lowest, where: str) -> bool:
+    """Whether the stationary point lies between the crossings."""
+    if where != "inside":
+        return True
+    first, last = line.crossings
+    return all(bool(x > first.x) and bool(x < last.x) for x, _ in lowest.beside)
+
+
+def _elsewhere(line: Line, found: Candidate) -> tuple[float, float] | None:
+    """The widest part between crossings that does not hold the point that was found."""
+    x, best, widest = float(found.x), None, 0.0
+    ends = [-inf, *(float(one.x.mid()) for one in line.crossings), inf]
+    low, high = (float(a) for a in line.scope.family.box[0])
+    for a, b in zip(ends[:-1], ends[1:], strict=True):
+        a, b = max(a, low), min(b, high)
+        if not a <= x <= b and b - a > widest:
+            best, widest = (a, b), b - a
+    return best
