@@ -1,9 +1,9 @@
 """A family seen from another line: σ = σ′ + s, so that the real axis of q′ is the line Im q = −s.
 
 For s ≥ 0 it is a family of the same kind: masses, dampers and springs m, c, k become m, c + 2ms and k + cs + ms², in
-the track and in the vehicles. A track that is passive at rest stays so: by a Nevanlinna representation N/D is, for
-each real p, a sum of oscillators a/(b + cσ² …) with positive weights, A + ∫ dμ(ω)/(s² + ω²), and each term at σ′ + s
-is that of a damped oscillator.
+the track and in the vehicles, which therefore stay passive. So does any track that is passive at rest: for each real
+p, z N/D(z) is positive real in Re z > 0, so that N/D = a + ∫ dμ(ω)/(z² + ω²) with a, μ ≥ 0 (Herglotz), and each
+1/((z + s)² + ω²) is the receptance of a damped oscillator. For s < 0 nothing of this is claimed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from math import comb
-from typing import Any
+from typing import Any, cast
 
 from mpsolve.numbers.several import Several
 from mpsolve.problem.family import Family, FreePolynomial
@@ -31,7 +31,7 @@ def shifted(family: Family, s: Fraction) -> Family:
         M,
     )
     speed: Any = family.v
-    D, N = (moving(a, speed) for a in (D_rest, N_rest))  # type: ignore[arg-type]
+    D, N = (cast(FreePolynomial, moving(cast(Any, a), speed)) for a in (D_rest, N_rest))
     return replace(family, D_rest=D_rest, N_rest=N_rest, D=D, N=N, S=S)
 
 

@@ -103,6 +103,10 @@ class Tube:
         """Whether a root in a ball q at x in a ball x is the one that is followed."""
         return any(part.holds(q, x) for part in self.parts)
 
+    def spans(self, x: Any) -> bool:
+        """Whether the exact x̂ lies between the ends."""
+        return bool(x >= self.parts[0].ends[0] and x <= self.parts[-1].ends[1])
+
     @property
     def bends_up(self) -> bool:
         """Whether its imaginary part is proved to be convex."""
@@ -126,7 +130,9 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any], slack: float) -> Tub
     """
     middles = points[1::2]
     x = [float(edge) for edge in edges]
-    away = [max(abs(points[k] - m), abs(points[k + 2] - m)) + abs(m.imag) for k, m in zip(range(0, 99, 2), middles)]
+    away = [
+        max(abs(a - m), abs(b - m)) + abs(m.imag) for a, m, b in zip(points[::2], middles, points[2::2], strict=False)
+    ]
     m = np.array([[q.real for q in middles], [(a + b) / 2 for a, b in pairwise(x)]])
     r = np.array([[slack * a / SIDE for a in away], [_WIDER * (b - a) for a, b in pairwise(x)]])
     A, G = matrix(Boxes(m, r))
@@ -143,7 +149,7 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any], slack: float) -> Tub
     return Tube(tuple(parts))
 
 
-def _part(model: _Model, at: list[float], size: list[float], ends: tuple[Any, Any]) -> Part | None:
+def _part(model: _Model, at: Any, size: Any, ends: tuple[Any, Any]) -> Part | None:
     with precision(_BITS):
         low, high = ((arb(x) - arb(at[1])) / arb(size[1]) for x in ends)
         if not (abs(low) < arb(0.5) and abs(high) < arb(0.5)):
@@ -155,7 +161,7 @@ def _part(model: _Model, at: list[float], size: list[float], ends: tuple[Any, An
         known = [one for one in found if one is not None]
         last = arb(at[0]) + known[-1][0] * arb(size[0])
     rises, bends = tuple(one[1].imag for one in known), tuple(one[2].imag for one in known)
-    return Part(*at, *size, ends, last, bends, rises)
+    return Part(at[0], at[1], size[0], size[1], ends, last, bends, rises)
 
 
 @dataclass(frozen=True)

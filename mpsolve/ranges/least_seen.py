@@ -1,4 +1,4 @@
-"""Where in a range a root seems to lie lowest, in floats: heuristic, the proofs start from it and do not rest on it."""
+"""Where in a range a root seems to lie lowest, in floats: heuristic, proofs start from it and do not rest on it."""
 
 from __future__ import annotations
 

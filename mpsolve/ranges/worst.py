@@ -12,7 +12,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import ceil, inf, log2
+from itertools import pairwise
+from math import ceil, inf, log2, nextafter
 from time import process_time
 from typing import Any
 
@@ -34,6 +35,8 @@ from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.spectrum.candidates import Area
+from mpsolve.spectrum.regions import Below, HalfPlane
+from mpsolve.tracks.at_rest import lowest_cut
 
 _BOXES = 400_000
 _SHARES = (2.0**-6, 2.0**-9, 2.0**-12)
@@ -41,6 +44,8 @@ _SHARES = (2.0**-6, 2.0**-9, 2.0**-12)
 _SIDES = {"inside": np.array([-1.0, 1.0]), "start": np.array([1.0]), "end": np.array([-1.0])}
 _TUBES = ((1, 1.5), (2, 1.5), (4, 2.0), (8, 2.0))
 """Boxes in which a root is followed, and how much wider than it moves they are."""
+_REACH = 2.0  # scaled: how far roots are looked for in floats
+_BELOW = 0.98  # of the height of the cuts
 _SEEDS = 4  # times that a lower root elsewhere is taken up
 _NEXT = "give a shorter range round the lowest point"
 
@@ -51,12 +56,16 @@ class Worst(Answer):
 
     value, q, growth: balls in the problem's units, growth = −Im q in 1/s; None where undecided. where: "inside" (a
     stationary point), "start" or "end" of the range, "" where undecided. lower, upper: floats that hold `value`.
+
+    Where some root of the range grows, that is the minimum over all roots. Where none does, it is the minimum over
+    those below the lowest cut with |Re q| < reach, and no other root has Im q < 0.
     """
 
     digits: int = 15
     value: Any | None = None
     q: Any | None = None
     where: str = ""
+    reach: Fraction | None = None
 
     @property
     def growth(self) -> Any | None:
@@ -149,18 +158,14 @@ class _Question:
     def answer(self) -> Worst:
         """Attempts from the lowest root that floats see, and from others where it turns out not to be the lowest."""
         low, high = float(self.scope.low[0]), float(self.scope.high[0])
-        reason = Reason("lowest", "no root is seen below the cuts", {}, "give another range")
+        reason = Reason("lowest", "two roots are lowest to within what can be told apart", {}, _NEXT)
         for _ in range(_SEEDS):
             found = self._seen(low, high)
             if found is None:
-                return self.open(reason)
-            if not found.q.imag < 0:
-                stated = "no root grows anywhere in this range, as far as floats tell"
-                return self.open(Reason("stable", stated, {}, "prove that with onset or prove_stable"))
+                return self.open(Reason("lowest", "no root is seen below the cuts", {}, "give another range"))
             answer, beside = self._attempts(found)
             if answer is not None:
                 return answer
-            reason = Reason("lowest", "two roots are lowest to within what can be told apart", {}, _NEXT)
             if beside is None:
                 break
             low, high = beside
@@ -169,37 +174,75 @@ class _Question:
     def _seen(self, low: float, high: float) -> Candidate | None:
         self.progress("search", 0.0)
         family = self.scope.family
-        area = Area(0.0, 2.0, -1.0, 0.0)
+        area = Area(0.0, _REACH, -1.0, self._top * _BELOW)
         seen = least_seen(family, low, high, area)
         if seen is None:
             return None
         with precision(80):
             return lowest_near(self.scope.proved, seen.q, seen.x, self._ends, seen.step)
 
+    @property
+    def _top(self) -> float:
+        """About the height of the lowest cut, scaled."""
+        base = self.scope.family.base
+        return float(lowest_cut(base.problem.track)[0] / base.frequency_unit)
+
     def _attempts(self, found: Candidate) -> tuple[Worst | None, tuple[float, float] | None]:
         """(the answer, or where else to look for a lower root)."""
         beside = None
         for share in _SHARES:
-            width, height = _above(found, share, self.scope)
+            width, height = _above(found, share, self.scope, self._top)
+            number, reach = self._below(height, found)
             near = [found.beside(step) for step in _SIDES[found.where] * width]
             points = [(abs(q.real), x) for x, q in near]
-            line = cross_line(self.scope.family, height, points, self.budget, self.progress)
+            line = cross_line(self.scope.family, height, reach, points, self.budget, self.progress)
             if line.reason is not None:
                 raise OpenError(line.reason)
             cover = _tube(line, found)
-            if cover is not None:
-                answer = self._proved(line, cover, found)
+            if cover is not None and number is not None:
+                answer = self._proved(line, cover, found, number)
                 if answer is not None:
                     return answer, None
             beside = _elsewhere(line, found)
         return None, beside
 
-    def _proved(self, line: Line, cover: Tube, found: Candidate) -> Worst | None:
+    def _below(self, height: Fraction, found: Candidate) -> tuple[int | None, float | None]:
+        """(the certified number of roots below the line where the lowest one was found, as far as which)."""
+        family = self.scope.family
+        at = self._at(found)
+        h = height * family.frequency_unit
+        region = Below(h) if height > 0 else HalfPlane()
+        if self.base is None or self.base.problem != family.at([at]) or height > 0:
+            self.progress("base", 0.9)
+            self.base = certify_problem(family.at([at]), region=region, digits=15, check=self.check)
+        if not self.base.proved:
+            raise OpenError(self.base.reason or Reason("base", "the roots at one point are not counted", {}, ""))
+        counted = self.base.region
+        if height > 0 and (not isinstance(counted, Below) or counted.reach is None or counted.radius is not None):
+            raise OpenError(Reason("reach", "no frequency bounds the roots at one point", {}, _NEXT))
+        reach = _down(counted.reach / family.frequency_unit) if isinstance(counted, Below) and counted.reach else None
+        if reach is not None and reach < self.scope.X:
+            raise OpenError(Reason("reach", "the contacts are passive from too high a frequency on", {}, _NEXT))
+        level, total = rational_ball(h), 0
+        for root in self.base.roots:
+            if root.q.imag < level:
+                total += root.multiplicity
+            elif not root.q.imag > level:
+                return None, reach
+        return total, reach
+
+    def _at(self, found: Candidate) -> Fraction:
+        """An exact point next to where the root was found."""
+        low, high = self.scope.family.box[0]
+        return min(max(Fraction(float(found.x)), low), high)
+
+    def _proved(self, line: Line, cover: Tube, found: Candidate, below: int) -> Worst | None:
         """The answer where it is proved that the root of the tube alone comes below the line."""
         changes = [one.gained for one in line.crossings]
         number = 1 if line.crossings[0].q == 0 else 2
         expected = {"inside": [number, -number], "start": [-number], "end": [number]}[found.where]
-        if changes != expected or self._below(line, found) != number:
+        at = rational_ball(self._at(found))
+        if changes != expected or below != number or not cover.spans(at):
             return None
         goal = ceil(self.digits * log2(10)) + 24
         raised = replace(found, q=found.q - acb(0, rational_ball(line.height)))
@@ -214,29 +257,16 @@ class _Question:
         end = self.scope.family.box[0][found.where == "end"]
         return at_end(line.scope.proved, found, lambda: rational_ball(end), goal)
 
-    def _below(self, line: Line, found: Candidate) -> int | None:
-        """The certified number of roots below the line where the lowest one was found."""
-        family = self.scope.family
-        low, high = family.box[0]
-        at = min(max(Fraction(float(found.x)), low), high)
-        if self.base is None or self.base.problem != family.at([at]):
-            self.progress("base", 0.9)
-            self.base = certify_problem(family.at([at]), region="unstable", digits=15, check=self.check)
-        if self.base.stable is None:
-            return None
-        height = rational_ball(line.height * family.frequency_unit)
-        each = [
-            (bool(root.q.imag < height), bool(root.q.imag > height), root.multiplicity) for root in self.base.roots
-        ]
-        return sum(n for below, _, n in each if below) if all(a or b for a, b, _ in each) else None
-
     def _in_units(self, line: Line, lowest: Lowest, where: str) -> Worst:
         family = self.scope.family
         with precision(max(int(lowest.q.real.mid().bits()), int(lowest.x.mid().bits()), 53) + 64):
             unit = rational_ball(family.frequency_unit)
             q = (lowest.q + acb(0, rational_ball(line.height))) * unit
             value = lowest.x * rational_ball(family.units[0])
-        proof = Proof(self.over, family.units, family.frequency_unit, line.scope.X, line.cover, line.known, self.base)
+        reach = None if line.reach is None else Fraction(line.reach) * family.frequency_unit
+        proof = Proof(
+            self.over, family.units, family.frequency_unit, line.scope.X, line.covers[0], line.known, self.base
+        )
         return Worst(
             self.problem,
             self.over,
@@ -246,16 +276,18 @@ class _Question:
             value=value,
             q=q,
             where=where,
+            reach=reach,
         )
 
 
-def _above(found: Candidate, share: float, scope: Scope) -> tuple[float, Fraction]:
+def _above(found: Candidate, share: float, scope: Scope, top: float) -> tuple[float, Fraction]:
     """(width, a height above the lowest point, a short float): the root crosses it so far beside the point, about."""
     width = share * float(scope.high[0] - scope.low[0])
     least, slope = float(found.q.imag.mid()), 0.0 if found.where == "inside" else abs(found.slope)
     lift = slope * width + max(found.bend, 0.0) * width**2 / 2
-    if least < 0 and lift > -least / 2:
-        lift = -least / 2
+    most = -least / 2 if least < 0 else (top - least) / 2
+    if lift > most > 0:
+        lift = most
         width = min(width, lift / slope if slope else (2 * lift / found.bend) ** 0.5)
     return width, Fraction(float(np.float32(least + lift)))
 
@@ -294,10 +326,14 @@ def _between(line: Line, lowest: Lowest, where: str) -> bool:
 def _elsewhere(line: Line, found: Candidate) -> tuple[float, float] | None:
     """The widest part between crossings that does not hold the point that was found."""
     x, best, widest = float(found.x), None, 0.0
-    ends = [-inf, *(float(one.x.mid()) for one in line.crossings), inf]
     low, high = (float(a) for a in line.scope.family.box[0])
-    for a, b in zip(ends[:-1], ends[1:], strict=True):
-        a, b = max(a, low), min(b, high)
+    for a, b in pairwise([low, *(float(one.x.mid()) for one in line.crossings), high]):
         if not a <= x <= b and b - a > widest:
             best, widest = (a, b), b - a
     return best
+
+
+def _down(x: Fraction) -> float:
+    """A float at or below an exact number."""
+    value = float(x)
+    return value if Fraction(value) <= x else nextafter(value, -inf)
