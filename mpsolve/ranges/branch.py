@@ -28,6 +28,7 @@ SIDE = 0.35
 """Half of the square of u₀ in which a branch is followed: it lies in |u₀| < 1/2."""
 _PARTS = 4  # of the interval of u₁ of a box
 _WIDER = 1.05  # than the interval: half of a box along x
+_SLACK = 1.7  # more than the root moves, half of the square of u₀
 _SHARPER = 3
 _BITS = 64
 
@@ -43,7 +44,7 @@ class AtPoint:
     @staticmethod
     def near(proved: FreeProved, q: Any, x: Any) -> AtPoint:
         """Reduced at q, which is best near a root."""
-        A = proved.matrices(acb(0, 1) * q, [arb(x)], slopes=False)[0]
+        A = proved.matrices(acb(0, 1) * q, [x], slopes=False)[0]
         return AtPoint(proved, x, Reduction.of(A, near_root=True))
 
     def value(self, q: Any) -> Any:
@@ -103,14 +104,21 @@ class Tube:
         """Whether a root in a ball q at x in a ball x is the one that is followed."""
         return any(part.holds(q, x) for part in self.parts)
 
-    def spans(self, x: Any) -> bool:
-        """Whether the exact x̂ lies between the ends."""
-        return bool(x >= self.parts[0].ends[0] and x <= self.parts[-1].ends[1])
-
     @property
-    def bends_up(self) -> bool:
-        """Whether its imaginary part is proved to be convex."""
-        return all(bool(bend > 0) for part in self.parts for bend in part.bends)
+    def valley(self) -> tuple[int, int] | None:
+        """The parts between which its imaginary part does not provably fall before, rise behind; None if it does not.
+
+        The first of them and the one after the last.
+        """
+        falls = [all(bool(rise < 0) for rise in part.rises) for part in self.parts]
+        rises = [all(bool(rise > 0) for rise in part.rises) for part in self.parts]
+        first = next((k for k, down in enumerate(falls) if not down), len(falls))
+        last = next((k for k in range(len(rises), 0, -1) if not rises[k - 1]), 0)
+        return (first, last) if first < last else None
+
+    def bends_up(self, first: int, last: int) -> bool:
+        """Whether its imaginary part is proved to be convex over these parts."""
+        return all(bool(bend > 0) for part in self.parts[first:last] for bend in part.bends)
 
     @property
     def rises(self) -> bool:
@@ -123,7 +131,7 @@ class Tube:
         return all(bool(rise < 0) for part in self.parts for rise in part.rises)
 
 
-def tube(matrix: FreeMatrix, points: Any, edges: list[Any], slack: float) -> Tube | None:
+def tube(matrix: FreeMatrix, points: Any, edges: list[Any]) -> Tube | None:
     """The root followed over neighbouring intervals of x̂ between edges (balls); None where it is not proved.
 
     points: floats q̂ near the root at each edge, and in the middle of each interval, in turn.
@@ -134,14 +142,14 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any], slack: float) -> Tub
         max(abs(a - m), abs(b - m)) + abs(m.imag) for a, m, b in zip(points[::2], middles, points[2::2], strict=False)
     ]
     m = np.array([[q.real for q in middles], [(a + b) / 2 for a, b in pairwise(x)]])
-    r = np.array([[slack * a / SIDE for a in away], [_WIDER * (b - a) for a, b in pairwise(x)]])
+    r = np.array([[_SLACK * a / SIDE for a in away], [_WIDER * (b - a) for a, b in pairwise(x)]])
     A, G = matrix(Boxes(m, r))
     reduced = scalar(A, G.good)
     if not (reduced.good & np.isfinite(reduced.s.e)).all():
         return None
     parts: list[Part] = []
     for k, ends in enumerate(pairwise(edges)):
-        model = _Model([acb(complex(c[k])) for c in reduced.s.k], arb(float(reduced.s.e[k])))
+        model = Model([acb(complex(c[k])) for c in reduced.s.k], arb(float(reduced.s.e[k])))
         part = _part(model, m[:, k].tolist(), r[:, k].tolist(), ends)
         if part is None or (parts and not part.holds(parts[-1].last, ends[0])):
             return None
@@ -149,7 +157,7 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any], slack: float) -> Tub
     return Tube(tuple(parts))
 
 
-def _part(model: _Model, at: Any, size: Any, ends: tuple[Any, Any]) -> Part | None:
+def _part(model: Model, at: Any, size: Any, ends: tuple[Any, Any]) -> Part | None:
     with precision(_BITS):
         low, high = ((arb(x) - arb(at[1])) / arb(size[1]) for x in ends)
         if not (abs(low) < arb(0.5) and abs(high) < arb(0.5)):
@@ -165,7 +173,7 @@ def _part(model: _Model, at: Any, size: Any, ends: tuple[Any, Any]) -> Part | No
 
 
 @dataclass(frozen=True)
-class _Model:
+class Model:
     """a + b₀u₀ + b₁u₁ + c₀₀u₀² + c₀₁u₀u₁ + c₁₁u₁² and a remainder of at most e."""
 
     k: list[Any]

@@ -9,7 +9,7 @@ end.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
@@ -29,6 +29,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward
+from mpsolve.ranges.bend import is_convex
 from mpsolve.ranges.branch import Tube, tube
 from mpsolve.ranges.critical import Candidate, Lowest, at_end, lowest_near, sharpened
 from mpsolve.ranges.least_seen import least_seen
@@ -39,11 +40,11 @@ from mpsolve.spectrum.regions import Below, HalfPlane
 from mpsolve.tracks.at_rest import lowest_cut
 
 _BOXES = 400_000
-_SHARES = (2.0**-6, 2.0**-9, 2.0**-12)
-"""Of the range: how far apart, about, the root crosses the line; narrower where another one is nearly as low."""
+_SHARES = (2.0**-4, 2.0**-6, 2.0**-9, 2.0**-12)
+"""Of the range: how far off, about, the lowest root crosses the line; less where another one is nearly as low."""
 _SIDES = {"inside": np.array([-1.0, 1.0]), "start": np.array([1.0]), "end": np.array([-1.0])}
-_TUBES = ((1, 1.5), (2, 1.5), (4, 2.0), (8, 2.0))
-"""Boxes in which a root is followed, and how much wider than it moves they are."""
+_TUBES = (1, 4, 16, 64, 256)
+"""Numbers of boxes in which a root is followed."""
 _REACH = 2.0  # scaled: how far roots are looked for in floats
 _BELOW = 0.98  # of the height of the cuts
 _SEEDS = 4  # times that a lower root elsewhere is taken up
@@ -241,13 +242,12 @@ class _Question:
         changes = [one.gained for one in line.crossings]
         number = 1 if line.crossings[0].q == 0 else 2
         expected = {"inside": [number, -number], "start": [-number], "end": [number]}[found.where]
-        at = rational_ball(self._at(found))
-        if changes != expected or below != number or not cover.spans(at):
+        if changes != expected or below != number or not _beyond(line, self._at(found), found.where):
             return None
         goal = ceil(self.digits * log2(10)) + 24
         raised = replace(found, q=found.q - acb(0, rational_ball(line.height)))
         lowest = self._sharp(line, raised, goal)
-        if not all(cover.holds(q, x) for x, q in lowest.beside) or not _between(line, lowest, found.where):
+        if not all(cover.holds(q, x) for x, q in lowest.beside):
             return None
         return self._in_units(line, lowest, found.where)
 
@@ -300,27 +300,59 @@ def _tube(line: Line, found: Candidate) -> Tube | None:
     if len(ends) == 1:
         exact = rational_ball(line.scope.family.box[0][found.where == "end"])
         ends = [exact, ends[0]] if found.where == "start" else [ends[0], exact]
-    here = float(found.x)
-    for number, slack in _TUBES:
+    path = _path(line, found)
+    for number in _TUBES:
         with precision(80):
             middles = [ends[0] + (ends[1] - ends[0]) * k / number for k in range(1, number)]
             edges = [ends[0], *(arb(x.mid()) for x in middles), ends[1]]
         x = np.interp(np.arange(2 * number + 1) / 2, np.arange(number + 1), [float(edge) for edge in edges])
-        points = [found.beside(at - here)[1] - 1j * float(line.height) for at in x]
-        got = tube(line.scope.matrix, [abs(q.real) + 1j * q.imag for q in points], edges, slack)
+        got = tube(line.scope.matrix, path(x), edges)
         if got is None or not all(got.holds(one.q, one.x) for one in line.crossings):
             continue
-        if {"inside": got.bends_up, "start": got.rises, "end": got.falls}[found.where]:
+        if _is_lowest(got, line, found, path, number == _TUBES[-1]):
             return got
     return None
 
 
-def _between(line: Line, lowest: Lowest, where: str) -> bool:
-    """Whether the stationary point lies between the crossings."""
-    if where != "inside":
+def _is_lowest(followed: Tube, line: Line, found: Candidate, path: Callable[[Any], Any], last: bool) -> bool:
+    """Whether the root is lowest at the end, or falls, is convex, and rises. last: take pains."""
+    if found.where != "inside":
+        return followed.rises if found.where == "start" else followed.falls
+    valley = followed.valley
+    if valley is None:
+        return False
+    if followed.bends_up(*valley):
         return True
-    first, last = line.crossings
-    return all(bool(x > first.x) and bool(x < last.x) for x, _ in lowest.beside)
+    low, high = followed.parts[valley[0]].ends[0], followed.parts[valley[1] - 1].ends[1]
+    if not last or not (low < arb(found.x) and arb(found.x) < high):
+        return False
+    ends = (nextafter(float(low.lower()), -inf), nextafter(float(high.upper()), inf))
+    return is_convex(line.scope.matrix, line.scope.proved, path, *ends, found.first)
+
+
+def _path(line: Line, found: Candidate) -> Callable[[Any], Any]:
+    """About the root (seen from the line) at floats x̂: its Taylor polynomial, made to meet the crossings."""
+    here, height = float(found.x), float(line.height)
+    powers, lacks = [], []
+    for one in line.crossings:
+        step = float(one.x.mid()) - here
+        powers.append([step**k for k in range(3, 3 + len(line.crossings))])
+        lacks.append(float(one.q.mid()) + 1j * height - found.beside(step)[1])
+    more = np.linalg.lstsq(np.array(powers), np.array(lacks), rcond=None)[0]
+
+    def path(x: Any) -> Any:
+        step = x - here
+        higher = sum(c * step**k for k, c in enumerate(more, 3))
+        return found.beside(step)[1] + higher - 1j * height
+
+    return path
+
+
+def _beyond(line: Line, x: Fraction, where: str) -> bool:
+    """Whether x̂ lies between the crossings, or on the side of the one at which the end is."""
+    at = rational_ball(x)
+    first, last = line.crossings[0].x, line.crossings[-1].x
+    return (where == "start" or bool(at > first)) and (where == "end" or bool(at < last))
 
 
 def _elsewhere(line: Line, found: Candidate) -> tuple[float, float] | None:
