@@ -200,3 +200,17 @@ def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[objec
     assert result.stderr.startswith(f"mpsolve: {key}: ")
     assert result.stderr.count("\n") == 1
     assert said in result.stderr
+
+
+def test_worst_in_the_units_that_were_written(run: Run) -> None:
+    result = run("worst", RAIL, "--over", "gap[0]=1m..5m")
+    assert result.exit_code == 0
+    assert (
+        "STABLE: the least damped vibration decays most slowly at gap[0] = 4.815 m, inside the range."
+        in result.stdout
+    )
+    assert "halves in 14.61 s" in result.stdout
+    result = run("worst", PLAIN, "--json")  # from half to twice the distance
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["question"], data["answer"]["where"]) == (0, "worst", "inside")
+    assert data["ranges"]["gap[0]"]["high"]["decimal"] == "3"

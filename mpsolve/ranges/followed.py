@@ -18,14 +18,23 @@ _TUBES = (1, 4, 16, 64, 256)
 """Numbers of boxes in which a root is followed."""
 
 
-def follow(line: Line, found: Candidate) -> Tube | None:
-    """The root, followed from one crossing to the other or to the end of the range: lowest at one point, proved."""
-    if not 1 <= len(line.crossings) <= 2:
+def stretch(line: Line, number: int) -> tuple[Any, Any] | None:
+    """Where `number` roots are below the line together, from one ball of x̂ to another; None where that is not all.
+
+    The ends of the range count as crossings where the roots are below it there.
+    """
+    changes = [one.gained for one in line.crossings]
+    if changes not in ([number, -number], [number], [-number], []):
         return None
-    ends = [one.x for one in line.crossings]
-    if len(ends) == 1:
-        exact = rational_ball(line.scope.family.box[0][found.where == "end"])
-        ends = [exact, ends[0]] if found.where == "start" else [ends[0], exact]
+    low, high = map(rational_ball, line.scope.family.box[0])
+    return (
+        line.crossings[0].x if changes[:1] == [number] else low,
+        line.crossings[-1].x if changes[-1:] == [-number] else high,
+    )
+
+
+def follow(line: Line, found: Candidate, ends: tuple[Any, Any]) -> Tube | None:
+    """The root, followed from one end to the other while it is below the line: lowest at one point, proved."""
     path = _path(line, found)
     for number in _TUBES:
         with precision(80):
@@ -64,7 +73,7 @@ def _path(line: Line, found: Candidate) -> Callable[[Any], Any]:
         step = float(one.x.mid()) - here
         powers.append([step**k for k in range(3, 3 + len(line.crossings))])
         lacks.append(float(one.q.mid()) + 1j * height - found.beside(step)[1])
-    more = np.linalg.lstsq(np.array(powers), np.array(lacks), rcond=None)[0]
+    more = np.linalg.lstsq(np.array(powers), np.array(lacks), rcond=None)[0] if powers else ()
 
     def path(x: Any) -> Any:
         step = x - here

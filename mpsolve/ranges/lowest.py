@@ -23,9 +23,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Proof
-from mpsolve.ranges.branch import Tube
 from mpsolve.ranges.critical import Candidate, Lowest, at_end, lowest_near, sharpened
-from mpsolve.ranges.followed import follow
+from mpsolve.ranges.followed import follow, stretch
 from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
 from mpsolve.ranges.scope import OpenError, Scope
@@ -113,11 +112,9 @@ class Question:
             line = cross_line(self.scope.family, height, reach, points, self.budget, self.progress)
             if line.reason is not None:
                 raise OpenError(line.reason)
-            cover = follow(line, found)
-            if cover is not None and number is not None:
-                answer = self._proved(line, cover, found, number)
-                if answer is not None:
-                    return answer, None
+            answer = self._proved(line, found, number) if number else None
+            if answer is not None:
+                return answer, None
             beside = _elsewhere(line, found)
         return None, beside
 
@@ -133,7 +130,7 @@ class Question:
         if not self.base.proved:
             raise OpenError(self.base.reason or Reason("base", "the roots at one point are not counted", {}, ""))
         counted = self.base.region
-        if height > 0 and (not isinstance(counted, Below) or counted.reach is None or counted.radius is not None):
+        if getattr(counted, "radius", None) is not None or (height > 0 and getattr(counted, "reach", None) is None):
             raise OpenError(Reason("reach", "no frequency bounds the roots at one point", {}, NEXT))
         reach = _down(counted.reach / family.frequency_unit) if isinstance(counted, Below) and counted.reach else None
         if reach is not None and reach < self.scope.X:
@@ -151,17 +148,20 @@ class Question:
         low, high = self.scope.family.box[0]
         return min(max(Fraction(float(found.x)), low), high)
 
-    def _proved(self, line: Line, cover: Tube, found: Candidate, below: int) -> Found | None:
-        """The answer where it is proved that the root of the tube alone comes below the line."""
-        changes = [one.gained for one in line.crossings]
-        number = 1 if line.crossings[0].q == 0 else 2
-        expected = {"inside": [number, -number], "start": [-number], "end": [number]}[found.where]
-        if changes != expected or below != number or not _beyond(line, self._at(found), found.where):
+    def _proved(self, line: Line, found: Candidate, number: int) -> Found | None:
+        """The answer where one root alone, with its mirror, comes below the line, and is proved lowest somewhere."""
+        ends = stretch(line, number)
+        if ends is None or number > 2 or not _in_stretch(line, self._at(found)):
+            return None
+        cover = follow(line, found, ends)
+        if cover is None:
             return None
         goal = ceil(self.digits * log2(10)) + 24
         raised = replace(found, q=found.q - acb(0, rational_ball(line.height)))
         lowest = self._sharp(line, raised, goal)
-        if not all(cover.holds(q, x) for x, q in lowest.beside):
+        if not all(cover.holds(q, x) for x, q in lowest.beside) or not lowest.q.imag < 0:
+            return None
+        if number == 2 and not lowest.q.real > 0:  # else its mirror may be itself, and the second root another one
             return None
         return self._in_units(line, lowest, found.where)
 
@@ -195,11 +195,10 @@ def _above(found: Candidate, share: float, scope: Scope, top: float) -> tuple[fl
     return width, Fraction(float(np.float32(least + lift)))
 
 
-def _beyond(line: Line, x: Fraction, where: str) -> bool:
-    """Whether x̂ lies between the crossings, or on the side of the one at which the end is."""
+def _in_stretch(line: Line, x: Fraction) -> bool:
+    """Whether an exact x̂ lies behind a crossing downwards, and before one upwards."""
     at = rational_ball(x)
-    first, last = line.crossings[0].x, line.crossings[-1].x
-    return (where == "start" or bool(at > first)) and (where == "end" or bool(at < last))
+    return all(bool(at > one.x) if (one.gained or 0) > 0 else bool(at < one.x) for one in line.crossings)
 
 
 def _elsewhere(line: Line, found: Candidate) -> tuple[float, float] | None:
