@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from mpsolve.ranges.robust import Robust, prove_stable
     from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
     from mpsolve.ranges.table import Table, stability_table
+    from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
@@ -102,6 +103,8 @@ __all__ = [
     "crossing_masses",
     "onset",
     "unstable_ranges",
+    "worst",
+    "Worst",
     "crossings",
     "prove_stable",
     "sensitivity",
@@ -220,6 +223,8 @@ _HOME = {
     "Sensitivity": "ranges.sensitivity",
     "Chart": "ranges.chart",
     "stability_table": "ranges.table",
+    "worst": "ranges.worst",
+    "Worst": "ranges.worst",
     "Table": "ranges.table",
     "Load": "model.load",
     "response": "vibration.response",
