@@ -52,8 +52,8 @@ PAPER = Paper(
         "The claims are told in our words, the parameters are ours, in SI units: a rail of EI = 6.4e6 N m², m = 60 "
         "kg/m; pads k_pad, sleepers m_sleeper, ballast k_ballast, per metre; a third layer m_ballast on k_ground, "
         "with the shear stiffness `shear` along the track. A critical velocity is one at which the undamped track "
-        "has a double real wavenumber under a constant force: greatest values of the phase velocity count beside least "
-        "ones, and so does the velocity of shear waves. For pseudo-critical velocities, which the summary does not "
-        "define, the claim on finite deflections is tried at all velocities between the critical ones."
+        "has a double real wavenumber under a constant force: greatest values of the phase velocity count beside "
+        "least ones, and so does the velocity of shear waves. For pseudo-critical velocities, which the summary does "
+        "not define, the claim on finite deflections is tried at all velocities between the critical ones."
     ),
 )

@@ -64,7 +64,8 @@ def finite(claim: Claim) -> Finding:
             return Finding(Verdict.DISAGREES, f"At v = {v} the deflection grows as the damping goes.", numbers)
     sentence = (
         f"This track has one critical velocity, {shown(only, 6)} m/s (proved). At every other one below it the "
-        "undamped track has no double real wavenumber under a constant force, so that its deflection is finite (proved)."
+        "undamped track has no double real wavenumber under a constant force, so that its deflection is "
+        "finite (proved)."
     )
     return Finding(Verdict.CONDITIONAL, sentence, numbers)
 

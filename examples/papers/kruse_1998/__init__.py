@@ -28,7 +28,7 @@ PAPER = Paper(
     CLAIMS,
     notation=(
         "The claims are told in our words. Units in which the string has T = m = 1 and its foundation k = 1; c is "
-        "its viscosity, v the velocity (waves: 1), and the oscillator a wheel under a body of mass 1 on a spring k. The "
-        "string answers a force under it with the stiffness 2 √(b² − (q − ic/2)²), b² = (1 − v²)(1 − c²/4)."
+        "its viscosity, v the velocity (waves: 1), and the oscillator a wheel under a body of mass 1 on a spring k. "
+        "The string answers a force under it with the stiffness 2 √(b² − (q − ic/2)²), b² = (1 − v²)(1 − c²/4)."
     ),
 )
