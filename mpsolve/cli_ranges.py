@@ -23,6 +23,11 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
 _OUTPUT = click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
 )
+_CERTIFICATE = click.option(
+    "--certificate",
+    type=click.Path(path_type=Path),
+    help="Write the certificate as FILE.json, for `mpsolve verify`; FILE-2.json, … for further ranges.",
+)
 
 
 def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -47,6 +52,7 @@ _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity 
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def onset(
     file: Path,
     overs: tuple[str, ...],
@@ -55,6 +61,7 @@ def onset(
     effort: float | None,
     as_json: bool,
     output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
 
@@ -73,7 +80,7 @@ def onset(
             return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
-    answered(file, overs, answer, as_json, output, "near" if everything else "first")
+    answered(file, overs, answer, as_json, output, "near" if everything else "first", certificate=certificate)
 
 
 @click.command()
@@ -83,8 +90,15 @@ def onset(
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def crossings(
-    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+    file: Path,
+    overs: tuple[str, ...],
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
@@ -98,7 +112,7 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
 
 
 @click.command()
@@ -133,7 +147,15 @@ def worst(
 @_EFFORT
 @_JSON
 @_OUTPUT
-def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bool, output: Path | None) -> None:
+@_CERTIFICATE
+def robust(
+    file: Path,
+    overs: tuple[str, ...],
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
+) -> None:
     """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
 
     Or find a certified counterexample, or list the parts of the ranges that stay open. Exit status 0: proved stable,
@@ -149,7 +171,7 @@ def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bo
 
     with one_sentence():
         _required(overs)
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
 
 
 def _required(overs: tuple[str, ...]) -> None:

@@ -17,7 +17,7 @@ _A_LEAF, _PIECES = 4, 1200
 
 @dataclass(frozen=True)
 class Verified:
-    """status: PROVED where the certificate passed, else UNVERIFIED; note: why there is none. seconds: of the check."""
+    """status: PROVED if the certificate passed, else UNVERIFIED; note: why there is none; seconds: of the check."""
 
     status: Status
     certificate: Any = None
