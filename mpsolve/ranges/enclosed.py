@@ -31,7 +31,7 @@ class Crossing:
 
 
 @dataclass(frozen=True)
-class _InPlane:
+class InPlane:
     """The scalar whose zeros are the real roots, for the last parameter free, as a function of (q̂, x̂)."""
 
     proved: FreeProved
@@ -80,7 +80,7 @@ def _reduction(proved: FreeProved, q: Any, x: Any) -> Reduction:
 def _in_plane(proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], goal: int) -> Crossing:
     at: planar.Point = (arb(seed[0]), arb(seed[1]))
     for _ in range(2):  # the reduction is best made at the zero itself
-        f = _InPlane(proved, _reduction(proved, *at))
+        f = InPlane(proved, _reduction(proved, *at))
         at = planar.polished(f, (float(at[0]), float(at[1])))
     zero = planar.isolated(f, at, (arb(size[0]), arb(size[1])))
     q, x = planar.sharpened(f, zero, goal + 8)
