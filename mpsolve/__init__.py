@@ -9,7 +9,8 @@ if TYPE_CHECKING:
     from mpsolve.batch.result import Frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
-    from mpsolve.certificate.roots import real_roots, roots
+    from mpsolve.certificate.real_roots import real_roots
+    from mpsolve.certificate.roots import roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.endless.amplification import Amplification, amplification
@@ -250,7 +251,7 @@ _HOME = {
     "open_study": "studies.run",
     "Study": "studies.run",
     "roots": "certificate.roots",
-    "real_roots": "certificate.roots",
+    "real_roots": "certificate.real_roots",
     "Zeros": "zeros.answer",
     "Zero": "zeros.answer",
     "Disc": "zeros.regions",

@@ -121,10 +121,11 @@ def verify(files: tuple[Path, ...]) -> None:
     Exit status 0: all are valid. 1: one is not, or cannot be read.
     """
     from mpsolve.certificate.check import verify as check
+    from mpsolve.certificate.check import verify_bytes
 
     valid = True
     for file in files:
-        result = check(file)
+        result = verify_bytes(sys.stdin.buffer.read()) if str(file) == "-" else check(file)
         valid = valid and result.valid
         verdict = f"valid: {file}: {result.claim}" if result.valid else f"invalid: {file}: {result.reason}"
         click.echo("\n  ".join(verdict.splitlines()))

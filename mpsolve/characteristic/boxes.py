@@ -104,14 +104,18 @@ class FreeTrack:
             rows[i] |= {(j, *exponents): c for exponents, c in several}
         return Forms.of(rows, self.variables)
 
+    def nodes(self, D: Quadratic) -> tuple[Any, Any]:
+        """(floats near the roots at the middles, those of U first; |lead| is at least this over each box)."""
+        lead = D[:, -1]
+        return side_nodes(D.k[0][:, None, :], self.up), (np.abs(lead.a) - lead.spread) * (1 - 64 * U)
+
     def split(self, boxes: Boxes) -> Wave:
         """The splitting over each box."""
         y, rho = boxes.variables
         D, still, up = self.D(y, rho), self.D(y, 0 * rho), self.up
         n = D.k.shape[-1] - 1
-        z0 = side_nodes(D.k[0][:, None, :], up)
+        z0, low = self.nodes(D)
         lead = D[:, n]
-        low = (np.abs(lead.a) - lead.spread) * (1 - 64 * U)
         z = _spread(D, z0, low, up)
         value, size = at(D, z), gaps(z)
         box, tight, done = contraction(_weights(value, size, low), size, up)

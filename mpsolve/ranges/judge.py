@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
-from mpsolve.characteristic.circles import Receptances
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
@@ -111,10 +111,10 @@ class Judge:
         """Where the determinant is bounded, what stands most against the test; else what moves the p-roots most."""
         with np.errstate(all="ignore"):
             bounded = G.good & np.isfinite(s.strain).all(0)
-            strain = np.where(bounded, s.strain, 0) + G.wave.strain
+            strain = np.where(bounded, s.strain, 0) + G.strain
             share = strain / strain.sum(0)
             weight = verdict.weight + s.s.e * np.where(np.isfinite(share), share, 0)
-            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.wave.strain))
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.strain))
             width = boxes.r / np.where(self.width > 0, self.width, np.inf)[:, None]
             usable = np.isfinite(weight).all(0) & (weight > 0).any(0)
             weight = np.where(usable, weight / weight.max(0), 1.0) * (width > 0) + width * 1e-9
