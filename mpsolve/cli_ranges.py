@@ -43,6 +43,13 @@ _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity 
 @click.option(
     "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
 )
+@click.option(
+    "--worst",
+    "worsts",
+    multiple=True,
+    metavar="RANGE",
+    help="A second parameter and its range, such as gap[0]=1m..2m: the onset at its worst value.",
+)
 @_DIGITS
 @_EFFORT
 @_JSON
@@ -51,6 +58,7 @@ def onset(
     file: Path,
     overs: tuple[str, ...],
     everything: bool,
+    worsts: tuple[str, ...],
     digits: int,
     effort: float | None,
     as_json: bool,
@@ -69,11 +77,19 @@ def onset(
         from mpsolve.report import ranges_words as words
 
         options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        if worsts:
+            from mpsolve.report.worst_words import said_of_onset_at_worst
+
+            second = question.second(worsts)
+            found = prove(question.given, over=question.over, worst=second.over, **options)
+            return said_of_onset_at_worst(found, question, second)
         if everything:
             return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
-    answered(file, overs, answer, as_json, output, "near" if everything else "first")
+    with one_sentence():
+        _only_one(worsts, everything)
+    answered(file, overs, answer, as_json, output, "near" if everything or worsts else "first")
 
 
 @click.command()
@@ -150,6 +166,15 @@ def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bo
     with one_sentence():
         _required(overs)
     answered(file, overs, answer, as_json, output)
+
+
+def _only_one(worsts: tuple[str, ...], everything: bool) -> None:
+    from mpsolve.errors import InputError
+
+    if len(worsts) > 1:
+        raise InputError("--worst", "is given more than once: name one parameter")
+    if worsts and everything:
+        raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
 
 
 def _required(overs: tuple[str, ...]) -> None:

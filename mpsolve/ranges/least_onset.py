@@ -31,6 +31,7 @@ from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
 from mpsolve.ranges.scope import OpenError, Scope
 from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
 from mpsolve.spectrum.candidates import Area, nearest_root, search
+from mpsolve.tracks.at_rest import lowest_cut
 
 _COLUMNS, _LEVELS = 9, 3  # values of the second and of the first parameter at which roots are looked for
 _DEPTH, _FAR = 1.0, 2.0  # scaled: where
@@ -106,7 +107,7 @@ class Question:
         out = []
         (x0, x1), (y0, y1) = zip(self.scope.low, self.scope.high, strict=True)
         columns = np.linspace(y0, y1, _COLUMNS)
-        area = Area(0.0, _FAR, -_DEPTH, 0.0)
+        area = Area(0.0, _FAR, -_DEPTH, _top(self.scope))
         for y in columns.tolist():
             for level in range(_LEVELS):
                 x = x1 - (x1 - x0) * level / _LEVELS
@@ -114,6 +115,7 @@ class Question:
                     roots = search(self._reduced(x, y), area, np.zeros(0), 1)
                 except (InputError, PrecisionError):
                     continue
+                roots = roots[roots.imag < 0]
                 met = [self._down(q, x, y, (x1 - x0) / 16) for q in roots.tolist()]
                 out += [(at, q, y, columns[1] - columns[0]) for at, q in filter(None, met) if x0 <= at <= x1]
                 if len(roots):
@@ -121,31 +123,31 @@ class Question:
         return out
 
     def _down(self, q: complex, x: float, y: float, step: float) -> tuple[float, float] | None:
-        """(x̂, q̂) where a root becomes real as x̂ falls: by steps and the secant rule."""
-        x0 = float(self.scope.low[0])
-        before: tuple[float, float] | None = None
-        for _ in range(4 * _STEPS):
-            if before is None or q.imag >= before[1] > 0:
-                new = x - step
-            elif q.imag < 0 and before[1] < 0:
-                slope = (q.imag - before[1]) / (x - before[0])
-                new = x - q.imag / slope if slope < 0 else x - step
-                new = min(max(new, x - 2 * step), x - 1e-3 * step)
+        """(x̂, q̂) where a root that grows becomes real as x̂ falls: by steps, then by false position and halving."""
+        low, high, grown = x, x, q.imag
+        while q.imag < 0:
+            high, grown, low = low, q.imag, low - step
+            moved = self._root(low, y, q) if low >= float(self.scope.low[0]) else None
+            if moved is None:
+                return None
+            q = moved
+        for k in range(_STEPS):
+            share = q.imag / (q.imag - grown) if k % 2 == 0 else 0.5
+            at = low + (high - low) * share
+            moved = self._root(at, y, q)
+            if moved is None or abs(moved.imag) < 1e-7 * abs(moved):
+                return None if moved is None else (at, moved.real)
+            if moved.imag < 0:
+                high, grown = at, moved.imag
             else:
-                new = x - q.imag * (x - before[0]) / (q.imag - before[1])
-            if new < x0:
-                return None
-            before, x = (x, q.imag), new
-            try:
-                root = nearest_root(self._reduced(x, y), q)
-            except (InputError, PrecisionError):
-                return None
-            if root is None:
-                return None
-            q = root
-            if abs(q.imag) < 1e-9 * abs(q):
-                return x, q.real
-        return None
+                low, q = at, moved
+        return low, q.real
+
+    def _root(self, x: float, y: float, q: complex) -> complex | None:
+        try:
+            return nearest_root(self._reduced(x, y), q)
+        except (InputError, PrecisionError):
+            return None
 
     def _reduced(self, x: float, y: float) -> Any:
         box = self.scope.family.box
@@ -242,3 +244,9 @@ class Question:
             first, second = map(rational_ball, family.units)
             q, x = lowest.state
             return Least(x * first, q * rational_ball(family.frequency_unit), lowest.x * second, where, proofs)
+
+
+def _top(scope: Scope) -> float:
+    """About the height of the lowest cut, scaled: roots are seen best from both sides of the real axis."""
+    base = scope.family.base
+    return float(lowest_cut(base.problem.track)[0] / base.frequency_unit)

@@ -134,8 +134,6 @@ class Question:
         if getattr(counted, "radius", None) is not None or (height > 0 and getattr(counted, "reach", None) is None):
             raise OpenError(Reason("reach", "no frequency bounds the roots at one point", {}, NEXT))
         reach = _down(counted.reach / family.frequency_unit) if isinstance(counted, Below) and counted.reach else None
-        if reach is not None and reach < self.scope.X:
-            raise OpenError(Reason("reach", "the contacts are passive from too high a frequency on", {}, NEXT))
         level, total = rational_ball(h), 0
         for root in self.base.roots:
             if root.q.imag < level:

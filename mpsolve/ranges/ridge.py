@@ -27,6 +27,7 @@ _BITS = 64
 _SIDE = 0.4
 _SHARPER = 3
 _REGULAR = 0.9
+_TURNED = 1 + 2.0**-40  # more than the modulus of a float next to the unit circle
 _LEAST = 0.3  # of a box along ŷ: along the others, in scaled units
 
 
@@ -116,7 +117,10 @@ def ridge(matrix: FreeMatrix, path: Callable[[Any], Any], edges: list[Any], slac
     places: list[tuple[Any, Any]] = []
     with precision(_BITS):
         for k, ends in enumerate(pairwise(edges)):
-            model = _Model([acb(complex(c[k])) for c in reduced.s.k], arb(float(reduced.s.e[k])))
+            turned = acb(
+                complex(reduced.s.b[0, k].conjugate() / abs(reduced.s.b[0, k]))
+            )  # s₀ nearly real: less wrapping
+            model = _Model([acb(complex(c[k])) * turned for c in reduced.s.k], arb(float(reduced.s.e[k])) * _TURNED)
             low, high = ((arb(end) - arb(m[2, k])) / arb(r[2, k]) for end in ends)
             found = model.rates(low.union(high)) if abs(low) < 0.5 and abs(high) < 0.5 else None
             if found is None:
