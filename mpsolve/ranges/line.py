@@ -89,7 +89,7 @@ def cross_line(
 
 def require_below_cuts(family: Family, moved: Family, height: Fraction) -> None:
     """`OpenError` unless no cut comes below the height for any parameter of the range."""
-    if any(path.startswith("track.") for path in family.paths):
+    if any(any(e) for c in family.D_rest.values() for e, _ in c):
         try:
             require_stable_track(moved)
         except InputError as error:
