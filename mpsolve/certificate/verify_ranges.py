@@ -1186,7 +1186,9 @@ def check_nonzero(s: Form) -> None:
     rest = float(s.e)
     moved = [float(abs(x)) for x in b]
     whole = sum(moved) or 1.0
-    raise Wide("the determinant may vanish in a box", [t + rest * x / whole for t, x in zip(found, moved, strict=True)])
+    raise Wide(
+        "the determinant may vanish in a box", [t + rest * x / whole for t, x in zip(found, moved, strict=True)]
+    )
 
 
 # --- passive boxes: cells of wavenumber (section 6.5) -----------------------------------------------------
@@ -1528,7 +1530,9 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
         [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
     ]
     bounds = [[dyadic(x, "a bound") for x in items(one, 2, "a bound", 2)] for one in items(content["bounds"], 20, "")]
-    require(0 <= k <= m and m > 0 and blocks and bounds and min(omega, Q) > 0, "the theorem's numbers are out of range")
+    require(
+        0 <= k <= m and m > 0 and blocks and bounds and min(omega, Q) > 0, "the theorem's numbers are out of range"
+    )
     require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
     require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
     require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
@@ -1568,7 +1572,9 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
     takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
     gives = C * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
     require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
-    require((alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given")
+    require(
+        (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
+    )
     return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
 
 
@@ -1668,7 +1674,9 @@ class Zero:
 def read_ball(value: Any, name: str) -> tuple[Any, Any]:
     keys(value, "middle exponent radius")
     text = value["middle"]
-    require(isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text), f"{name}: no hexadecimal mantissa")
+    require(
+        isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text), f"{name}: no hexadecimal mantissa"
+    )
     e = integer(value["exponent"], -MAX_BITS, 1100, name)
     r, f = items(value["radius"], 2, name, 2)
     unit = spectra.power_of_2(integer(f, -MAX_BITS, 1100, name))
@@ -1893,7 +1901,9 @@ def words(content: Any, said: list[str], box: Box, leaves: int, pieces: int) -> 
     ranges = ", ".join(f"{name} from {a} to {b}" for name, (a, b) in zip(names, box, strict=True))
     equations = content["equations"]
     said = [f"{said[0]}, for {ranges}", *said[1:]]
-    said.append(f"proved in {leaves} boxes of frequency and parameters, {pieces} pieces looked at, of these equations")
+    said.append(
+        f"proved in {leaves} boxes of frequency and parameters, {pieces} pieces looked at, of these equations"
+    )
     said.append(f"  (terms [power of P = ∂/∂x, of s = ∂/∂t, coefficient]; powers of {', '.join(names)}):")
     for row in equations["track"]["matrix"]:
         said.append(f"  {listed(row)}")

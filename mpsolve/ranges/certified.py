@@ -40,11 +40,7 @@ class Base:
 
 
 def crossings_certificate(
-    scope: Scope,
-    tree: Tree,
-    zeros: Sequence[tuple[Crossing, tuple[Any, Any]]],
-    base: Base,
-    claim: Mapping[str, Any],
+    scope: Scope, tree: Tree, zeros: Sequence[tuple[Crossing, tuple[Any, Any]]], base: Base, claim: Mapping[str, Any]
 ) -> Certificate:
     """Of a complete list of crossings; zeros: each with its room, those outside of the range too."""
     return _certificate("crossings", scope, tree, zeros, base, claim)
@@ -108,7 +104,9 @@ def _equations(free: FreeEquations) -> dict[str, Any]:
         [[[i, j, _free(c)] for (i, j), c in sorted(entry.items()) if c] for entry in row] for row in free.matrix
     ]
     pencil = free.pencil
-    vehicle: dict[str, Any] = {key: [list(map(_free, row)) for row in free.several(getattr(pencil, key))] for key in "MCKB"}
+    vehicle: dict[str, Any] = {
+        key: [list(map(_free, row)) for row in free.several(getattr(pencil, key))] for key in "MCKB"
+    }
     places, h = free.several([pencil.places, pencil.h])
     vehicle |= {"places": list(map(_free, places)), "compliances": list(map(_free, h))}
     return {
@@ -144,7 +142,9 @@ def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
     return {
         "Q": dyadic(Q),
         "gamma": [far.gamma.numerator, far.gamma.denominator],
-        "blocks": [[dyadic(_short(a) * z), dyadic(_short(b) * z), dyadic(_short(k) * kappa)] for a, b, k in far.blocks],
+        "blocks": [
+            [dyadic(_short(a) * z), dyadic(_short(b) * z), dyadic(_short(k) * kappa)] for a, b, k in far.blocks
+        ],
         "alpha": far.alpha,
         "omega": dyadic(Fraction(_OMEGA) * family.frequency_unit),
         "bounds": [[dyadic(_short(p0) * p), dyadic(_short(C) * envelope)] for p0, C in sorted(bounds.items())],
@@ -174,7 +174,10 @@ def _cells(X: Fraction, Q: Fraction) -> list[Fraction]:
 
 def _zero(zero: Crossing, room: tuple[Any, Any], family: Family) -> dict[str, Any]:
     units = (family.frequency_unit, family.units[0])
-    sides = [[dyadic(Fraction(float(end)) * unit) for end in ends] for ends, unit in zip(zip(*room, strict=True), units, strict=True)]
+    sides = [
+        [dyadic(Fraction(float(end)) * unit) for end in ends]
+        for ends, unit in zip(zip(*room, strict=True), units, strict=True)
+    ]
     x = ball_entry(zero.x, units[1])
     if zero.q == 0:  # a ball of q that is to the room as that of x is
         share = Fraction(float(room[1][0])) / Fraction(float(room[1][1] - room[0][1]))
