@@ -9,16 +9,13 @@ the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within whic
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave, at
-from mpsolve.numbers.forms import Forms
+from mpsolve.characteristic.boxes import Wave, at
 from mpsolve.numbers.jets import TINY, UP, U, exponential
 from mpsolve.numbers.quadratic import Quadratic
-from mpsolve.problem.family import Family
 
 SAMPLES = 32
 _TOGETHER = 0.3  # roots of one side closer than this share of the distance to the other side share a circle
@@ -32,71 +29,15 @@ NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radiu
 _CLOSEST = 0.9
 
 
-@dataclass(frozen=True)
-class Receptances:
-    """G at each distance as models of shape (boxes, distances), where it is bounded; `wave` tells why not."""
-
-    G: Quadratic
-    good: Any
-    wave: Wave
-
-
-@dataclass(frozen=True)
-class FreeReceptance:
-    """G between the places of a family over boxes."""
-
-    family: Family
-
-    @cached_property
-    def track(self) -> FreeTrack:
-        return FreeTrack(self.family)
-
-    @cached_property
-    def distances(self) -> tuple[Forms, Any, Any]:
-        """(the different distances as forms, which are at least 0, for each pair of places the number of its own)."""
-        places, variables = self.family.places, self.track.variables
-        exact = sorted({a - b for a in places for b in places})
-        which = np.array([[exact.index(a - b) for b in places] for a in places])
-        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], variables)
-        return forms, np.arange(len(exact)) >= which[0, 0], which
-
-    def __call__(self, boxes: Boxes) -> Receptances:
-        """Over each box."""
-        with np.errstate(all="ignore"):
-            whole = self.track.split(boxes)
-            rows = np.flatnonzero(whole.good)  # the others are not bounded anyway
-            y, rho = boxes.take(rows).variables
-            wave, N = whole.take(rows), self.track.N(y, rho)
-            forms, ahead, which = self.distances
-            xi = forms(y, rho)
-            k = np.zeros((len(xi.k), boxes.count, len(ahead)), complex)
-            e = np.full((boxes.count, len(ahead)), np.inf)
-            for mask, own in ((ahead, True), (~ahead, False)):
-                if mask.any() and len(rows):
-                    side = self._side(wave, N, xi[:, mask], own)
-                    at_ = np.ix_(rows, np.flatnonzero(mask))
-                    k[:, at_[0], at_[1]], e[at_] = side.k, side.e
-            good = whole.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
-            G = Quadratic(k, e, xi.m)
-            return Receptances(G[:, which], good, whole)
-
-    def _side(self, wave: Wave, N: Quadratic, xi: Quadratic, upper: bool) -> Quadratic:
-        """G at the distances of one sign, from the roots of one side."""
-        own = (np.arange(wave.z.shape[1]) < wave.up) == upper
-        if not own.any():
-            return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
-        circles = circles_of(wave, own, xi.size.max(1))
-        f, points = samples(wave, N, circles)
-        sums = self._summed(f if upper else -f, points, xi)
-        return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
-
-    def _summed(self, f: Quadratic, points: Any, xi: Quadratic) -> Quadratic:
-        """Σ f e^{Pξ} over the points."""
-        if not self.distances[0].fixed:
-            phase = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m).times(points[:, :, None])
-            grown = phase.exp() * Quadratic(f.k[..., None], f.e[..., None], f.m)
-            return grown.sum(-2)
-        return summed(f, points, xi.a)
+def by_circles(wave: Wave, N: Quadratic, xi: Quadratic, upper: bool, fixed: bool) -> Quadratic:
+    """G at the distances of one sign, from the roots of one side; fixed: whether no distance varies."""
+    own = (np.arange(wave.z.shape[1]) < wave.up) == upper
+    if not own.any():
+        return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
+    circles = circles_of(wave, own, xi.size.max(1))
+    f, points = samples(wave, N, circles)
+    sums = _summed(f if upper else -f, points, xi, fixed)
+    return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
 
 
 def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Any]:
@@ -114,6 +55,15 @@ def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Any]
     return Quadratic(np.where(idle, 0, f.k), np.where(idle, 0.0, f.e), f.m), points
 
 
+def _summed(f: Quadratic, points: Any, xi: Quadratic, fixed: bool) -> Quadratic:
+    """Σ f e^{Pξ} over the points."""
+    if not fixed:
+        phase = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m).times(points[:, :, None])
+        grown = phase.exp() * Quadratic(f.k[..., None], f.e[..., None], f.m)
+        return grown.sum(-2)
+    return summed(f, points, xi.a)
+
+
 def summed(f: Quadratic, points: Any, xi: Any) -> Quadratic:
     """Σ f e^{Pξ} over the points, for numbers ξ of shape (boxes, distances)."""
     wave, lost = exponential(points[:, :, None] * xi[:, None, :])
@@ -128,16 +78,13 @@ def summed(f: Quadratic, points: Any, xi: Any) -> Quadratic:
 
 @dataclass(frozen=True)
 class Circles:
-    """Shape (boxes, circles): centre and radius, the radii between which f is analytic, which of them count, and how
-    many roots are inside.
-    """
+    """Shape (boxes, circles): centre and radius, the radii between which f is analytic, which of them count."""
 
     centre: Any
     radius: Any
     inner: Any
     outer: Any
     active: Any
-    size: Any
 
 
 def circles_of(wave: Wave, own: Any, reach: Any, off_axis: bool = False) -> Circles:
@@ -167,7 +114,7 @@ def circles_of(wave: Wave, own: Any, reach: Any, off_axis: bool = False) -> Circ
         outer = np.minimum(outer, np.abs(centre.real))
     outer = np.minimum(outer, np.maximum(_GROWTH / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
-    return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active, size)
+    return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)
 
 
 def aliasing(wave: Wave, N: Quadratic, circles: Circles, xi: Quadratic) -> Any:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
-from mpsolve.characteristic.circles import Receptances
+from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.endless.boxes import ROUND
 from mpsolve.endless.free_row import RowMatrix
 from mpsolve.endless.row import Row
@@ -111,7 +111,7 @@ class RowJudge:
     def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, weight: Any) -> Any:
         """What stands most against the test; where nothing is bounded, what moves p-roots and the sum most."""
         with np.errstate(all="ignore"):
-            weight = np.where(s.good & np.isfinite(weight).all(0), weight, G.wave.strain)
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, G.strain)
             width = boxes.r / self.width[:, None]
             share = weight / weight.max(0) + width * 1e-9
             return np.where(np.isfinite(share), share, width).argmax(0).astype(np.int8)

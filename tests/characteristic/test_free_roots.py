@@ -1,46 +1,57 @@
-"""Models of p-roots hold the roots of the polynomial, at real and complex points of their boxes, and are narrow."""
-
-from __future__ import annotations
+"""Roots over boxes: each point's root lies in its model, of third order; roots that meet are not told apart."""
 
 import numpy as np
+import pytest
+from free_cases import inside, of_many, pair_over_velocity, random_boxes
 
-from mpsolve.characteristic.free_roots import free_roots
-from mpsolve.numbers.quadratic import Quadratic, pairs
-
-# D = P² + (3 + u₁)P + 2 + u₂/10, N = 1 + u₁ P; u scaled by h
-H = 0.05
-
-
-def _models(h: float) -> tuple[Quadratic, Quadratic]:
-    D, N = np.zeros((6, 1, 3), complex), np.zeros((6, 1, 2), complex)
-    D[0, 0] = [2, 3, 1]
-    D[1, 0, 1], D[2, 0, 0] = h, h / 10
-    N[0, 0, 0], N[1, 0, 1] = 1, h
-    return Quadratic(D, np.zeros((1, 3)), 2), Quadratic(N, np.zeros((1, 2)), 2)
+from mpsolve.characteristic.boxes import Boxes, FreeTrack
+from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.free_roots import Roots, roots_over
+from mpsolve.numbers.quadratic import pairs
+from mpsolve.problem.family import Family
 
 
-def _at(f: Quadratic, u: tuple[complex, complex], root: int) -> complex:
-    k = f.k[:, 0, root]
-    second = sum(k[3 + n] * u[i] * u[j] for n, (i, j) in enumerate(pairs(2)))
-    return complex(k[0] + k[1] * u[0] + k[2] * u[1] + second)
+def found(family: Family, boxes: Boxes) -> tuple[FreeTrack, Roots]:
+    track = FreeTrack(family)
+    y, rho = boxes.variables
+    D, N = track.D(y, rho), track.N(y, rho)
+    z, low = track.nodes(D)
+    with np.errstate(all="ignore"):
+        return track, roots_over(D, N, z, low, track.up)
 
 
-def test_roots_and_weights_are_held() -> None:
-    D, N = _models(H)
-    found = free_roots(D, N, np.array([[-1.0 + 0j, -2.0]]), np.zeros((1, 2)))
-    assert found.good.all()
-    for u in ((0.3, -0.9), (1, 1), (-1, 1j), (0.6 + 0.8j, -1)):
-        b, c = 3 + H * u[0], 2 + H * u[1] / 10
-        split = np.sqrt(b * b - 4 * c + 0j)
-        for k, root in enumerate(((-b + split) / 2, (-b - split) / 2)):
-            weight = (1 + H * u[0] * root) / (2 * root + b)
-            assert abs(_at(found.P, u, k) - root) <= found.P.e[0, k] + 1e-14
-            assert abs(_at(found.w, u, k) - weight) <= found.w.e[0, k] + 1e-14
-    assert found.P.e.max() < 20 * H**3
-    thin = free_roots(*_models(H / 10), np.array([[-1.0 + 0j, -2.0]]), np.zeros((1, 2)))
-    assert thin.P.e.max() < found.P.e.max() / 500  # of third order
+@pytest.mark.parametrize("share", [1e-3, 1e-2])
+def test_the_root_of_each_point_is_in_its_model(share: float) -> None:
+    for family in (pair_over_velocity(), of_many()):
+        boxes = random_boxes(family, 60, share)
+        track, roots = found(family, boxes)
+        whole = roots.good.all(1)
+        assert whole.mean() > 0.3
+        for n in np.flatnonzero(whole)[:25]:
+            u, q, x = inside(boxes, int(n))
+            weights = np.array([1.0, *u, *(u[i] * u[j] for i, j in pairs(roots.P.m))])
+            model = np.tensordot(weights, roots.P.k[:, n], 1)
+            truth = Receptance(family.guide(x)).roots(np.array([1j * q]))[0]
+            for side in (slice(0, track.up), slice(track.up, None)):
+                off = np.abs(truth[side][:, None] - model[side][None, :])
+                assert (off.min(0) <= roots.P.e[n, side] + 1e-8 * np.abs(model[side])).all()
+                assert sorted(off.argmin(0)) == list(range(off.shape[1]))  # each root once
 
 
-def test_roots_that_may_meet_are_refused() -> None:
-    D, N = _models(1.5)
-    assert not free_roots(D, N, np.array([[-1.0 + 0j, -2.0]]), np.zeros((1, 2))).good.all()
+def test_what_a_model_leaves_out_is_of_third_order() -> None:
+    family = pair_over_velocity("0.2", "0.6")
+    middles = random_boxes(family, 20, 1e-3).m
+    errors = []
+    for share in (1e-2, 1e-3):
+        r = share * np.ones_like(middles) * np.array([[1.0], [0.4]])
+        _, roots = found(family, Boxes(middles, r))
+        assert roots.good.all()
+        errors.append(roots.P.e)
+    ratio = errors[0] / errors[1]
+    assert np.median(ratio) > 800
+
+
+def test_roots_that_may_meet_are_not_good() -> None:
+    family = pair_over_velocity()
+    _, roots = found(family, random_boxes(family, 10, 0.4))
+    assert not roots.good.all(1).any()
