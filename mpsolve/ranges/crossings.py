@@ -29,6 +29,7 @@ from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
+_NEXT_TO_ZERO = 2.0**-8  # of the frequencies
 
 
 @dataclass(frozen=True)
@@ -157,27 +158,35 @@ class Search:
         low, high = self.scope.corners
         return subdivide(low, high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
 
-    def enclose(self, point: Any) -> bool:
-        """Enclose the zero near a float point; True where it was."""
-        size = 2 * self.judge.width * 2.0**-6
-        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
+    def enclose(self, point: Any, half: Any) -> bool:
+        """Enclose the zero near a float point; True where it was. Next to q = 0 it is first looked for there.
+
+        half: of the box that shows it: where this failed it is tried again from much smaller boxes only.
+        """
+        if any((np.abs(point - other) < 8 * half).all() for other in self._failed):
             return False
-        if abs(point[0]) < 1e-6 * self.judge.width[0]:
-            point = np.array([0.0, point[1]])
+        seeds = [abs(float(point[0]))]
+        if seeds[0] < _NEXT_TO_ZERO * self.judge.width[0]:
+            seeds.insert(0, 0.0)
+        if any(self._enclosed((q, float(point[1]))) for q in seeds):
+            return True
+        self._failed.append(point)
+        return False
+
+    def _enclosed(self, seed: tuple[float, float]) -> bool:
+        size = 2 * self.judge.width * 2.0**-6
+        if seed[0]:
+            size = size * np.minimum(1.0, seed[0] / size[0])
         try:
             with precision(80):
-                zero = enclose(
-                    self.scope.proved, (abs(float(point[0])), float(point[1])), tuple(size * 2.0**-6), self.digits
-                )
+                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits)
             at = np.array([float(zero.q.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
                 return True
             room = self.judge.room(at, size * 4)
         except PrecisionError:
-            self._failed.append(point)
             return False
         if room is None or not _holds(room, zero):
-            self._failed.append(point)
             return False
         self.judge.known.append(room)
         self.found.append(zero)
