@@ -23,6 +23,11 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
 _OUTPUT = click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
 )
+_CERTIFICATE = click.option(
+    "--certificate",
+    type=click.Path(path_type=Path),
+    help="Write the certificate as FILE.json, for `mpsolve verify`; FILE-2.json, … for further ranges.",
+)
 
 
 def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -54,6 +59,7 @@ _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity 
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def onset(
     file: Path,
     overs: tuple[str, ...],
@@ -63,6 +69,7 @@ def onset(
     effort: float | None,
     as_json: bool,
     output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
 
@@ -89,7 +96,8 @@ def onset(
 
     with one_sentence():
         _only_one(worsts, everything)
-    answered(file, overs, answer, as_json, output, "near" if everything or worsts else "first")
+    default = "near" if everything or worsts else "first"
+    answered(file, overs, answer, as_json, output, default, certificate=certificate)
 
 
 @click.command()
@@ -99,8 +107,15 @@ def onset(
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def crossings(
-    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+    file: Path,
+    overs: tuple[str, ...],
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
@@ -114,7 +129,7 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
 
 
 @click.command()
@@ -149,7 +164,15 @@ def worst(
 @_EFFORT
 @_JSON
 @_OUTPUT
-def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bool, output: Path | None) -> None:
+@_CERTIFICATE
+def robust(
+    file: Path,
+    overs: tuple[str, ...],
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
+) -> None:
     """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
 
     Or find a certified counterexample, or list the parts of the ranges that stay open. Exit status 0: proved stable,
@@ -165,7 +188,7 @@ def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bo
 
     with one_sentence():
         _required(overs)
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
 
 
 def _only_one(worsts: tuple[str, ...], everything: bool) -> None:

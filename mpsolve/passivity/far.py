@@ -105,7 +105,7 @@ def _far(envelope: Envelope, least: float, most: float) -> float | None:
 class FarNumbers:
     """What a checker needs for the tail theorem over the box from X on, with room; all scaled.
 
-    blocks: (z₁, z₂, κ), q^e W/|D|² ≥ κ at p = z q^γ. constant: C with |W|/|D|² ≤ C p^−α for p ≥ X/(greatest velocity).
+    blocks: (z₁, z₂, κ), q^e W/|D|² ≥ κ at p = z q^γ. constant: C, |W|/|D|² ≤ C p^−α where p ≥ X/(greatest v).
     """
 
     X: float

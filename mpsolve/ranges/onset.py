@@ -20,6 +20,9 @@ from mpsolve.ranges.answer import Answer, outward
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.scope import checked_over, one_path
 
+SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
+"""What an answer has from the crossings that it is read from: their certificate is its own."""
+
 
 class Kind(Enum):
     """How stability ends in a range."""
@@ -111,7 +114,7 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
 
 
@@ -135,7 +138,7 @@ def onset(
 
         return onset_at_worst(problem, over, worst, digits, effort, progress or silent, check)
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     answer = Onset(problem, found.over, digits=found.digits, **common)
     if found.counts is None:
         return answer
