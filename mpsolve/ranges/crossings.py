@@ -112,8 +112,8 @@ def find(
         return Crossings(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
-    search = _Search(scope, digits)
-    cover = search.cover(budget, progress)
+    search = Search(scope, digits, scope.judge())
+    cover = search.cover(*scope.corners, budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
     reason, inside = cover.reason, []
@@ -141,20 +141,23 @@ def find(
 
 
 @dataclass
-class _Search:
-    """The cover of a scope with one parameter; zeros that it meets are enclosed on the way."""
+class Search:
+    """The cover of a scope with one parameter; zeros that it meets are enclosed on the way.
+
+    judge: of boxes in (y, x̂) along its edge.
+    """
 
     scope: Scope
     digits: int
+    judge: Judge
 
     def __post_init__(self) -> None:
-        self.judge: Judge = self.scope.judge()
         self.judge.found = self._enclose
         self.found: list[Scaled] = []
         self._failed: list[Any] = []
 
-    def cover(self, budget: Effort, progress: Progress) -> Covered:
-        low, high = self.scope.corners
+    def cover(self, low: Any, high: Any, budget: Effort, progress: Progress) -> Covered:
+        """Of the box with these corners."""
         return subdivide(low, high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
 
     def _enclose(self, point: Any) -> bool:
@@ -162,13 +165,14 @@ class _Search:
         size = 2 * self.judge.width * 2.0**-6
         if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
             return False
-        if abs(point[0]) < 1e-6 * self.judge.width[0]:
-            point = np.array([0.0, point[1]])
+        edge = self.judge.edge
+        if edge.mirrored:
+            near = abs(point[0]) < 1e-6 * self.judge.width[0]
+            point = np.array([0.0 if near else abs(point[0]), point[1]])
+        seed = float(point[0]), float(point[1])
         try:
             with precision(80):
-                zero = enclose(
-                    self.scope.proved, (abs(float(point[0])), float(point[1])), tuple(size * 2.0**-6), self.digits
-                )
+                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, edge)
             at = np.array([float(zero.q.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
                 return True

@@ -20,6 +20,7 @@ from mpsolve.numbers.jets import UP
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
+from mpsolve.ranges.edge import REAL_AXIS, Edge
 
 NONZERO, PASSIVE, KNOWN = 1, 2, 3
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
@@ -39,14 +40,16 @@ def boxes_of(low: Any, high: Any) -> Boxes:
 class Judge:
     """Judges boxes of one family.
 
-    width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, of two variables.
+    width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, of two variables. envelope:
+    what tells that contacts are passive, where that is asked. edge: where q̂ runs.
     """
 
     matrix: FreeMatrix
-    envelope: Envelope
+    envelope: Envelope | None
     width: Any
     found: Found | None = None
     known: list[tuple[Any, Any]] = field(default_factory=list)
+    edge: Edge = REAL_AXIS
 
     @cached_property
     def variables(self) -> int:
@@ -57,19 +60,24 @@ class Judge:
         kind = np.zeros(low.shape[1], np.int8)
         kind[self._in_known(low, high)] = KNOWN
         boxes = boxes_of(low, high)
-        A, G = self.matrix(boxes)
+        A, G = self.matrix(self.edge.placed(boxes))
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
+        if self.envelope is not None:
+            self._passive(self.envelope, low, high, boxes, kind)
+        if self.found is not None and (kind == 0).any():
+            self._look(boxes, s, kind)
+        return kind, self._axis(boxes, G, s, verdict)
+
+    def _passive(self, envelope: Envelope, low: Any, high: Any, boxes: Boxes, kind: Any) -> None:
+        """Marks boxes of real q̂ over which the contacts are passive."""
         rest = np.flatnonzero((kind == 0) & (low[0] > 0))
         if len(rest):
             middles = Boxes(boxes.m[:, rest], 0 * boxes.r[:, rest])
             rest = rest[_seems_passive(self.matrix.receptance(middles))]
         if len(rest):
-            kind[rest[passive_on(self.envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
-        if self.found is not None and (kind == 0).any():
-            self._look(boxes, s, kind)
-        return kind, self._axis(boxes, G, s, verdict)
+            kind[rest[passive_on(envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
@@ -92,7 +100,7 @@ class Judge:
         one, other = np.meshgrid(_SHARES, _SHARES)
         shares = np.stack([one.ravel(), other.ravel()])
         boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
-        A, G = self.matrix(boxes)
+        A, G = self.matrix(self.edge.placed(boxes))
         s = scalar(A, G.good)
         area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
         best = area.argmax()

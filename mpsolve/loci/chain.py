@@ -1,0 +1,143 @@
+"""Roots followed along a parameter: chains of tubes, each of which begins where the one before it ends.
+
+Two tubes that follow each other hold the same root: a disc that holds the root of the first at the common x̂ lies in
+the disc of the second there, which holds one root only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.loci.tube import Tubes, tubes
+from mpsolve.proof.effort import Effort
+
+_LENGTHS = (4.0, 2.0, 1.0, 0.5)  # of the last step: what is tried side by side
+_SIZES = (1.0, 0.25, 2.0**-4, 2.0**-7)  # of the radius that is tried first
+_FIRST = 2.0**-6  # of the range: the first step
+_SHORTEST = 2.0**-26  # of the range
+_LEAN = 2.0  # how much wider than the way of the root a box is, at least
+
+
+@dataclass
+class Chain:
+    """A root that is followed in the direction `way` (±1): it lies within `radius` of q; `tubes` in their order.
+
+    That holds at x̂ = x, or before the first tube at some x̂ between x and `ahead`. on_axis: it is imaginary, and no
+    tube is taken in which it could leave the axis. end: why it ended ("range", "stuck", or what the caller said),
+    None while it goes on.
+    """
+
+    x: float
+    q: complex
+    radius: float
+    way: int
+    ahead: float | None = None
+    on_axis: bool = False
+    tubes: list[Tubes] = field(default_factory=list)
+    end: Any = None
+    step: float = 0.0
+    size: float = 0.25
+    speed: complex = 0j
+
+
+Stop = Callable[[Chain], Any]
+"""What is asked after each new tube: a reason to end the chain, or None."""
+
+
+def follow(
+    matrix: FreeMatrix,
+    chains: list[Chain],
+    ends: tuple[float, float],
+    effort: Effort,
+    stop: Stop,
+    tell: Callable[[float], None],
+) -> None:
+    """Let each chain grow until it ends. `EffortError` where the effort is spent: the chains are kept as they are."""
+    width = ends[1] - ends[0]
+    for chain in chains:
+        chain.step = chain.step or _FIRST * width
+    while active := [chain for chain in chains if chain.end is None]:
+        effort.spend(len(active) * len(_LENGTHS) * len(_SIZES))
+        tell(sum(chain.x * chain.way for chain in active) / len(active))
+        _advance(matrix, active, ends, stop)
+
+
+def _advance(matrix: FreeMatrix, active: list[Chain], ends: tuple[float, float], stop: Stop) -> None:
+    """One tube for each chain: the longest of those that are tried side by side and proved."""
+    tried, each = _candidates(active, ends)
+    found = tubes(matrix, *tried)
+    linked = _linked(found, active, each)
+    with np.errstate(all="ignore"):
+        share = 1 - 2.0**-8 * found.inner / found.outer  # of two of one length the sharper one
+    length = np.where(linked, (found.high - found.low) * share, 0.0)
+    taken = []
+    for k, chain in enumerate(active):
+        rows = np.flatnonzero(each == k)
+        best = rows[length[rows].argmax()]
+        if length[best]:
+            taken.append((chain, found.take(slice(best, best + 1)), tried[3][best]))
+        else:
+            chain.step *= 0.125
+            if chain.step < _SHORTEST * (ends[1] - ends[0]):
+                chain.end = "stuck"
+    if taken:
+        _taken(matrix, taken, ends, stop)
+
+
+def _linked(found: Tubes, active: list[Chain], each: Any) -> Any:
+    """Which tubes hold the root of their chain."""
+    q, radius = (np.array([getattr(chain, name) for chain in active])[each] for name in ("q", "radius"))
+    x = np.array([chain.x for chain in active])[each]
+    ahead = np.array([chain.x if chain.ahead is None else chain.ahead for chain in active])[each]
+    on_axis = np.array([chain.on_axis for chain in active])[each]
+    known = (ahead >= found.low) & (ahead <= found.high)
+    return found.holds(q, radius, x) & found.holds(q, radius, ahead) & known & (found.mirrored | ~on_axis)
+
+
+def _candidates(active: list[Chain], ends: tuple[float, float]) -> tuple[tuple[Any, Any, Any, Any], Any]:
+    """((low, high, middle, ρ) of the boxes, the number of the chain of each)."""
+    rows, each = [], []
+    for k, chain in enumerate(active):
+        way = [min(chain.x + chain.step * share, ends[1]) if chain.way > 0 else max(chain.x - chain.step * share, ends[0])
+               for share in _LENGTHS]  # fmt: skip
+        for x in dict.fromkeys(way):
+            half = (x - chain.x) / 2
+            for share in _SIZES:
+                rho = _LEAN * abs(chain.speed * half) + chain.size * share * max(abs(chain.q), 0.01)
+                rows.append((min(x, chain.x), max(x, chain.x), chain.q + chain.speed * half, rho))
+                each.append(k)
+    low, high, middle, rho = (np.array(column) for column in zip(*rows, strict=True))
+    return (low.real, high.real, middle.astype(complex), rho.real), np.array(each)
+
+
+def _taken(
+    matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, Any]], ends: tuple[float, float], stop: Stop
+) -> None:
+    """Moves the chains to the ends of their new tubes, where the roots are enclosed more sharply."""
+    ahead = [int(chain.way > 0) for chain, _, _ in taken]
+    x = np.array([(tube.high if up else tube.low)[0] for up, (_, tube, _) in zip(ahead, taken, strict=True)])
+    near = np.array([tube.near[up][0] for up, (_, tube, _) in zip(ahead, taken, strict=True)])
+    centre = np.array([tube.centre(at)[0] for at, (_, tube, _) in zip(x, taken, strict=True)])
+    radius = np.array([tube.inner[0] for _, tube, _ in taken])
+    whole = (np.abs(near - centre) + radius) * 1.01
+    point = tubes(matrix, x, x, near, whole)
+    inside = point.holds(centre, radius, x) & (point.inner < radius)
+    for k, (chain, tube, rho) in enumerate(taken):
+        chain.step = float(tube.high[0] - tube.low[0])
+        chain.size = min(float(rho - _LEAN * abs(chain.speed) * chain.step / 2) / max(abs(chain.q), 0.01) * 4, 1.0)
+        chain.x, chain.speed = float(x[k]), complex(tube.speed[ahead[k]][0])
+        chain.q, chain.radius = complex(centre[k]), float(radius[k])
+        if inside[k]:
+            chain.q, chain.radius = complex(point.middle[k]), float(point.inner[k])
+        chain.tubes.append(tube)
+        chain.ahead = None
+        if chain.on_axis:
+            chain.q, chain.speed = complex(0, chain.q.imag), complex(0, chain.speed.imag)
+        chain.end = stop(chain)
+        if chain.end is None and (chain.x >= ends[1] if chain.way > 0 else chain.x <= ends[0]):
+            chain.end = "range"
