@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
+    from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
+    from mpsolve.loci.lines import frequency_lines
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -43,7 +45,6 @@ if TYPE_CHECKING:
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
     from mpsolve.stability.limiting import limiting_mass
-    from mpsolve.stability.lines import frequency_lines
     from mpsolve.stability.masses import crossing_masses
     from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
@@ -108,6 +109,9 @@ __all__ = [
     "critical_distance",
     "cut_points",
     "frequency_lines",
+    "FrequencyLines",
+    "FrequencyLine",
+    "LineEnd",
     "damping_sensitivity",
     "onset_table",
     "stability_chart",
@@ -206,7 +210,10 @@ _HOME = {
     "limiting_mass": "stability.limiting",
     "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
-    "frequency_lines": "stability.lines",
+    "frequency_lines": "loci.lines",
+    "FrequencyLines": "loci.answer",
+    "FrequencyLine": "loci.answer",
+    "LineEnd": "loci.answer",
     "damping_sensitivity": "stability.sensitivity",
     "onset_table": "stability.table",
     "stability_chart": "ranges.chart",

@@ -49,27 +49,38 @@ Stop = Callable[[Chain], Any]
 """What is asked after each new tube: a reason to end the chain, or None."""
 
 
+@dataclass(frozen=True)
+class Room:
+    """From low to high in x̂; the middle of no tube has Im q̂ > top, which is below all cuts.
+
+    So what a tube holds next to its middle is the determinant below the cuts, continued where it reaches beyond.
+    """
+
+    low: float
+    high: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """Of the range."""
+        return self.high - self.low
+
+
 def follow(
-    matrix: FreeMatrix,
-    chains: list[Chain],
-    ends: tuple[float, float],
-    effort: Effort,
-    stop: Stop,
-    tell: Callable[[float], None],
+    matrix: FreeMatrix, chains: list[Chain], room: Room, effort: Effort, stop: Stop, tell: Callable[[float], None]
 ) -> None:
     """Let each chain grow until it ends. `EffortError` where the effort is spent: the chains are kept as they are."""
-    width = ends[1] - ends[0]
     for chain in chains:
-        chain.step = chain.step or _FIRST * width
+        chain.step = chain.step or _FIRST * room.width
     while active := [chain for chain in chains if chain.end is None]:
         effort.spend(len(active) * len(_LENGTHS) * len(_SIZES))
         tell(sum(chain.x * chain.way for chain in active) / len(active))
-        _advance(matrix, active, ends, stop)
+        _advance(matrix, active, room, stop)
 
 
-def _advance(matrix: FreeMatrix, active: list[Chain], ends: tuple[float, float], stop: Stop) -> None:
+def _advance(matrix: FreeMatrix, active: list[Chain], room: Room, stop: Stop) -> None:
     """One tube for each chain: the longest of those that are tried side by side and proved."""
-    tried, each = _candidates(active, ends)
+    tried, each = _candidates(active, room)
     found = tubes(matrix, *tried)
     linked = _linked(found, active, each)
     with np.errstate(all="ignore"):
@@ -83,47 +94,47 @@ def _advance(matrix: FreeMatrix, active: list[Chain], ends: tuple[float, float],
             taken.append((chain, found.take(slice(best, best + 1)), tried[3][best]))
         else:
             chain.step *= 0.125
-            if chain.step < _SHORTEST * (ends[1] - ends[0]):
+            if chain.step < _SHORTEST * room.width:
                 chain.end = "stuck"
     if taken:
-        _taken(matrix, taken, ends, stop)
+        _taken(matrix, taken, room, stop)
 
 
 def _linked(found: Tubes, active: list[Chain], each: Any) -> Any:
     """Which tubes hold the root of their chain."""
     q, radius = (np.array([getattr(chain, name) for chain in active])[each] for name in ("q", "radius"))
-    x = np.array([chain.x for chain in active])[each]
+    x: Any = np.array([chain.x for chain in active])[each]
     ahead = np.array([chain.x if chain.ahead is None else chain.ahead for chain in active])[each]
     on_axis = np.array([chain.on_axis for chain in active])[each]
     known = (ahead >= found.low) & (ahead <= found.high)
     return found.holds(q, radius, x) & found.holds(q, radius, ahead) & known & (found.mirrored | ~on_axis)
 
 
-def _candidates(active: list[Chain], ends: tuple[float, float]) -> tuple[tuple[Any, Any, Any, Any], Any]:
+def _candidates(active: list[Chain], room: Room) -> tuple[tuple[Any, Any, Any, Any], Any]:
     """((low, high, middle, ρ) of the boxes, the number of the chain of each)."""
     rows, each = [], []
     for k, chain in enumerate(active):
-        way = [min(chain.x + chain.step * share, ends[1]) if chain.way > 0 else max(chain.x - chain.step * share, ends[0])
-               for share in _LENGTHS]  # fmt: skip
-        for x in dict.fromkeys(way):
+        reached = (chain.x + chain.way * chain.step * share for share in _LENGTHS)
+        for x in dict.fromkeys(min(max(x, room.low), room.high) for x in reached):
             half = (x - chain.x) / 2
+            middle = chain.q + chain.speed * half
+            middle = complex(middle.real, min(middle.imag, room.top))
             for share in _SIZES:
                 rho = _LEAN * abs(chain.speed * half) + chain.size * share * max(abs(chain.q), 0.01)
-                rows.append((min(x, chain.x), max(x, chain.x), chain.q + chain.speed * half, rho))
+                rows.append((min(x, chain.x), max(x, chain.x), middle, rho))
                 each.append(k)
-    low, high, middle, rho = (np.array(column) for column in zip(*rows, strict=True))
-    return (low.real, high.real, middle.astype(complex), rho.real), np.array(each)
+    columns = [np.array(column) for column in zip(*rows, strict=True)]
+    return (columns[0], columns[1], columns[2].astype(complex), columns[3]), np.array(each)
 
 
-def _taken(
-    matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, Any]], ends: tuple[float, float], stop: Stop
-) -> None:
+def _taken(matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, Any]], room: Room, stop: Stop) -> None:
     """Moves the chains to the ends of their new tubes, where the roots are enclosed more sharply."""
     ahead = [int(chain.way > 0) for chain, _, _ in taken]
     x = np.array([(tube.high if up else tube.low)[0] for up, (_, tube, _) in zip(ahead, taken, strict=True)])
     near = np.array([tube.near[up][0] for up, (_, tube, _) in zip(ahead, taken, strict=True)])
     centre = np.array([tube.centre(at)[0] for at, (_, tube, _) in zip(x, taken, strict=True)])
     radius = np.array([tube.inner[0] for _, tube, _ in taken])
+    near = near.real + 1j * np.minimum(near.imag, room.top)
     whole = (np.abs(near - centre) + radius) * 1.01
     point = tubes(matrix, x, x, near, whole)
     inside = point.holds(centre, radius, x) & (point.inner < radius)
@@ -139,5 +150,5 @@ def _taken(
         if chain.on_axis:
             chain.q, chain.speed = complex(0, chain.q.imag), complex(0, chain.speed.imag)
         chain.end = stop(chain)
-        if chain.end is None and (chain.x >= ends[1] if chain.way > 0 else chain.x <= ends[0]):
+        if chain.end is None and (chain.x >= room.high if chain.way > 0 else chain.x <= room.low):
             chain.end = "range"

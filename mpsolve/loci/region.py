@@ -129,7 +129,6 @@ def _below_cuts(family: Family, height: Fraction) -> bool:
 def _shifted(D: FreePolynomial, height: Fraction) -> FreePolynomial:
     """D(P, s − height)."""
 
-
     out: FreePolynomial = {}
     for (i, j), c in D.items():
         for k in range(j + 1):
