@@ -46,7 +46,6 @@ if TYPE_CHECKING:
     from mpsolve.stability.distance import critical_distance
     from mpsolve.stability.limiting import limiting_mass
     from mpsolve.stability.masses import crossing_masses
-    from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vibration.forcing import Irregularity
@@ -112,7 +111,6 @@ __all__ = [
     "FrequencyLines",
     "FrequencyLine",
     "LineEnd",
-    "damping_sensitivity",
     "onset_table",
     "stability_chart",
     "Onset",
@@ -214,7 +212,6 @@ _HOME = {
     "FrequencyLines": "loci.answer",
     "FrequencyLine": "loci.answer",
     "LineEnd": "loci.answer",
-    "damping_sensitivity": "stability.sensitivity",
     "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",
