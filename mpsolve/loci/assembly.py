@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import accumulate
 from typing import Any
 
 from mpsolve.certificate.solve import certify_problem
@@ -12,9 +13,10 @@ from mpsolve.errors import EffortError
 from mpsolve.loci.answer import FrequencyLine, LineEnd
 from mpsolve.loci.border import ON_AXIS, Border, Passing, border_of
 from mpsolve.loci.grow import Start, Strand, strands
+from mpsolve.loci.meeting import Meeting
 from mpsolve.loci.points import roots_at
 from mpsolve.loci.region import Region
-from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.numbers.balls import acb, arb, precision, rational_ball, square
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
@@ -164,9 +166,14 @@ class Assembly:
             remedy = "give a range that ends before, or more effort"
             self._open(Reason("line", "a root could not be followed, as it may meet another one", {}, remedy))
         low, high = float(self.scope.low[0]), float(self.scope.high[0])
-        ends = [low, *(x for one in self.events for x in one.ends), high]
-        for k, number in enumerate(counts):
-            a, b = ends[2 * k], ends[2 * k + 1]
+        meetings = {(end.low, end.high) for one in found for end in (one.first, one.last) if isinstance(end, Meeting)}
+        breaks = sorted([*((one.ends, one.gained or 0) for one in self.events), *((ends, 0) for ends in meetings)])
+        edges = [low, *(x for ends, _ in breaks for x in ends), high]
+        numbers = list(accumulate((gained for _, gained in breaks), initial=number))
+        for k, number in enumerate(numbers):
+            a, b = edges[2 * k], edges[2 * k + 1]
+            if not a < b:
+                continue
             there = sum(1 if one.on_axis else 2 for one in found if one.low[1] <= a and one.high[0] >= b)
             if there != number:
                 message = "the lines do not account for all roots between two events"
@@ -204,7 +211,17 @@ class Assembly:
     def _end(self, end: Any) -> LineEnd:
         if isinstance(end, Passing):
             return LineEnd("region", *self.in_units(end))
+        if isinstance(end, Meeting):
+            return LineEnd("collision", *self._met(end))
         return LineEnd("range" if end == "range" else "open")
+
+    def _met(self, end: Meeting) -> tuple[Any, Any]:
+        """Balls that hold the value and the root at which two roots meet."""
+        family = self.scope.family
+        with precision(64):
+            value = arb(end.low).union(arb(end.high)) * rational_ball(family.units[0])
+            disc = acb(0, end.height) + square(arb(end.radius))
+            return value, disc * acb(rational_ball(family.frequency_unit))
 
     def _crossing(self, one: Passing) -> Crossing:
         value, q = self.in_units(one)

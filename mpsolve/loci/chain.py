@@ -93,7 +93,7 @@ def _advance(matrix: FreeMatrix, active: list[Chain], room: Room, stop: Stop) ->
         if length[best]:
             taken.append((chain, found.take(slice(best, best + 1)), tried[3][best]))
         else:
-            chain.step *= 0.125
+            chain.step, chain.size = chain.step * 0.125, chain.size * 0.25
             if chain.step < _SHORTEST * room.width:
                 chain.end = "stuck"
     if taken:

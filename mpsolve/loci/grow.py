@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.loci.border import Passing
 from mpsolve.loci.chain import Chain, Room, follow
+from mpsolve.loci.meeting import Meeting, beyond, meeting_of
 from mpsolve.loci.region import Region
 from mpsolve.loci.tube import Tubes
 from mpsolve.progress import Progress
@@ -38,12 +40,12 @@ class Strand:
     @property
     def low(self) -> tuple[float, float]:
         """Floats between which it begins."""
-        return self.first.ends if isinstance(self.first, Passing) else (float(self.tubes.low[0]),) * 2
+        return _ends(self.first) or (float(self.tubes.low[0]),) * 2
 
     @property
     def high(self) -> tuple[float, float]:
         """Floats between which it ends."""
-        return self.last.ends if isinstance(self.last, Passing) else (float(self.tubes.high[-1]),) * 2
+        return _ends(self.last) or (float(self.tubes.high[-1]),) * 2
 
     def holds(self, passing: Passing) -> bool:
         """Whether the root of the passing is the one of this line."""
@@ -53,6 +55,12 @@ class Strand:
         """One row of the tubes, at a float."""
         rows = np.flatnonzero((self.tubes.low <= x) & (self.tubes.high >= x))
         return self.tubes.take(rows[:1]) if len(rows) else None
+
+
+def _ends(end: Any) -> tuple[float, float] | None:
+    if isinstance(end, Passing):
+        return end.ends
+    return (end.low, end.high) if isinstance(end, Meeting) else None
 
 
 def holding(tubes: Tubes, passing: Passing) -> Any:
@@ -71,7 +79,7 @@ def strands(
     ends = float(scope.low[0]), float(scope.high[0])
     base = starts[0].x if starts else sum(ends) / 2
     chains: list[Chain] = []
-    begun: list[Start | Passing] = []
+    begun: list[Start | Passing | Meeting] = []
     for start in starts:
         for way in (1, -1):
             chains.append(Chain(start.x, start.q, start.radius, way, on_axis=start.on_axis))
@@ -88,8 +96,33 @@ def strands(
     def share(x: float) -> None:
         tell("lines", min(max((x - ends[0]) / (ends[1] - ends[0]), 0.0), 1.0))
 
-    follow(scope.matrix, chains, Room(*ends, float(region.height)), budget, stop, share)
+    room = Room(*ends, float(region.height))
+    follow(scope.matrix, chains, room, budget, stop, share)
+    meetings: list[tuple[Meeting, int]] = []
+    while more := _through(scope.matrix, chains, meetings, room):
+        chains += [chain for chain, _ in more]
+        begun += [begin for _, begin in more]
+        follow(scope.matrix, chains, room, budget, stop, share)
     return _joined(chains, begun)
+
+
+def _through(
+    matrix: FreeMatrix, chains: list[Chain], meetings: list[tuple[Meeting, int]], room: Room
+) -> list[tuple[Chain, Any]]:
+    """New chains from the far ends of meetings at which chains are stuck, each with what it begins at."""
+    out: list[tuple[Chain, Any]] = []
+    for chain in [chain for chain in chains if chain.end == "stuck"]:
+        known = next((one for one, way in meetings if way == chain.way and one.holds(chain)), None)
+        if known is not None:
+            chain.end = known
+            continue
+        meeting = meeting_of(matrix, chain, room)
+        ahead = [] if meeting is None else beyond(matrix, meeting, chain.way, not chain.on_axis)
+        if meeting is not None and ahead:
+            chain.end = meeting
+            meetings.append((meeting, chain.way))
+            out += [(one, replace(meeting)) for one in ahead]
+    return out
 
 
 def _from(passing: Passing, way: int) -> Chain:
@@ -114,7 +147,7 @@ def _joined(chains: list[Chain], begun: list[Any]) -> list[Strand]:
         rows = [*(reversed(back.tubes) if back else ()), *(ahead.tubes if ahead else ())]
         if not rows:
             continue
-        own = begin if isinstance(begin, Passing) else None
+        own = None if isinstance(begin, Start) else begin
         first, last = back.end if back else own, ahead.end if ahead else own
         on_axis = any(chain.on_axis for chain in (ahead, back) if chain is not None)
         out.append(Strand(_side_by_side(rows), on_axis, first, last))
