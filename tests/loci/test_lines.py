@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from free_cases import BEAM, LAYERS, PAIR
 
-from mpsolve import Problem, certify, frequencies, vehicles
+from mpsolve import Case, Problem, certify, frequencies, vehicles
 from mpsolve.errors import InputError
 from mpsolve.loci.answer import FrequencyLines
 from mpsolve.loci.lines import frequency_lines
@@ -88,6 +88,24 @@ def test_slopes_of_lines_are_those_of_sensitivity() -> None:
         rise = complex((line.q[1] - line.q[0]).mid()) * 1e5
         known = next(root.by["v"] for root in slopes if root.q.overlaps(line.q[0]))
         assert abs(rise - complex(known.mid())) < 1e-3 * abs(rise)
+
+
+FOLLOWED = [
+    ("0.1420701408271026 + 0.0019284630341332j", "0.1339067484810225 + 0.0034882116882939j",
+     "0.1158604067122569 + 0.0076129399843296j", "0.0672152043096523 + 0.0263523624320638j"),
+    ("0.1724907962251543 + 0.0007919853611851j", "0.1580875637570618 + 0.0001395775699802j",
+     "0.14038843178024066 - 0.0014177098191263j", "0.12043972661542209 - 0.00160403599655308j"),
+]  # fmt: skip
+"""Two lines at α = 0.5, 0.65, 0.8, 0.95, as the engine for one beam followed them (`frequency_lines` in α)."""
+
+
+def test_lines_are_those_of_the_engine_for_one_beam() -> None:
+    case = Case(alpha="0.6", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+    points = ["0.5", "0.65", "0.8", "0.95"]
+    found = frequency_lines(case, over={"v": ("0.5", "0.95")}, points=points, check=False)
+    for line, known in zip(found.lines, FOLLOWED, strict=True):
+        for ball, text in zip(line.q, known, strict=True):
+            assert abs(complex(ball) - complex(text.replace(" ", ""))) < 1e-15
 
 
 @pytest.mark.parametrize("path", ["track.k", "track.c", "gap[0]", "scale.mass", "vehicles[0].M"])
