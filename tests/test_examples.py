@@ -33,7 +33,9 @@ def test_it_can_be_imported(name: str) -> None:
 def test_picture(tmp_path: Path) -> None:
     picture = load("picture")
     assert (picture.SPECTRUM.count, picture.SPECTRUM.stable) == (4, True)
-    assert abs(picture.Q_LM - 0.7678098053) < 1e-10
+    height, begin = picture.CUTS
+    assert abs(begin / (1e6 / 60) ** 0.5 - 0.7678098053) < 1e-10
+    assert abs(height - 770 / 120) < 1e-14
     assert [round(float(motion.frequency), 4) for motion in picture.VIBRATIONS] == [2.9393, 3.6425]
     assert [round(float(motion.time), 3) for motion in picture.VIBRATIONS] == [4.265, 6.047]
     ax = Figure().add_subplot()

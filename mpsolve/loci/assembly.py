@@ -9,7 +9,6 @@ from itertools import accumulate
 from typing import Any
 
 from mpsolve.certificate.solve import certify_problem
-from mpsolve.errors import EffortError
 from mpsolve.loci.answer import FrequencyLine, LineEnd
 from mpsolve.loci.border import ON_AXIS, Border, Passing, border_of
 from mpsolve.loci.grow import Start, Strand, strands
@@ -25,7 +24,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Proof, outward, within
 from mpsolve.ranges.crossings import Crossing
 from mpsolve.ranges.scope import Scope
-from mpsolve.spectrum.regions import Below
+from mpsolve.spectrum.regions import Below, HalfPlane
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.zeros.regions import Rectangle
 
@@ -69,11 +68,8 @@ class Assembly:
         starts = self._starts()
         if starts is None:
             return ()
-        try:
-            found = strands(self.region, starts, tuple(self.events), self.budget, self._stage(0.5, 0.7))
-        except EffortError as error:
-            self._open(error.reason)
-            return ()
+        found, reason = strands(self.region, starts, tuple(self.events), self.budget, self._stage(0.5, 0.7))
+        self._open(reason)
         self._count(found)
         self._cross(found)
         found.sort(key=lambda one: (one.low, one.tubes.middle[0].real))
@@ -143,7 +139,7 @@ class Assembly:
         """Whether the counted region holds the same roots as the one along whose border events were sought."""
         mine, its = self.answered, base.region
         if not isinstance(mine, Below):
-            return True
+            return isinstance(its, HalfPlane) and its.radius is None
         if not isinstance(its, Below) or its.reach is None or its.radius is not None or mine.reach is None:
             return False
         if its.reach == mine.reach:

@@ -56,12 +56,12 @@ def border_of(region: Region, sides: tuple[Side, ...], digits: int, budget: Effo
     found: list[Passing] = []
     covers, known, reason = [], [], None
     for k, side in enumerate(sides):
-        search = Search(region.scope, digits, region.judge(side))
+        search = Search(region.scope, digits, (side.edge, *region.corners(side)))
 
         def share(stage: str, part: float, k: int = k) -> None:
             tell(stage, (k + part) / len(sides))
 
-        cover = search.cover(*region.corners(side), budget, share)
+        cover = search.cover(budget, share)
         covers.append(cover)
         known += search.judge.known
         reason = reason or cover.reason

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.errors import EffortError
 from mpsolve.loci.border import Passing
 from mpsolve.loci.chain import Chain, Room, follow
 from mpsolve.loci.meeting import Meeting, beyond, meeting_of
 from mpsolve.loci.region import Region
 from mpsolve.loci.tube import Tubes
+from mpsolve.outcome import Reason
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 
@@ -73,8 +76,8 @@ def holding(tubes: Tubes, passing: Passing) -> Any:
 
 def strands(
     region: Region, starts: list[Start], passings: tuple[Passing, ...], budget: Effort, tell: Progress
-) -> list[Strand]:
-    """The lines that the starts, all at one x̂, and the passings make. `EffortError` where the effort is spent."""
+) -> tuple[list[Strand], Reason | None]:
+    """(the lines that the starts, all at one x̂, and the passings make, why they were left as they are)."""
     scope = region.scope
     ends = float(scope.low[0]), float(scope.high[0])
     base = starts[0].x if starts else sum(ends) / 2
@@ -96,14 +99,19 @@ def strands(
     def share(x: float) -> None:
         tell("lines", min(max((x - ends[0]) / (ends[1] - ends[0]), 0.0), 1.0))
 
-    room = Room(*ends, float(region.height))
-    follow(scope.matrix, chains, room, budget, stop, share)
+    room = Room(*ends, math.nextafter(float(region.height), -1.0))
     meetings: list[tuple[Meeting, int]] = []
-    while more := _through(scope.matrix, chains, meetings, room):
-        chains += [chain for chain, _ in more]
-        begun += [begin for _, begin in more]
-        follow(scope.matrix, chains, room, budget, stop, share)
-    return _joined(chains, begun)
+    reason, more = None, True
+    try:
+        while more:
+            follow(scope.matrix, chains, room, budget, stop, share)
+            new = _through(scope.matrix, chains, meetings, room)
+            chains += [chain for chain, _ in new]
+            begun += [begin for _, begin in new]
+            more = bool(new)
+    except EffortError as error:
+        reason = error.reason
+    return _joined(chains, begun), reason
 
 
 def _through(
@@ -148,10 +156,16 @@ def _joined(chains: list[Chain], begun: list[Any]) -> list[Strand]:
         if not rows:
             continue
         own = None if isinstance(begin, Start) else begin
-        first, last = back.end if back else own, ahead.end if ahead else own
+        first, last = _end_of(back, own), _end_of(ahead, own)
         on_axis = any(chain.on_axis for chain in (ahead, back) if chain is not None)
         out.append(Strand(_side_by_side(rows), on_axis, first, last))
     return out
+
+
+def _end_of(chain: Chain | None, own: Any) -> Any:
+    if chain is None:
+        return own
+    return "stuck" if chain.end is None else chain.end
 
 
 def _side_by_side(rows: list[Tubes]) -> Tubes:

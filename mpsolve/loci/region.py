@@ -17,7 +17,6 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.family import Family, FreePolynomial
 from mpsolve.ranges.edge import REAL_AXIS, Edge
-from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.premises import require_stable_track
 from mpsolve.ranges.scope import Scope
 from mpsolve.spectrum.regions import Below, HalfPlane
@@ -58,18 +57,11 @@ class Region:
         if not self.height:
             return (Side(REAL_AXIS, 0.0, float(self.scope.X), "the real axis"),)
         top = Edge(Fraction(0), self.height)
-        right = Edge(self.reach, Fraction(0), -1j, mirrored=False)
+        right = Edge(self.reach, Fraction(0), down=True)
         return (
             Side(top, 0.0, float(self.reach), "the upper side of the region"),
             Side(right, -float(self.height), 0.0, "the side of the region"),
         )
-
-    def judge(self, side: Side) -> Judge:
-        """A judge of the boxes of one side."""
-        scope = self.scope
-        width = np.concatenate([[side.high - side.low], scope.high - scope.low]) / 2
-        envelope = scope.envelope if side.edge == REAL_AXIS else None
-        return Judge(scope.matrix, envelope, width, edge=side.edge)
 
     def corners(self, side: Side) -> tuple[Any, Any]:
         """Of the box in (y, x̂)."""

@@ -23,6 +23,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
+from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
@@ -112,8 +113,8 @@ def find(
         return Crossings(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
-    search = Search(scope, digits, scope.judge())
-    cover = search.cover(*scope.corners, budget, progress)
+    search = Search(scope, digits)
+    cover = search.cover(budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
     reason, inside = cover.reason, []
@@ -144,35 +145,42 @@ def find(
 class Search:
     """The cover of a scope with one parameter; zeros that it meets are enclosed on the way.
 
-    judge: of boxes in (y, x̂) along its edge.
+    side: the edge and the corners in (y, x̂) between which it is looked at, in place of the real axis.
     """
 
     scope: Scope
     digits: int
-    judge: Judge
+    side: tuple[Edge, Any, Any] | None = None
 
     def __post_init__(self) -> None:
-        self.judge.found = self._enclose
+        self.edge, self.low, self.high = self.side or (REAL_AXIS, *self.scope.corners)
+        self.judge: Judge = self._judge()
+        self.judge.found = self.enclose
         self.found: list[Scaled] = []
         self._failed: list[Any] = []
 
-    def cover(self, low: Any, high: Any, budget: Effort, progress: Progress) -> Covered:
-        """Of the box with these corners."""
-        return subdivide(low, high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
+    def cover(self, budget: Effort, progress: Progress) -> Covered:
+        """Of all between the corners."""
+        return subdivide(self.low, self.high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
 
-    def _enclose(self, point: Any) -> bool:
+    def _judge(self) -> Judge:
+        if self.edge == REAL_AXIS:
+            return self.scope.judge()
+        width = (self.high - self.low) / 2
+        return Judge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
+
+    def enclose(self, point: Any) -> bool:
         """Enclose the zero near a float point; True where it was."""
         size = 2 * self.judge.width * 2.0**-6
         if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
             return False
-        edge = self.judge.edge
-        if edge.mirrored:
+        if self.edge.mirrored:
             near = abs(point[0]) < 1e-6 * self.judge.width[0]
             point = np.array([0.0 if near else abs(point[0]), point[1]])
         seed = float(point[0]), float(point[1])
         try:
             with precision(80):
-                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, edge)
+                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, self.edge)
             at = np.array([float(zero.q.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
                 return True

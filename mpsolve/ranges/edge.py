@@ -2,46 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.characteristic.boxes import Boxes
 from mpsolve.numbers.balls import acb, arb, rational_ball
 
 
 @dataclass(frozen=True)
 class Edge:
-    """The points q̂ = re + i·im + way·y with real y. way: 1, to the right, or −1j, down: the region lies on the
-    side of Im y < 0.
+    """The points q̂ = re + i·im + y, or − i·y where it goes down, with real y; the region lies where Im y < 0.
 
-    mirrored: y and −y go together, as q and −q̄ are roots together (way = 1, re = 0).
+    mirrored: y and −y go together, as q and −q̄ are roots together (re = 0, not down).
     """
 
     re: Fraction = Fraction(0)
     im: Fraction = Fraction(0)
-    way: complex = 1.0
-    mirrored: bool = True
-
-    def placed(self, boxes: Boxes) -> Boxes:
-        """Boxes in (y, x̂) as boxes in (q̂, x̂)."""
-        if self == REAL_AXIS:
-            return boxes
-        m, r = boxes.m.astype(complex), boxes.r.astype(complex)
-        m[0] = complex(float(self.re), float(self.im)) + self.way * m[0]
-        r[0] = self.way * r[0]
-        return replace(boxes, m=m, r=r)
-
-    def sigma(self, y: Any) -> Any:
-        """σ̂ = iq̂ at a ball y, at the precision that is set."""
-        re, im = rational_ball(self.re), rational_ball(self.im)
-        along = acb(0, y) if self.way == 1 else acb(arb(y), 0)
-        return acb(-im, re) + along
+    down: bool = False
 
     @property
-    def turn(self) -> Any:
+    def mirrored(self) -> bool:
+        return not self.re and not self.down
+
+    @property
+    def origin(self) -> complex:
+        """σ̂ = iq̂ at y = 0."""
+        return complex(-float(self.im), float(self.re))
+
+    @property
+    def way(self) -> complex:
         """dσ̂/dy."""
-        return acb(0, 1) if self.way == 1 else acb(1)
+        return 1.0 + 0j if self.down else 1j
+
+    def sigma(self, y: Any) -> Any:
+        """σ̂ at a ball y, at the precision that is set."""
+        along = acb(arb(y), 0) if self.down else acb(0, y)
+        return acb(-rational_ball(self.im), rational_ball(self.re)) + along
 
 
 REAL_AXIS = Edge()

@@ -48,7 +48,7 @@ class _InPlane:
 
     def slopes(self, y: Any, x: Any) -> tuple[Any, Any]:
         A, (A_sigma, A_x) = self.proved.matrices(self.edge.sigma(y), [x])
-        return self.edge.turn * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
+        return acb(self.edge.way) * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
 
 
 @dataclass(frozen=True)

@@ -133,13 +133,7 @@ def test_unstable_lines_begin_and_end_at_crossings() -> None:
 
 
 def test_an_answer_is_handed_on(beam: FrequencyLines) -> None:
-    again = pickle.loads(pickle.dumps(beam))
-    assert (again.lines, again.events, again.counts, again.region) == (
-        beam.lines,
-        beam.events,
-        beam.counts,
-        beam.region,
-    )
+    assert pickle.loads(pickle.dumps(beam)).to_dict() == beam.to_dict()
     assert beam.to_dict()["lines"][0]["ends"][1]["kind"] == "region"
     rows = beam.rows()
     assert len(rows) == sum(len(line.values) for line in beam.lines)
