@@ -133,7 +133,9 @@ def test_unstable_lines_begin_and_end_at_crossings() -> None:
 
 
 def test_an_answer_is_handed_on(beam: FrequencyLines) -> None:
-    assert pickle.loads(pickle.dumps(beam)).to_dict() == beam.to_dict()
+    again = pickle.loads(pickle.dumps(beam))
+    assert (again.rows(), again.counts, again.region) == (beam.rows(), beam.counts, beam.region)
+    assert all(one.value.contains(other.value) for one, other in zip(again.events, beam.events, strict=True))
     assert beam.to_dict()["lines"][0]["ends"][1]["kind"] == "region"
     rows = beam.rows()
     assert len(rows) == sum(len(line.values) for line in beam.lines)
