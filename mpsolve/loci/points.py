@@ -34,13 +34,13 @@ def _root(family: Family, strand: Strand, value: Fraction, x: Fraction, digits: 
     tube = strand.tube_at(min(max(float(x), float(strand.tubes.low[0])), float(strand.tubes.high[-1])))
     if tube is None:
         return None
-    centre = tube.centre(float(x))[0]
+    centre = complex(tube.guess(float(x))[0])
     if strand.on_axis:
         centre = complex(0, centre.imag)
     unit = float(family.frequency_unit)
     reduced = reduce_problem(family.problem.changed(family.paths[0], value))
     try:
-        q = enclose(Proved(reduced), 1j * complex(centre) * unit / float(reduced.frequency_unit), digits).q
+        q = enclose(Proved(reduced), 1j * centre * unit / float(reduced.frequency_unit), digits).q
     except PrecisionError:
         return None
     with precision(64):

@@ -49,6 +49,13 @@ class Tubes:
         """Of the disc at x̂."""
         return self.middle + self.slope * (x - self.at)
 
+    def guess(self, x: float) -> Any:
+        """About where the root is at x̂: the cubic with the values and slopes at the ends."""
+        width = self.high - self.low
+        s = (x - self.low) / np.where(width > 0, width, 1.0)
+        (a, b), (u, v) = self.near, (slope * width for slope in self.speed)
+        return a + s * (u + s * (3 * (b - a) - 2 * u - v + s * (2 * (a - b) + u + v)))
+
     def take(self, rows: Any) -> Tubes:
         """Those of some rows."""
         arrays = (self.low, self.high, self.middle, self.slope, self.outer, self.inner, self.good)

@@ -33,6 +33,7 @@ def test_the_root_is_in_its_tube_at_every_value(length: float) -> None:
         x = low + share * length
         for k, root in enumerate(_roots(x * unit)):
             assert abs(root - found.centre(x)[k]) <= found.inner[k]
+        assert np.allclose(found.guess(x), _roots(x * unit), atol=1e-5)
     ends = np.array(_roots((low + length) * unit))
     assert np.allclose(found.near[1], ends, atol=1e-4)
     assert np.allclose(found.speed[0], (ends - start) / length, rtol=0.3)
