@@ -8,6 +8,7 @@ import io
 import numpy as np
 
 from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
+from mpsolve.numbers.spoken import rounded
 from mpsolve.problem.over import Over
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, framed, frequency_text, growing, undecided, value_text
@@ -32,8 +33,10 @@ def _lines(found: FrequencyLines, asked: Asked) -> list[str]:
     (over,) = asked.overs
     lines = [lines_verdict(found)]
     for k, line in enumerate(found.lines, 1):
-        first, last = (_end(end, over, found.digits) for end in line.ends)
-        lines.append(f"  line {k}: {first or 'from the start of the range'} {last or 'to its end'}")
+        first, last = (
+            _end(end, over, found.digits, name) for end, name in zip(line.ends, ("start", "end"), strict=True)
+        )
+        lines.append(f"  line {k}: from {first} to {last}{_way(line, asked)}")
         for one in line.crossings:
             where = value_text(one.value, over, found.digits)
             way = "grows beyond it" if (one.direction or 0) > 0 else "decays beyond it"
@@ -49,14 +52,23 @@ def _growing(lines: tuple[FrequencyLine, ...]) -> str:
     return f"lines on which a vibration grows somewhere: {growing_lines}" if growing_lines else f"all: {growing(0)}"
 
 
-def _end(end: LineEnd, over: Over, digits: int) -> str:
-    where = "" if end.value is None else f"{over.path} = {value_text(end.value, over, digits)}"
+def _way(line: FrequencyLine, asked: Asked) -> str:
+    """The roots at its first and last point, in few figures."""
+    if not line.q:
+        return ""
+    unit = " rad/s" if asked.si else ""
+    each = (f"{rounded(q.real)} + {rounded(q.imag)}i{unit}" for q in (line.q[0], line.q[-1]))
+    return f"; q = {' … '.join(each)}".replace("+ -", "− ").replace("+ −", "− ")
+
+
+def _end(end: LineEnd, over: Over, digits: int, name: str) -> str:
+    where = "" if end.value is None else f" at {over.path} = {value_text(end.value, over, digits)}"
     said = {
-        "range": "",
-        "region": f"at the border of the region, {where},",
-        "collision": f"where it meets its mirror image, {where},",
-        "cut": f"at a branch cut, {where},",
-        "open": "as far as it is proved,",
+        "range": f"the {name} of the range",
+        "region": f"the border of the region{where}",
+        "collision": f"where it meets its mirror image{where}",
+        "cut": f"a branch cut{where}",
+        "open": "where it is followed no further",
     }
     return said[end.kind]
 

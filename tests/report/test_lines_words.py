@@ -19,7 +19,7 @@ def test_ends_and_crossings_are_said() -> None:
     found = frequency_lines(case, over=question.over, points=3, check=False)
     text = said_of_lines(found, question).text
     assert "Every root with Im q < 0.046875" in text
-    assert "at the border of the region, v = 0.96458664" in text
+    assert "to the border of the region at v = 0.96458664" in text
     assert "real at v = 0.99364593" in text
     assert "lines on which a vibration grows somewhere: 1" in text
 
