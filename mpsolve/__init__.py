@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
+    from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
+    from mpsolve.loci.lines import frequency_lines
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
@@ -45,9 +47,7 @@ if TYPE_CHECKING:
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
     from mpsolve.stability.limiting import limiting_mass
-    from mpsolve.stability.lines import frequency_lines
     from mpsolve.stability.masses import crossing_masses
-    from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vibration.forcing import Irregularity
@@ -112,7 +112,9 @@ __all__ = [
     "critical_distance",
     "cut_points",
     "frequency_lines",
-    "damping_sensitivity",
+    "FrequencyLines",
+    "FrequencyLine",
+    "LineEnd",
     "onset_table",
     "stability_chart",
     "Onset",
@@ -210,8 +212,10 @@ _HOME = {
     "limiting_mass": "stability.limiting",
     "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
-    "frequency_lines": "stability.lines",
-    "damping_sensitivity": "stability.sensitivity",
+    "frequency_lines": "loci.lines",
+    "FrequencyLines": "loci.answer",
+    "FrequencyLine": "loci.answer",
+    "LineEnd": "loci.answer",
     "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",

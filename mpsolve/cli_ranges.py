@@ -1,4 +1,4 @@
-"""The commands about stability over ranges of any parameters: onset, crossings, worst, robust, chart."""
+"""The commands about stability over ranges of any parameters: onset, crossings, lines, worst, robust, chart."""
 
 from __future__ import annotations
 
@@ -134,6 +134,40 @@ def crossings(
 
 @click.command()
 @_FILE
+@_over(False, _VELOCITIES)
+@click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced.")
+@_DIGITS
+@_EFFORT
+@_JSON
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Draw FILE.svg, or write FILE.csv or .json, with points."
+)
+def lines(
+    file: Path,
+    overs: tuple[str, ...],
+    points: int,
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+) -> None:
+    """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
+
+    Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.loci.lines import frequency_lines
+        from mpsolve.report.lines_words import said_of_lines
+
+        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        return said_of_lines(frequency_lines(question.given, over=question.over, points=points, **options), question)
+
+    answered(file, overs, answer, as_json, output, suffixes=(".svg", ".json", ".csv"))
+
+
+@click.command()
+@_FILE
 @_over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]")
 @_DIGITS
 @_EFFORT
@@ -241,4 +275,4 @@ def chart(
     answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
 
 
-COMMANDS = (onset, crossings, worst, robust, chart)
+COMMANDS = (onset, crossings, lines, worst, robust, chart)

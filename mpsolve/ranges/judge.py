@@ -99,7 +99,7 @@ class Judge:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
         one, other = np.meshgrid(_SHARES, _SHARES)
         shares = np.stack([one.ravel(), other.ravel()])
-        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
+        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
