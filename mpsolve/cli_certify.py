@@ -93,8 +93,7 @@ def _told(prove: Any) -> Spectrum:
     if found.reason is None:
         return found
     reason = replace(found.reason, remedy=on_command_line(found.reason.remedy))
-    sheet = None if found.sheet is None else replace(found.sheet, reason=str(reason), why=reason)
-    return replace(found, reason=reason, sheet=sheet)
+    return replace(found, reason=reason)
 
 
 def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_default: bool) -> None:

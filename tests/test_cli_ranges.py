@@ -211,3 +211,17 @@ def test_what_looks_like_a_mistake_is_told(tmp_path: Path) -> None:
     done = CliRunner().invoke(cli, ["robust", str(file), "--over", "v=0..1"])
     assert "Warning: track.EI is 6.4 N m²" in done.output
     assert 'write EI = "6.4 MN m²"' in done.output
+
+
+def test_worst_in_the_units_that_were_written(run: Run) -> None:
+    result = run("worst", RAIL, "--over", "gap[0]=1m..5m")
+    assert result.exit_code == 0
+    assert (
+        "STABLE: the least damped vibration decays most slowly at gap[0] = 4.815 m, inside the range."
+        in result.stdout
+    )
+    assert "halves in 14.61 s" in result.stdout
+    result = run("worst", PLAIN, "--json")  # from half to twice the distance
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["question"], data["answer"]["where"]) == (0, "worst", "inside")
+    assert data["ranges"]["gap[0]"]["high"]["decimal"] == "3"

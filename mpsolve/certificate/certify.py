@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.problem.cases import Given, as_paper, as_problem
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.line import line_height
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.regions import checked_region
+from mpsolve.spectrum.regions import Sheet, checked_region
+from mpsolve.vehicles.mass import Mass
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum
@@ -51,38 +54,45 @@ def certify(
         raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
     from mpsolve.certificate.solve import certify_problem, checked_digits  # what computes is loaded when it is needed
 
-    digits = checked_digits(digits)
-    paper = as_paper(problem)
-    wanted = _default(paper) if region is None else checked_region(region)
+    meant, digits = as_problem(problem), checked_digits(digits)
     options: dict[str, Any] = {"digits": digits, "effort": effort, "progress": progress, "check": check}
-    if isinstance(paper, Case) and wanted in ("sheet", "unstable") and not _rational(paper):
-        return _on_sheet(problem, paper, wanted, options)
-    found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
-    if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
-        other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
-        return replace(other, note=other.note or _SHEET) if other.proved else found
-    if paper is not None and _lossless(paper) and not found.proved and wanted in ("sheet", "unstable"):
-        other = _on_sheet(problem, paper, wanted, options)  # next to the critical velocity
-        return other if other.proved else found
-    if wanted is None and not found.proved:
-        other = certify(problem, region="unstable", **options)
-        return replace(other, note=other.note or _ABOVE) if other.proved else found
+
+    def answered(wanted: object) -> Spectrum:
+        return _about(problem, certify_problem(meant, region=wanted, **options))
+
+    if region is not None:
+        asked = checked_region(region)
+        found = answered(asked)
+        if asked == "unstable" and found.reason is not None and found.reason.code in ("root-on-line", "line"):
+            return _with_its_sheet(found, meant, answered)
+        return found
+    first = answered(_default(problem, meant))
+    if first.proved:
+        return first
+    for wanted, note in _NARROWER if isinstance(first.region, Sheet) else _NARROWER[1:]:
+        if wanted or line_height(meant.track):  # without damping there is nothing below a height
+            found = answered(wanted)
+            if found.proved:
+                return replace(found, note=found.note or note)
+    return first
+
+
+def _with_its_sheet(found: Spectrum, meant: Problem, answered: Callable[[object], Spectrum]) -> Spectrum:
+    """A root is too close to the real axis to be passed: the count of the whole sheet goes another way."""
+    from mpsolve.certificate.whole_sheet import unstable_part
+
+    if line_height(meant.track) and _masses_only(meant):
+        whole = answered("sheet")
+        if whole.proved:
+            return unstable_part(whole)
     return found
 
 
-def _lossless(paper: Case | PhysicalCase | None) -> bool:
-    """Whether nothing damps: then there is no other region than the sheet."""
-    return paper is not None and not (paper.eta_b if isinstance(paper, Case) else paper.c)
-
-
-_SHEET = "roots above the cuts, or next to them, are left out, as the count on the whole sheet stayed open"
-_ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
-
-
-def _on_sheet(given: Given, paper: Case | PhysicalCase, region: Any, options: dict[str, Any]) -> Spectrum:
-    from mpsolve.certificate.on_sheet import certify_on_sheet
-
-    return certify_on_sheet(given, paper, region, **options)
+_NARROWER = (
+    (None, "roots above the cuts, or next to them, are left out, as the count on the whole sheet stayed open"),
+    ("unstable", "roots above the real axis are left out, as the count of more than the half-plane stayed open"),
+)
+"""What is asked for instead where the default region stays open, and what is said then."""
 
 
 def _about(given: Given, found: Spectrum) -> Spectrum:
@@ -92,17 +102,14 @@ def _about(given: Given, found: Spectrum) -> Spectrum:
     return replace(found, problem=given, roots=tuple(replace(root, problem=given) for root in found.roots))
 
 
-def _default(paper: Case | PhysicalCase | None) -> str | None:
+def _default(given: Given, meant: Problem) -> str | None:
     """ "sheet" or None, where the general engine chooses."""
-    if paper is None:
+    height = line_height(meant.track)
+    if height is None or not _masses_only(meant):
         return None
-    case = paper if isinstance(paper, Case) else paper.dimensionless
-    if not case.cuts_on_line:
-        return None if _rational(case) or isinstance(paper, PhysicalCase) else "unstable"
-    few = len(set(case.positions)) <= FEW or not case.eta_b
-    return "sheet" if few or isinstance(paper, Case) else None
+    few = len({placed.position for placed in meant.vehicles}) <= FEW
+    return "sheet" if few or not height or isinstance(given, Case) else None
 
 
-def _rational(case: Case) -> bool:
-    ratios = (case.alpha, case.eta_b, case.eta_n, case.eta_s, *case.eta_m, *case.positions)
-    return all(x.is_rational for x in ratios)
+def _masses_only(meant: Problem) -> bool:
+    return all(isinstance(placed.vehicle, Mass) for placed in meant.vehicles)

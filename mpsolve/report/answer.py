@@ -18,9 +18,8 @@ from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.model.specs import label
 from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
-from mpsolve.report.data import physical_data
 from mpsolve.report.layout import certificate_text, columns_of, section
-from mpsolve.report.rows import beam_rows, ratio_rows
+from mpsolve.report.rows import beam_rows, physical_data, ratio_rows
 
 VERSION = 1
 PLACES = 8  # digits of the quantities that follow from the certified ones

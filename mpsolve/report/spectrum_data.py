@@ -14,7 +14,7 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, quantities
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
-from mpsolve.report.vibration import Trend, own_vibration
+from mpsolve.report.vibration import Trend, vibration
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle
 from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.waveguide import Track
@@ -136,7 +136,7 @@ def _value(value: Any, unit: str | None) -> Any:
 
 
 def _root(root: Root, digits: int) -> dict[str, Any]:
-    motion = own_vibration(root, digits)
+    motion = vibration(root, digits)
     with precision(working_bits(digits)):
         time = None if motion.time is None else _ball(motion.time, digits)
         return _complex(root.q, digits) | {

@@ -85,7 +85,6 @@ class Spectrum(Portable):
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
     note: why the region is not all that was asked for. closing: what proves that the count misses nothing.
     verified: what the standalone verifier has confirmed, in its own words.
-    sheet: the answer on the paper's beam that this one was made of, in dimensionless terms, or None.
     """
 
     problem: Given
@@ -104,7 +103,6 @@ class Spectrum(Portable):
     known: Mapping[str, Any] = field(default_factory=dict)
     certificate: Any = field(default=None, repr=False)
     cost: Cost = field(default_factory=lambda: Cost(0.0))
-    sheet: Any = field(default=None, repr=False)
 
     @property
     def proved(self) -> bool:

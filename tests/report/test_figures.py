@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import Case, PhysicalCase, frequency_lines
-from mpsolve.certificate.sheet import certify_sheet as certify
+from mpsolve import Case, PhysicalCase, certify, frequency_lines
 from mpsolve.errors import CertificateError, InputError
 from mpsolve.model.specs import ONE_MASS, Grid
 from mpsolve.motion.solve import response
@@ -103,26 +102,6 @@ def test_joined_cuts_have_no_branch_point() -> None:
     assert "branch-point-left" not in names
 
 
-def test_the_whole_contour_encloses_what_it_counts() -> None:
-    (ax,) = figure_of(lambda ax: figures_plane.whole_contour(SPECTRUM, ax)).axes
-    (circle,) = [line for line in ax.lines if line.get_gid() == "far-circle"]
-    z = np.array(circle.get_xdata()) + 1j * np.array(circle.get_ydata())
-    assert SPECTRUM.radius is not None
-    assert np.allclose(abs(z - 0.05j), SPECTRUM.radius)
-    turns = np.unwrap(np.angle(z[None, :] - np.array([[complex(root.q.mid())] for root in SPECTRUM.roots])))
-    assert np.allclose(turns[:, -1] - turns[:, 0], 2 * np.pi)
-
-
-def test_the_box_of_a_root_is_drawn_to_scale() -> None:
-    motion = MOTIONS[0]
-    (ax,) = figure_of(lambda ax: figures_plane.root_ball(motion, ax)).axes
-    (box,) = [patch for patch in ax.patches if patch.get_gid() == "ball"]
-    power = re.search(r"10\^\{(-\d+)\}", ax.get_xlabel())
-    assert power is not None
-    width = box.get_width() * 10.0 ** int(power[1])
-    assert abs(width - 2 * float(motion.root.q.real.rad())) < 1e-9 * width
-
-
 def test_the_zoom_tells_frequency_and_time() -> None:
     (ax,) = figure_of(lambda ax: figures_plane.roots_zoom(MOTIONS, False, ax)).axes
     texts = [text.get_text() for text in ax.texts]
@@ -198,8 +177,6 @@ def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
 DRAWN: dict[str, Callable[[Any, Any, Any], Any]] = {
     "plane": lambda ax, _motion, _lines: figures_plane.q_plane(SPECTRUM, ax, GREY),
     "zoom": lambda ax, _motion, _lines: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
-    "ball": lambda ax, _motion, _lines: figures_plane.root_ball(MOTIONS[0], ax, GREY),
-    "contour": lambda ax, _motion, _lines: figures_plane.whole_contour(SPECTRUM, ax, GREY),
     "frequency": lambda ax, _motion, lines: figures_lines.line_frequencies(lines, ax, SPECTRUM, None, GREY),
     "growth": lambda ax, _motion, lines: figures_lines.line_growth(lines, ax, SPECTRUM, None, GREY),
     "displacement": lambda ax, motion, _lines: figures_response.displacements(motion, ax, None, GREY),
@@ -252,7 +229,7 @@ def test_a_page_can_hold_several_figures_and_their_places_can_be_read_back(motio
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
 def test_files_are_the_same_each_time(kind: str, tmp_path: Path) -> None:
     def draw(ax: Any) -> Any:
-        return figures_plane.root_ball(MOTIONS[0], ax)
+        return figures_plane.roots_zoom(MOTIONS, True, ax)
 
     first, second = (save_figure(draw, tmp_path / f"{name}.{kind}").read_bytes() for name in "ab")
     assert first == second
