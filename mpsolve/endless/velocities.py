@@ -19,6 +19,7 @@ from mpsolve.endless.infinite_train import EVALUATIONS, InfiniteTrain, decide, l
 from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
@@ -32,7 +33,7 @@ _WIDTHS = (1e-4, 1e-3, 1e-2)  # of the proved bracket, relative, about, from the
 
 
 @dataclass(frozen=True)
-class TrainVelocities:
+class TrainVelocities(Result):
     """Where an endless row changes between the velocities `low` and `high`.
 
     calm: proved that no motion grows at `calm.problem.v`. grows: proved that one does at `grows.problem.v`, a little
@@ -50,14 +51,6 @@ class TrainVelocities:
     calm: InfiniteTrain | None = None
     grows: InfiniteTrain | None = None
     reason: Reason | None = None
-
-    @property
-    def proved(self) -> bool:
-        """Whether the bracket of the convective threshold is proved."""
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("train velocities have no truth value: ask for .proved")
 
 
 def train_velocities(
