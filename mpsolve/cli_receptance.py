@@ -30,7 +30,7 @@ def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | No
     """
     with one_sentence():
         from mpsolve.files import write_whole
-        from mpsolve.model.parameters import Case
+        from mpsolve.problem.case import Case
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.receptances import receptances
 

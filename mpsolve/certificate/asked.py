@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Literal
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.model import shown
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given
 from mpsolve.problem.line import line_height
 from mpsolve.problem.problem import Problem

@@ -6,8 +6,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort

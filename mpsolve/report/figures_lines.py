@@ -15,8 +15,9 @@ from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.fields import Float64
 from mpsolve.model.limits import limiting_frequency
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.report.figures import COLOUR, Look, scaling, velocity_axis
 from mpsolve.stability.lines import FrequencyLines
 
