@@ -9,7 +9,8 @@ if TYPE_CHECKING:
     from mpsolve.batch.result import Frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
-    from mpsolve.certificate.roots import real_roots, roots
+    from mpsolve.certificate.real_roots import real_roots
+    from mpsolve.certificate.roots import roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.endless.amplification import Amplification, amplification
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from mpsolve.ranges.robust import Robust, prove_stable
     from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
     from mpsolve.ranges.table import Table, stability_table
+    from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
@@ -102,6 +104,8 @@ __all__ = [
     "crossing_masses",
     "onset",
     "unstable_ranges",
+    "worst",
+    "Worst",
     "crossings",
     "prove_stable",
     "sensitivity",
@@ -220,6 +224,8 @@ _HOME = {
     "Sensitivity": "ranges.sensitivity",
     "Chart": "ranges.chart",
     "stability_table": "ranges.table",
+    "worst": "ranges.worst",
+    "Worst": "ranges.worst",
     "Table": "ranges.table",
     "Load": "vehicles.load",
     "response": "vibration.response",
@@ -246,7 +252,7 @@ _HOME = {
     "open_study": "studies.run",
     "Study": "studies.run",
     "roots": "certificate.roots",
-    "real_roots": "certificate.roots",
+    "real_roots": "certificate.real_roots",
     "Zeros": "zeros.answer",
     "Zero": "zeros.answer",
     "Disc": "zeros.regions",

@@ -56,9 +56,12 @@ def _by_default(
     """The answers over the default ranges in ascending order.
 
     defaults: "near"; "first", step by step up to the first range in which something grows, or that is undecided;
-    "chart", masses too, and the range that holds the file's own velocity.
+    "chart", masses too, and the range that holds the file's own velocity; "gap", the first distance of vehicles.
     """
-    from mpsolve.ranges.default import MASS_FACTORS, velocity_ranges
+    from mpsolve.ranges.default import MASS_FACTORS, gap_range, velocity_ranges
+
+    if defaults == "gap" and (gaps := gap_range(question.problem)) is not None:
+        return [_told(answer(question.by_itself({"gap[0]": gaps}), tell))]
 
     ranges = velocity_ranges(question.problem)
     if defaults == "chart":

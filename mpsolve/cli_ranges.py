@@ -1,4 +1,4 @@
-"""The commands about stability over ranges of any parameters of any problem: onset, crossings, robust, chart."""
+"""The commands about stability over ranges of any parameters: onset, crossings, worst, robust, chart."""
 
 from __future__ import annotations
 
@@ -103,6 +103,32 @@ def crossings(
 
 @click.command()
 @_FILE
+@_over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]")
+@_DIGITS
+@_EFFORT
+@_JSON
+@_OUTPUT
+def worst(
+    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+) -> None:
+    """Prove at which value of a parameter the problem in FILE (TOML) is least stable: at which distance, say.
+
+    That is where the vibration that grows fastest grows fastest, or, where none grows, the least damped one decays
+    most slowly: the global minimum of Im q over the range, its ends included. Exit status as for onset.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.ranges.worst import worst as prove
+        from mpsolve.report.worst_words import said_of_worst
+
+        found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
+        return said_of_worst(found, question)
+
+    answered(file, overs, answer, as_json, output, "gap")
+
+
+@click.command()
+@_FILE
 @_over(True, "At least one must be given.")
 @_EFFORT
 @_JSON
@@ -167,4 +193,4 @@ def chart(
     answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
 
 
-COMMANDS = (onset, crossings, robust, chart)
+COMMANDS = (onset, crossings, worst, robust, chart)

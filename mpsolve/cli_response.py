@@ -26,7 +26,7 @@ _END = click.option(
     help='The last time: τ of the paper, or "2 s"; in s for a file with [track].',
 )
 _POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="Times.")
-_SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
+_SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 
 @click.command()
@@ -76,7 +76,12 @@ def response(
         places = None if xi is None else [x.strip() for x in xi.split(",")]
         found = respond(source.case, source.loads, places, tau)
         scale = _scale(source)
-        _save(found, output, kind, source.title, scale)
+        if kind == ".json":
+            from mpsolve.motion.output import columns, save_json
+
+            save_json(columns(found, scale), output, source.title, _summary(found, scale))
+        else:
+            _save(found, output, kind, source.title, scale)
         click.echo("\n".join(_summary(found, scale)))
         click.echo(str(output))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
@@ -200,3 +201,27 @@ def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[objec
     assert result.stderr.startswith(f"mpsolve: {key}: ")
     assert result.stderr.count("\n") == 1
     assert said in result.stderr
+
+
+def test_what_looks_like_a_mistake_is_told(tmp_path: Path) -> None:
+    """EI a million off, where the question is about v; not km/h for m/s, as the file's own v plays no part."""
+    text = (Path(__file__).parents[1] / "examples/rail_60e1.toml").read_text("utf-8")
+    file = tmp_path / "rail.toml"
+    file.write_text(re.sub(r"EI = \S+", "EI = 6.4", text), "utf-8")
+    done = CliRunner().invoke(cli, ["robust", str(file), "--over", "v=0..1"])
+    assert "Warning: track.EI is 6.4 N m²" in done.output
+    assert 'write EI = "6.4 MN m²"' in done.output
+
+
+def test_worst_in_the_units_that_were_written(run: Run) -> None:
+    result = run("worst", RAIL, "--over", "gap[0]=1m..5m")
+    assert result.exit_code == 0
+    assert (
+        "STABLE: the least damped vibration decays most slowly at gap[0] = 4.815 m, inside the range."
+        in result.stdout
+    )
+    assert "halves in 14.61 s" in result.stdout
+    result = run("worst", PLAIN, "--json")  # from half to twice the distance
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["question"], data["answer"]["where"]) == (0, "worst", "inside")
+    assert data["ranges"]["gap[0]"]["high"]["decimal"] == "3"

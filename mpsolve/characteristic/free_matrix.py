@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
-from mpsolve.characteristic.circles import FreeReceptance, Receptances
+from mpsolve.characteristic.free_receptance import FreeReceptance, Receptances
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.quadratic import Quadratic, joined
 from mpsolve.problem.family import Family

@@ -12,7 +12,8 @@ from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.model import Model, Part, quantities
 from mpsolve.numbers.spoken import beside, rounded
-from mpsolve.page import figures
+from mpsolve.page import charts, figures
+from mpsolve.page.limit_words import limit_rows
 from mpsolve.page.parts import Parts
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
@@ -48,6 +49,8 @@ def page_html(parts: Parts, stem: str) -> str:
         sentence=rest[:1].upper() + rest[1:],
         mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
         cards=cards(parts),
+        limits=limit_rows(parts),
+        warnings=[str(one) for one in parts.spectrum.warnings],
         late=parts.late,
         drawing=figures.drawing(parts),
         tables=tables(parts),
@@ -60,7 +63,8 @@ def page_html(parts: Parts, stem: str) -> str:
         amplitudes=[] if shape is None else shape[1],
         lines=figures.lines(parts),
         lines_reason=parts.lines.reason,
-        chart=figures.chart(parts),
+        chart=charts.chart(parts),
+        chart_status=charts.chart_status(parts),
         chart_reason=parts.chart.reason,
         motion=figures.motion(parts),
         motion_reason=parts.response.reason,
@@ -83,6 +87,7 @@ def page_data(parts: Parts) -> dict[str, Any]:
         "version": 1,
         "spectrum": spectrum_data(parts.spectrum, parts.title),
         "cards": [vars(card) for card in cards(parts)],
+        "limits": [vars(row) for row in limit_rows(parts)],
         "late": list(parts.late),
     }
 
@@ -90,7 +95,7 @@ def page_data(parts: Parts) -> dict[str, Any]:
 def downloads(parts: Parts, stem: str) -> list[Download]:
     """The certificates that came with the answers."""
     out = []
-    answers = (("", "the induced frequencies", parts.spectrum), ("onset.", "the onset", parts.onset.value))
+    answers = (("", "the induced frequencies", parts.spectrum), ("onset.", "the onset", parts.reach.value))
     for kind, proves, answer in answers:
         certificate = getattr(answer, "certificate", None)
         if certificate is None:

@@ -26,6 +26,8 @@ from mpsolve.tracks.waveguide import Polynomial, moving
 _RATIO = 1.25  # of one X to the next that is tried
 _SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh
+_LESS, _MORE = 0.9, 1.1  # of κ and of C in what a checker is told
+_SHARE = 0.7  # of what is taken that must outweigh what is given, so that it does with those numbers
 _MARGIN = 1 + 2.0**-20  # of what is taken over what is given: for the rounding of the sums
 
 
@@ -47,6 +49,43 @@ def far(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> float | No
                 and chart.taken(envelope, parameters, X, gap, subject.power.alpha) > given * _MARGIN
             ):
                 return X
+        X *= _RATIO
+    return None
+
+
+@dataclass(frozen=True)
+class FarNumbers:
+    """What a checker needs for the tail theorem over the box from X on, with room; all scaled.
+
+    blocks: (z₁, z₂, κ), q^e W/|D|² ≥ κ at p = z q^γ. constant: C with |W|/|D|² ≤ C p^−α for p ≥ X/(greatest velocity).
+    """
+
+    X: float
+    gamma: Fraction
+    e: Fraction
+    alpha: int
+    blocks: tuple[tuple[float, float, float], ...]
+    constant: float
+
+
+def far_numbers(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> FarNumbers | None:
+    """The theorem with numbers from which something is taken off, at the least X found; None where there is none."""
+    subject = envelope.subject
+    low, high = np.array([envelope.low]), np.array([envelope.high])
+    parameters = [f.take(0) for f in subject.parameters(low, high)]
+    gap = least_gap(subject, low, high)
+    if envelope.fastest <= 0 or subject.power.alpha <= 1 or (gap is not None and not gap > 0):
+        return None
+    charts = [_Chart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
+    X = least
+    while X <= most:  # noqa: SIM300 — X is no constant
+        given = _given(envelope, X, gap)
+        for chart in charts:
+            taken = chart.taken(envelope, parameters, X, gap, subject.power.alpha)
+            if np.isfinite(given) and taken * _SHARE > given:
+                blocks = tuple((a, b, kappa * _LESS) for a, b, kappa in chart.blocks(envelope, parameters, X, gap))
+                C = float(envelope.constants(np.array([X / envelope.fastest / UP]))[0])
+                return FarNumbers(X, chart.gamma, chart.e, subject.power.alpha, blocks, C * _MORE)
         X *= _RATIO
     return None
 
@@ -122,11 +161,16 @@ class _Chart:
         if not alpha - 1 >= self.e - self.gamma:
             return 0.0
         growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
-        z = self._ends(envelope, X, growth)
-        least = self._least(envelope, parameters, z, X)
-        blocks = best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
+        blocks = self.blocks(envelope, parameters, X, gap)
         total = sum(max((z2 - z1) * growth - sieve, 0.0) * kappa for z1, z2, kappa in blocks)
         return float(total * X ** -float(self.e) / _MARGIN)
+
+    def blocks(self, envelope: Envelope, parameters: list[Affine], X: float, gap: float | None) -> Any:
+        """Intervals of z with a lower bound κ of what they take."""
+        growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
+        z = self._ends(envelope, X, growth)
+        least = self._least(envelope, parameters, z, X)
+        return best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
 
     def _ends(self, envelope: Envelope, X: float, growth: float) -> Any:
         middle = (np.array([envelope.low]) + np.array([envelope.high])) / 2

@@ -40,7 +40,7 @@ def text_of(file: Path) -> str:
 
 def _bytes(file: Path) -> bytes:
     if str(file) == "-":
-        return _short_enough(sys.stdin.buffer.read(MAX_BYTES + 1), file)
+        return _short_enough(_standard_input(), file)
     if not file.is_file():
         state = "does not exist"
         if file.exists():
@@ -48,6 +48,17 @@ def _bytes(file: Path) -> bytes:
         raise InputError(str(file), f"{state}: give the path of a TOML file")
     with file.open("rb") as stream:
         return _short_enough(stream.read(MAX_BYTES + 1), file)
+
+
+def _standard_input() -> bytes:
+    """What stands there, as often as it is asked for: a command may look twice at what kind of file it is."""
+    stream = sys.stdin.buffer
+    if not _seen or _seen[0] is not stream:
+        _seen[:] = [stream, stream.read(MAX_BYTES + 1)]
+    return bytes(_seen[1])
+
+
+_seen: list[Any] = []
 
 
 def _short_enough(content: bytes, file: Path) -> bytes:

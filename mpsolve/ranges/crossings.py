@@ -112,7 +112,7 @@ def find(
         return Crossings(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
-    search = _Search(scope, digits)
+    search = Search(scope, digits)
     cover = search.cover(budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
@@ -141,7 +141,7 @@ def find(
 
 
 @dataclass
-class _Search:
+class Search:
     """The cover of a scope with one parameter; zeros that it meets are enclosed on the way."""
 
     scope: Scope
@@ -149,7 +149,7 @@ class _Search:
 
     def __post_init__(self) -> None:
         self.judge: Judge = self.scope.judge()
-        self.judge.found = self._enclose
+        self.judge.found = self.enclose
         self.found: list[Scaled] = []
         self._failed: list[Any] = []
 
@@ -157,7 +157,7 @@ class _Search:
         low, high = self.scope.corners
         return subdivide(low, high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
 
-    def _enclose(self, point: Any) -> bool:
+    def enclose(self, point: Any) -> bool:
         """Enclose the zero near a float point; True where it was."""
         size = 2 * self.judge.width * 2.0**-6
         if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):

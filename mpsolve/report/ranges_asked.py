@@ -12,6 +12,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over, parse_overs
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.warned import warned
 
 _NO_END = "has no upper end: give one, such as {path}=0..{example}, for a range without an end is not proved"
 
@@ -38,9 +39,11 @@ class Asked:
 
     @property
     def warnings(self) -> tuple[Reason, ...]:
-        """Of each range that does not hold the file's own value."""
-        found = (one.outside(self.problem) for one in self.overs)
-        return tuple(reason for reason in found if reason is not None)
+        """What looks like a mistake in the problem, and each given range that does not hold the file's own value."""
+        free = {one.path for one in self.overs}
+        own = [reason for reason in warned(self.given) if not free & reason.numbers.keys()]
+        found = () if self.by_default else (one.outside(self.problem) for one in self.overs)
+        return (*own, *(reason for reason in found if reason is not None))
 
     @property
     def ranges(self) -> str:

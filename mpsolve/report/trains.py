@@ -44,6 +44,8 @@ def train_json(title: str, found: InfiniteTrain, ratios: Amplification | None, c
         q = found.motion.q
         motion = {"q": q.str(15), "kappa_d": found.motion.theta}
     content: dict[str, Any] = {
+        "format": "mpsolve train",
+        "version": 1,
         "title": title,
         "velocity": str(found.problem.v),
         "spacing": found.spacing,
