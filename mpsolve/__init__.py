@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
     from mpsolve.loci.lines import frequency_lines
-    from mpsolve.model.inputfile import read_case
-    from mpsolve.model.load import Load
-    from mpsolve.model.parameters import Case, Mass, PhysicalCase
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
     from mpsolve.motion.solve import harmonic_solution
@@ -33,7 +30,10 @@ if TYPE_CHECKING:
     from mpsolve.passivity.answer import PassivityVelocity
     from mpsolve.passivity.band import PassivityBand, passivity_band
     from mpsolve.passivity.velocity import passivity_velocity
+    from mpsolve.problem.case import Case
+    from mpsolve.problem.casefile import read_case
     from mpsolve.problem.inputfile import read_problem
+    from mpsolve.problem.physical import Mass, PhysicalCase
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
     from mpsolve.ranges.chart import Chart, stability_chart
@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from mpsolve.stability.masses import crossing_masses
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.vehicles.load import Load
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -172,11 +173,11 @@ _HOME = {
     "tracks": "tracks",
     "vehicles": "vehicles",
     "read_problem": "problem.inputfile",
-    "Case": "model.parameters",
-    "PhysicalCase": "model.parameters",
-    "Mass": "model.parameters",
+    "Case": "problem.case",
+    "PhysicalCase": "problem.physical",
+    "Mass": "problem.physical",
     "Exact": "numbers.exact",
-    "read_case": "model.inputfile",
+    "read_case": "problem.casefile",
     "receptance": "characteristic.forced",
     "dispersion": "waves.dispersion",
     "critical_velocities": "waves.critical",
@@ -230,7 +231,7 @@ _HOME = {
     "worst": "ranges.worst",
     "Worst": "ranges.worst",
     "Table": "ranges.table",
-    "Load": "model.load",
+    "Load": "vehicles.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
