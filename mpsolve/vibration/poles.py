@@ -48,7 +48,7 @@ class Poles:
 def certified(image: Image, spectrum: Spectrum) -> Poles:
     """The roots of a certified spectrum of the same problem."""
     rate = image.rate
-    cut = _cut(image)
+    cut = lowest(image)
     region = spectrum.region
     floor = 0.0
     if isinstance(region, Below):
@@ -68,7 +68,7 @@ def searched(problem: Problem) -> Poles:
     """The roots that Newton's method finds, as many as the argument of Δ counts."""
     image = Image(problem, ())
     reduced = reduce_problem(problem)
-    cut = _cut(image)
+    cut = lowest(image)
     floor = _SHARE * cut if cut else _AXIS
     reach = _REACH * max(1.0, natural(image))
     count, path = count_zeros(image, floor, reach)
@@ -99,7 +99,8 @@ def natural(image: Image) -> float:
     return highest / image.rate
 
 
-def _cut(image: Image) -> float:
+def lowest(image: Image) -> float:
+    """Re σ of the lowest cut, scaled: none lies to the right."""
     return -float(lowest_cut(image.problem.track)[0]) / image.rate
 
 
