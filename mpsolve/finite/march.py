@@ -16,8 +16,10 @@ import numpy as np
 from mpsolve.finite.carriage import Carriage
 from mpsolve.finite.coupling import VehicleTables, vehicle_tables
 from mpsolve.finite.exponentials import Exponentials
+from mpsolve.finite.rough import rough_rates
 from mpsolve.motion.wave_tables import wave_tables
 from mpsolve.vehicles.loads import Outer
+from mpsolve.vibration.forcing import Irregularity
 
 _TESTED = np.array([[1 / 2, -1 / 2], [1 / 6, 0]])
 """∫φ_a of the integral of the linear function whose tests with φ_b are given."""
@@ -31,7 +33,7 @@ class Setting:
 
     contacts (n,): places in the moving frame; points (p,): the places watched; origin: of the moving frame at t = 0,
     from the left support; velocity, duration. steady: constant loads have acted for ever. unilateral: contacts, which
-    all have a compliance, push only.
+    all have a compliance, push only. rough: irregularities, none or one for each contact.
     """
 
     track: Exponentials
@@ -45,6 +47,7 @@ class Setting:
     duration: float
     steady: bool = False
     unilateral: bool = False
+    rough: tuple[Irregularity, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -76,8 +79,9 @@ def march(setting: Setting, steps: int) -> Motion:
         contacts.compression = setting.vehicle.H @ held.force
         deflection[0] = rail.read()
     states[0] = X
+    rough = rough_rates(setting.rough, n, h, steps)
     for step in range(steps):
-        f = contacts.forces(rail.history(), rail.gain(), X)
+        f = contacts.forces(rail.history() - rough[step], rail.gain(), X)
         X = vehicle.advance @ X + np.einsum("nlj,jl->n", vehicle.entry, f)
         rail.advance(f)
         states[step + 1], forces[step] = X, f
