@@ -18,6 +18,7 @@ from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.panels import legs, panels
 from mpsolve.vibration.balls.path import Path, prove_strip
 from mpsolve.vibration.poles import lowest, natural
+from mpsolve.vibration.rooms import room
 
 _STEEP, _SPAN = 1.0, 0.25
 """δ at most, and times the distance of the first from the last contact."""
@@ -140,10 +141,9 @@ class Work:
             self.said("residues", k / len(roots))
             others = [z for z in self.poles if z is not root] + self.loaded
             middle = complex(root.mid())
-            room = middle.real - lowest(self.image.image)
-            if not room > 0:
-                raise PrecisionError("a root may lie on a cut: give the track damping")
-            radius = radius_round(middle, [complex(z.mid()) for z in others], room, float(max(self.at, key=float)))
+            clear = middle.real - lowest(self.image.image)
+            clear = clear if clear > 0 else room(self.image.image, middle)
+            radius = radius_round(middle, [complex(z.mid()) for z in others], clear, float(max(self.at, key=float)))
             bits = ceil((self.digits + 3) * log(10) / log(2))
             rows = residues(self.image, root, others, radius, self.at, bits, self.effort)
             total = total + np.array([[x.real for x in row] for row in rows], object).reshape(self.empty.shape)
