@@ -127,7 +127,7 @@ def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], 
 
 def compare(source: ProblemFile, output: Path, kind: str, times: Any) -> None:
     """Writes the comparison and says how far the curves are apart."""
-    from mpsolve.motion.output import save_columns
+    from mpsolve.files import save_columns
 
     whole, found, notes = curves(source, times)
     if kind == ".csv":

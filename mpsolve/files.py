@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from mpsolve.errors import CertificateError, InputError
 
@@ -54,3 +56,12 @@ def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
     if suffix not in allowed:
         raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
     return suffix
+
+
+def save_columns(table: Mapping[str, Any], path: Path) -> Path:
+    """CSV, each number with all its digits; CertificateError if it cannot be written."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(table)
+    writer.writerows([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
+    return write_whole(path, stream.getvalue())

@@ -13,8 +13,8 @@ from mpsolve.finite.carriage import Carriage, carriage
 from mpsolve.finite.discretization import discretized
 from mpsolve.finite.exponentials import exponentials
 from mpsolve.finite.march import Motion, Setting, march
-from mpsolve.motion.beam_figures import hermite
-from mpsolve.motion.grid import float_list
+from mpsolve.numbers.float_list import float_list
+from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.at_rest import Status, at_rest

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 import io
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -40,15 +38,6 @@ def time_columns(tau: Any, scale: Scale) -> dict[str, Any]:
 def named(name: str, unit: str, scale: Scale) -> str:
     """The name of a column with its unit, if it has one."""
     return f"{name} [{unit}]" if scale.physical else name
-
-
-def save_columns(table: Mapping[str, Any], path: Path) -> Path:
-    """CSV, each number with all its digits; CertificateError if it cannot be written."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(table)
-    writer.writerows([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
-    return write_whole(path, stream.getvalue())
 
 
 def save_arrays(found: Response, path: Path, scale: Scale) -> Path:

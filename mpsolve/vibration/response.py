@@ -10,8 +10,8 @@ import numpy as np
 
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.motion.grid import float_list
 from mpsolve.motion.solve import response as motion_of_case
+from mpsolve.numbers.float_list import float_list
 from mpsolve.numbers.model import rational
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
