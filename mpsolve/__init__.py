@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
+    from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -134,6 +135,8 @@ __all__ = [
     "Vibration",
     "response_mp",
     "PreciseVibration",
+    "response_balls",
+    "ProvedVibration",
     "Irregularity",
     "rail_roughness",
     "out_of_round",
@@ -236,6 +239,8 @@ _HOME = {
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
     "PreciseVibration": "vibration.precise",
+    "response_balls": "vibration.balls.enclosure",
+    "ProvedVibration": "vibration.balls.enclosure",
     "Irregularity": "vibration.forcing",
     "rail_roughness": "vibration.roughness",
     "out_of_round": "vibration.roughness",
