@@ -113,15 +113,22 @@ def _certify(path: Path, said: list[Said], quiet: bool) -> None:
 
 def _write(output: Path, said: list[Said]) -> None:
     from mpsolve.files import write_whole
+    from mpsolve.report.lines_words import lines_csv
     from mpsolve.report.ranges_files import cells_csv, rows_csv
 
-    suffix = output.suffix.lower()
+    suffix, name = output.suffix.lower(), said[0].name
     drawn: Any = said[0].answer
     if suffix == ".svg":
-        from mpsolve.pictures.proved_chart import proved_chart
-
-        write_whole(output, proved_chart(drawn, said[0].asked))
+        write_whole(output, _picture(name)(drawn, said[0].asked))
     elif suffix == ".csv":
-        write_whole(output, cells_csv(drawn, said[0].asked) if said[0].name == "chart" else rows_csv(said))
+        tables: dict[str, Any] = {"chart": cells_csv, "lines": lines_csv}
+        write_whole(output, tables[name](drawn, said[0].asked) if name in tables else rows_csv(said))
     else:
         write_whole(output, json.dumps(_data(said), ensure_ascii=False, indent=1) + "\n")
+
+
+def _picture(name: str) -> Callable[[Any, Asked], str]:
+    from mpsolve.pictures.loci import loci_picture
+    from mpsolve.pictures.proved_chart import proved_chart
+
+    return loci_picture if name == "lines" else proved_chart

@@ -1,4 +1,4 @@
-"""The commands about stability over ranges of any parameters: onset, crossings, worst, robust, chart."""
+"""The commands about stability over ranges of any parameters: onset, crossings, lines, worst, robust, chart."""
 
 from __future__ import annotations
 
@@ -48,6 +48,13 @@ _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity 
 @click.option(
     "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
 )
+@click.option(
+    "--worst",
+    "worsts",
+    multiple=True,
+    metavar="RANGE",
+    help="A second parameter and its range, such as gap[0]=1m..2m: the onset at its worst value.",
+)
 @_DIGITS
 @_EFFORT
 @_JSON
@@ -57,6 +64,7 @@ def onset(
     file: Path,
     overs: tuple[str, ...],
     everything: bool,
+    worsts: tuple[str, ...],
     digits: int,
     effort: float | None,
     as_json: bool,
@@ -76,11 +84,20 @@ def onset(
         from mpsolve.report import ranges_words as words
 
         options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        if worsts:
+            from mpsolve.report.worst_words import said_of_onset_at_worst
+
+            second = question.second(worsts)
+            found = prove(question.given, over=question.over, worst=second.over, **options)
+            return said_of_onset_at_worst(found, question, second)
         if everything:
             return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
-    answered(file, overs, answer, as_json, output, "near" if everything else "first", certificate=certificate)
+    with one_sentence():
+        _only_one(worsts, everything)
+    default = "near" if everything or worsts else "first"
+    answered(file, overs, answer, as_json, output, default, certificate=certificate)
 
 
 @click.command()
@@ -113,6 +130,40 @@ def crossings(
         return words.said_of_crossings(found, question)
 
     answered(file, overs, answer, as_json, output, certificate=certificate)
+
+
+@click.command()
+@_FILE
+@_over(False, _VELOCITIES)
+@click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced.")
+@_DIGITS
+@_EFFORT
+@_JSON
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Draw FILE.svg, or write FILE.csv or .json, with points."
+)
+def lines(
+    file: Path,
+    overs: tuple[str, ...],
+    points: int,
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+) -> None:
+    """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
+
+    Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.loci.lines import frequency_lines
+        from mpsolve.report.lines_words import said_of_lines
+
+        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        return said_of_lines(frequency_lines(question.given, over=question.over, points=points, **options), question)
+
+    answered(file, overs, answer, as_json, output, suffixes=(".svg", ".json", ".csv"))
 
 
 @click.command()
@@ -174,6 +225,15 @@ def robust(
     answered(file, overs, answer, as_json, output, certificate=certificate)
 
 
+def _only_one(worsts: tuple[str, ...], everything: bool) -> None:
+    from mpsolve.errors import InputError
+
+    if len(worsts) > 1:
+        raise InputError("--worst", "is given more than once: name one parameter")
+    if worsts and everything:
+        raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
+
+
 def _required(overs: tuple[str, ...]) -> None:
     from mpsolve.errors import InputError
 
@@ -215,4 +275,4 @@ def chart(
     answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
 
 
-COMMANDS = (onset, crossings, worst, robust, chart)
+COMMANDS = (onset, crossings, lines, worst, robust, chart)

@@ -18,7 +18,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     """The answer in plain values.
 
     format, version   "mpsolve ranges", 1; a version adds no meaning to a key that is there
-    question          "onset", "unstable_ranges", "crossings", "worst", "robust" or "chart"
+    question          "onset", "unstable_ranges", "crossings", "lines", "worst", "robust" or "chart"
     title, verdict    the title of the file, or "", and one sentence
     ranges            for each path {"low", "high", "own": {"exact", "decimal"}, "unit"}, in the model's units; own is
                       the file's value
