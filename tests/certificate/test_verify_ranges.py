@@ -153,8 +153,8 @@ def _less_given(c: dict[str, Any]) -> None:
     "change",
     [
         _drop_crossing, _drop_from_claim, _turn, _raise_counts, _cut_tree, _merge_leaves, _known_elsewhere,
-        _longer_range, _end_at_crossing, _shorter_range, _other_mass, _other_track, _negative_damping, _other_base, _moved_ball,
-        _smaller_room, _lower_X, _lower_Q, _more_taken, _less_given,
+        _longer_range, _end_at_crossing, _shorter_range, _other_mass, _other_track, _negative_damping,
+        _other_base, _moved_ball, _smaller_room, _lower_X, _lower_Q, _more_taken, _less_given,
     ],
 )  # fmt: skip
 def test_a_changed_file_is_refused(content: dict[str, Any], change: Change) -> None:
