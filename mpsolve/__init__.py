@@ -43,8 +43,6 @@ if TYPE_CHECKING:
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
-    from mpsolve.stability.distance import critical_distance
-    from mpsolve.stability.limiting import limiting_mass
     from mpsolve.stability.lines import frequency_lines
     from mpsolve.stability.masses import crossing_masses
     from mpsolve.stability.sensitivity import damping_sensitivity
@@ -108,8 +106,6 @@ __all__ = [
     "crossings",
     "prove_stable",
     "sensitivity",
-    "limiting_mass",
-    "critical_distance",
     "cut_points",
     "frequency_lines",
     "damping_sensitivity",
@@ -207,8 +203,6 @@ _HOME = {
     "crossings": "ranges.crossings",
     "prove_stable": "ranges.robust",
     "sensitivity": "ranges.sensitivity",
-    "limiting_mass": "stability.limiting",
-    "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
     "frequency_lines": "stability.lines",
     "damping_sensitivity": "stability.sensitivity",
