@@ -1,4 +1,4 @@
-"""The commands about stability over ranges of any parameters: onset, crossings, worst, robust, chart."""
+"""The commands about stability over ranges of any parameters: onset, crossings, lines, worst, robust, chart."""
 
 from __future__ import annotations
 
@@ -22,6 +22,11 @@ _EFFORT = click.option("--effort", type=float, metavar="SECONDS", help="Processo
 _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 _OUTPUT = click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
+)
+_CERTIFICATE = click.option(
+    "--certificate",
+    type=click.Path(path_type=Path),
+    help="Write the certificate as FILE.json, for `mpsolve verify`; FILE-2.json, … for further ranges.",
 )
 
 
@@ -54,6 +59,7 @@ _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity 
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def onset(
     file: Path,
     overs: tuple[str, ...],
@@ -63,6 +69,7 @@ def onset(
     effort: float | None,
     as_json: bool,
     output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
 
@@ -89,7 +96,8 @@ def onset(
 
     with one_sentence():
         _only_one(worsts, everything)
-    answered(file, overs, answer, as_json, output, "near" if everything or worsts else "first")
+    default = "near" if everything or worsts else "first"
+    answered(file, overs, answer, as_json, output, default, certificate=certificate)
 
 
 @click.command()
@@ -99,8 +107,15 @@ def onset(
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def crossings(
-    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+    file: Path,
+    overs: tuple[str, ...],
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
@@ -114,7 +129,41 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
+
+
+@click.command()
+@_FILE
+@_over(False, _VELOCITIES)
+@click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced.")
+@_DIGITS
+@_EFFORT
+@_JSON
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Draw FILE.svg, or write FILE.csv or .json, with points."
+)
+def lines(
+    file: Path,
+    overs: tuple[str, ...],
+    points: int,
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+) -> None:
+    """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
+
+    Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.loci.lines import frequency_lines
+        from mpsolve.report.lines_words import said_of_lines
+
+        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        return said_of_lines(frequency_lines(question.given, over=question.over, points=points, **options), question)
+
+    answered(file, overs, answer, as_json, output, suffixes=(".svg", ".json", ".csv"))
 
 
 @click.command()
@@ -149,7 +198,15 @@ def worst(
 @_EFFORT
 @_JSON
 @_OUTPUT
-def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bool, output: Path | None) -> None:
+@_CERTIFICATE
+def robust(
+    file: Path,
+    overs: tuple[str, ...],
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
+) -> None:
     """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
 
     Or find a certified counterexample, or list the parts of the ranges that stay open. Exit status 0: proved stable,
@@ -165,7 +222,7 @@ def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bo
 
     with one_sentence():
         _required(overs)
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
 
 
 def _only_one(worsts: tuple[str, ...], everything: bool) -> None:
@@ -218,4 +275,4 @@ def chart(
     answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
 
 
-COMMANDS = (onset, crossings, worst, robust, chart)
+COMMANDS = (onset, crossings, lines, worst, robust, chart)

@@ -22,6 +22,9 @@ from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
 
+SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
+"""What an answer has from the crossings that it is read from: their certificate is its own."""
+
 
 class Kind(Enum):
     """How stability ends in a range."""
@@ -113,7 +116,7 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
 
 
@@ -138,7 +141,7 @@ def onset(
             at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
         )
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     answer = Onset(problem, found.over, digits=found.digits, **common)
     if found.counts is None:
         return answer

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from mpsolve import Case, InputError, Mass, PhysicalCase
-from mpsolve.model.load import Load, loads_of
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.load import loads_of
+from mpsolve.vehicles.load import Load
 
 CASE = Case(alpha="0.5", eta_b="0.1", eta_m=(70, 70), positions=(0, 1))
 

@@ -15,8 +15,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, Mass, PhysicalCase
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import Mass, PhysicalCase
 
 above_zero = st.fractions(min_value=Fraction(1, 1000), max_value=1000, max_denominator=1000)
 at_least_zero = st.one_of(st.just(Fraction(0)), above_zero)

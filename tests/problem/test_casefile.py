@@ -12,10 +12,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from mpsolve.errors import InputError
-from mpsolve.model.inputfile import read_case, read_input
-from mpsolve.model.load import Load
-from mpsolve.model.parameters import Case, Mass, PhysicalCase
-from mpsolve.model.toml import MAX_BYTES
+from mpsolve.problem.case import Case
+from mpsolve.problem.casefile import read_case, read_input
+from mpsolve.problem.physical import Mass, PhysicalCase
+from mpsolve.problem.toml import MAX_BYTES
+from mpsolve.vehicles.load import Load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -9,11 +9,10 @@ import pytest
 import sympy as sp
 from sympy import I, exp, pi
 
-from mpsolve.errors import InputError
-from mpsolve.model import residues as rs
-from mpsolve.model.derivation import Step, characteristic, derivation, dispersion, kernel_resolvent, render
-from mpsolve.model.residues import K, alpha, beta, p, q, r, xi
-from mpsolve.model.steps import (
+from mpsolve.derivation import paper_residues as rs
+from mpsolve.derivation.paper import Step, characteristic, derivation, dispersion, kernel_resolvent, render
+from mpsolve.derivation.paper_residues import K, alpha, beta, p, q, r, xi
+from mpsolve.derivation.paper_steps import (
     EI,
     N,
     P,
@@ -46,6 +45,7 @@ from mpsolve.model.steps import (
     what,
     x,
 )
+from mpsolve.errors import InputError
 
 MASSES = pytest.mark.parametrize("masses", [1, 2, 3])
 delta = sp.DiracDelta

@@ -18,11 +18,11 @@ from typing import Any
 
 import sympy as sp
 
+from mpsolve.derivation import paper_residues as rs
+from mpsolve.derivation import paper_steps as st
+from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
+from mpsolve.derivation.paper_steps import Step, eta_b, eta_N, eta_S, positions
 from mpsolve.errors import InputError
-from mpsolve.model import residues as rs
-from mpsolve.model import steps as st
-from mpsolve.model.residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
-from mpsolve.model.steps import Step, eta_b, eta_N, eta_S, positions
 
 __all__ = ["Step", "Formula", "derivation", "render", "dispersion", "characteristic", "kernel_resolvent"]
 

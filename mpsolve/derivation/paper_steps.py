@@ -13,8 +13,8 @@ from functools import lru_cache
 
 import sympy as sp
 
-from mpsolve.model import residues as rs
-from mpsolve.model.residues import Expr, I, K, alpha, p, q, xi
+from mpsolve.derivation import paper_residues as rs
+from mpsolve.derivation.paper_residues import Expr, I, K, alpha, p, q, xi
 
 
 @dataclass(frozen=True)
