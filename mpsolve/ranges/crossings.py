@@ -9,10 +9,7 @@ from itertools import pairwise
 from time import process_time
 from typing import Any
 
-import numpy as np
-
 from mpsolve.certificate.solve import certify_problem, checked_digits
-from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.packed import Portable
 from mpsolve.outcome import Reason, Status
@@ -21,13 +18,10 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
-from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
-from mpsolve.ranges.enclosed import enclose
-from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.ranges.search import Search
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -139,68 +133,6 @@ def find(
         known = {"crossings": len(inside)}
         return Crossings(problem, over, Status.UNDECIDED, reason, known, proofs, cost, **common)
     return Crossings(problem, over, Status.UNVERIFIED, proofs=proofs, cost=cost, counts=counts, **common)
-
-
-@dataclass
-class Search:
-    """The cover of a scope with one parameter; zeros that it meets are enclosed on the way.
-
-    side: the edge and the corners in (y, x̂) between which it is looked at, in place of the real axis.
-    """
-
-    scope: Scope
-    digits: int
-    side: tuple[Edge, Any, Any] | None = None
-
-    def __post_init__(self) -> None:
-        self.edge, self.low, self.high = self.side or (REAL_AXIS, *self.scope.corners)
-        self.judge: Judge = self._judge()
-        self.judge.found = self.enclose
-        self.found: list[Scaled] = []
-        self._failed: list[Any] = []
-
-    def cover(self, budget: Effort, progress: Progress) -> Covered:
-        """Of all between the corners."""
-        return subdivide(self.low, self.high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
-
-    def _judge(self) -> Judge:
-        if self.edge == REAL_AXIS:
-            return self.scope.judge()
-        width = (self.high - self.low) / 2
-        return Judge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
-
-    def enclose(self, point: Any) -> bool:
-        """Enclose the zero near a float point; True where it was."""
-        size = 2 * self.judge.width * 2.0**-6
-        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
-            return False
-        if self.edge.mirrored:
-            near = abs(point[0]) < 1e-6 * self.judge.width[0]
-            point = np.array([0.0 if near else abs(point[0]), point[1]])
-        seed = float(point[0]), float(point[1])
-        try:
-            with precision(80):
-                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, self.edge)
-            at = np.array([float(zero.q.mid()), float(zero.x.mid())])
-            if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
-                return True
-            room = self.judge.room(at, size * 4)
-        except PrecisionError:
-            self._failed.append(point)
-            return False
-        if room is None or not _holds(room, zero):
-            self._failed.append(point)
-            return False
-        self.judge.known.append(room)
-        self.found.append(zero)
-        return True
-
-
-def _holds(room: tuple[Any, Any], zero: Scaled) -> bool:
-    return all(
-        bool(ball > low) and bool(ball < high)
-        for ball, low, high in zip((zero.q, zero.x), room[0].tolist(), room[1].tolist(), strict=True)
-    )
 
 
 def _in_units(one: Scaled, scope: Scope) -> Crossing:
