@@ -27,6 +27,7 @@ def answered(
     output: Path | None,
     defaults: str = "near",
     suffixes: tuple[str, ...] = (".json", ".csv"),
+    certificate: Path | None = None,
 ) -> None:
     """Reads, answers, reports, writes and exits. defaults: the ranges where none is given."""
     with one_sentence():
@@ -37,6 +38,8 @@ def answered(
         source = read_source(file)
         if output is not None:
             checked_suffix(checked_output(output, file, "the answer"), suffixes)
+        if certificate is not None:
+            checked_suffix(checked_output(certificate, file, "the certificate"), (".json",))
         question = asked(source.given, source.title, overs)
         with progress() as tell:
             said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
@@ -44,6 +47,8 @@ def answered(
             click.echo(json.dumps(_data(said), ensure_ascii=False, indent=1))
         else:
             click.echo("\n".join(one.text for one in said), nl=False)
+        if certificate is not None:
+            _certify(certificate, said, as_json)
         if output is not None:
             _write(output, said)
             click.echo(str(output), err=as_json)
@@ -90,6 +95,20 @@ def _data(said: list[Said]) -> dict[str, Any]:
 
     each = [ranges_data(one.name, one.verdict, one.answer, one.asked) for one in said]
     return each[0] if len(each) == 1 else parts_data(each)
+
+
+def _certify(path: Path, said: list[Said], quiet: bool) -> None:
+    """Writes the certificate of each answer: FILE, then FILE-2, … where an answer falls into several ranges."""
+    from mpsolve.errors import CertificateError
+
+    for number, one in enumerate(said, 1):
+        found: Any = one.answer
+        if found.certificate is None:
+            why = found.note or "it is not proved"
+            raise CertificateError(f"no certificate is written: {why}")
+        to = path if number == 1 else path.with_name(f"{path.stem}-{number}{path.suffix}")
+        found.certificate.save(to)
+        click.echo(str(to), err=quiet)
 
 
 def _write(output: Path, said: list[Said]) -> None:

@@ -237,3 +237,12 @@ def test_worst_in_the_units_that_were_written(run: Run) -> None:
     data = json.loads(result.stdout)
     assert (result.exit_code, data["question"], data["answer"]["where"]) == (0, "worst", "inside")
     assert data["ranges"]["gap[0]"]["high"]["decimal"] == "3"
+
+
+def test_onset_at_the_worst_value_of_another_parameter(run: Run) -> None:
+    result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2")
+    assert result.exit_code == 0
+    assert "For every gap[0] from 1 to 2: STABLE for scale.mass from 0.01 to 0.5929" in result.stdout
+    assert "worst gap[0]: 1.697045734437" in result.stdout
+    result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2", "--all")
+    assert (result.exit_code, "give one of the two" in result.stderr) == (2, True)

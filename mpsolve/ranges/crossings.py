@@ -19,9 +19,11 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
+from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
+from mpsolve.ranges.verified import verified
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -77,7 +79,7 @@ def crossings(
 
     over: {path: (low, high)}, in the problem's units. The answer is proved where the list is complete and the numbers
     of unstable roots between its entries are known; else `Status.UNDECIDED` with a reason, and what was found.
-    check: have the standalone verifier pass the spectrum from which the roots are counted.
+    check: have the standalone verifier pass the certificate of the whole answer; without it the answer has none.
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
@@ -112,7 +114,8 @@ def find(
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
     reason, inside = cover.reason, []
-    for one in search.found:
+    zeros = [with_room(one) for one in search.found]
+    for one in zeros:
         crossing = _in_units(one, scope)
         where = within(crossing.value, next(iter(over.values())))
         if where is None and reason is None:
@@ -132,7 +135,13 @@ def find(
     if reason is not None:
         known = {"crossings": len(inside)}
         return Crossings(problem, over, Status.UNDECIDED, reason, known, proofs, cost, **common)
-    return Crossings(problem, over, Status.UNVERIFIED, proofs=proofs, cost=cost, counts=counts, **common)
+    rooms = list(zip(zeros, search.judge.known, strict=True))
+    claim = {"counts": list(counts or ()), "directions": [one.direction for one in inside]}
+    at = Base((_counted_at(over, inside),), base)
+    found = verified(lambda: crossings_certificate(scope, cover.tree, rooms, at, claim), cover.tree.nodes, check)
+    cost = replace(cost, verification=cost.verification + found.seconds)
+    common |= {"proofs": proofs, "cost": cost, "counts": counts}
+    return Crossings(problem, over, found.status, certificate=found.certificate, note=found.note, **common)
 
 
 def _in_units(one: Scaled, scope: Scope) -> Crossing:
@@ -146,7 +155,7 @@ def _counts(
     problem: Problem, over: Mapping[str, Interval], found: list[Crossing], check: bool
 ) -> tuple[tuple[int, ...] | None, Any, Reason | None]:
     """(the numbers of unstable roots between crossings, the spectrum from which they are counted, why not)."""
-    path, (low, high) = next(iter(over.items()))
+    path = next(iter(over))
     for one, other in pairwise(found):
         if not one.value < other.value:
             return None, None, Reason("close", "two crossings cannot be told apart", {}, "ask for more digits")
@@ -156,8 +165,7 @@ def _counts(
             None,
             Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits"),
         )
-    end = Fraction(found[0].lower) if found else high
-    at = _short(low, end)
+    at = _counted_at(over, found)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
     if base.stable is None or base.unstable is None:
         return (
@@ -175,6 +183,12 @@ def _counts(
             Reason("counts", "the counts contradict each other", {}, "report this as a fault, with the input"),
         )
     return tuple(counts), base, None
+
+
+def _counted_at(over: Mapping[str, Interval], found: list[Crossing]) -> Fraction:
+    """Where the roots are counted: before the first crossing."""
+    low, high = next(iter(over.values()))
+    return _short(low, Fraction(found[0].lower) if found else high)
 
 
 def _short(low: Fraction, high: Fraction) -> Fraction:

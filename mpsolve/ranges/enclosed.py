@@ -36,12 +36,12 @@ class Crossing:
 
 
 @dataclass(frozen=True)
-class _InPlane:
+class InPlane:
     """The scalar whose zeros are the roots on the edge, for the last parameter free, as a function of (y, x̂)."""
 
     proved: FreeProved
     reduction: Reduction
-    edge: Edge
+    edge: Edge = REAL_AXIS
 
     def value(self, y: Any, x: Any) -> Any:
         return self.reduction.scalar(self.proved.matrices(self.edge.sigma(y), [x], slopes=False)[0])
@@ -90,7 +90,7 @@ def _in_plane(
 ) -> Crossing:
     at: planar.Point = (arb(seed[0]), arb(seed[1]))
     for _ in range(2):  # the reduction is best made at the zero itself
-        f = _InPlane(proved, _reduction(proved, *at, edge), edge)
+        f = InPlane(proved, _reduction(proved, *at, edge), edge)
         at = planar.polished(f, (float(at[0]), float(at[1])))
     zero = planar.isolated(f, at, (arb(size[0]), arb(size[1])))
     q, x = planar.sharpened(f, zero, goal + 8)

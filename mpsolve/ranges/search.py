@@ -18,7 +18,7 @@ from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import Scope
 
-_IN_MIDDLE, _NEAR_MIDDLE = 1e-6, 2.0**-5  # of half an edge
+_NEXT_TO_ZERO = 2.0**-8  # of half an edge
 
 
 @dataclass
@@ -49,33 +49,32 @@ class Search:
         width = (self.high - self.low) / 2
         return Judge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
 
-    def enclose(self, point: Any) -> bool:
-        """Enclose the zero near a float point; True where it was."""
-        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
+    def enclose(self, point: Any, half: Any) -> bool:
+        """Enclose the zero near a float point; True where it was. Next to q = 0 it is first looked for there.
+
+        half: of the box that shows it: where this failed it is tried again from much smaller boxes only.
+        """
+        if any((np.abs(point - other) < 8 * half).all() for other in self._failed):
             return False
-        if any(self._enclosed(seed) for seed in self._seeds(point)):
+        y = abs(float(point[0])) if self.edge.mirrored else float(point[0])
+        seeds = [y]
+        if self.edge.mirrored and y < _NEXT_TO_ZERO * self.judge.width[0]:
+            seeds.insert(0, 0.0)
+        if any(self._enclosed((q, float(point[1]))) for q in seeds):
             return True
         self._failed.append(point)
         return False
 
-    def _seeds(self, point: Any) -> list[Any]:
-        """What Newton's method begins with: next to the middle of a mirrored edge it is looked for there first."""
-        if not self.edge.mirrored:
-            return [point]
-        right, middle = np.array([abs(point[0]), point[1]]), np.array([0.0, point[1]])
-        if right[0] < _IN_MIDDLE * self.judge.width[0]:
-            return [middle]
-        return [middle, right] if right[0] < _NEAR_MIDDLE * self.judge.width[0] else [right]
-
-    def _enclosed(self, seed: Any) -> bool:
+    def _enclosed(self, seed: tuple[float, float]) -> bool:
         size = 2 * self.judge.width * 2.0**-6
+        if seed[0] and self.edge.mirrored:
+            size = size * np.minimum(1.0, seed[0] / size[0])
         try:
             with precision(80):
-                place = float(seed[0]), float(seed[1])
-                zero = enclose(self.scope.proved, place, tuple(size * 2.0**-6), self.digits, self.edge)
+                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, self.edge)
             at = np.array([float(zero.q.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
-                return bool((np.abs(at - seed) < size).all())
+                return True
             room = self.judge.room(at, size * 4)
         except PrecisionError:
             return False

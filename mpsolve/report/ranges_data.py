@@ -26,7 +26,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     answer            what the library's to_dict gives; a ball is {"decimal", "lower", "upper", "ball"}, the last as
                       [mantissa, exponent of 2] of the middle and of the radius, mantissas as texts
     spectrum          the report of certify at a counterexample, or null
-    certificate       null: there is none for ranges yet
+    certificate       the sha256 of the certificate that passed the verifier, or null
     trust, assumed    sentences
     """
     spectrum = getattr(found, "spectrum", None)
@@ -40,7 +40,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
         "warnings": [reason.data() for reason in asked.warnings],
         "answer": found.to_dict(),
         "spectrum": None if spectrum is None else spectrum_data(spectrum, asked.title),
-        "certificate": None,
+        "certificate": None if found.certificate is None else found.certificate.content["sha256"],
         "trust": trust(found),
         "assumed": ASSUMED,
     }
