@@ -26,6 +26,8 @@ from mpsolve.tracks.waveguide import Polynomial, moving
 _RATIO = 1.25  # of one X to the next that is tried
 _SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh
+_LESS, _MORE = 0.9, 1.1  # of κ and of C in what a checker is told
+_SHARE = 0.7  # of what is taken that must outweigh what is given, so that it does with those numbers
 _FIRST = 2.0**14  # times the least X: how far a box is tried before it is halved
 _DEPTH = 8  # halvings of the box of parameters at most; each part has its own X
 _MARGIN = 1 + 2.0**-20  # of what is taken over what is given: for the rounding of the sums
@@ -95,6 +97,43 @@ def _far(envelope: Envelope, least: float, most: float) -> float | None:
                 and chart.taken(envelope, parameters, X, gap, subject.power.alpha) > given * _MARGIN
             ):
                 return X
+        X *= _RATIO
+    return None
+
+
+@dataclass(frozen=True)
+class FarNumbers:
+    """What a checker needs for the tail theorem over the box from X on, with room; all scaled.
+
+    blocks: (z₁, z₂, κ), q^e W/|D|² ≥ κ at p = z q^γ. constant: C, |W|/|D|² ≤ C p^−α where p ≥ X/(greatest v).
+    """
+
+    X: float
+    gamma: Fraction
+    e: Fraction
+    alpha: int
+    blocks: tuple[tuple[float, float, float], ...]
+    constant: float
+
+
+def far_numbers(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> FarNumbers | None:
+    """The theorem with numbers from which something is taken off, at the least X found; None where there is none."""
+    subject = envelope.subject
+    low, high = np.array([envelope.low]), np.array([envelope.high])
+    parameters = [f.take(0) for f in subject.parameters(low, high)]
+    gap = least_gap(subject, low, high)
+    if envelope.fastest <= 0 or subject.power.alpha <= 1 or (gap is not None and not gap > 0):
+        return None
+    charts = [_Chart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
+    X = least
+    while X <= most:  # noqa: SIM300 — X is no constant
+        given = _given(envelope, X, gap)
+        for chart in charts:
+            taken = chart.taken(envelope, parameters, X, gap, subject.power.alpha)
+            if np.isfinite(given) and taken * _SHARE > given:
+                blocks = tuple((a, b, kappa * _LESS) for a, b, kappa in chart.blocks(envelope, parameters, X, gap))
+                C = float(envelope.constants(np.array([X / envelope.fastest / UP]))[0])
+                return FarNumbers(X, chart.gamma, chart.e, subject.power.alpha, blocks, C * _MORE)
         X *= _RATIO
     return None
 
@@ -170,11 +209,16 @@ class _Chart:
         if not alpha - 1 >= self.e - self.gamma:
             return 0.0
         growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
-        z = self._ends(envelope, X, growth)
-        least = self._least(envelope, parameters, z, X)
-        blocks = best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
+        blocks = self.blocks(envelope, parameters, X, gap)
         total = sum(max((z2 - z1) * growth - sieve, 0.0) * kappa for z1, z2, kappa in blocks)
         return float(total * X ** -float(self.e) / _MARGIN)
+
+    def blocks(self, envelope: Envelope, parameters: list[Affine], X: float, gap: float | None) -> Any:
+        """Intervals of z with a lower bound κ of what they take."""
+        growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
+        z = self._ends(envelope, X, growth)
+        least = self._least(envelope, parameters, z, X)
+        return best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
 
     def _ends(self, envelope: Envelope, X: float, growth: float) -> Any:
         low, high = np.array([envelope.low]), np.array([envelope.high])

@@ -31,24 +31,27 @@ a zero was enclosed there.
 """
 
 
-def boxes_of(low: Any, high: Any) -> Boxes:
+def boxes_of(low: Any, high: Any, origin: complex = 0.0, way: complex = 1j) -> Boxes:
     """Boxes that hold those between the corners, middles rounded."""
     m = low / 2 + high / 2
-    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000)
+    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000, origin, way)
 
 
 @dataclass
 class Judge:
     """Judges boxes of one family.
 
-    width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, of two variables.
+    envelope: that of the contacts, None where their passivity tells nothing. width: half of the whole; known: boxes
+    (low, high) whose only zero has been enclosed, of two variables. origin, way: of the line, see `Boxes`.
     """
 
     matrix: FreeMatrix
-    envelope: Envelope
+    envelope: Envelope | None
     width: Any
     found: Found | None = None
     known: list[tuple[Any, Any]] = field(default_factory=list)
+    origin: complex = 0.0
+    way: complex = 1j
 
     @cached_property
     def variables(self) -> int:
@@ -58,20 +61,23 @@ class Judge:
         """(kind of each box, the variable along which to halve it)."""
         kind = np.zeros(low.shape[1], np.int8)
         kind[self._in_known(low, high)] = KNOWN
-        boxes = boxes_of(low, high)
+        boxes = boxes_of(low, high, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
+        if self.envelope is not None:
+            kind[self._passive(self.envelope, boxes, low, high, kind)] = PASSIVE
+        if self.found is not None and (kind == 0).any():
+            self._look(boxes, s, kind)
+        return kind, self._axis(boxes, G, s, verdict)
+
+    def _passive(self, envelope: Envelope, boxes: Boxes, low: Any, high: Any, kind: Any) -> Any:
         rest = np.flatnonzero((kind == 0) & (low[0] > 0))
         if len(rest):
             middles = Boxes(boxes.m[:, rest], 0 * boxes.r[:, rest])
             rest = rest[_seems_passive(self.matrix.receptance(middles))]
-        if len(rest):
-            kind[rest[passive_on(self.envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
-        if self.found is not None and (kind == 0).any():
-            self._look(boxes, s, kind)
-        return kind, self._axis(boxes, G, s, verdict)
+        return rest[passive_on(envelope, low[:, rest].T, high[:, rest].T)] if len(rest) else rest
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
@@ -93,7 +99,7 @@ class Judge:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
         one, other = np.meshgrid(_SHARES, _SHARES)
         shares = np.stack([one.ravel(), other.ravel()])
-        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
+        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)

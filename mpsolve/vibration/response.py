@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.grid import float_list
 from mpsolve.motion.solve import response as motion_of_case
 from mpsolve.numbers.model import rational
 from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import Status, at_rest

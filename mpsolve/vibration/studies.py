@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion import study as paper
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.vehicle import Placed

@@ -29,7 +29,7 @@ def in_velocity() -> Crossings:
 
 
 def test_velocities_are_those_of_the_engine_for_one_beam(in_velocity: Crossings) -> None:
-    assert in_velocity.status is Status.UNVERIFIED
+    assert in_velocity.status is Status.PROVED
     assert in_velocity.counts == (0, 2, 0, 2)
     assert [c.direction for c in in_velocity.crossings] == [2, -2, 2]
     ranges = unstable_velocities(eta_b="0.05", eta_m=("40", "40"), positions=("0", "1.5"), alpha=(0, 1), digits=20)
@@ -45,7 +45,7 @@ def test_masses_are_those_of_the_engine_for_one_beam() -> None:
     found = crossings(PROBLEM, over={"scale.mass": ("0.02", 3)})
     known = crossing_masses(alpha="0.9", eta_b="0.05", positions=("0", "1.5"))
     inside = [c for c in known if 0.02 * 40 < float(c.eta) < 120]
-    assert found.status is Status.UNVERIFIED
+    assert found.status is Status.PROVED
     assert len(found.crossings) == len(inside)
     for mine, other in zip(found.crossings, inside, strict=True):
         assert np.isclose(float(mine.value) * 40, float(other.eta), rtol=1e-12)
@@ -82,7 +82,7 @@ def test_a_divergence_is_a_single_root_at_0() -> None:
     )
     found = crossings(Problem(BEAM, joined, v="1.2"), over={"v": ("1.05", "1.4")}, digits=20)
     single = [c for c in found.crossings if float(c.q) == 0]
-    assert found.status is Status.UNVERIFIED
+    assert found.status is Status.PROVED
     assert len(single) == 1
     assert abs(single[0].direction or 0) == 1
     assert found.counts is not None
@@ -95,7 +95,7 @@ def test_the_answer_travels(in_velocity: Crossings) -> None:
     with precision(64):
         assert again.crossings[0].value.overlaps(in_velocity.crossings[0].value)
     data = json.loads(in_velocity.to_json())
-    assert data["status"] == "proved, not verified"
+    assert data["status"] == "proved"
     assert data["crossings"][0]["value"]["decimal"].startswith("0.73787693709")
     assert len(list(in_velocity.rows())) == 3
 
