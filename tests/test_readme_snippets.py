@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import sqlite3
 import subprocess
@@ -25,11 +26,11 @@ def test_the_standalone_verifiers(tmp_path: Path) -> None:
     assert len(lines) >= 3
     for script, certificate in lines:
         done = subprocess.run(
-            [sys.executable, "-I", str(ROOT / script), str(ROOT / certificate)],
-            capture_output=True, text=True, cwd=tmp_path, check=False,
+            [sys.executable, str(ROOT / script), str(ROOT / certificate)],
+            capture_output=True, text=True, cwd=tmp_path, check=False, env={"PATH": os.environ["PATH"]},
         )  # fmt: skip
         assert done.returncode == 0, done.stdout + done.stderr
-        assert done.stdout.lower().startswith(("valid", "partly", "checked")), done.stdout
+        assert re.search(r"(^|: )(valid|partly checked)", done.stdout), done.stdout
 
 
 def test_the_store_answers_the_query_that_is_shown(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
