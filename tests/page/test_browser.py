@@ -38,7 +38,8 @@ MARKS = """() => {
   const parse = s => s.match(/[\\d.]+/g).map(Number).slice(0, 3);
   const seen = {};
   for (const kind of ['.curve', '.curve.two', '.curve.three', '.curve.four', '.cut', '.root', '.root.unstable',
-                      '.hatch', '.border', '.sure', '.here', '.ring', '.link', '.rail', '.frame', '.tick', '.body', '.solid'])
+                      '.hatch', '.border', '.sure', '.here', '.ring', '.link', '.rail', '.frame', '.tick', '.body',
+                      '.solid'])
     for (const e of document.querySelectorAll('svg ' + kind)) {
       const style = getComputedStyle(e);
       const ground = light(parse(getComputedStyle(e.closest('section')).backgroundColor));
