@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
+    from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
+    from mpsolve.loci.lines import frequency_lines
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
     from mpsolve.motion.solve import harmonic_solution
@@ -45,12 +47,11 @@ if TYPE_CHECKING:
     from mpsolve.stability.cuts import cut_points
     from mpsolve.stability.distance import critical_distance
     from mpsolve.stability.limiting import limiting_mass
-    from mpsolve.stability.lines import frequency_lines
     from mpsolve.stability.masses import crossing_masses
-    from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
+    from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -113,7 +114,9 @@ __all__ = [
     "critical_distance",
     "cut_points",
     "frequency_lines",
-    "damping_sensitivity",
+    "FrequencyLines",
+    "FrequencyLine",
+    "LineEnd",
     "onset_table",
     "stability_chart",
     "Onset",
@@ -132,6 +135,8 @@ __all__ = [
     "Vibration",
     "response_mp",
     "PreciseVibration",
+    "response_balls",
+    "ProvedVibration",
     "Irregularity",
     "rail_roughness",
     "out_of_round",
@@ -211,8 +216,10 @@ _HOME = {
     "limiting_mass": "stability.limiting",
     "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
-    "frequency_lines": "stability.lines",
-    "damping_sensitivity": "stability.sensitivity",
+    "frequency_lines": "loci.lines",
+    "FrequencyLines": "loci.answer",
+    "FrequencyLine": "loci.answer",
+    "LineEnd": "loci.answer",
     "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",
@@ -232,6 +239,8 @@ _HOME = {
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
     "PreciseVibration": "vibration.precise",
+    "response_balls": "vibration.balls.enclosure",
+    "ProvedVibration": "vibration.balls.enclosure",
     "Irregularity": "vibration.forcing",
     "rail_roughness": "vibration.roughness",
     "out_of_round": "vibration.roughness",
