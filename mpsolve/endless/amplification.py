@@ -19,6 +19,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
@@ -66,6 +67,7 @@ class Amplification:
         raise TypeError("an amplification has no truth value: ask for .proved")
 
 
+@stoppable
 def amplification(
     problem: Given,
     *,

@@ -18,6 +18,7 @@ from mpsolve.problem.cases import Given
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 from mpsolve.spectrum.spectrum import Cost
@@ -79,6 +80,7 @@ class InfiniteTrain:
         raise TypeError("an infinite train has no truth value: ask for .proved or .stable")
 
 
+@stoppable
 def infinite_train(
     problem: Given, spacing: object, *, effort: Effort | None = None, progress: Progress | None = None
 ) -> InfiniteTrain:
@@ -141,7 +143,7 @@ def _stable(row: Row, known: InfiniteTrain, effort: Effort) -> InfiniteTrain:
     try:
         count = count_growing(row, effort)
     except EffortError as error:
-        return replace(known, reason=Reason("effort", str(error), {}, "allow more effort"))
+        return replace(known, reason=error.reason)
     except PrecisionError as error:
         remedy = "change the velocity a little: it may be next to where a motion begins to grow"
         return replace(known, reason=Reason("row", str(error), {}, remedy))

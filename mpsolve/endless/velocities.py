@@ -27,6 +27,7 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.scope import from_above_rest
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
@@ -86,6 +87,7 @@ class TrainVelocities:
         raise TypeError("train velocities have no truth value: ask for .proved")
 
 
+@stoppable
 def train_velocities(
     problem: Given,
     spacing: object,
