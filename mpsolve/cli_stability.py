@@ -75,8 +75,8 @@ def _answer(
 ) -> None:
     """Reads, answers, saves the certificate, reports, and exits."""
     with one_sentence():
-        from mpsolve.model.inputfile import read_input
-        from mpsolve.model.parameters import PhysicalCase
+        from mpsolve.problem.casefile import read_input
+        from mpsolve.problem.physical import PhysicalCase
         from mpsolve.report.answer import Source
 
         given = read_input(file)

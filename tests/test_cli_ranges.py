@@ -85,6 +85,18 @@ def test_the_crossings_are_those_of_the_paper_s_own_proof(run: Run) -> None:
     assert len(rows) == len(found) == 1
 
 
+def test_lines_are_followed_and_written(run: Run) -> None:
+    result = run("lines", PLAIN, "--over", "v=0.6..0.7", "--points", 3, "-o", "lines.csv")
+    assert result.exit_code == 0
+    assert "lies on one of 2 lines" in result.stdout
+    with Path("lines.csv").open(encoding="utf-8", newline="") as file:
+        heading, *rows = csv.reader(file)
+    assert heading == ["line", "v", "Re q [√(k/m)]", "Im q [√(k/m)]"]
+    assert len(rows) == 6
+    assert run("lines", PLAIN, "--over", "v=0.6..0.7", "--points", 3, "-o", "lines.svg").exit_code == 0
+    assert ET.fromstring(Path("lines.svg").read_text("utf-8")).tag.endswith("svg")
+
+
 def test_units_and_the_default_range(run: Run) -> None:
     result = run("onset", RAIL)
     assert (result.exit_code, result.stderr) == (0, "")
@@ -225,3 +237,12 @@ def test_worst_in_the_units_that_were_written(run: Run) -> None:
     data = json.loads(result.stdout)
     assert (result.exit_code, data["question"], data["answer"]["where"]) == (0, "worst", "inside")
     assert data["ranges"]["gap[0]"]["high"]["decimal"] == "3"
+
+
+def test_onset_at_the_worst_value_of_another_parameter(run: Run) -> None:
+    result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2")
+    assert result.exit_code == 0
+    assert "For every gap[0] from 1 to 2: STABLE for scale.mass from 0.01 to 0.5929" in result.stdout
+    assert "worst gap[0]: 1.697045734437" in result.stdout
+    result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2", "--all")
+    assert (result.exit_code, "give one of the two" in result.stderr) == (2, True)

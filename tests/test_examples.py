@@ -75,6 +75,16 @@ def test_certificates_are_those_of_the_cases_and_valid() -> None:
         assert spectrum.certificate.content["claim"] == stored["claim"]
 
 
+def test_certificates_of_zeros_are_those_of_the_cases_and_valid() -> None:
+    zeros = load("zeros")
+    files = {path.stem: path for path in zeros.FOLDER.glob("*.json")}
+    assert sorted(files) == sorted(zeros.CASES)
+    for name, path in files.items():
+        assert verify(path).valid, name
+        stored = json.loads(path.read_text("ascii"))
+        assert zeros.prove(name).certificate.content["claim"] == stored["claim"], name
+
+
 def test_the_certificates_are_drawn(tmp_path: Path) -> None:
     file = load("certificates").visualize(tmp_path / "plane.svg", "stable_d1.5_alpha0.66")
     assert file.read_text("utf-8").count('id="root-') == 4

@@ -12,6 +12,7 @@ from mpsolve.endless.doubling import growing_in_floats
 from mpsolve.endless.growing import Growing, find_growing
 from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.problem.cases import Given
@@ -31,7 +32,7 @@ _LONG = 16  # vehicles of a train that is counted, where roots of long trains do
 
 
 @dataclass(frozen=True)
-class InfiniteTrain:
+class InfiniteTrain(Result):
     """What is known of an endless row of vehicles; frequencies and velocities in the units of the problem.
 
     stable: True if proved that for every real κ all motions decay, False if proved that one grows, None where open.
@@ -57,11 +58,6 @@ class InfiniteTrain:
     cost: Cost = field(default_factory=lambda: Cost(0.0))
 
     @property
-    def proved(self) -> bool:
-        """Whether `stable` is proved."""
-        return self.status.holds
-
-    @property
     def words(self) -> str:
         """What it means for finite trains, in one sentence; the part about them is computed, not proved."""
         if self.stable is None:
@@ -75,9 +71,6 @@ class InfiniteTrain:
                 "though long finite trains come to rest again"
             )
         return "long finite trains grow by themselves"
-
-    def __bool__(self) -> bool:
-        raise TypeError("an infinite train has no truth value: ask for .proved or .stable")
 
 
 @stoppable

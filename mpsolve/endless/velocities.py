@@ -23,6 +23,7 @@ from mpsolve.endless.row_scope import row_scope
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
@@ -41,7 +42,7 @@ _BOXES = 1_000_000  # that the proof over the range may take unless effort says 
 
 
 @dataclass(frozen=True)
-class TrainVelocities:
+class TrainVelocities(Result):
     """Where an endless row changes between the velocities `low` and `high`.
 
     threshold: a ball of the least velocity of the range above which a motion grows: proved that none does from `low`
@@ -67,11 +68,6 @@ class TrainVelocities:
     boxes: int = 0
 
     @property
-    def proved(self) -> bool:
-        """Whether the convective threshold, or that there is none, is proved over the range."""
-        return self.status.holds
-
-    @property
     def words(self) -> str:
         """What is known, in one sentence."""
         if self.reason is not None:
@@ -82,9 +78,6 @@ class TrainVelocities:
         if self.grows is not None:
             return f"a motion grows along the row at v = {shown(self.low)} already"
         return f"no motion grows along the row from v = {shown(self.low)} to {shown(self.high)}"
-
-    def __bool__(self) -> bool:
-        raise TypeError("train velocities have no truth value: ask for .proved")
 
 
 @stoppable

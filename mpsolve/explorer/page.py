@@ -16,6 +16,7 @@ from nicegui import events, run, ui
 
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.session import Session
+from mpsolve.explorer.words import region_told, told, vibration
 from mpsolve.numbers.spoken import rounded
 from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
@@ -124,6 +125,8 @@ class Tab:
             self.certificate = ui.button("Certificate", on_click=self.save_certificate).props(
                 "outline id=certificate"
             )
+            self.report = ui.button("Report", on_click=self.session.start_report).props("outline id=report")
+            self.writing = ui.label().props("aria-live=polite id=writing role=status")
         self.stop.set_visibility(False)
         self.progress.set_visibility(False)
         self.certificate.set_visibility(False)
@@ -181,6 +184,7 @@ class Tab:
     async def tick(self) -> None:
         """Take what was typed and moved since; of many quick changes only the last one counts."""
         self.watch_proof()
+        self.watch_report()
         if self.busy or not self.pending:
             return
         self.busy = True
@@ -266,8 +270,11 @@ class Tab:
             self.verdict.set_text(str(error))
         self.chart.set_content(self.session.chart_picture())
 
-    def prove(self) -> None:
-        self.session.start_proof()
+    async def prove(self) -> None:
+        if self.session.chart is None:
+            await self.draw_chart()
+        chart = self.session.chart
+        self.session.start_proof(() if chart is None else (chart.x, chart.y))
         self.certificate.set_visibility(False)
         self.stop.set_visibility(True)
         self.progress.set_visibility(True)
@@ -282,18 +289,35 @@ class Tab:
             return
         proving.poll()
         self.progress.set_value(proving.fraction)
+        if self.session.note_proof():
+            self.chart.set_content(self.session.chart_picture())
         if proving.running:
             self.proof.set_text(f"Proving: {proving.stage}")
             return
         self.stop.set_visibility(False)
         self.progress.set_visibility(False)
-        text = f"The proof ended: {proving.failure}" if proving.failure else told(proving.answer)
-        if self.session.note_proof():
-            self.chart.set_content(self.session.chart_picture())
+        text = told(proving.answer) if proving.answer is not None else f"The proof ended: {proving.failure}"
+        text += region_told(proving)
         if proving.problem != self.session.problem:
             text += "\n(of the state at which it was started)"
         self.proof.set_text(text)
         self.certificate.set_visibility(proving.answer is not None and proving.answer.certificate is not None)
+
+    def watch_report(self) -> None:
+        """Say how far the report is, and hand it out once."""
+        writing = self.session.reporting
+        if writing is None:
+            return
+        writing.poll()
+        if writing.running:
+            self.writing.set_text(f"Report: {writing.stage}")
+            return
+        self.session.reporting = None
+        if writing.answer is None:
+            self.writing.set_text(f"The report ended: {writing.failure}")
+        else:
+            self.writing.set_text("The report is written.")
+            ui.download(writing.answer.encode(), "report.html")
 
     def save_certificate(self) -> None:
         proving = self.session.proving
@@ -302,19 +326,3 @@ class Tab:
         with tempfile.TemporaryDirectory() as folder, suppress(MpsolveError):
             path = Path(proving.answer.certificate.save(Path(folder) / "certificate.json"))
             ui.download(path.read_bytes(), "certificate.json")
-
-
-def vibration(q: complex) -> str:
-    """A root as a vibration."""
-    frequency, rate = abs(q.real) / 6.283185307179586, -q.imag
-    grows = f"doubles every {0.6931471805599453 / rate:.3g} s" if rate > 0 else f"decays at {-rate:.3g} 1/s"
-    return f"{frequency:.4g} Hz, {grows}"
-
-
-def told(answer: Any) -> str:
-    """The verdict of a proof, what is proved, and what has confirmed it."""
-    from mpsolve.report import spectrum_words
-
-    return "\n".join(
-        [spectrum_words.verdict(answer), *spectrum_words.proved(answer), spectrum_words.verified(answer)]
-    )

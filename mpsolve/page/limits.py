@@ -16,13 +16,12 @@ from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.default import velocity_ranges
 from mpsolve.ranges.margin import Margin, margin
 from mpsolve.ranges.onset import Kind, onset
-from mpsolve.ranges.robust import prove_stable
+from mpsolve.ranges.region import stable_region
 
 MASSES = (Fraction(1, 5), Fraction(4))
 """Factors on all masses between which the limits are sought."""
 _FURTHER = 0.2  # of the time, for velocities far above the case's own
 _WIDEST, _OF_MARGIN = Fraction(1, 2), Fraction(4, 5)
-_SMALLER = (Fraction(1), Fraction(2, 5), Fraction(1, 10))
 
 
 @dataclass(frozen=True)
@@ -112,19 +111,10 @@ def stable_box(
     problem: Problem, reach: Reach | None, mass: Margin | None, seconds: float
 ) -> dict[str, Interval] | None:
     """Velocities and masses round the case that are proved stable all at once, as wide as the limits let hope."""
-    v, start = problem.v, process_time()
-    if not v:
+    if not problem.v:
         return None
-    wide = {"v": _share(reach and reach.value, v), "scale.mass": _share(mass and mass.above, Fraction(1))}
-    own = {"v": v, "scale.mass": Fraction(1)}
-    for smaller in _SMALLER:
-        left = seconds - (process_time() - start)
-        if left <= 0:
-            return None
-        over = {path: (x * (1 - smaller * wide[path]), x * (1 + smaller * wide[path])) for path, x in own.items()}
-        if prove_stable(problem, over=over, effort=Effort(seconds=left)).stable:
-            return over
-    return None
+    shares = {"v": _share(reach and reach.value, problem.v), "scale.mass": _share(mass and mass.above, Fraction(1))}
+    return stable_region(problem, shares, seconds)
 
 
 def _share(limit: Any | None, own: Fraction) -> Fraction:

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve import __version__
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.model import Model, Part, quantities
@@ -19,6 +18,8 @@ from mpsolve.page.parts import Parts
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
+from mpsolve.problem.case import Case
+from mpsolve.problem.problem import Problem
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
 from mpsolve.spectrum.spectrum import Root, Spectrum
@@ -112,7 +113,11 @@ def tables(parts: Parts) -> list[tuple[str, list[tuple[str, str, str]]]]:
     if isinstance(parts.given, Case):
         rows = [(name, str(value), "") for name, value in vars(parts.given).items()]
         return [("The case in the paper's ratios", [(n, v.replace("(", "").replace(")", ""), m) for n, v, m in rows])]
-    problem = parts.problem
+    return tables_of(parts.problem)
+
+
+def tables_of(problem: Problem) -> list[tuple[str, list[tuple[str, str, str]]]]:
+    """The same of a problem: velocity and track, and each kind of vehicle; rows of name, value, meaning."""
     first = [("v", beside(problem.v, "m/s"), "velocity")]
     track = _rows(problem.track) if isinstance(problem.track, Track) else [("matrix", "", "equations of one's own")]
     out = [("Track", first + track)]

@@ -39,6 +39,7 @@ def free_equations(family: Family) -> FreeEquations:
         track, vehicles, v = changed(track, vehicles, v, path, x)
     pencil = joined([(placed.vehicle.pencil, placed.position, "") for placed in vehicles])
     matrix = tuple(
-        tuple({key: ring.constant(c) for key, c in entry.items()} for entry in row) for row in free_matrix(track, ring)
+        tuple({key: ring.constant(c) for key, c in entry.items()} for entry in row)
+        for row in free_matrix(track, ring)
     )
     return FreeEquations(ring, matrix, problem.track.waveguide.loaded, ring.constant(v), pencil)

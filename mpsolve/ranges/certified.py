@@ -1,4 +1,4 @@
-"""Certificates of answers over ranges, as JSON (certs/SPEC2.md, section 10); all numbers exact, in the problem's units.
+"""Certificates of answers over ranges, as JSON (certs/SPEC2.md, section 10); all exact, in the problem's units.
 
 `CertificateError` where an answer cannot be written: the checker knows less than the proof uses.
 """
@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
 from mpsolve.errors import CertificateError
+from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
 from mpsolve.passivity.far import FarNumbers, far_numbers
 from mpsolve.problem.family import Family
@@ -26,7 +27,7 @@ from mpsolve.ranges.scope import Scope
 
 _MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z"}
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
-_ROOM = 2  # bits by which balls are wider in the file than they are known
+_ROOM = 4  # by how much balls are wider in the file than they are known
 _POWERS = (1, 3)  # of 2: wavenumbers from which on short waves are bounded
 _OMEGA = 4.0  # where the charts of the envelope meet
 
@@ -40,11 +41,7 @@ class Base:
 
 
 def crossings_certificate(
-    scope: Scope,
-    tree: Tree,
-    zeros: Sequence[tuple[Crossing, tuple[Any, Any]]],
-    base: Base,
-    claim: Mapping[str, Any],
+    scope: Scope, tree: Tree, zeros: Sequence[tuple[Crossing, tuple[Any, Any]]], base: Base, claim: Mapping[str, Any]
 ) -> Certificate:
     """Of a complete list of crossings; zeros: each with its room, those outside of the range too."""
     return _certificate("crossings", scope, tree, zeros, base, claim)
@@ -108,7 +105,9 @@ def _equations(free: FreeEquations) -> dict[str, Any]:
         [[[i, j, _free(c)] for (i, j), c in sorted(entry.items()) if c] for entry in row] for row in free.matrix
     ]
     pencil = free.pencil
-    vehicle: dict[str, Any] = {key: [list(map(_free, row)) for row in free.several(getattr(pencil, key))] for key in "MCKB"}
+    vehicle: dict[str, Any] = {
+        key: [list(map(_free, row)) for row in free.several(getattr(pencil, key))] for key in "MCKB"
+    }
     places, h = free.several([pencil.places, pencil.h])
     vehicle |= {"places": list(map(_free, places)), "compliances": list(map(_free, h))}
     return {
@@ -144,7 +143,9 @@ def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
     return {
         "Q": dyadic(Q),
         "gamma": [far.gamma.numerator, far.gamma.denominator],
-        "blocks": [[dyadic(_short(a) * z), dyadic(_short(b) * z), dyadic(_short(k) * kappa)] for a, b, k in far.blocks],
+        "blocks": [
+            [dyadic(_short(a) * z), dyadic(_short(b) * z), dyadic(_short(k) * kappa)] for a, b, k in far.blocks
+        ],
         "alpha": far.alpha,
         "omega": dyadic(Fraction(_OMEGA) * family.frequency_unit),
         "bounds": [[dyadic(_short(p0) * p), dyadic(_short(C) * envelope)] for p0, C in sorted(bounds.items())],
@@ -174,7 +175,10 @@ def _cells(X: Fraction, Q: Fraction) -> list[Fraction]:
 
 def _zero(zero: Crossing, room: tuple[Any, Any], family: Family) -> dict[str, Any]:
     units = (family.frequency_unit, family.units[0])
-    sides = [[dyadic(Fraction(float(end)) * unit) for end in ends] for ends, unit in zip(zip(*room, strict=True), units, strict=True)]
+    sides = [
+        [dyadic(Fraction(float(end)) * unit) for end in ends]
+        for ends, unit in zip(zip(*room, strict=True), units, strict=True)
+    ]
     x = ball_entry(zero.x, units[1])
     if zero.q == 0:  # a ball of q that is to the room as that of x is
         share = Fraction(float(room[1][0])) / Fraction(float(room[1][1] - room[0][1]))
@@ -183,18 +187,25 @@ def _zero(zero: Crossing, room: tuple[Any, Any], family: Family) -> dict[str, An
     return {"room": sides, "q": ball_entry(zero.q, units[0]), "x": x}
 
 
+def with_room(zero: Crossing) -> Crossing:
+    """With wider balls, so that a checker need not come as near; what is said is what the certificate states."""
+    return replace(zero, q=zero.q if zero.q == 0 else _wider(zero.q), x=_wider(zero.x))
+
+
+def _wider(ball: Any) -> Any:
+    middle, radius = ball.mid(), ball.rad() * _ROOM
+    return arb(middle, radius if radius > 0 else abs(middle) * arb(2) ** -64)
+
+
 def ball_entry(ball: Any, unit: Fraction) -> dict[str, Any]:
-    """A ball with more room, times a power of two."""
+    """A ball times a power of two."""
     mantissa, exponent = ball.mid().man_exp()
     radius, own = ball.rad().man_exp()
     shift = unit.numerator.bit_length() - unit.denominator.bit_length()
-    least = Fraction(int(radius)) * Fraction(2) ** int(own)
-    if not radius:  # an exact ball: as wide as its digits are long
-        least = abs(Fraction(int(mantissa)) * Fraction(2) ** int(exponent)) / 2**64
     return {
         "middle": hex(int(mantissa)),
         "exponent": int(exponent) + shift,
-        "radius": _radius(least * 2**_ROOM * unit),
+        "radius": [int(radius), int(own) + shift],
     }
 
 

@@ -20,6 +20,9 @@ from mpsolve.ranges.answer import Answer, outward
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.scope import checked_over, one_path
 
+SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
+"""What an answer has from the crossings that it is read from: their certificate is its own."""
+
 
 class Kind(Enum):
     """How stability ends in a range."""
@@ -74,12 +77,16 @@ class Onset(Answer):
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
     unstable_from_start, or undecided. value, q: balls in the problem's units; lower, upper: floats that hold `value`
     between them, so that the problem is stable from the start of the range to `lower`; None without a value.
+    worst: where a second parameter was left to its worst value, that value, a ball, and where it lies in its range:
+    "inside", "start" or "end". The problem is then stable up to `lower` for all values of the second parameter.
     """
 
     digits: int = 15
     kind: Kind = Kind.UNDECIDED
     value: Any | None = None
     q: Any | None = None
+    worst: Any | None = None
+    where: str = ""
 
     @property
     def lower(self) -> float | None:
@@ -107,7 +114,7 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
 
 
@@ -115,14 +122,23 @@ def onset(
     problem: Given,
     *,
     over: Mapping[str, Any],
+    worst: Mapping[str, Any] | None = None,
     digits: int = 15,
     effort: Effort | None = None,
     progress: Progress | None = None,
     check: bool = True,
 ) -> Onset:
-    """From which value of one parameter on the problem is unstable: see `crossings` for arguments and errors."""
+    """From which value of one parameter on the problem is unstable: see `crossings` for arguments and errors.
+
+    worst: {path: (low, high)} of a second parameter, which is left to its worst value in this range, its ends
+    included: a limiting mass at the worst distance, say. Below the answer all is stable, whatever that parameter is.
+    """
+    if worst is not None:
+        from mpsolve.ranges.onset_worst import onset_at_worst
+
+        return onset_at_worst(problem, over, worst, digits, effort, progress or silent, check)
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     answer = Onset(problem, found.over, digits=found.digits, **common)
     if found.counts is None:
         return answer

@@ -14,10 +14,11 @@ from rich.text import Text
 from mpsolve.certificate.format import Certificate
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.assumed import ASSUMED
-from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.model.specs import label
 from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
+from mpsolve.problem.specs import label
 from mpsolve.report.layout import certificate_text, columns_of, section
 from mpsolve.report.rows import beam_rows, physical_data, ratio_rows
 

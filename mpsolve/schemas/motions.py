@@ -25,7 +25,10 @@ def receptance_schema() -> p.Schema:
         "G_re": table,
         "G_im": table,
     }
-    return p.document("receptance", "Table of mpsolve receptance", "mpsolve receptance", 2, keys)
+    matrices = p.rows(table)
+    contacts = {"places": p.rows(p.REAL), **dict.fromkeys(("G_re", "G_im", "K_re", "K_im"), matrices)}
+    optional = {"contacts": p.table(contacts)}
+    return p.document("receptance", "Table of mpsolve receptance", "mpsolve receptance", 2, keys, optional)
 
 
 def critical_schema() -> p.Schema:
