@@ -43,14 +43,6 @@ _ANSWERS: dict[str, p.Schema] = {
         "crossings": p.rows(p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})),
         "counts": p.maybe(p.rows(p.COUNT)),
     },
-    "worst": {
-        "digits": p.DIGITS,
-        "value": p.maybe(p.BALL),
-        "q": p.maybe(p.table({"real": p.BALL, "imag": p.BALL})),
-        "where": {"enum": ["inside", "start", "end", ""]},
-        "reach": p.maybe(p.EXACT),
-        "growth": p.maybe(p.BALL),
-    },
     "robust": {"stable": p.maybe(p.YES), "counterexample": p.maybe(p.by_name(p.EXACT)), "open": p.rows(_OVER)},
     "chart": {
         "x": p.rows(p.EXACT),
