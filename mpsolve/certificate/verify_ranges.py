@@ -41,6 +41,7 @@ MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000
 MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 24, 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
+MAX_SIZE = 20_000  # of a polynomial in the parameters
 BOXES = 20_000  # that a polynomial's positivity may take
 BITS = 64
 POINTS, TOGETHER, FIRST, SMALL = (
@@ -140,6 +141,10 @@ def least(f: Free, box: Box) -> Any:
         return fmpq(0)
     table = dict(f)
     degrees = [max(e[k] for e in f) for k in range(len(box))]
+    size = 1
+    for d in degrees:
+        size *= d + 1
+    require(size <= MAX_SIZE, "a polynomial in the parameters has too high degrees")
     for k, (low, high) in enumerate(box):
         if not degrees[k]:
             continue
@@ -276,6 +281,7 @@ def read_track(value: Any, velocity: Any, count: int) -> Track:
     N = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded], one)
     require(D and N, "the track's determinant or cofactor vanishes")
     for p in (D, N):
+        require(p.degrees()[1] <= 8 and len(p) <= 600, "the track's determinant is too long")
         require(sum(p.degrees()[:2]) <= MAX_DEGREE, "the track's determinant has too high a degree")
         require(all(int(e[0]) % 2 == 0 for e in p.to_dict()), "D or N is not even in P")
     v = free(velocity, count, "velocity")
@@ -345,6 +351,7 @@ def hurwitz(track: Track, box: Box) -> list[list[Free]]:
         pivot = h[k][k]
         minors.append(pivot)
         require(pivot, "the track is not damped")
+        require(len(pivot) <= MAX_SIZE, "the track's equations are too long")
         for i in range(k + 1, n):
             h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
         before = pivot
@@ -1839,6 +1846,8 @@ def read_zero(value: Any, family: Family) -> Zero:
     digits = max(int((abs(m) / r + 1).numer()).bit_length() - int((abs(m) / r + 1).denom()).bit_length()
                  for m, r in (q, x))  # fmt: skip
     require(digits <= MAX_BITS, "a crossing has too many digits")
+    family.pieces += digits // 100
+    require(family.pieces < family.left, "the certificate asks for more work than this verifier does")
     with spectra.precision(digits + 128):
         waves = Waves(family.track, family.vehicle)
         sharp = replaced(family, waves)
