@@ -82,6 +82,7 @@ FROM_STANDARD_INPUT = {
     "report - --effort 2 -o a.html": "rail_60e1",
     "onset - --over v=0..100km/h": "rail_60e1",
     "crossings - --over v=0..100km/h": "rail_60e1",
+    "worst - --over vehicles.M=8..12t": "rail_60e1",
     "robust - --over v=0..80m/s": "rail_60e1",
     "chart - --over v=0..100km/h --over scale.mass=0.5..2 --depth 2": "rail_60e1",
     "worst - --over gap[0]=1..2": "dimensionless",

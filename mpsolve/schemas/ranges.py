@@ -68,7 +68,7 @@ def ranges_schema(question: str) -> p.Schema:
         "warnings": p.rows(p.REASON),
         "answer": p.table(_COMMON | _ANSWERS[question]),
         "spectrum": p.maybe(spectrum),
-        "certificate": {"type": "null"},
+        "certificate": p.maybe(p.TEXT),
         "trust": p.TEXT,
         "assumed": p.TEXT,
     }
