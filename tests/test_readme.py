@@ -17,7 +17,7 @@ import mpsolve
 from mpsolve.claims import Verdict
 from mpsolve.claims.load import load
 from mpsolve.cli import cli
-from mpsolve.model.inputfile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_input
+from mpsolve.problem.casefile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_input
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")

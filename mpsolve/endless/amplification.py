@@ -12,6 +12,7 @@ from mpsolve.endless.ratio import Ratio
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import nearest
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.problem.cases import Given, as_problem
@@ -19,6 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
@@ -40,7 +42,7 @@ class Peak:
 
 
 @dataclass(frozen=True)
-class Amplification:
+class Amplification(Result):
     """Ratios of contact forces over the band of real frequencies, in the problem's units.
 
     ahead: the rearmost contact is shaken, the ratio is that of the foremost force to the rearmost. back: the other
@@ -57,15 +59,8 @@ class Amplification:
     back: Peak | None
     reason: Reason | None = None
 
-    @property
-    def proved(self) -> bool:
-        """Whether the train is stable and both ratios are enclosed, with proof."""
-        return self.status.holds
 
-    def __bool__(self) -> bool:
-        raise TypeError("an amplification has no truth value: ask for .proved")
-
-
+@stoppable
 def amplification(
     problem: Given,
     *,

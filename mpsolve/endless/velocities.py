@@ -23,10 +23,12 @@ from mpsolve.endless.row_scope import row_scope
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.scope import from_above_rest
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
@@ -40,7 +42,7 @@ _BOXES = 1_000_000  # that the proof over the range may take unless effort says 
 
 
 @dataclass(frozen=True)
-class TrainVelocities:
+class TrainVelocities(Result):
     """Where an endless row changes between the velocities `low` and `high`.
 
     threshold: a ball of the least velocity of the range above which a motion grows: proved that none does from `low`
@@ -66,11 +68,6 @@ class TrainVelocities:
     boxes: int = 0
 
     @property
-    def proved(self) -> bool:
-        """Whether the convective threshold, or that there is none, is proved over the range."""
-        return self.status.holds
-
-    @property
     def words(self) -> str:
         """What is known, in one sentence."""
         if self.reason is not None:
@@ -82,10 +79,8 @@ class TrainVelocities:
             return f"a motion grows along the row at v = {shown(self.low)} already"
         return f"no motion grows along the row from v = {shown(self.low)} to {shown(self.high)}"
 
-    def __bool__(self) -> bool:
-        raise TypeError("train velocities have no truth value: ask for .proved")
 
-
+@stoppable
 def train_velocities(
     problem: Given,
     spacing: object,

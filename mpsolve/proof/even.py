@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -32,4 +33,4 @@ def _straight(points: Any) -> list[tuple[int, int]]:
     """(first, last) of the parts along which both coordinates go one way, one of them not at all."""
     way = np.sign(np.diff(points).real) + 3 * np.sign(np.diff(points).imag)
     cuts = [0, *(np.flatnonzero(np.diff(way)) + 1).tolist(), len(points) - 1]
-    return list(zip(cuts[:-1], cuts[1:], strict=True))
+    return list(pairwise(cuts))

@@ -15,6 +15,7 @@ from flint import acb, arb
 
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.packed import Portable, pack
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.proof.subdivide import Covered
@@ -47,7 +48,7 @@ class Proof(Portable):
 
 
 @dataclass(frozen=True)
-class Answer(Portable):
+class Answer(Result):
     """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
     from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
@@ -62,17 +63,9 @@ class Answer(Portable):
     reason: Reason | None = None
     known: Mapping[str, Any] = field(default_factory=dict)
     proofs: tuple[Proof, ...] = field(default=(), repr=False)
+    cost: Spent = field(default_factory=lambda: Spent(0.0))
     certificate: Any = field(default=None, repr=False)
     note: str = ""
-    cost: Spent = field(default_factory=lambda: Spent(0.0))
-
-    @property
-    def proved(self) -> bool:
-        """Whether the whole answer is proved."""
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("an answer has no truth value: ask for .proved or for what it says")
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON: exact numbers as texts, with decimals beside them."""

@@ -18,6 +18,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
@@ -90,6 +91,7 @@ def crossings(
     return replace(found, problem=problem)
 
 
+@stoppable
 def find(
     problem: Problem,
     over: Mapping[str, Interval],

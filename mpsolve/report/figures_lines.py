@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mpsolve.loci.answer import FrequencyLine, FrequencyLines
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import acb
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.figures import COLOUR, Look, scaling
 from mpsolve.report.figures_ranges import SYMBOLS

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case
 from mpsolve.outcome import Reason
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over, parse_overs
 from mpsolve.problem.problem import Problem

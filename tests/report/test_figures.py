@@ -14,9 +14,9 @@ import pytest
 
 from mpsolve import Case, PhysicalCase, certify, frequency_lines
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.model.specs import ONE_MASS, Grid
 from mpsolve.motion.solve import response
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.specs import ONE_MASS, Grid
 from mpsolve.report import figures_lines, figures_plane, figures_response
 from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
 from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
@@ -163,7 +163,7 @@ def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> No
 
 def test_displacements_in_millimetres_are_those_of_a_load_at_rest() -> None:
     """A constant force P at rest on a Winkler beam sinks by Pχ/(2k), with χ⁴ = k/(4EI)."""
-    from mpsolve.model.load import Load
+    from mpsolve.vehicles.load import Load
 
     beam = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, c=7750, masses=[(100, 0)])
     found = response(beam, [Load(constant=50_000)], tau=[0, 400])
