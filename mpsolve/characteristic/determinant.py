@@ -112,7 +112,7 @@ class Bordering:
                 G[k] + K.number(self.h[i]) if i == j and self.h[i] and not rate else G[k]
                 for j, k in enumerate(self.which[i])
             ]
-            B = [self.B[j][i] if not rate else 0 for j in self.kept]
+            B = [self.B[j][i] if not rate else Fraction(0) for j in self.kept]
             out.append([*(like + K.number(x) if x else like for x in B), *own])
         return out
 
