@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve import PhysicalCase, Spectrum, certify
-from mpsolve.model.inputfile import read_input
+from mpsolve.problem.casefile import read_input
 from mpsolve.report.figures import save_figure
 from mpsolve.report.figures_plane import cut_line, q_plane, roots_zoom
 from mpsolve.report.vibration import Vibration, vibrations

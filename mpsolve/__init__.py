@@ -19,9 +19,8 @@ if TYPE_CHECKING:
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
-    from mpsolve.model.inputfile import read_case
-    from mpsolve.model.load import Load
-    from mpsolve.model.parameters import Case, Mass, PhysicalCase
+    from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
+    from mpsolve.loci.lines import frequency_lines
     from mpsolve.motion.beam import BeamResponse, finite_beam
     from mpsolve.motion.solution import HarmonicSolution, Response
     from mpsolve.motion.solve import harmonic_solution
@@ -31,7 +30,10 @@ if TYPE_CHECKING:
     from mpsolve.passivity.answer import PassivityVelocity
     from mpsolve.passivity.band import PassivityBand, passivity_band
     from mpsolve.passivity.velocity import passivity_velocity
+    from mpsolve.problem.case import Case
+    from mpsolve.problem.casefile import read_case
     from mpsolve.problem.inputfile import read_problem
+    from mpsolve.problem.physical import Mass, PhysicalCase
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
     from mpsolve.ranges.chart import Chart, stability_chart
@@ -43,13 +45,11 @@ if TYPE_CHECKING:
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
-    from mpsolve.stability.distance import critical_distance
-    from mpsolve.stability.limiting import limiting_mass
-    from mpsolve.stability.lines import frequency_lines
     from mpsolve.stability.masses import crossing_masses
-    from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.vehicles.load import Load
+    from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -108,11 +108,11 @@ __all__ = [
     "crossings",
     "prove_stable",
     "sensitivity",
-    "limiting_mass",
-    "critical_distance",
     "cut_points",
     "frequency_lines",
-    "damping_sensitivity",
+    "FrequencyLines",
+    "FrequencyLine",
+    "LineEnd",
     "onset_table",
     "stability_chart",
     "Onset",
@@ -131,6 +131,8 @@ __all__ = [
     "Vibration",
     "response_mp",
     "PreciseVibration",
+    "response_balls",
+    "ProvedVibration",
     "Irregularity",
     "rail_roughness",
     "out_of_round",
@@ -170,11 +172,11 @@ _HOME = {
     "tracks": "tracks",
     "vehicles": "vehicles",
     "read_problem": "problem.inputfile",
-    "Case": "model.parameters",
-    "PhysicalCase": "model.parameters",
-    "Mass": "model.parameters",
+    "Case": "problem.case",
+    "PhysicalCase": "problem.physical",
+    "Mass": "problem.physical",
     "Exact": "numbers.exact",
-    "read_case": "model.inputfile",
+    "read_case": "problem.casefile",
     "receptance": "characteristic.forced",
     "dispersion": "waves.dispersion",
     "critical_velocities": "waves.critical",
@@ -207,11 +209,11 @@ _HOME = {
     "crossings": "ranges.crossings",
     "prove_stable": "ranges.robust",
     "sensitivity": "ranges.sensitivity",
-    "limiting_mass": "stability.limiting",
-    "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
-    "frequency_lines": "stability.lines",
-    "damping_sensitivity": "stability.sensitivity",
+    "frequency_lines": "loci.lines",
+    "FrequencyLines": "loci.answer",
+    "FrequencyLine": "loci.answer",
+    "LineEnd": "loci.answer",
     "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",
@@ -226,11 +228,13 @@ _HOME = {
     "worst": "ranges.worst",
     "Worst": "ranges.worst",
     "Table": "ranges.table",
-    "Load": "model.load",
+    "Load": "vehicles.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
     "PreciseVibration": "vibration.precise",
+    "response_balls": "vibration.balls.enclosure",
+    "ProvedVibration": "vibration.balls.enclosure",
     "Irregularity": "vibration.forcing",
     "rail_roughness": "vibration.roughness",
     "out_of_round": "vibration.roughness",

@@ -64,8 +64,8 @@ def region_of(text: str | None, given: Any = None) -> Any:
     Heights and bounds may have units, as in below="50 1/s", unless what is given is a case in the paper's ratios.
     """
     from mpsolve.errors import InputError
-    from mpsolve.model.parameters import Case
     from mpsolve.numbers.units import measured
+    from mpsolve.problem.case import Case
     from mpsolve.spectrum.regions import Rectangle
 
     if text in (None, "sheet", "unstable"):

@@ -35,7 +35,7 @@ def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, o
     with one_sentence():
         from mpsolve.errors import InputError
         from mpsolve.files import write_whole
-        from mpsolve.model.parameters import Case
+        from mpsolve.problem.case import Case
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.receptances import receptances
 

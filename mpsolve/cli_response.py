@@ -12,9 +12,9 @@ from mpsolve import cli_vibration
 from mpsolve.cli_tools import checked_output, one_sentence
 
 if TYPE_CHECKING:
-    from mpsolve.model.inputfile import InputFile
     from mpsolve.motion.scale import Scale
     from mpsolve.motion.solution import Response
+    from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
@@ -57,7 +57,7 @@ def response(
     input cannot be used.
     """
     with one_sentence():
-        from mpsolve.model.inputfile import InputFile
+        from mpsolve.problem.casefile import InputFile
 
         kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
         source = _source(file, end)
@@ -77,7 +77,8 @@ def response(
         found = respond(source.case, source.loads, places, tau)
         scale = _scale(source)
         if kind == ".json":
-            from mpsolve.motion.output import columns, save_json
+            from mpsolve.files import save_json
+            from mpsolve.motion.output import columns
 
             save_json(columns(found, scale), output, source.title, _summary(found, scale))
         else:
@@ -99,7 +100,7 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
     or written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.model.inputfile import InputFile
+        from mpsolve.problem.casefile import InputFile
 
         kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
         source = _source(file, end)
@@ -126,8 +127,8 @@ COMMANDS = (response, compare)
 def _source(file: Path, end: str) -> ProblemFile | InputFile:
     """A problem in SI where the file has [track] or the last time is given in s; else the paper's case."""
     from mpsolve.errors import InputError
-    from mpsolve.model.parameters import PhysicalCase
     from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
+    from mpsolve.problem.physical import PhysicalCase
 
     source = read_source(file)
     if isinstance(source, ProblemFile) or cli_vibration.seconds(end) is None:
@@ -174,8 +175,8 @@ def _suffix(path: Path, known: tuple[str, ...]) -> str:
 
 
 def _scale(source: InputFile) -> Scale:
-    from mpsolve.model.parameters import PhysicalCase
     from mpsolve.motion.scale import Scale
+    from mpsolve.problem.physical import PhysicalCase
 
     return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
 
@@ -186,7 +187,8 @@ def _unit(scale: Scale) -> str:
 
 def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
-        from mpsolve.motion.output import columns, save_columns
+        from mpsolve.files import save_columns
+        from mpsolve.motion.output import columns
 
         save_columns(columns(found, scale), path)
     elif kind == ".npz":
@@ -247,7 +249,8 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], 
 
 def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
-        from mpsolve.motion.output import named, save_columns, time_columns
+        from mpsolve.files import save_columns
+        from mpsolve.motion.output import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
         save_columns(time_columns(tau, scale) | shown, path)

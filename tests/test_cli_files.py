@@ -85,7 +85,7 @@ FROM_STANDARD_INPUT = {
     "worst - --over vehicles.M=8..12t": "rail_60e1",
     "robust - --over v=0..80m/s": "rail_60e1",
     "chart - --over v=0..100km/h --over scale.mass=0.5..2 --depth 2": "rail_60e1",
-    "critical-distance - --from 1 --to 2 -o b.json": "dimensionless",
+    "worst - --over gap[0]=1..2": "dimensionless",
     "train -": "endless_train",
     "critical -": "rail_60e1",
     "receptance - --omega 1,2,3": "rail_60e1",

@@ -4,14 +4,42 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Literal
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.model import shown
+from mpsolve.problem.case import Case
+from mpsolve.problem.cases import Given
+from mpsolve.problem.line import line_height
+from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region, checked_region
 from mpsolve.spectrum.solve import default_height
 from mpsolve.tracks.at_rest import lowest_cut
+from mpsolve.vehicles.mass import Mass
+
+FEW = 2
+"""Up to so many masses the whole sheet of a beam is what is asked for by default."""
+
+
+def default_region(given: Given, meant: Problem) -> Literal["sheet"] | None:
+    """What tells most: "sheet" for few masses on a beam, or None, below a height near the lowest cut."""
+    if not has_whole_sheet(meant):
+        return None
+    few = len({placed.position for placed in meant.vehicles}) <= FEW
+    return "sheet" if few or not is_damped(meant) or isinstance(given, Case) else None
+
+
+def has_whole_sheet(problem: Problem) -> bool:
+    """Whether masses alone run on a beam whose cuts lie on one line."""
+    masses = all(isinstance(placed.vehicle, Mass) for placed in problem.vehicles)
+    return masses and line_height(problem.track) is not None
+
+
+def is_damped(problem: Problem) -> bool:
+    """Whether the track is no undamped beam; other undamped tracks are refused anyway."""
+    return line_height(problem.track) != 0
 
 
 def asked_region(reduced: Reduced, region: object) -> Region:

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
-from mpsolve.problem.line import line_height
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.regions import Sheet, checked_region
-from mpsolve.vehicles.mass import Mass
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum
-
-FEW = 2
-"""Up to so many masses the whole sheet of the paper's beam is what is asked for by default."""
 
 
 def certify(
@@ -52,7 +47,9 @@ def certify(
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem, a Case or a PhysicalCase")
     if effort is not None and not isinstance(effort, Effort):
         raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    from mpsolve.certificate.asked import default_region, has_whole_sheet, is_damped
     from mpsolve.certificate.solve import certify_problem, checked_digits  # what computes is loaded when it is needed
+    from mpsolve.certificate.whole_sheet import unstable_part
 
     meant, digits = as_problem(problem), checked_digits(digits)
     options: dict[str, Any] = {"digits": digits, "effort": effort, "progress": progress, "check": check}
@@ -60,32 +57,25 @@ def certify(
     def answered(wanted: object) -> Spectrum:
         return _about(problem, certify_problem(meant, region=wanted, **options))
 
-    if region is not None:
-        asked = checked_region(region)
-        found = answered(asked)
-        if asked == "unstable" and found.reason is not None and found.reason.code in ("root-on-line", "line"):
-            return _with_its_sheet(found, meant, answered)
-        return found
-    first = answered(_default(problem, meant))
+    asked = default_region(problem, meant) if region is None else checked_region(region)
+    first = answered(asked)
     if first.proved:
         return first
+    if region is not None:
+        if asked != "unstable" or not _next_to_the_line(first) or not (is_damped(meant) and has_whole_sheet(meant)):
+            return first
+        whole = answered("sheet")  # a root is too close to the real axis: this count goes another way
+        return unstable_part(whole) if whole.proved else first
     for wanted, note in _NARROWER if isinstance(first.region, Sheet) else _NARROWER[1:]:
-        if wanted or line_height(meant.track):  # without damping there is nothing below a height
+        if wanted or is_damped(meant):  # without damping there is nothing below a height
             found = answered(wanted)
             if found.proved:
                 return replace(found, note=found.note or note)
     return first
 
 
-def _with_its_sheet(found: Spectrum, meant: Problem, answered: Callable[[object], Spectrum]) -> Spectrum:
-    """A root is too close to the real axis to be passed: the count of the whole sheet goes another way."""
-    from mpsolve.certificate.whole_sheet import unstable_part
-
-    if line_height(meant.track) and _masses_only(meant):
-        whole = answered("sheet")
-        if whole.proved:
-            return unstable_part(whole)
-    return found
+def _next_to_the_line(found: Spectrum) -> bool:
+    return found.reason is not None and found.reason.code in ("root-on-line", "line")
 
 
 _NARROWER = (
@@ -100,16 +90,3 @@ def _about(given: Given, found: Spectrum) -> Spectrum:
     if given is found.problem:
         return found
     return replace(found, problem=given, roots=tuple(replace(root, problem=given) for root in found.roots))
-
-
-def _default(given: Given, meant: Problem) -> str | None:
-    """ "sheet" or None, where the general engine chooses."""
-    height = line_height(meant.track)
-    if height is None or not _masses_only(meant):
-        return None
-    few = len({placed.position for placed in meant.vehicles}) <= FEW
-    return "sheet" if few or not height or isinstance(given, Case) else None
-
-
-def _masses_only(meant: Problem) -> bool:
-    return all(isinstance(placed.vehicle, Mass) for placed in meant.vehicles)

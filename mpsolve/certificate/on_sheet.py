@@ -8,10 +8,10 @@ from flint import acb
 
 from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.rootball import RootBall
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_paper
 from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Root, Spectrum

@@ -8,9 +8,10 @@ from dataclasses import dataclass, field, replace
 from mpsolve.certificate import verify
 from mpsolve.certificate.format import Certificate, make_certificate
 from mpsolve.errors import InputError, PrecisionError, known
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.progress import Progress, silent
 from mpsolve.sheet import reasons
 from mpsolve.sheet.collect import collect

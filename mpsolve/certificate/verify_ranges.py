@@ -18,7 +18,7 @@ import json
 import re
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
 from math import asinh, comb, sinh
@@ -42,7 +42,7 @@ MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 2
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 BOXES = 20_000  # that a polynomial's positivity may take
 BITS = 64
-POINTS, TOGETHER = 32, 0.3  # of a circle; roots closer than this share of the distance of others share one
+POINTS, TOGETHER, SMALL = 24, 0.3, 64  # of a circle; roots closer than this share of the distance of others share one
 SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -60,13 +60,13 @@ def verify(path: Any) -> Any:
         return Verdict(False, f"the file cannot be read: {error.strerror or error}")
 
 
-def verify_bytes(raw: bytes) -> Any:
-    """The verdict on a certificate's bytes. Never raises for what they hold."""
+def verify_bytes(raw: bytes, most: int | None = None) -> Any:
+    """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it may look at."""
     try:
         require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
         content = opened(raw)
         with spectra.precision(BITS):
-            return Verdict(True, "", checked(content))
+            return Verdict(True, "", checked(content, most))
     except Refused as error:
         return Verdict(False, str(error))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
@@ -464,17 +464,10 @@ def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
     B, felt = Q.transpose() * B, nb - unfelt
     for i, j in product(range(felt - neutral, nb), range(nc)):
         require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
-    parts: list[dict[Exponents, Any]] = []
-    for name in "MCK":
-        one: dict[Exponents, Any] = {}
-        rows = items(value[name], nb, name, nb)
-        for i, row in enumerate(rows):
-            for j, x in enumerate(items(row, nb, name, nb)):
-                for e, c in free(x, count, name).items():
-                    require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
-                    one.setdefault(e, fmpq_mat(nb, nb))[i, j] = c
-        parts.append({e: Q.transpose() * a * Q for e, a in one.items()})
-        for a in parts[-1].values():
+    parts = [read_free_matrix(value[name], nb, count, name) for name in "MCK"]
+    parts = [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
+    for part in parts:
+        for a in part.values():
             for i, j in product(range(felt, nb), range(felt)):
                 require(a[i, j] == 0 == a[j, i], "the unfelt coordinates are coupled to the others")
     M, C, K = parts
@@ -486,6 +479,17 @@ def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
     vehicle = Vehicle(M, C, K, cut(B, felt, nc), h, places, neutral)
     check_places(vehicle, box)
     return vehicle
+
+
+def read_free_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
+    """{exponents: matrix}, linear in each parameter."""
+    out: dict[Exponents, Any] = {}
+    for i, row in enumerate(items(value, size, name, size)):
+        for j, x in enumerate(items(row, size, name, size)):
+            for e, c in free(x, count, name).items():
+                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
+                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
+    return out
 
 
 def cut(a: Any, height: int, width: int) -> Any:
@@ -583,7 +587,8 @@ class Form:
     __slots__ = ("_sizes", "e", "k", "m")
 
     def __init__(self, k: list[Any], e: Any, m: int) -> None:
-        self.k, self.e, self.m, self._sizes = k, e, m, None
+        self.k, self.e, self.m = k, e, m
+        self._sizes: tuple[Any, Any, Any] | None = None
 
     @property
     def sizes(self) -> tuple[Any, Any, Any]:
@@ -629,6 +634,15 @@ class Form:
         require(y < 0.95, "a quantity may be infinite over a box")
         rest = size * (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y))
         return Form(inverse_of(self.k, self.m), rest, self.m)
+
+    def exp(self) -> Form:
+        """e^f: |e^w − 1 − w − w²/2| ≤ e^y y³/6 for |w| ≤ y."""
+        _, p, q = self.sizes
+        y = p + q + self.e
+        require(y < 40, "a wave may change too much over a box")
+        rest = self.e + (q + self.e) * (2 * p + q + self.e) / 2 + y.exp() * y**3 / 6
+        k = exponential_of(self.k, self.m)
+        return Form(k, abs(self.k[0].exp()) * rest, self.m)
 
     def rested(self, more: Any) -> Form:
         """The same with more in the rest."""
@@ -697,7 +711,7 @@ def balls(f: Free) -> list[tuple[Exponents, Any]]:
 # --- the splitting over a box, p-roots and G --------------------------------------------------------------
 
 
-class Wide(Refused):
+class Wide(spectra.Refused):
     """A box is too wide for the forms; `weights` tell along which variable to halve it."""
 
     def __init__(self, why: str, weights: Sequence[float] = ()) -> None:
@@ -762,8 +776,8 @@ class Split:
     def about(self, z: Any, i: int) -> Form:
         """E_i in D(z + h) = Σ E_i h^i."""
         power, out = acb(1), []
-        for l in range(i, self.n + 1):
-            out.append(self.D[l].scaled(power * comb(l, i)))
+        for j in range(i, self.n + 1):
+            out.append(self.D[j].scaled(power * comb(j, i)))
             power = power * z
         return total(out, self.m)
 
@@ -803,7 +817,7 @@ class Split:
             tau = []
             for side, other in ((0, 1), (1, 0)):
                 for k in self.sides[side]:
-                    s = sum((beta[l] / self.gap[k][l] for l in self.sides[other]), ZERO)
+                    s = sum((beta[j] / self.gap[k][j] for j in self.sides[other]), ZERO)
                     if not s < 0.5:
                         return None
                     tau.append((w[k] / (1 - s)).upper())
@@ -824,7 +838,7 @@ class Split:
         out = [0.0] * self.m
         for side, other in ((0, 1), (1, 0)):
             for k in self.sides[side]:
-                near = min((float(self.gap[k][l]) for l in self.sides[other]), default=1.0)
+                near = min((float(self.gap[k][j]) for j in self.sides[other]), default=1.0)
                 for i in range(self.m):
                     moved = float(abs(self.values[k].k[1 + i]))
                     out[i] = max(out[i], moved / (float(self.scale[k]) * near))
@@ -869,26 +883,76 @@ class Split:
             above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
         return point, product_of(above, inverse_of(slope, m), m)
 
-    def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
-        """(middle, radii, p-roots inside): the other roots lie outside the third radius, those inside within the
-        first; roots of one side that are close share a circle."""
+    @property
+    def small(self) -> bool:
+        """Whether the box moves p-roots by little of their distances."""
+        both = combinations(range(self.n), 2)
+        return all((self.tight[k] + self.tight[j]) * SMALL < self.gap[k][j] for k, j in both)
+
+    def isolated(self, side: range) -> list[Any]:
+        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
+        radii = []
+        for k in side:
+            for widening in (1.02, 1.1, 1.5, 3):
+                e = (self.tight[k] * widening).upper()
+                near = [(self.tight[j], self.gap[k][j] - e) for j in side if j != k]
+                if all(gap > 0 for _, gap in near):
+                    g = sum((t / gap for t, gap in near), ZERO)
+                    if g < 1 and self.tight[k] < e * (1 - g):
+                        radii.append(e)
+                        break
+            else:
+                raise Wide("two p-roots of one side meet over a box", self.strain())
+        both = combinations(range(len(radii)), 2)
+        apart = all(self.gap[side[i]][side[k]] > radii[i] + radii[k] for i, k in both)
+        require(apart, "two p-roots of one side meet over a box")
+        return radii
+
+    def sharp(self, k: int, e: Any, N: list[Form]) -> tuple[Form, Form]:
+        """The root in the disc of radius e round node k, and N/D_P there, as forms: with D(z + h) = Σ E_i h^i,
+        h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself twice."""
+        E = [self.about(self.z[k], i) for i in range(self.n + 1)]
+        require(not E[1].k[0].contains(0), "two p-roots of one side meet over a box")
+        c = -1 / E[1].k[0]
+        turn = Form([NONE, *E[1].k[1:]], E[1].e, self.m)
+        h = number(0, self.m).rested(e)
+        for _ in range(3):
+            e = h.size
+            more = sum((f.size * e**i for i, f in enumerate(E[3:], 3)), ZERO)
+            above = E[0] + turn * h + (E[2] * (h * h) if self.n > 1 else number(0, self.m))
+            h = above.rested(more).scaled(c)
+        e = h.size
+        slope = E[1]
+        if self.n > 1:
+            slope = slope + (E[2] * h).scaled(2)
+        if self.n > 2:
+            slope = slope + (E[3] * (h * h)).scaled(3)
+        slope = slope.rested(sum((i * E[i].size * e ** (i - 1) for i in range(4, self.n + 1)), ZERO))
+        point, value = h.plus(self.z[k]), N[-1]
+        for f in reversed(N[:-1]):
+            value = value * point + f
+        return point, value * slope.inverse()
+
+    def circles(self, side: int) -> list[tuple[Any, list[Any]]]:
+        """(middle, radii) of circles, the second radius is theirs; roots of one side that are close share one."""
         own, z = list(self.sides[side]), [complex(x) for x in self.z]
         others = [k for k in range(self.n) if k not in own]
-        far = {k: min((abs(z[k] - z[l]) for l in others), default=1e300) for k in own}
+        far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
         groups: list[list[int]] = []
         for k in own:
-            near = [g for g in groups if any(abs(z[k] - z[l]) <= TOGETHER * min(far[k], far[l]) for l in g)]
-            groups = [g for g in groups if g not in near] + [[k, *(l for g in near for l in g)]]
+            near = [g for g in groups if any(abs(z[k] - z[j]) <= TOGETHER * min(far[k], far[j]) for j in g)]
+            groups = [g for g in groups if g not in near] + [[k, *(j for g in near for j in g)]]
         out = []
         for g in groups:
             middle = sum(z[k] for k in g) / len(g)
             size = max(abs(z[k] - middle) for k in g)
             outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
+            size += len(g) * max(float(self.tight[k]) for k in g)
             radius = max(0.4 * outer, (size * outer) ** 0.5)
-            inner = max(0.35 * radius, size + 3 * len(g) * max(float(self.tight[k]) for k in g))
-            if not inner < 0.9 * radius < 0.8 * outer:
+            inner = size + 0.08 * (radius - size)
+            if not inner < 0.9 * radius < 0.75 * outer:
                 raise Wide("p-roots come too near to others over a box", self.strain())
-            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)], g))
+            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)]))
         return out
 
     def rest(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
@@ -897,13 +961,13 @@ class Split:
         m, out = self.m, [ZERO] * len(distances)
         D = [acb_poly([f.k[i] for f in self.D]) for i in range(1, len(self.D[0].k))]
         lost, lead = arb_poly([f.e for f in self.D]), abs(self.D[-1].k[0])
-        for middle, radii, inside in self.circles(side):
+        for middle, radii in self.circles(side):
             radius = radii[1]
             far = abs(middle) + radius
             above = of_polynomial(N, far)
             waves = [moduli_of_wave(f, far) for f in distances]
             share = radius / POINTS
-            for turn in turns():
+            for turn in turns(flint.ctx.prec):
                 P = middle + radius * turn
                 d = lead
                 for z in self.roots:
@@ -937,7 +1001,7 @@ class Split:
                 low = low * x
             for side in self.sides:
                 share = 1 - sum((self.tight[k] / away[k] for k in side), ZERO)
-                if not share > 0.05:
+                if not share > 0:
                     raise Wide("p-roots come too near to others over a box", self.strain())
                 low = low * share
             require(low > 0, "p-roots come too near to others over a box")
@@ -949,12 +1013,9 @@ class Split:
 
 
 @lru_cache(maxsize=8)
-def turns_at(bits: int) -> list[Any]:
+def turns(_precision: int) -> list[Any]:
+    """The POINTS-th roots of 1 at the precision that is set."""
     return [acb(arb(fmpq(2 * a, POINTS))).exp_pi_i() for a in range(POINTS)]
-
-
-def turns() -> list[Any]:
-    return turns_at(flint.ctx.prec)
 
 
 def of_polynomial(f: Sequence[Form], far: Any) -> tuple[Any, Any, Any, Any]:
@@ -989,25 +1050,33 @@ def bound(x: Any, y: Any) -> Any:
 
 
 def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
-    """G at each distance over the box."""
+    """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
+    sharp = split.small
     place, m = split.place, split.m
     N = [place.value(f) for f in waves.N]
     distances = waves.ordered(x)
     forms = [place.value(f) for _, f in distances]
     out = [number(0, m)] * len(forms)
-    for side in (0, 1):
+    for side, here in enumerate(split.sides):
         chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
         if not chosen:
             continue
-        each = [split.wave(k, N) for k in split.sides[side]]
+        if sharp:
+            roots = [split.sharp(k, e, N) for k, e in zip(here, split.isolated(here), strict=True)]
+            for n in chosen:
+                each_ = [w * (P * forms[n]).exp() if distances[n][1] else w for P, w in roots]
+                out[n] = -total(each_, m) if side else total(each_, m)
+            continue
+        each = [split.wave(k, N) for k in here]
         rests = split.rest(side, N, [forms[n] for n in chosen])
         for n, rest in zip(chosen, rests, strict=True):
             k = [NONE] * len(forms[n].k)
             for P, w in each:
                 term = w if not distances[n][1] else product_of(w, exponential_of(product_of(P, forms[n].k, m), m), m)
                 k = [a - b if side else a + b for a, b in zip(k, term, strict=True)]
-            require(rest.is_finite() and all(y.is_finite() for y in k), "G is not bounded over a box")
             out[n] = Form(k, rest, m)
+    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
+    require(finite, "G is not bounded over a box")
     return out
 
 
@@ -1067,33 +1136,54 @@ class Matrix:
 
 
 def diagonal(a: list[list[complex]]) -> tuple[list[list[complex]], list[list[complex]]]:
-    """X, Y with X a Y ≈ diag(1, …, 1, s), s small where a is nearly singular: nothing rests on them."""
+    """X, Y with X a Y ≈ diag(1, …, 1, s), by the singular values of a with rows and columns scaled, the least one
+    last; by rotations of pairs of columns. Nothing rests on them."""
     n = len(a)
     r = [1 / (max(map(abs, row)) or 1) for row in a]
     c = [1 / (max(abs(r[i] * a[i][j]) for i in range(n)) or 1) for j in range(n)]
-    b = [[r[i] * a[i][j] * c[j] for j in range(n)] for i in range(n)]
-    X = [[r[i] if i == j else 0j for j in range(n)] for i in range(n)]
-    Y = [[c[i] if i == j else 0j for j in range(n)] for i in range(n)]
-    for k in range(n - 1):
-        i, j = max(((i, j) for i in range(k, n) for j in range(k, n)), key=lambda at_: abs(b[at_[0]][at_[1]]))
-        for rows in (b, X):
-            rows[k], rows[i] = rows[i], rows[k]
-        for rows in (b, Y):
-            for row in rows:
-                row[k], row[j] = row[j], row[k]
-        pivot = b[k][k] or 1e-300
-        X[k] = [x / pivot for x in X[k]]
-        b[k] = [x / pivot for x in b[k]]
-        for i in range(k + 1, n):
-            factor = b[i][k]
-            X[i] = [x - factor * y for x, y in zip(X[i], X[k], strict=True)]
-            b[i] = [x - factor * y for x, y in zip(b[i], b[k], strict=True)]
-        for j in range(k + 1, n):
-            factor = b[k][j]
-            for row in Y:
-                row[j] -= factor * row[k]
-            b[k][j] = 0j
-    return X, Y
+    b = [[r[i] * a[i][j] * c[j] for i in range(n)] for j in range(n)]  # columns
+    V = [[c[i] if i == j else 0j for i in range(n)] for j in range(n)]
+    for _ in range(12):
+        turned = False
+        for p, q in combinations(range(n), 2):
+            one = sum(abs(x) ** 2 for x in b[p])
+            two = sum(abs(x) ** 2 for x in b[q])
+            cross = sum(x.conjugate() * y for x, y in zip(b[p], b[q], strict=True))
+            if abs(cross) <= 1e-12 * (one * two) ** 0.5:
+                continue
+            turned = True
+            phase = cross / abs(cross)
+            zeta = (two - one) / (2 * abs(cross))
+            t = (1 if zeta >= 0 else -1) / (abs(zeta) + (1 + zeta * zeta) ** 0.5)
+            cos = 1 / (1 + t * t) ** 0.5
+            sin = cos * t
+            for rows in (b, V):
+                x, y = rows[p], rows[q]
+                rows[p] = [cos * u - sin * phase.conjugate() * v for u, v in zip(x, y, strict=True)]
+                rows[q] = [sin * phase * u + cos * v for u, v in zip(x, y, strict=True)]
+        if not turned:
+            break
+    sizes = [sum(abs(x) ** 2 for x in column) ** 0.5 or 1e-300 for column in b]
+    order = sorted(range(n), key=lambda k: -sizes[k])
+    scale = [sizes[k] for k in order]
+    if n > 1:
+        scale[-1] = scale[-2]
+    units = [[x / sizes[k] for x in b[k]] for k in order]
+    if n > 1 and sizes[order[-1]] < 1e-8 * scale[0]:  # a unit vector that is normal to the others
+        units[-1] = max((normal_to(units[:-1], i) for i in range(n)), key=lambda one: one[1])[0]
+    X = [[x.conjugate() / size * r[i] for i, x in enumerate(unit)] for unit, size in zip(units, scale, strict=True)]
+    return X, [[V[k][i] for k in order] for i in range(n)]
+
+
+def normal_to(units: list[list[complex]], i: int) -> tuple[list[complex], float]:
+    """The i-th unit vector without its parts along others, of length 1; how long it was."""
+    out = [1.0 + 0j if j == i else 0j for j in range(len(units[0]))]
+    for _ in range(2):
+        for unit in units:
+            part = sum(x.conjugate() * y for x, y in zip(unit, out, strict=True))
+            out = [y - part * x for x, y in zip(unit, out, strict=True)]
+    length = sum(abs(x) ** 2 for x in out) ** 0.5 or 1e-300
+    return [x / length for x in out], length
 
 
 def scalar(A: list[list[Form]]) -> Form:
@@ -1103,6 +1193,8 @@ def scalar(A: list[list[Form]]) -> Form:
         return A[0][0]
     X, Y = diagonal([[complex(f.k[0]) for f in row] for row in A])
     left, right = acb_mat(X), acb_mat(Y)
+    if flint.ctx.prec > BITS:
+        left, right = sharpened(left, right, acb_mat([[f.k[0] for f in row] for row in A]))
     parts = [(left * acb_mat([[f.k[p] for f in row] for row in A]) * right).tolist() for p in range(len(A[0][0].k))]
     rest = (spectra.moduli(left) * arb_mat([[f.e for f in row] for row in A]) * spectra.moduli(right)).tolist()
     last = n - 1
@@ -1129,6 +1221,24 @@ def scalar(A: list[list[Form]]) -> Form:
     return s.rested(size_row * size_column * eta / (1 - eta))
 
 
+def sharpened(left: Any, right: Any, A: Any) -> tuple[Any, Any]:
+    """The same to all digits: X A Y = [[1 + E, e], [f, g]] cleared of E, e and f at the middle, by exact matrices."""
+    B = (left * A * right).mid()
+    n = B.nrows() - 1
+    try:
+        inverse = acb_mat([[B[i, j] for j in range(n)] for i in range(n)]).inv().mid()
+    except ZeroDivisionError:
+        raise Wide("the matrix has two small singular values") from None
+    row = acb_mat([[B[n, j] for j in range(n)]]) * inverse
+    column = inverse * acb_mat([[B[i, n]] for i in range(n)])
+    L, R = spectra.identity(n + 1), spectra.identity(n + 1)
+    for i, j in product(range(n), repeat=2):
+        L[i, j] = inverse[i, j]
+    for i in range(n):
+        L[n, i], R[i, n] = -row[0, i].mid(), -column[i, 0].mid()
+    return (L * left).mid(), (right * R).mid()
+
+
 def weights(E: list[list[Any]]) -> tuple[list[Any], Any]:
     """(x > 0, a bound of max (E x)_i/x_i): near the least."""
     near = [[float(x.upper()) for x in row] for row in E]
@@ -1137,7 +1247,7 @@ def weights(E: list[list[Any]]) -> tuple[list[Any], Any]:
         z = [sum(a * b for a, b in zip(row, y, strict=True)) + 0.02 * own for row, own in zip(near, y, strict=True)]
         top = max(z) or 1.0
         y = [max(a / top, 1e-9) for a in z]
-        if not all(map(lambda a: a == a and a < 1e300, y)):
+        if not all(a < 1e300 for a in y):
             y = [1.0] * len(E)
             break
     x = [arb(a) for a in y]
@@ -1413,6 +1523,11 @@ def by_cells(problem: Family, box: Box, place: Place) -> None:
         error.weights = [abs(x) for x in off]
         for cell in found[:chosen]:
             error.weights = [x + y for x, y in zip(error.weights, cell.costs(), strict=True)]
+        weight = sum(abs(float(cell.a) * float(cell.middle)) * 2 * float(cell.half) for cell in found[:chosen])
+        for one, other in pairwise(problem.sites):
+            gap = place.value([((0, *e), arb(c)) for e, c in minus(other, one).items()])
+            steps = [weight * float(abs(x)) for x in gap.k[1 : 1 + m]]
+            error.weights = [x + y for x, y in zip(error.weights, steps, strict=True)]
         raise
 
 
@@ -1440,7 +1555,8 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
     """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
-    D, moves = distance.k[0].real, distance.spread
+    D, moves, second = distance.k[0].real, distance.spread, distance.sizes[2] + distance.e
+    steps = [x.real for x in distance.k[1 : 1 + m]]
     out, rest = [NONE] * (1 + m), ZERO
     for c in found:
         x, twice = c.half * D, 2 * c.half
@@ -1449,9 +1565,13 @@ def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any],
         out[0] += cell * c.a + phase * acb(0, bend(x) * c.turn)
         for v in range(m):
             out[1 + v] += cell * c.b[v]
-        if not moves.is_zero():
-            far = abs(c.middle) + c.half
-            rest += twice * far * moves * (abs(c.a) + abs(c.turn) + sum((abs(y) for y in c.b), ZERO))
+        if not moves.is_zero():  # e^{ipδ} = 1 + ipδ + R, |R| ≤ (pδ)²/2
+            far, a = abs(c.middle) + c.half, abs(c.a)
+            slope = abs(c.turn) + sum((abs(y) for y in c.b), ZERO)
+            for v in range(m):
+                out[1 + v] += cell * acb(0, steps[v] * c.a * c.middle)
+            rest += twice * moves * (a * c.half + slope * far)
+            rest += twice * ((a + slope) * (far * moves) ** 2 / 2 + a * far * second)
     return out, rest
 
 
@@ -1462,7 +1582,8 @@ def absorption(track: Track) -> tuple[Any, Any]:
     """W = −Im(N conj D) and |D|², polynomials in p, Ω (in the places of P and s) and the parameters."""
     ring, parts = track.ring, []
     for poly in (track.D, track.N):
-        real_part, imag_part = {}, {}
+        real_part: dict[Any, Any] = {}
+        imag_part: dict[Any, Any] = {}
         for (i, j, *e), c in poly.to_dict().items():  # c (ip)^i (iΩ)^j, i even
             i, j = int(i), int(j)
             x = c * (-1) ** ((i + j - j % 2) // 2)
@@ -1477,7 +1598,7 @@ def terms(p: Any) -> Free:
 
 
 def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
-    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z, τ = q^{−1/m} and the parameters."""
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z, τ = q^{−1/m} and θ."""
     top = max(k * e[0] + m * e[1] for e in t)
     out: Free = {}
     for (i, j, *e), c in t.items():
@@ -1565,7 +1686,7 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
         check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
         check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
     turn = arb(Q / fastest)
-    known = [arb(C) for p0, C in bounds if Q >= p0 * fastest]
+    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
     require(known, "short waves are not bounded beyond Q")
     C = known[-1]
     absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), ZERO)
@@ -1755,7 +1876,7 @@ def slopes(family: Family, sides: Sequence[tuple[Any, Any]]) -> tuple[list[Any],
 # --- the certificate --------------------------------------------------------------------------------------
 
 
-def checked(content: dict[str, Any]) -> str:
+def checked(content: dict[str, Any], most: int | None) -> str:
     """The claim in words, if every step of the certificate holds."""
     keys(content["equations"], "free track velocity vehicle")
     names = items(content["equations"]["free"], MAX_PARAMETERS, "free")
@@ -1787,6 +1908,7 @@ def checked(content: dict[str, Any]) -> str:
     require(all(a <= b for a, b in pairwise(ends)), "the cells beyond X are not in order")
     require(isinstance(content["tree"], str), "the tree is no text")
     family.left = EXTRA * (len(content["tree"]) + len(ends)) + PIECES
+    family.left = family.left if most is None else min(family.left, most)
     zeros = [read_zero(value, family) for value in values]
     for a, b in pairwise(ends):
         if a < b:

@@ -25,27 +25,34 @@ _INNER, _OUTER = (
 )  # where f is bounded, between the roots inside and the circle; of the next root's distance
 _RADIUS = 0.4  # of a circle, relative to the distance of the next root outside
 _GROWTH = 7.5  # over the largest distance: of a circle's outer radius
-_NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
+NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
 _CLOSEST = 0.9
 
 
 def by_circles(wave: Wave, N: Quadratic, xi: Quadratic, upper: bool, fixed: bool) -> Quadratic:
     """G at the distances of one sign, from the roots of one side; fixed: whether no distance varies."""
     own = (np.arange(wave.z.shape[1]) < wave.up) == upper
-    boxes = len(wave.z)
     if not own.any():
         return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
     circles = circles_of(wave, own, xi.size.max(1))
+    f, points = samples(wave, N, circles)
+    sums = _summed(f if upper else -f, points, xi, fixed)
+    return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
+
+
+def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Any]:
+    """(N/D at the points of the active circles times their share of the integral over 2πi, the points)."""
+    boxes = len(wave.z)
     turn = exponential(2j * np.pi * np.arange(SAMPLES) / SAMPLES)[0]
     arm = circles.radius[:, :, None] * turn
     points = (circles.centre[:, :, None] + arm).reshape(boxes, -1)
     weight = (np.where(circles.active[:, :, None], arm, 0) / SAMPLES).reshape(boxes, -1)
     inverse = at(wave.D, points).inverse()
     f = at(N, points) * inverse
-    noise = _NOISE * majorant(N, np.abs(points)) * inverse.size
-    f = Quadratic(f.k, f.e + noise, f.m).times(weight if upper else -weight)
-    sums = _summed(f, points, xi, fixed)
-    return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
+    noise = NOISE * majorant(N, np.abs(points)) * inverse.size
+    f = Quadratic(f.k, f.e + noise, f.m).times(weight)
+    idle = weight == 0  # 1/D need not be bounded there
+    return Quadratic(np.where(idle, 0, f.k), np.where(idle, 0.0, f.e), f.m), points
 
 
 def _summed(f: Quadratic, points: Any, xi: Quadratic, fixed: bool) -> Quadratic:
@@ -54,8 +61,13 @@ def _summed(f: Quadratic, points: Any, xi: Quadratic, fixed: bool) -> Quadratic:
         phase = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m).times(points[:, :, None])
         grown = phase.exp() * Quadratic(f.k[..., None], f.e[..., None], f.m)
         return grown.sum(-2)
-    wave, lost = exponential(points[:, :, None] * xi.a[:, None, :])
-    lost = lost + (2 * _NOISE + 8 * U) * np.abs(points)[:, :, None] * np.abs(xi.a)[:, None, :]
+    return summed(f, points, xi.a)
+
+
+def summed(f: Quadratic, points: Any, xi: Any) -> Quadratic:
+    """Σ f e^{Pξ} over the points, for numbers ξ of shape (boxes, distances)."""
+    wave, lost = exponential(points[:, :, None] * xi[:, None, :])
+    lost = lost + (2 * NOISE + 8 * U) * np.abs(points)[:, :, None] * np.abs(xi)[:, None, :]
     size = np.abs(wave)
     k = (f.k[:, :, None, :] @ wave)[:, :, 0]
     e = (f.e[:, None, :] @ (size * (1 + lost)))[:, 0]
@@ -75,10 +87,11 @@ class Circles:
     active: Any
 
 
-def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
+def circles_of(wave: Wave, own: Any, reach: Any, off_axis: bool = False) -> Circles:
     """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
 
-    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that.
+    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that. off_axis:
+    and on its side of Re P = 0.
     """
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
@@ -97,6 +110,8 @@ def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
     if other.shape[1]:
         outer = np.minimum(outer, np.abs(centre[:, :, None] - other[:, None, :]).min(2))
     outer = np.minimum(outer, 4 * (np.abs(centre) + inner))
+    if off_axis:
+        outer = np.minimum(outer, np.abs(centre.real))
     outer = np.minimum(outer, np.maximum(_GROWTH / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)

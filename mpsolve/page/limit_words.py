@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.page.budget import Part
 from mpsolve.page.limits import Reach, distance_path
 from mpsolve.page.parts import Parts
 from mpsolve.page.words import speech
+from mpsolve.problem.case import Case
 from mpsolve.ranges.margin import Margin
 from mpsolve.ranges.onset import Kind
 from mpsolve.vehicles.mass import Mass

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve import __version__
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.model import Model, Part, quantities
@@ -19,6 +18,7 @@ from mpsolve.page.parts import Parts
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
+from mpsolve.problem.case import Case
 from mpsolve.problem.problem import Problem
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.page.budget import Part
 from mpsolve.page.parts import Parts
+from mpsolve.problem.case import Case
 from mpsolve.ranges.onset import Kind
 from mpsolve.spectrum.spectrum import Root
 

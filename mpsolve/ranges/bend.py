@@ -19,7 +19,8 @@ from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
 from mpsolve.proof import newton
 from mpsolve.proof.vanishing import scalar
-from mpsolve.ranges.branch import SIDE, AtPoint, Model
+from mpsolve.ranges.branch import SIDE, Model
+from mpsolve.ranges.rootcurve import AtPoint
 
 _SHARE = 0.34  # of a box: the square round the disc of complex x̂ lies in |u₁| < 1/2
 _SHRINK = 1  # samples lie on the circle of half the radius

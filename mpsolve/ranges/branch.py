@@ -1,4 +1,4 @@
-"""A root as a function of the parameter: in balls at a point, and over a box, where it is proved to bend or to rise.
+"""A root as a function of the parameter over boxes, where it is proved to bend or to rise.
 
 Over a box of (q′, x) the reduced determinant s is a Taylor model in complex u, |u_i| ≤ 1, with a remainder that is
 analytic there and at most e: in |u_i| ≤ 1/2 its derivatives are at most 2e, its second ones 8e, 4e, 8e (Cauchy).
@@ -17,11 +17,8 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
-from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.numbers.reduction import Reduction
-from mpsolve.proof import newton
 from mpsolve.proof.vanishing import scalar
 
 SIDE = 0.35
@@ -31,43 +28,6 @@ _WIDER = 1.05  # than the interval: half of a box along x
 _SLACK = 1.7  # more than the root moves, half of the square of u₀
 _SHARPER = 3
 _BITS = 64
-
-
-@dataclass(frozen=True)
-class AtPoint:
-    """The determinant at one x̂ (a ball) as an analytic function of q̂."""
-
-    proved: FreeProved
-    x: Any
-    reduction: Reduction
-
-    @staticmethod
-    def near(proved: FreeProved, q: Any, x: Any) -> AtPoint:
-        """Reduced at q, which is best near a root."""
-        A = proved.matrices(acb(0, 1) * q, [x], slopes=False)[0]
-        return AtPoint(proved, x, Reduction.of(A, near_root=True))
-
-    def value(self, q: Any) -> Any:
-        return self.reduction.scalar(self.proved.matrices(acb(0, 1) * q, [self.x], slopes=False)[0])
-
-    def slope(self, q: Any) -> Any:
-        return self.both(q)[1]
-
-    def both(self, q: Any) -> tuple[Any, Any]:
-        A, (A_sigma, _) = self.proved.matrices(acb(0, 1) * q, [self.x])
-        return self.reduction.scalar(A), acb(0, 1) * self.reduction.scalar_slope(A, A_sigma)
-
-    def motion(self, q: Any) -> Any:
-        """dq̂/dx̂ of the root in the ball q."""
-        A, (A_sigma, A_x) = self.proved.matrices(acb(0, 1) * q, [self.x])
-        f_q, f_x = acb(0, 1) * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
-        return -f_x / f_q
-
-
-def root_at(proved: FreeProved, q: Any, x: Any) -> tuple[AtPoint, Any]:
-    """(the function, an exact point near its root near q) at the precision that is set."""
-    f = AtPoint.near(proved, q, x)
-    return f, newton.polished(f, q)
 
 
 @dataclass(frozen=True)

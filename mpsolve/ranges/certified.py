@@ -1,4 +1,4 @@
-"""Certificates of answers over ranges, as JSON (certs/SPEC2.md, section 10); all numbers exact, in the problem's units.
+"""Certificates of answers over ranges, as JSON (certs/SPEC2.md, section 10); all exact, in the problem's units.
 
 `CertificateError` where an answer cannot be written: the checker knows less than the proof uses.
 """
@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
 from mpsolve.errors import CertificateError
+from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
 from mpsolve.passivity.far import FarNumbers, far_numbers
 from mpsolve.problem.family import Family
@@ -26,7 +27,7 @@ from mpsolve.ranges.scope import Scope
 
 _MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z"}
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
-_ROOM = 2  # bits by which balls are wider in the file than they are known
+_ROOM = 4  # by how much balls are wider in the file than they are known
 _POWERS = (1, 3)  # of 2: wavenumbers from which on short waves are bounded
 _OMEGA = 4.0  # where the charts of the envelope meet
 
@@ -186,18 +187,25 @@ def _zero(zero: Crossing, room: tuple[Any, Any], family: Family) -> dict[str, An
     return {"room": sides, "q": ball_entry(zero.q, units[0]), "x": x}
 
 
+def with_room(zero: Crossing) -> Crossing:
+    """With wider balls, so that a checker need not come as near; what is said is what the certificate states."""
+    return replace(zero, q=zero.q if zero.q == 0 else _wider(zero.q), x=_wider(zero.x))
+
+
+def _wider(ball: Any) -> Any:
+    middle, radius = ball.mid(), ball.rad() * _ROOM
+    return arb(middle, radius if radius > 0 else abs(middle) * arb(2) ** -64)
+
+
 def ball_entry(ball: Any, unit: Fraction) -> dict[str, Any]:
-    """A ball with more room, times a power of two."""
+    """A ball times a power of two."""
     mantissa, exponent = ball.mid().man_exp()
     radius, own = ball.rad().man_exp()
     shift = unit.numerator.bit_length() - unit.denominator.bit_length()
-    least = Fraction(int(radius)) * Fraction(2) ** int(own)
-    if not radius:  # an exact ball: as wide as its digits are long
-        least = abs(Fraction(int(mantissa)) * Fraction(2) ** int(exponent)) / 2**64
     return {
         "middle": hex(int(mantissa)),
         "exponent": int(exponent) + shift,
-        "radius": _radius(least * 2**_ROOM * unit),
+        "radius": [int(radius), int(own) + shift],
     }
 
 

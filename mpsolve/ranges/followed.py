@@ -11,8 +11,8 @@ import numpy as np
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.ranges.bend import is_convex
 from mpsolve.ranges.branch import Tube, tube
-from mpsolve.ranges.critical import Candidate
 from mpsolve.ranges.line import Line
+from mpsolve.ranges.stationary import Candidate
 
 _TUBES = (1, 4, 16, 64, 256)
 """Numbers of boxes in which a root is followed."""
@@ -62,7 +62,7 @@ def _is_lowest(followed: Tube, line: Line, found: Candidate, path: Callable[[Any
     if not last or not (low < arb(found.x) and arb(found.x) < high):
         return False
     ends = (nextafter(float(low.lower()), -inf), nextafter(float(high.upper()), inf))
-    return is_convex(line.scope.matrix, line.scope.proved, path, *ends, found.first)
+    return is_convex(line.scope.matrix, line.scope.proved, path, *ends, found.first[0])
 
 
 def _path(line: Line, found: Candidate) -> Callable[[Any], Any]:
@@ -72,12 +72,12 @@ def _path(line: Line, found: Candidate) -> Callable[[Any], Any]:
     for one in line.crossings:
         step = float(one.x.mid()) - here
         powers.append([step**k for k in range(3, 3 + len(line.crossings))])
-        lacks.append(float(one.q.mid()) + 1j * height - found.beside(step)[1])
+        lacks.append(float(one.q.mid()) + 1j * height - found.beside(step)[0])
     more = np.linalg.lstsq(np.array(powers), np.array(lacks), rcond=None)[0] if powers else ()
 
     def path(x: Any) -> Any:
         step = x - here
         higher = sum(c * step**k for k, c in enumerate(more, 3))
-        return found.beside(step)[1] + higher - 1j * height
+        return found.beside(step)[0] + higher - 1j * height
 
     return path

@@ -25,8 +25,10 @@ NONZERO, PASSIVE, KNOWN = 1, 2, 3
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
-Found = Callable[[Any], bool]
-"""What is done about a point (q̂, x̂) where the determinant seems to vanish: True where a zero was enclosed there."""
+Found = Callable[[Any, Any], bool]
+"""What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
+a zero was enclosed there.
+"""
 
 
 def boxes_of(low: Any, high: Any, origin: complex = 0.0, way: complex = 1j) -> Boxes:
@@ -91,13 +93,13 @@ class Judge:
         for n in np.flatnonzero(near)[:_TRIED]:
             point = boxes.m[:, n] + boxes.r[:, n] * u[:, n]
             if not any(((point >= a) & (point <= b)).all() for a, b in self.known) and self.found is not None:
-                self.found(point)
+                self.found(point, boxes.r[:, n])
 
     def room(self, point: Any, size: Any) -> tuple[Any, Any] | None:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
         one, other = np.meshgrid(_SHARES, _SHARES)
         shares = np.stack([one.ravel(), other.ravel()])
-        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
+        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)

@@ -3,7 +3,7 @@
 For h ≤ 0 the shifted vehicle and track are passive (`problem.shifted`), so that the contacts' passivity bounds the
 frequency at which a root can cross. For h > 0 vehicles are not: roots with Im q ≥ 0 are then spoken of as far as
 |Re q| < reach only, and what could come in there, through the wall Re q = reach, is excluded too. Beyond the reach
-the contacts are passive on the real axis. So the number of roots in
+no root is real, as far as the contacts are not passive, and further out as they are. So the number of roots in
 
     {Im q < 0} ∪ {Im q < h, |Re q| < reach}
 
@@ -26,11 +26,11 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import within
-from mpsolve.ranges.crossings import Search
 from mpsolve.ranges.enclosed import Crossing
 from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.premises import require_stable_track
 from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.search import Search
 from mpsolve.tracks.at_rest import lowest_cut
 
 
@@ -61,8 +61,8 @@ def cross_line(
 ) -> Line:
     """All roots of a family on the line; `OpenError` where nothing bounds them.
 
-    reach: for a height above 0, at least the frequency from which on the contacts are passive. near: points
-    (Re q̂, x̂) where crossings are expected; they are enclosed first, which saves boxes.
+    reach: for a height above 0, how far roots with Im q ≥ 0 are spoken of. near: points (Re q̂, x̂) where crossings are
+    expected; they are enclosed first, which saves boxes.
     """
     moved = shifted(family, -height)
     if height > 0:
@@ -70,10 +70,10 @@ def cross_line(
     scope = Scope(moved, reach if height > 0 else None)
     search = Search(scope, 15)
     for point in near:
-        search.enclose(np.array(point))
+        search.enclose(np.array(point), search.judge.width * 2.0**-13)
     covers = [search.cover(budget, progress)]
     if scope.reach is not None:
-        covers.append(_wall(Scope(family), height, scope.reach, budget))
+        covers += _beside(Scope(family), height, scope.reach, budget)
     reason, inside = next((one.reason for one in covers if one.reason is not None), None), []
     for one in search.found:
         where = within(one.x, family.box[0])
@@ -89,7 +89,7 @@ def cross_line(
 
 def require_below_cuts(family: Family, moved: Family, height: Fraction) -> None:
     """`OpenError` unless no cut comes below the height for any parameter of the range."""
-    if any(path.startswith("track.") for path in family.paths):
+    if any(any(e) for c in family.D_rest.values() for e, _ in c):
         try:
             require_stable_track(moved)
         except InputError as error:
@@ -98,9 +98,12 @@ def require_below_cuts(family: Family, moved: Family, height: Fraction) -> None:
         raise OpenError(Reason("cuts", "the lowest root lies at the cuts", {}, "give another range"))
 
 
-def _wall(scope: Scope, height: Fraction, reach: float, budget: Effort) -> Covered:
-    """No root has Re q̂ = reach, 0 ≤ Im q̂ ≤ height."""
-    low = np.concatenate([[0.0], scope.low])
-    high = np.concatenate([[float(height)], scope.high])
-    judge = Judge(scope.matrix, None, (high - low) / 2, origin=1j * reach, way=-1.0)
-    return subdivide(low, high, judge, budget)
+def _beside(axis: Scope, height: Fraction, reach: float, budget: Effort) -> list[Covered]:
+    """No root has Re q̂ = reach, 0 ≤ Im q̂ ≤ height; nor is one real from there on, as far as it takes."""
+    low, high = np.concatenate([[0.0], axis.low]), np.concatenate([[float(height)], axis.high])
+    wall = Judge(axis.matrix, None, (high - low) / 2, origin=1j * reach, way=-1.0)
+    out = [subdivide(low, high, wall, budget)]
+    if reach < axis.X:
+        low, high = axis.corners
+        out.append(subdivide(np.concatenate([[reach], low[1:]]), high, axis.judge(), budget))
+    return out

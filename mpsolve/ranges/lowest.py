@@ -23,11 +23,12 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Proof
-from mpsolve.ranges.critical import Candidate, Lowest, at_end, lowest_near, sharpened
 from mpsolve.ranges.followed import follow, stretch
 from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
+from mpsolve.ranges.rootcurve import RootCurve
 from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
 from mpsolve.spectrum.candidates import Area
 from mpsolve.spectrum.regions import Below, HalfPlane
 from mpsolve.tracks.at_rest import lowest_cut
@@ -93,7 +94,7 @@ class Question:
         if seen is None:
             return None
         with precision(80):
-            return lowest_near(self.scope.proved, seen.q, seen.x, self._ends, seen.step)
+            return lowest_near(RootCurve(self.scope.proved), (acb(seen.q),), seen.x, self._ends, seen.step)
 
     @property
     def _top(self) -> float:
@@ -107,8 +108,8 @@ class Question:
         for share in _SHARES:
             width, height = _above(found, share, self.scope, self._top)
             number, reach = self._below(height, found)
-            near = [found.beside(step) for step in _SIDES[found.where] * width]
-            points = [(abs(q.real), x) for x, q in near]
+            steps = (_SIDES[found.where] * width).tolist()
+            points = [(abs(found.beside(step)[0].real), float(found.x) + step) for step in steps]
             line = cross_line(self.scope.family, height, reach, points, self.budget, self.progress)
             if line.reason is not None:
                 raise OpenError(line.reason)
@@ -133,8 +134,6 @@ class Question:
         if getattr(counted, "radius", None) is not None or (height > 0 and getattr(counted, "reach", None) is None):
             raise OpenError(Reason("reach", "no frequency bounds the roots at one point", {}, NEXT))
         reach = _down(counted.reach / family.frequency_unit) if isinstance(counted, Below) and counted.reach else None
-        if reach is not None and reach < self.scope.X:
-            raise OpenError(Reason("reach", "the contacts are passive from too high a frequency on", {}, NEXT))
         level, total = rational_ball(h), 0
         for root in self.base.roots:
             if root.q.imag < level:
@@ -157,25 +156,26 @@ class Question:
         if cover is None:
             return None
         goal = ceil(self.digits * log2(10)) + 24
-        raised = replace(found, q=found.q - acb(0, rational_ball(line.height)))
+        raised = replace(found, state=(found.state[0] - acb(0, rational_ball(line.height)),))
         lowest = self._sharp(line, raised, goal)
-        if not all(cover.holds(q, x) for x, q in lowest.beside) or not lowest.q.imag < 0:
+        (q,) = lowest.state
+        if not all(cover.holds(root, x) for x, (root,) in lowest.beside) or not q.imag < 0:
             return None
-        if number == 2 and not lowest.q.real > 0:  # else its mirror may be itself, and the second root another one
+        if number == 2 and not q.real > 0:  # else its mirror may be itself, and the second root another one
             return None
         return self._in_units(line, lowest, found.where)
 
     def _sharp(self, line: Line, found: Candidate, goal: int) -> Lowest:
         if found.where == "inside":
-            return sharpened(line.scope.proved, found, goal)
+            return sharpened(RootCurve(line.scope.proved), found, goal)
         end = self.scope.family.box[0][found.where == "end"]
-        return at_end(line.scope.proved, found, lambda: rational_ball(end), goal)
+        return at_end(RootCurve(line.scope.proved), found, lambda: rational_ball(end), goal)
 
     def _in_units(self, line: Line, lowest: Lowest, where: str) -> Found:
         family = self.scope.family
-        with precision(max(int(lowest.q.real.mid().bits()), int(lowest.x.mid().bits()), 53) + 64):
+        with precision(max(int(lowest.state[0].real.mid().bits()), int(lowest.x.mid().bits()), 53) + 64):
             unit = rational_ball(family.frequency_unit)
-            q = (lowest.q + acb(0, rational_ball(line.height))) * unit
+            q = (lowest.state[0] + acb(0, rational_ball(line.height))) * unit
             value = lowest.x * rational_ball(family.units[0])
         units = (family.units, family.frequency_unit)
         reach = None if line.reach is None else Fraction(line.reach) * family.frequency_unit
@@ -186,7 +186,7 @@ class Question:
 def _above(found: Candidate, share: float, scope: Scope, top: float) -> tuple[float, Fraction]:
     """(width, a height above the lowest point, a short float): the root crosses it so far beside the point, about."""
     width = share * float(scope.high[0] - scope.low[0])
-    least, slope = float(found.q.imag.mid()), 0.0 if found.where == "inside" else abs(found.slope)
+    least, slope = float(found.state[0].imag.mid()), 0.0 if found.where == "inside" else abs(found.slope)
     lift = slope * width + max(found.bend, 0.0) * width**2 / 2
     most = -least / 2 if least < 0 else (top - least) / 2
     if lift > most > 0:

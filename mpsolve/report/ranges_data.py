@@ -18,7 +18,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     """The answer in plain values.
 
     format, version   "mpsolve ranges", 1; a version adds no meaning to a key that is there
-    question          "onset", "unstable_ranges", "crossings", "worst", "robust" or "chart"
+    question          "onset", "unstable_ranges", "crossings", "lines", "worst", "robust" or "chart"
     title, verdict    the title of the file, or "", and one sentence
     ranges            for each path {"low", "high", "own": {"exact", "decimal"}, "unit"}, in the model's units; own is
                       the file's value
@@ -26,7 +26,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     answer            what the library's to_dict gives; a ball is {"decimal", "lower", "upper", "ball"}, the last as
                       [mantissa, exponent of 2] of the middle and of the radius, mantissas as texts
     spectrum          the report of certify at a counterexample, or null
-    certificate       null: there is none for ranges yet
+    certificate       the sha256 of the certificate that passed the verifier, or null
     trust, assumed    sentences
     """
     spectrum = getattr(found, "spectrum", None)
@@ -40,7 +40,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
         "warnings": [reason.data() for reason in asked.warnings],
         "answer": found.to_dict(),
         "spectrum": None if spectrum is None else spectrum_data(spectrum, asked.title),
-        "certificate": None,
+        "certificate": None if found.certificate is None else found.certificate.content["sha256"],
         "trust": trust(found),
         "assumed": ASSUMED,
     }

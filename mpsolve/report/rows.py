@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 
 if TYPE_CHECKING:
     from mpsolve.report.vibration import Vibration

@@ -7,11 +7,11 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import MpsolveError
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, quantities
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, vibration

@@ -7,13 +7,14 @@ import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, defaults, quantities
 from mpsolve.numbers.spoken import rounded, said_in, spoken
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_paper, as_problem
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
 from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.spoken import rounded
+from mpsolve.problem.over import Over
+from mpsolve.ranges.onset import Kind, Onset
 from mpsolve.ranges.worst import Worst
 from mpsolve.report.ranges_asked import Asked
-from mpsolve.report.ranges_words import Said, framed, frequency_text, undecided, value_text
+from mpsolve.report.ranges_words import Said, framed, frequency_text, onset_verdict, undecided, value_text
 
 _ENDS = {"inside": "inside the range", "start": "where the range begins", "end": "where the range ends"}
 
@@ -19,6 +23,27 @@ def said_of_worst(found: Worst, asked: Asked) -> Said:
     asked = asked.answered(found.over)
     grows = found.growth is not None and bool(found.growth > 0)
     return Said("worst", found, asked, worst_verdict(found, asked), framed(_lines(found, asked), found, asked), grows)
+
+
+def said_of_onset_at_worst(found: Onset, asked: Asked, second: Asked) -> Said:
+    """The report of an onset at the worst value of a second parameter."""
+    asked, second = asked.answered(found.over), second.answered(found.over)
+    (over,) = second.overs
+    verdict = onset_verdict(found, asked)
+    if found.proved:
+        verdict = f"For every {over.path} from {over.told(over.low)} to {over.told(_end(over))}: {verdict}"
+    lines = [verdict]
+    if found.value is not None and found.worst is not None:
+        lines.append(f"  {asked.overs[0].path}: {value_text(found.value, asked.overs[0], found.digits)}")
+        lines.append(f"  worst {over.path}: {value_text(found.worst, over, found.digits)}, {_ENDS[found.where]}")
+        lines.append(f"  frequency: {frequency_text(found.q, asked, found.digits)}")
+    both = replace(asked, overs=(*asked.overs, over))
+    text = framed(lines, found, both)
+    return Said("onset", found, both, lines[0], text, found.kind is Kind.CROSSES)
+
+
+def _end(over: Over) -> Fraction:
+    return over.low if over.high is None else over.high
 
 
 def worst_verdict(found: Worst, asked: Asked) -> str:

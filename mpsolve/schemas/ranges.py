@@ -16,12 +16,23 @@ _COMMON: p.Schema = {
     "cost": p.table({"seconds": p.SECONDS, "verification": p.SECONDS, "boxes": p.COUNT}),
     "proved": p.YES,
 }
+_WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
 _ANSWERS: dict[str, p.Schema] = {
     "onset": {
         "digits": p.DIGITS,
         "kind": {"enum": ["crosses", "stable", "unstable_from_start", "undecided"]},
         "value": p.maybe(p.BALL),
         "q": p.maybe(p.BALL),
+        "worst": p.maybe(p.BALL),
+        "where": _WHERE,
+    },
+    "worst": {
+        "digits": p.DIGITS,
+        "value": p.maybe(p.BALL),
+        "q": p.maybe(p.table({"real": p.BALL, "imag": p.BALL})),
+        "where": _WHERE,
+        "reach": p.maybe(p.EXACT),
+        "growth": p.maybe(p.BALL),
     },
     "unstable_ranges": {
         "digits": p.DIGITS,
@@ -31,14 +42,6 @@ _ANSWERS: dict[str, p.Schema] = {
         "digits": p.DIGITS,
         "crossings": p.rows(p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})),
         "counts": p.maybe(p.rows(p.COUNT)),
-    },
-    "worst": {
-        "digits": p.DIGITS,
-        "value": p.maybe(p.BALL),
-        "q": p.maybe(p.table({"real": p.BALL, "imag": p.BALL})),
-        "where": {"enum": ["inside", "start", "end", ""]},
-        "reach": p.maybe(p.EXACT),
-        "growth": p.maybe(p.BALL),
     },
     "robust": {"stable": p.maybe(p.YES), "counterexample": p.maybe(p.by_name(p.EXACT)), "open": p.rows(_OVER)},
     "chart": {

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
-from mpsolve import InputError, Problem, Rectangle, tracks, vehicles
-from mpsolve.certificate.asked import asked_region
+from mpsolve import Case, InputError, PhysicalCase, Problem, Rectangle, tracks, vehicles
+from mpsolve.certificate.asked import asked_region, default_region, has_whole_sheet, is_damped
+from mpsolve.problem.cases import as_problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.regions import Below, HalfPlane
 
@@ -56,3 +58,20 @@ def test_where_cuts_touch_the_real_axis(region: object, words: str) -> None:
 def test_no_region() -> None:
     with pytest.raises(InputError, match="region: is 'sheet'"):
         asked_region(WIRE, "sheet")
+
+
+@pytest.mark.parametrize(
+    ("given", "whole", "default"),
+    [
+        (Case(alpha="0.5", eta_b="0.1", eta_m=5), True, "sheet"),
+        (Case(alpha="0.5", eta_b="0.1", eta_m=[5] * 4, positions=range(4)), True, "sheet"),
+        (Case(alpha="0.5", eta_b="1.1", eta_m=5), False, None),  # its cuts leave their line
+        (PhysicalCase(EI=1, m=1, k=1, c="0.1", v="0.5", masses=[(1, x) for x in range(3)]), True, None),
+        (PhysicalCase(EI=1, m=1, k=1, v="0.5", masses=[(1, x) for x in range(3)]), True, "sheet"),
+        (Problem(tracks.String(T=1, m=1, k=1, c="0.1"), vehicles.Mass(1), v=0), False, None),
+    ],
+)
+def test_what_is_asked_for_by_default(given: Any, whole: bool, default: str | None) -> None:
+    meant = as_problem(given)
+    assert (has_whole_sheet(meant), default_region(given, meant)) == (whole, default)
+    assert is_damped(meant) is not (getattr(given, "c", 1) == 0)

@@ -10,8 +10,8 @@ from infinite import inverted
 from laplace import Inversion, Line
 
 from mpsolve import Case, certify
-from mpsolve.model.load import Load
 from mpsolve.motion import finite_beam, response
+from mpsolve.vehicles.load import Load
 
 SLOW = pytest.mark.slow
 GROWTH = 0.05  # more than in Figures A.4 and A.5

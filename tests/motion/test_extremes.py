@@ -10,8 +10,8 @@ from infinite import inverted
 
 from mpsolve import Case, certify
 from mpsolve.errors import MpsolveError
-from mpsolve.model.load import Load
 from mpsolve.motion import response
+from mpsolve.vehicles.load import Load
 
 
 def agrees(case: Case, loads: Any, xi: Any, times: Any) -> None:

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from mpsolve import Case, InputError, certify
-from mpsolve.model.load import Load
 from mpsolve.motion import (
     deflection_shape,
     envelope,
@@ -18,6 +17,7 @@ from mpsolve.motion import (
     superposition,
     transient_importance,
 )
+from mpsolve.vehicles.load import Load
 
 UNDAMPED = Case(alpha="0.5", eta_b=0, eta_m=(70, 70), positions=(0, "1.5"))
 DAMPED = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))

@@ -1,0 +1,81 @@
+"""What a step does to exponentials under moving forces, in closed form: tables that do not change from step to step.
+
+A mode a sin kx of a simply supported length L is Re(weight · z) with z_t = rate · z + (2/L) Σ_j f_j(t) sin k x_j(t),
+and x_j moves at a constant velocity. Over a step f_j is a sum of Legendre polynomials P_l, and motions are tested
+against P_a.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.numbers.wave_integrals import legendre_powers, moments, nested_moments
+
+
+@dataclass(frozen=True)
+class Waves:
+    """Wavenumber, rate and weight of exponentials, each (E,); length of the track; velocity of the loads."""
+
+    k: Any
+    rate: Any
+    weight: Any
+    length: float
+    velocity: float
+
+
+@dataclass(frozen=True)
+class WaveTables:
+    """E exponentials, n contacts, tests a, force polynomials l.
+
+    decay (E,): e^{rate h}. entry, two of (l, E): ∫ P_l e^{±ikx} as added to z. history, two of (a, E): ∫φ_a of the
+    velocity under e^{±ikx} per unit z. direct (n, n, a, l): ∫φ_a of the velocity at contact i per force P_l at
+    contact j, as far as it depends on x_i − x_j; image (a, l, E): the rest, per e^{ik(x_i + x_j)}. x at the start.
+    """
+
+    decay: Any
+    entry: tuple[Any, Any]
+    history: tuple[Any, Any]
+    direct: Any
+    image: Any
+
+
+def nested(p: Any, q: Any, h: float, tests: int, degree: int) -> Any:
+    """h ∫ P_a e^{pt} ∫₀^t P_l e^{qs}, lengths in units of the step h; (a, l, *p.shape)."""
+    outer, inner = legendre_powers(tests), legendre_powers(degree)
+    return h * np.einsum("am,lj,mj...->al...", outer, inner, nested_moments(p * h, q * h, tests, degree))
+
+
+def mirrored(degree: int) -> Any:
+    """The factors that turn P_l read from the end of the step into P_l, (l, 1)."""
+    return (-1.0) ** np.arange(degree + 1)[:, None]
+
+
+def wave_tables(waves: Waves, places: Any, h: float, tests: int, degree: int) -> WaveTables:
+    """The tables for contacts at these distances from one another, steps h, tests and forces up to these degrees."""
+    k, rate, weight = waves.k, waves.rate, waves.weight
+    turn, share = 1j * waves.velocity * k, 2 / waves.length
+    against, forces = legendre_powers(tests), legendre_powers(degree)
+
+    def entry(sign: int) -> Any:  # ∫ e^{rate(h − t)} P_l(t) of sin = Σ sign e^{sign ikx}/2i
+        backward = forces @ moments((rate - sign * turn) * h, degree)
+        return share * sign / 2j * h * np.exp(sign * turn * h) * mirrored(degree) * backward
+
+    def history(sign: int) -> Any:
+        return weight * (rate + sign * turn) * sign / 2j * (against @ moments((rate + sign * turn) * h, tests))
+
+    def answer(out: int, entering: int) -> Any:  # the velocity along e^{out ikx} to a force along e^{entering ikx}
+        strength = -out * entering / 4 * share * weight * (rate + out * turn)
+        return strength * nested(rate + out * turn, entering * turn - rate, h, tests, degree)
+
+    wave = np.exp(1j * np.multiply.outer(places[:, None] - places, k))
+    direct = np.einsum("ije,ale->ijal", wave, answer(1, -1)) + np.einsum("ije,ale->ijal", wave.conj(), answer(-1, 1))
+    return WaveTables(
+        decay=np.exp(rate * h),
+        entry=(entry(1), entry(-1)),
+        history=(history(1), history(-1)),
+        direct=direct.real,
+        image=answer(1, 1) + answer(-1, -1).conj(),
+    )
