@@ -45,8 +45,6 @@ if TYPE_CHECKING:
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
-    from mpsolve.stability.distance import critical_distance
-    from mpsolve.stability.limiting import limiting_mass
     from mpsolve.stability.masses import crossing_masses
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
@@ -110,8 +108,6 @@ __all__ = [
     "crossings",
     "prove_stable",
     "sensitivity",
-    "limiting_mass",
-    "critical_distance",
     "cut_points",
     "frequency_lines",
     "FrequencyLines",
@@ -213,8 +209,6 @@ _HOME = {
     "crossings": "ranges.crossings",
     "prove_stable": "ranges.robust",
     "sensitivity": "ranges.sensitivity",
-    "limiting_mass": "stability.limiting",
-    "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
     "frequency_lines": "loci.lines",
     "FrequencyLines": "loci.answer",

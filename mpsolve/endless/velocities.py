@@ -28,6 +28,7 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.scope import from_above_rest
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
@@ -79,6 +80,7 @@ class TrainVelocities(Result):
         return f"no motion grows along the row from v = {shown(self.low)} to {shown(self.high)}"
 
 
+@stoppable
 def train_velocities(
     problem: Given,
     spacing: object,

@@ -22,7 +22,6 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
         name: (f"the answer about {name.replace('_', ' ')}, --json or -o FILE.json", partial(ranges_schema, name))
         for name in QUESTIONS
     },
-    "critical-distance": ("mpsolve critical-distance --json", tables.distance_schema),
     "table": ("mpsolve table -o FILE.json", tables.table_schema),
     "ratio-table": ("the same in the paper's ratios", tables.ratio_table_schema),
     "train": ("mpsolve train --json", motions.train_schema),

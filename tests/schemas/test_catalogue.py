@@ -25,9 +25,9 @@ OUTPUTS = {
     "onset": f"onset {PAIR} --over v=0..1 --json",
     "unstable_ranges": f"onset {RAIL} --all --json",
     "crossings": f"crossings {PAIR} --over scale.mass=0.5..2 --json",
+    "worst": f"worst {RAIL} --over vehicles.M=8..12t --json",
     "robust": f"robust {PAIR} --over v=0.6..0.7 --json",  # with a counterexample
     "chart": f"chart {PAIR} --over v=0.3..0.6 --over scale.mass=0.5..1 --depth 3 --json",
-    "critical-distance": f"critical-distance {PAIR} --from 1 --to 2 --json",
     "train": f"train {EXAMPLES / 'endless_train.toml'} --json",
     "critical": f"critical {BOGIE} --json",
     "receptance": f"receptance {RAIL} --omega 1,2,3 --xi=-1,0 --json",
@@ -37,7 +37,6 @@ OUTPUTS = {
     "ratio-table": f"table {EXAMPLES / 'onset_table.toml'} --workers 1 -o ratios.json",
     "response": f"response {BOGIE} --to=0.1s --points 5 -o response.json",
     "page": f"report {PAIR} --effort 3 -o page.html",
-    "range-certificate": f"critical-distance {PAIR} --from 1 --to 2 -o range.json",
     "zeros-certificate": "roots z^2-2 --rectangle -3 3 -1 1 -o zeros.json",
     "certificate": f"certify {BOGIE} --region unstable -o certificate.json",
 }
