@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
     from mpsolve.batch.frequencies import frequencies
     from mpsolve.batch.result import Frequencies
+    from mpsolve.batch.seeds import Seeds, seeds
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.real_roots import real_roots
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
     from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
-    from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
     from mpsolve.loci.lines import frequency_lines
@@ -195,8 +195,8 @@ _HOME = {
     "Effort": "proof.effort",
     "frequencies": "batch.frequencies",
     "Frequencies": "batch.result",
-    "seeds": "fast.seeds",
-    "Seeds": "fast.seeds",
+    "seeds": "batch.seeds",
+    "Seeds": "batch.seeds",
     "infinite_train": "endless.infinite_train",
     "InfiniteTrain": "endless.infinite_train",
     "train_velocities": "endless.velocities",
