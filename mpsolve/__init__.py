@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from mpsolve import tracks, vehicles
     from mpsolve.batch.frequencies import frequencies
     from mpsolve.batch.result import Frequencies
+    from mpsolve.batch.seeds import Seeds, seeds
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.real_roots import real_roots
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
     from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
-    from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
     from mpsolve.loci.lines import frequency_lines
@@ -45,12 +45,11 @@ if TYPE_CHECKING:
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
-    from mpsolve.stability.distance import critical_distance
-    from mpsolve.stability.limiting import limiting_mass
     from mpsolve.stability.masses import crossing_masses
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
+    from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -109,8 +108,6 @@ __all__ = [
     "crossings",
     "prove_stable",
     "sensitivity",
-    "limiting_mass",
-    "critical_distance",
     "cut_points",
     "frequency_lines",
     "FrequencyLines",
@@ -134,6 +131,8 @@ __all__ = [
     "Vibration",
     "response_mp",
     "PreciseVibration",
+    "response_balls",
+    "ProvedVibration",
     "Irregularity",
     "rail_roughness",
     "out_of_round",
@@ -196,8 +195,8 @@ _HOME = {
     "Effort": "proof.effort",
     "frequencies": "batch.frequencies",
     "Frequencies": "batch.result",
-    "seeds": "fast.seeds",
-    "Seeds": "fast.seeds",
+    "seeds": "batch.seeds",
+    "Seeds": "batch.seeds",
     "infinite_train": "endless.infinite_train",
     "InfiniteTrain": "endless.infinite_train",
     "train_velocities": "endless.velocities",
@@ -210,8 +209,6 @@ _HOME = {
     "crossings": "ranges.crossings",
     "prove_stable": "ranges.robust",
     "sensitivity": "ranges.sensitivity",
-    "limiting_mass": "stability.limiting",
-    "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
     "frequency_lines": "loci.lines",
     "FrequencyLines": "loci.answer",
@@ -236,6 +233,8 @@ _HOME = {
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
     "PreciseVibration": "vibration.precise",
+    "response_balls": "vibration.balls.enclosure",
+    "ProvedVibration": "vibration.balls.enclosure",
     "Irregularity": "vibration.forcing",
     "rail_roughness": "vibration.roughness",
     "out_of_round": "vibration.roughness",

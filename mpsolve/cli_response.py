@@ -77,7 +77,8 @@ def response(
         found = respond(source.case, source.loads, places, tau)
         scale = _scale(source)
         if kind == ".json":
-            from mpsolve.motion.output import columns, save_json
+            from mpsolve.files import save_json
+            from mpsolve.motion.output import columns
 
             save_json(columns(found, scale), output, source.title, _summary(found, scale))
         else:
@@ -186,7 +187,8 @@ def _unit(scale: Scale) -> str:
 
 def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
-        from mpsolve.motion.output import columns, save_columns
+        from mpsolve.files import save_columns
+        from mpsolve.motion.output import columns
 
         save_columns(columns(found, scale), path)
     elif kind == ".npz":
@@ -247,7 +249,8 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], 
 
 def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
-        from mpsolve.motion.output import named, save_columns, time_columns
+        from mpsolve.files import save_columns
+        from mpsolve.motion.output import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
         save_columns(time_columns(tau, scale) | shown, path)

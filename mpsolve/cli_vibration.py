@@ -38,7 +38,7 @@ def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | 
     if kind == ".csv":
         save_table(found, output)
     elif kind == ".json":
-        from mpsolve.motion.output import save_json
+        from mpsolve.files import save_json
         from mpsolve.vibration.table import columns
 
         save_json(columns(found), output, source.title, _summary(found))
@@ -139,7 +139,7 @@ def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], 
 
 def compare(source: ProblemFile, output: Path, kind: str, times: Any) -> None:
     """Writes the comparison and says how far the curves are apart."""
-    from mpsolve.motion.output import save_columns
+    from mpsolve.files import save_columns
 
     whole, found, notes = curves(source, times)
     if kind == ".csv":

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import json
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from mpsolve.errors import CertificateError, InputError
 
@@ -54,3 +57,24 @@ def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
     if suffix not in allowed:
         raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
     return suffix
+
+
+def save_columns(table: Mapping[str, Any], path: Path) -> Path:
+    """CSV, each number with all its digits; CertificateError if it cannot be written."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(table)
+    writer.writerows([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
+    return write_whole(path, stream.getvalue())
+
+
+def save_json(table: Mapping[str, Any], path: Path, title: str, said: Sequence[str]) -> Path:
+    """The same as an object: format, version, title, columns with name, unit and values, what is said."""
+    columns = []
+    for name, values in table.items():
+        bare, _, unit = (
+            name.removesuffix("]").rpartition(" [") if name.endswith("]") and " [" in name else (name, "", "")
+        )
+        columns.append({"name": bare, "unit": unit, "values": [float(x) for x in values]})
+    content = {"format": "mpsolve response", "version": 1, "title": title, "columns": columns, "said": list(said)}
+    return write_whole(path, json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n")

@@ -60,6 +60,21 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
     return lambda *arguments: CliRunner().invoke(cli, [str(x) for x in arguments], catch_exceptions=False)
 
 
+def test_a_certificate_is_written_and_read(run: Run) -> None:
+    made = run("crossings", PLAIN, "--over", "v=0.6..0.7", "--certificate", "a.json")
+    assert made.exit_code == 0
+    read = run("verify", "a.json")
+    assert read.exit_code == 0
+    assert "1 crossing of the real axis" in read.stdout
+
+
+def test_an_answer_without_certificate_says_why(run: Run) -> None:
+    made = run("onset", "wire.toml", "--over", "v=20..30", "--effort", "0.001", "--certificate", "a.json")
+    assert made.exit_code != 0
+    assert "no certificate is written" in made.output
+    assert not Path("a.json").exists()
+
+
 def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
     """In the paper's ratios, to 1e-12 of what another program with its own certificate proves."""
     data = json.loads(run("onset", PLAIN, "--over", "v=0.6..0.7", "--digits", 20, "--json").stdout)
@@ -68,8 +83,8 @@ def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
     assert truth.alpha is not None
     assert abs(float(value["decimal"]) - float(truth.alpha.mid())) < 1e-12
     assert value["lower"] <= float(truth.alpha.mid()) <= value["upper"]
-    assert data["certificate"] is None
-    assert data["trust"].startswith("Proved, without certificate")
+    assert len(data["certificate"]) == 64
+    assert data["trust"].startswith("Proved: a certificate")
     assert data["ranges"]["v"]["high"] == {"exact": "7/10", "decimal": "0.7"}
 
 
@@ -104,7 +119,7 @@ def test_units_and_the_default_range(run: Run) -> None:
     assert "v: 191.183147740034 m/s (688.3 km/h)" in result.stdout
     assert "v is 360 km/h, 328.3 km/h (47.7 %) below the onset." in result.stdout
     assert "The range: v from 0 km/h to 720 km/h (give others with --over)." in result.stdout
-    assert "Proved, without certificate" in result.stdout
+    assert "Proved: a certificate" in result.stdout
 
 
 def test_a_contact_wire_is_not_called_stable_for_every_velocity(run: Run) -> None:

@@ -85,6 +85,16 @@ def test_certificates_of_zeros_are_those_of_the_cases_and_valid() -> None:
         assert zeros.prove(name).certificate.content["claim"] == stored["claim"], name
 
 
+def test_certificates_of_ranges_are_made_anew() -> None:
+    example = load("range_certificates")
+    assert {path.stem for path in example.FOLDER.glob("*.json")} == set(example.NAMES)
+    for name in example.NAMES:
+        stored = json.loads((example.FOLDER / f"{name}.json").read_text("ascii"))
+        made = example.prove(name).certificate.content
+        assert made["claim"] == stored["claim"]
+        assert made["equations"] == stored["equations"]
+
+
 def test_the_certificates_are_drawn(tmp_path: Path) -> None:
     file = load("certificates").visualize(tmp_path / "plane.svg", "stable_d1.5_alpha0.66")
     assert file.read_text("utf-8").count('id="root-') == 4

@@ -9,11 +9,10 @@ from typing import Any
 
 import numpy as np
 from style import SINGLE, agree, page
-from vibration import DIGITS, vibration
+from vibration import DIGITS, W_ST, vibration
 
-from mpsolve import Case, certify
-from mpsolve.motion import envelope, merged, response, superposition, transient_importance
-from mpsolve.motion.beam import finite_beam
+from mpsolve import Case, Load, certify, envelope, finite_beam, merged, response, superposition, transient_importance
+from mpsolve.problem.cases import as_problem
 
 TAU: Any = np.linspace(0.0, 200.0, 801)
 LAST_DOUBLED = 1.0  # the largest distance at which one doubled mass is shown
@@ -44,18 +43,19 @@ class Comparison:
 
 def comparison(case: Case, tau: Any = TAU, tolerance: float = BEAM_TOLERANCE) -> Comparison:
     """Five ways to one deflection; `tolerance` is that of the finite beam. Errors as for `response`."""
-    rear = [0]
-    found = response(case, None, rear, tau)
+    problem, loads = as_problem(case), [Load(1 / W_ST)] * case.count
+    asked: dict[str, Any] = {"times": tau, "places": [0]}
+    found = response(problem, loads, spectrum=certify(case, digits=DIGITS), **asked)
     near = float(case.positions[-1]) <= LAST_DOUBLED
     beam_tau = np.linspace(0.0, float(tau[-1]), BEAM_TIMES)
     beam = finite_beam(case, None, beam_tau, tolerance=tolerance)
     return Comparison(
         case,
         tau,
-        found.w[0],
+        found.rail[0],
         (found.steady + found.harmonic)[0],
-        sum(part.w[0] for part in superposition(case, None, rear, tau)),
-        merged(case, None, rear, tau).w[0] if near else None,
+        sum(part.rail[0] for part in superposition(problem, loads, **asked)),
+        merged(problem, loads, **asked).rail[0] if near else None,
         beam_tau,
         beam.displacement[0],
         beam.error.total,
@@ -106,8 +106,8 @@ def missed(case: Case) -> float:
     The paper's measure (Section 4.1) of the truly transient part, which makes up for it.
     """
     spectrum = certify(case, digits=DIGITS)
-    start = transient_importance(case, spectrum=spectrum).displacement[0]
-    return abs(start) / sum(envelope(case, spectrum=spectrum).amplitudes)
+    found = response(as_problem(case), [Load(1)] * case.count, times=[0], places=[0], spectrum=spectrum)
+    return float(abs(transient_importance(found).displacement[0]) / sum(envelope(found).amplitudes))
 
 
 def moving_forces(case: Case) -> float:

@@ -10,11 +10,13 @@ from typing import Any
 import numpy as np
 from style import LIMIT, agree, greys, page
 
-from mpsolve import Case, Spectrum, certify
-from mpsolve.motion import Envelope, envelope, harmonic_solution
+from mpsolve import Case, Load, Spectrum, certify, envelope, response
+from mpsolve.problem.cases import as_problem
+from mpsolve.vibration.studies import Envelope
 
 TAU: Any = np.linspace(0.0, 400.0, 2001)
 DIGITS = 15  # of the certified induced frequencies
+W_ST = 0.5  # χ/(2k) of a unit force, in the units of the beam with EI = 1/4, m = k = 1
 
 
 @dataclass(frozen=True)
@@ -35,11 +37,11 @@ def pair_of_masses(alpha: str, eta_m: int, d: str, eta_b: str = "0") -> Case:
 
 
 def vibration(case: Case, tau: Any = TAU, spectrum: Spectrum | None = None) -> Vibration:
-    """From one certificate of all induced frequencies, new unless given; errors as for `harmonic_solution`."""
+    """From one certificate of all induced frequencies, new unless given; errors as for `response`."""
     spectrum = certify(case, digits=DIGITS) if spectrum is None else spectrum
-    found = harmonic_solution(case, None, [0], tau, spectrum)
-    q = tuple(pair.q for pair in found.harmonic_pairs)
-    return Vibration(case, tau, found.harmonic[0], envelope(case, None, 0, tau, spectrum), q)
+    loads = [Load(1 / W_ST)] * case.count  # so that deflections come in w_st
+    found = response(as_problem(case), loads, times=tau, places=[0], spectrum=spectrum)
+    return Vibration(case, tau, found.harmonic[0], envelope(found), tuple(part.q for part in found.induced))
 
 
 def beat(q: Sequence[complex]) -> float:

@@ -20,6 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
 from mpsolve.spectrum.premises import require_premises
@@ -38,6 +39,7 @@ _PART = "ask for a Rectangle round the part that matters"
 _REMEDY = "report this as a fault, with the input"
 
 
+@stoppable
 def certify_problem(
     problem: Problem,
     *,

@@ -40,9 +40,15 @@ require, keys, items, integer, rational, dyadic = (
 MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
 MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 24, 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
+LEAF = 400
 BOXES = 20_000  # that a polynomial's positivity may take
 BITS = 64
-POINTS, TOGETHER, SMALL = 24, 0.3, 64  # of a circle; roots closer than this share of the distance of others share one
+POINTS, TOGETHER, FIRST, SMALL = (
+    24,
+    0.3,
+    3,
+    64,
+)  # of a circle; roots closer than this share of the distance of others share one
 SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -61,7 +67,8 @@ def verify(path: Any) -> Any:
 
 
 def verify_bytes(raw: bytes, most: int | None = None) -> Any:
-    """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it may look at."""
+    """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it
+    may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
     try:
         require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
         content = opened(raw)
@@ -883,11 +890,10 @@ class Split:
             above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
         return point, product_of(above, inverse_of(slope, m), m)
 
-    @property
-    def small(self) -> bool:
-        """Whether the box moves p-roots by little of their distances."""
+    def small(self, share: int) -> bool:
+        """Whether the box moves p-roots by less than this share of their distances."""
         both = combinations(range(self.n), 2)
-        return all((self.tight[k] + self.tight[j]) * SMALL < self.gap[k][j] for k, j in both)
+        return all((self.tight[k] + self.tight[j]) * share < self.gap[k][j] for k, j in both)
 
     def isolated(self, side: range) -> list[Any]:
         """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
@@ -1049,9 +1055,9 @@ def bound(x: Any, y: Any) -> Any:
     return y if y < x else x
 
 
-def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+def receptances(waves: Waves, split: Split, x: Sequence[Any], sharp: bool | None = None) -> list[Form]:
     """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
-    sharp = split.small
+    sharp = split.small(SMALL) if sharp is None else sharp
     place, m = split.place, split.m
     N = [place.value(f) for f in waves.N]
     distances = waves.ordered(x)
@@ -1721,6 +1727,7 @@ class Family:
     sites: list[Free]
     left: int = 0
     pieces: int = 0
+    one: int = 1 << 30  # boxes that one leaf may take
 
     @cached_property
     def speed(self) -> list[tuple[Exponents, Any]]:
@@ -1735,16 +1742,29 @@ class Family:
         split = Split(self.waves, place, throughout)
         return scalar(self.matrix(place, receptances(self.waves, split, self.middle)))
 
+    def nonzero(self, place: Place) -> None:
+        """Δ̂ ≠ 0 over a box, or Wide: by forms of p-roots, which take less time, or by sums over circles."""
+        split = Split(self.waves, place, False)
+        for sharp in (True, False):
+            if split.small(SMALL if not sharp else FIRST) != sharp:
+                continue
+            try:
+                check_nonzero(scalar(self.matrix(place, receptances(self.waves, split, self.middle, sharp))))
+                return
+            except Refused:
+                if not sharp or split.small(SMALL):
+                    raise
+
     def prove(self, kind: str, box: Box) -> None:
         """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
-        stack = [(box, 0)]
+        stack, most = [(box, 0)], min(self.left, self.pieces + self.one)
         while stack:
             here, depth = stack.pop()
             self.pieces += 1
-            require(self.pieces < self.left, "the certificate asks for more work than this verifier does")
+            require(self.pieces < most, "the certificate asks for more work than this verifier does")
             try:
                 if kind == "n":
-                    check_nonzero(self.scalar(Place.of(here)))
+                    self.nonzero(Place.of(here))
                 else:
                     check_passive_box(self, here)
             except Refused as error:
@@ -1908,7 +1928,8 @@ def checked(content: dict[str, Any], most: int | None) -> str:
     require(all(a <= b for a, b in pairwise(ends)), "the cells beyond X are not in order")
     require(isinstance(content["tree"], str), "the tree is no text")
     family.left = EXTRA * (len(content["tree"]) + len(ends)) + PIECES
-    family.left = family.left if most is None else min(family.left, most)
+    if most is not None:
+        family.left, family.one = min(family.left, most), LEAF
     zeros = [read_zero(value, family) for value in values]
     for a, b in pairwise(ends):
         if a < b:

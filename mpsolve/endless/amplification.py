@@ -20,6 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
@@ -59,6 +60,7 @@ class Amplification(Result):
     reason: Reason | None = None
 
 
+@stoppable
 def amplification(
     problem: Given,
     *,

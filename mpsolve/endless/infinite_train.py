@@ -19,6 +19,7 @@ from mpsolve.problem.cases import Given
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 from mpsolve.spectrum.spectrum import Cost
@@ -72,6 +73,7 @@ class InfiniteTrain(Result):
         return "long finite trains grow by themselves"
 
 
+@stoppable
 def infinite_train(
     problem: Given, spacing: object, *, effort: Effort | None = None, progress: Progress | None = None
 ) -> InfiniteTrain:
@@ -134,7 +136,7 @@ def _stable(row: Row, known: InfiniteTrain, effort: Effort) -> InfiniteTrain:
     try:
         count = count_growing(row, effort)
     except EffortError as error:
-        return replace(known, reason=Reason("effort", str(error), {}, "allow more effort"))
+        return replace(known, reason=error.reason)
     except PrecisionError as error:
         remedy = "change the velocity a little: it may be next to where a motion begins to grow"
         return replace(known, reason=Reason("row", str(error), {}, remedy))

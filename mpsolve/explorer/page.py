@@ -113,6 +113,12 @@ class Tab:
             ui.button("Draw the chart", on_click=self.draw_chart).props("outline id=draw-chart")
         self.chart = ui.html("", sanitize=False).classes("w-full").props("id=chart")
         with ui.row().classes("items-center gap-2"):
+            self.duration = ui.input(label="Time after it is put on the track", value="2 s").props(
+                "for=duration dense"
+            )
+            ui.button("Show the motion", on_click=self.draw_motion).props("outline id=draw-motion")
+        self.motion = ui.html("", sanitize=False).classes("w-full").props("id=motion")
+        with ui.row().classes("items-center gap-2"):
             ui.button("Prove what is shown", on_click=self.prove).props("id=prove")
             self.stop = ui.button("Stop", on_click=self.session_stop).props("outline id=stop")
             self.progress = (
@@ -168,6 +174,7 @@ class Tab:
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
         self.chart.set_content(session.chart_picture())
+        self.motion.set_content(session.motion)
 
     # --- what is done --------------------------------------------------------------------------------------
 
@@ -269,6 +276,13 @@ class Tab:
         except InputError as error:
             self.verdict.set_text(str(error))
         self.chart.set_content(self.session.chart_picture())
+
+    async def draw_motion(self) -> None:
+        try:
+            await run.io_bound(self.session.draw_motion, self.duration.value)
+        except (MpsolveError, ArithmeticError) as error:
+            self.verdict.set_text(str(error))
+        self.motion.set_content(self.session.motion)
 
     async def prove(self) -> None:
         if self.session.chart is None:

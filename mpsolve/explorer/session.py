@@ -10,10 +10,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.view import View, Window, look
-from mpsolve.errors import MpsolveError
+from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History
+from mpsolve.explorer.moving import motion_pictures
 from mpsolve.explorer.proving import Proving, report
+from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.problem.outputfile import problem_toml
@@ -38,6 +40,8 @@ class Session:
     reporting: Proving | None = None
     chart: Chart | None = None
     proved: tuple[ProvedPoint, ...] = ()
+    motion: str = ""
+    _moving: Problem | None = field(default=None, repr=False)
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
 
@@ -95,6 +99,8 @@ class Session:
     def refresh(self) -> View:
         """Compute what is to be seen now."""
         q = self._chosen_root()
+        if self.problem != self._moving:
+            self.motion = ""
         self.view = look(self.problem, self.window, self._near)
         self.window = self.view.window
         self._near = self.view.roots
@@ -151,6 +157,13 @@ class Session:
             f"{grow} of the roots found grow; the fastest at {abs(worst.real) / (2 * np.pi):.3g} Hz doubles every "
             f"{np.log(2) / -worst.imag:.3g} s (computed, not proved)"
         )
+
+    def draw_motion(self, duration: str) -> None:
+        """Draw the motion so long after the vehicle is put on the track; InputError for what is no time above 0."""
+        seconds = float(in_unit(duration.strip(), "s", "duration", "time"))
+        if not seconds > 0:
+            raise InputError("duration", f"is {duration}: give a time above 0")
+        self.motion, self._moving = motion_pictures(self.problem, seconds), self.problem
 
     def draw_chart(self, x: str, y: str) -> None:
         """Count over two parameters round the present problem; InputError says why that cannot be."""

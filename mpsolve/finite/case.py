@@ -13,12 +13,13 @@ from mpsolve.finite.carriage import Carriage, carriage
 from mpsolve.finite.discretization import discretized
 from mpsolve.finite.exponentials import exponentials
 from mpsolve.finite.march import Motion, Setting, march
-from mpsolve.motion.beam_figures import hermite
-from mpsolve.motion.grid import float_list
+from mpsolve.numbers.float_list import float_list
+from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vibration.forcing import checked_irregularities
 
 FEWEST_STEPS = 16
 MOST_STEPS = 1_000_000
@@ -65,6 +66,7 @@ class Case:
         tolerance: Any,
         steady: bool = False,
         unilateral: bool = False,
+        irregularities: Any = None,
     ) -> None:
         if not isinstance(problem, Problem):
             raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
@@ -86,6 +88,7 @@ class Case:
         self.carriage: Carriage = carriage(self.pencil)
         self.carriage.force(self.outer.direction)  # refused before any work
         self.steady, self.unilateral = steady, unilateral
+        self.rough = checked_irregularities(irregularities, len(self.contacts))
         if unilateral and not all(self.pencil.h):
             raise InputError("unilateral", "asks for contacts that open, but one is tight: give every k_contact")
 
@@ -109,7 +112,8 @@ class Case:
 
     @property
     def first_steps(self) -> int:
-        return max(FEWEST_STEPS, math.ceil(self.duration * self.outer.fastest))
+        fastest = max([self.outer.fastest, *(abs(one.frequency) for one in self.rough if one.amplitude)])
+        return max(FEWEST_STEPS, math.ceil(self.duration * fastest))
 
     def solve(self, modes: int, steps: int) -> Answer:
         """The answer with these figures; InputError where they are beyond what can be computed."""
@@ -119,7 +123,7 @@ class Case:
         track = exponentials(discretized(self.waveguide, self.length, modes))
         setting = Setting(
             track, self.length, self.carriage, self.outer, self.contacts, self.places, self.origin, self.velocity,
-            self.duration, self.steady, self.unilateral,
+            self.duration, self.steady, self.unilateral, self.rough,
         )  # fmt: skip
         with np.errstate(over="ignore", invalid="ignore"), one_thread():
             try:

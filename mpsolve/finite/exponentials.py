@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.finite.discretization import Discretization, in_s
-from mpsolve.motion.wave_tables import Waves
+from mpsolve.numbers.wave_tables import Waves
 
 _APART = 1e-5
 """Nearer roots, relative to their size, are moved apart to this distance, which changes the mode by its square."""

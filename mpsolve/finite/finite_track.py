@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, Answer, Case
 from mpsolve.problem.problem import Problem
+from mpsolve.vibration.forcing import Irregularity
 from mpsolve.vibration.liftoff import Event
 
 FEWEST_MODES, MOST_MODES = 8, 40_000
@@ -73,6 +75,7 @@ def finite_track(
     tolerance: float = 1e-4,
     initial: str = "rest",
     unilateral: bool = False,
+    irregularities: Iterable[Irregularity] | None = None,
 ) -> FiniteTrackMotion:
     """The motion from rest of the vehicles on a simply supported track of this length; float64, errors estimated.
 
@@ -83,6 +86,7 @@ def finite_track(
     are doubled until the error that they cause is below `tolerance` of the largest deflection. initial: "rest", or
     "steady", where constant loads have acted for ever. unilateral: contacts push only, so that wheels may leave the
     rail and come back; each needs a Hertz spring k_contact. Events are then met to a step: look at `error`.
+    irregularities: one for each contact from rear to front, as for `response`.
 
     InputError names the argument that cannot be used: for a track that the load would leave, the length needed.
 
@@ -94,7 +98,9 @@ def finite_track(
     """
     if initial not in ("rest", "steady"):
         raise InputError("initial", f"is {initial!r}: give 'rest' or 'steady'")
-    case = Case(problem, loads, length, times, places, start, tolerance, initial == "steady", bool(unilateral))
+    case = Case(
+        problem, loads, length, times, places, start, tolerance, initial == "steady", bool(unilateral), irregularities
+    )
     count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
     if steps is None:
         used, found, late = _settled(case, count)

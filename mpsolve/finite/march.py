@@ -1,6 +1,6 @@
 """The rearranged equations (52) marched in time for any vehicle: one linear contact force a contact and step.
 
-Over a step every contact force is linear in time. Modes and vehicle answer it exactly (motion.wave_tables,
+Over a step every contact force is linear in time. Modes and vehicle answer it exactly (numbers.wave_tables,
 coupling). The forces are such that rail and vehicle move alike, in the mean over the step and against P₁, or, where
 the contact has a compliance H, that the compression e of Bᵀy − w, of which e_θ is so tested, obeys e = H f in the
 mean and against P₁. Contacts and springs add no energy and take none, at any step. A step costs O(contacts · modes).
@@ -16,8 +16,10 @@ import numpy as np
 from mpsolve.finite.carriage import Carriage
 from mpsolve.finite.coupling import VehicleTables, vehicle_tables
 from mpsolve.finite.exponentials import Exponentials
-from mpsolve.motion.wave_tables import wave_tables
+from mpsolve.finite.rough import rough_rates
+from mpsolve.numbers.wave_tables import wave_tables
 from mpsolve.vehicles.loads import Outer
+from mpsolve.vibration.forcing import Irregularity
 
 _TESTED = np.array([[1 / 2, -1 / 2], [1 / 6, 0]])
 """∫φ_a of the integral of the linear function whose tests with φ_b are given."""
@@ -31,7 +33,7 @@ class Setting:
 
     contacts (n,): places in the moving frame; points (p,): the places watched; origin: of the moving frame at t = 0,
     from the left support; velocity, duration. steady: constant loads have acted for ever. unilateral: contacts, which
-    all have a compliance, push only.
+    all have a compliance, push only. rough: irregularities, none or one for each contact.
     """
 
     track: Exponentials
@@ -45,6 +47,7 @@ class Setting:
     duration: float
     steady: bool = False
     unilateral: bool = False
+    rough: tuple[Irregularity, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -76,8 +79,9 @@ def march(setting: Setting, steps: int) -> Motion:
         contacts.compression = setting.vehicle.H @ held.force
         deflection[0] = rail.read()
     states[0] = X
+    rough = rough_rates(setting.rough, n, h, steps)
     for step in range(steps):
-        f = contacts.forces(rail.history(), rail.gain(), X)
+        f = contacts.forces(rail.history() - rough[step], rail.gain(), X)
         X = vehicle.advance @ X + np.einsum("nlj,jl->n", vehicle.entry, f)
         rail.advance(f)
         states[step + 1], forces[step] = X, f

@@ -12,9 +12,9 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered
 from mpsolve.ranges.answer import outward
-from mpsolve.ranges.crossings import Search
 from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.search import Search
 
 ON_AXIS = Side(REAL_AXIS, 0.0, 0.0, "the real axis")
 

@@ -13,7 +13,9 @@ from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case
 from mpsolve.motion.beam_march import UNKNOWN, Loading, Motion, march
 from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.grid import checked_times, float_list
+from mpsolve.motion.grid import checked_times
+from mpsolve.numbers.float_list import float_list
+from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 
 LONGEST_STEP = 0.5
@@ -180,16 +182,6 @@ class Problem:
         acceleration = hermite(nodes, values, np.gradient(values, nodes, axis=1), self.tau)
         force = (self.applied(self.tau) - self.eta_m[:, None] * acceleration) / 2
         return Answer(hermite(times, motion.deflection, motion.velocity, self.tau), force)
-
-
-def hermite(nodes: Any, values: Any, slopes: Any, times: Any) -> Any:
-    """The piecewise cubic with these values and slopes (rows, nodes) at the nodes; (rows, times)."""
-    i = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 2)
-    h = nodes[i + 1] - nodes[i]
-    s = (times - nodes[i]) / h
-    left, right = values[:, i], values[:, i + 1]
-    rise, start, end = right - left, h * slopes[:, i], h * slopes[:, i + 1]
-    return left + s * (start + s * (3 * rise - 2 * start - end + s * (start + end - 2 * rise)))
 
 
 def _positive(value: float, key: str) -> float:

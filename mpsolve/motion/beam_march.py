@@ -19,9 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.motion.beam_integrals import gauss, legendre_powers, moments
 from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.wave_tables import Waves, mirrored, nested, wave_tables
+from mpsolve.numbers.wave_integrals import gauss, legendre_powers, moments
+from mpsolve.numbers.wave_tables import Waves, mirrored, nested, wave_tables
 
 UNKNOWN = 1
 """Degree of the acceleration in a step."""

@@ -2,24 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import exact_list
-
-
-def float_list(values: Any, key: str) -> Any:
-    """One number, or each of many, in float64; InputError names the one that is none, or is beyond float64."""
-    if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "fiu":
-        found = values.astype(float)
-    else:
-        found = np.array([_float(x, f"{key}[{j}]") for j, x in enumerate(exact_list(values, key), 1)], float)
-    for j in np.flatnonzero(~np.isfinite(found)):
-        raise InputError(f"{key}[{j + 1}]", f"is {found[j]}: give a finite number")
-    return found
+from mpsolve.numbers.float_list import float_list
 
 
 def checked_places(xi: Any, default: Any) -> Any:
@@ -33,13 +21,3 @@ def checked_times(tau: Any) -> Any:
     if np.any(times < 0):
         raise InputError("tau", f"holds {times.min():g}: the motion starts at 0, give no earlier time")
     return times
-
-
-def _float(number: Any, key: str) -> float:
-    try:
-        value = float(number)
-    except OverflowError:
-        value = math.inf
-    if math.isinf(value) or (value == 0 and number):
-        raise InputError(key, f"is {number.short()}, beyond the range of float64: give a moderate number")
-    return value

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 import io
-import json
-from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -41,27 +38,6 @@ def time_columns(tau: Any, scale: Scale) -> dict[str, Any]:
 def named(name: str, unit: str, scale: Scale) -> str:
     """The name of a column with its unit, if it has one."""
     return f"{name} [{unit}]" if scale.physical else name
-
-
-def save_columns(table: Mapping[str, Any], path: Path) -> Path:
-    """CSV, each number with all its digits; CertificateError if it cannot be written."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(table)
-    writer.writerows([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
-    return write_whole(path, stream.getvalue())
-
-
-def save_json(table: Mapping[str, Any], path: Path, title: str, said: Sequence[str]) -> Path:
-    """The same as an object: format, version, title, columns with name, unit and values, what is said."""
-    columns = []
-    for name, values in table.items():
-        bare, _, unit = (
-            name.removesuffix("]").rpartition(" [") if name.endswith("]") and " [" in name else (name, "", "")
-        )
-        columns.append({"name": bare, "unit": unit, "values": [float(x) for x in values]})
-    content = {"format": "mpsolve response", "version": 1, "title": title, "columns": columns, "said": list(said)}
-    return write_whole(path, json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n")
 
 
 def save_arrays(found: Response, path: Path, scale: Scale) -> Path:

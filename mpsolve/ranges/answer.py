@@ -63,9 +63,9 @@ class Answer(Result):
     reason: Reason | None = None
     known: Mapping[str, Any] = field(default_factory=dict)
     proofs: tuple[Proof, ...] = field(default=(), repr=False)
+    cost: Spent = field(default_factory=lambda: Spent(0.0))
     certificate: Any = field(default=None, repr=False)
     note: str = ""
-    cost: Spent = field(default_factory=lambda: Spent(0.0))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON: exact numbers as texts, with decimals beside them."""

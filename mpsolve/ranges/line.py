@@ -26,11 +26,11 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import within
-from mpsolve.ranges.crossings import Search
 from mpsolve.ranges.enclosed import Crossing
 from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.premises import require_stable_track
 from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.search import Search
 from mpsolve.tracks.at_rest import lowest_cut
 
 

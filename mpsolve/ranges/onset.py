@@ -19,6 +19,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, outward
 from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
 from mpsolve.ranges.undamped import NOTE, never_unstable
 
@@ -136,9 +137,10 @@ def onset(
     included: a limiting mass at the worst distance, say. Below the answer all is stable, whatever that parameter is.
     """
     if worst is not None:
-        from mpsolve.ranges.onset_worst import onset_at_worst
-
-        return onset_at_worst(problem, over, worst, digits, effort, progress or silent, check)
+        digits = checked_digits(digits)
+        return _at_worst(
+            at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
+        )
     found = _found(problem, over, digits, effort, progress, check)
     common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     answer = Onset(problem, found.over, digits=found.digits, **common)
@@ -150,6 +152,15 @@ def onset(
     if found.counts[0]:
         return replace(answer, kind=Kind.UNSTABLE_FROM_START)
     return replace(answer, kind=Kind.CROSSES, value=parts[0].start, q=parts[0].q)
+
+
+def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
+    found = answer.found
+    if found is None:
+        return Onset(problem, answer.over, Status.UNDECIDED, answer.reason, cost=answer.cost, digits=digits)
+    known: dict[str, Any] = {"value": found.value, "q": found.q, "worst": found.worst, "where": found.where}
+    known |= {"kind": Kind.STABLE if found.value is None else Kind.CROSSES, "proofs": found.proofs}
+    return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
 
 
 def intervals_of(found: Crossings) -> tuple[Unstable, ...]:

@@ -18,6 +18,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.certified import Base, stable_certificate
@@ -55,6 +56,7 @@ class Robust(Answer):
         return out
 
 
+@stoppable
 def prove_stable(
     problem: Given,
     *,

@@ -135,6 +135,8 @@ def checked_over(problem: Problem, over: object) -> dict[str, Interval]:
             first, last = ends
         except (TypeError, ValueError):
             raise InputError(str(path), f"is {ends!r}: give a range (low, high)") from None
+        if last is None:
+            raise InputError(path, "has no upper end, and ranges without one are not proved: give an upper end")
         low, high = rational(first, path), rational(last, path)
         if not low < high:
             raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")

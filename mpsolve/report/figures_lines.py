@@ -99,7 +99,7 @@ def _across(lines: FrequencyLines, ax: Axes) -> Axes:
     (path, ends), *_ = lines.over.items()
     low, high = map(float, ends)
     unit = "" if isinstance(lines.problem, Case) else as_problem(lines.problem).quantity(path).unit
-    name = SYMBOLS["alpha"] if path == "v" and not unit else path
+    name = SYMBOLS["alpha"] if path == "v" and not unit else SYMBOLS.get(path, path)
     ax.set(xlim=(low - 0.02 * (high - low), high + 0.02 * (high - low)), xlabel=f"{name} [{unit}]" if unit else name)
     if unit == "m/s":
         top: Any = ax.secondary_xaxis("top", functions=scaling(_KMH))

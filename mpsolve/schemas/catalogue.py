@@ -22,7 +22,6 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
         name: (f"the answer about {name.replace('_', ' ')}, --json or -o FILE.json", partial(ranges_schema, name))
         for name in QUESTIONS
     },
-    "critical-distance": ("mpsolve critical-distance --json", tables.distance_schema),
     "table": ("mpsolve table -o FILE.json", tables.table_schema),
     "ratio-table": ("the same in the paper's ratios", tables.ratio_table_schema),
     "train": ("mpsolve train --json", motions.train_schema),
@@ -36,6 +35,7 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "roots": ("mpsolve roots --json", motions.roots_schema),
     "audit": ("mpsolve audit --json", pages.audit_schema),
     "certificate": ("certificates of any problem", certificates.certificate_schema),
+    "ranges-certificate": ("certificates over ranges of parameters", certificates.ranges_certificate_schema),
     "zeros-certificate": ("certificates of mpsolve roots", certificates.zeros_certificate_schema),
     "range-certificate": ("certificates of ranges on the paper's beam", certificates.range_certificate_schema),
 }

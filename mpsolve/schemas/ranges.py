@@ -1,4 +1,4 @@
-"""What onset, crossings, robust and chart print: `ranges_data` says what each key means."""
+"""What onset, crossings, worst, robust and chart print: `ranges_data` says what each key means."""
 
 from __future__ import annotations
 
@@ -14,14 +14,26 @@ _COMMON: p.Schema = {
     "reason": p.maybe(p.REASON),
     "known": {"type": "object"},
     "cost": p.table({"seconds": p.SECONDS, "verification": p.SECONDS, "boxes": p.COUNT}),
+    "note": p.TEXT,
     "proved": p.YES,
 }
+_WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
 _ANSWERS: dict[str, p.Schema] = {
     "onset": {
         "digits": p.DIGITS,
         "kind": {"enum": ["crosses", "stable", "unstable_from_start", "undecided"]},
         "value": p.maybe(p.BALL),
         "q": p.maybe(p.BALL),
+        "worst": p.maybe(p.BALL),
+        "where": _WHERE,
+    },
+    "worst": {
+        "digits": p.DIGITS,
+        "value": p.maybe(p.BALL),
+        "q": p.maybe(p.table({"real": p.BALL, "imag": p.BALL})),
+        "where": _WHERE,
+        "reach": p.maybe(p.EXACT),
+        "growth": p.maybe(p.BALL),
     },
     "unstable_ranges": {
         "digits": p.DIGITS,
@@ -57,7 +69,7 @@ def ranges_schema(question: str) -> p.Schema:
         "warnings": p.rows(p.REASON),
         "answer": p.table(_COMMON | _ANSWERS[question]),
         "spectrum": p.maybe(spectrum),
-        "certificate": {"type": "null"},
+        "certificate": p.maybe(p.TEXT),
         "trust": p.TEXT,
         "assumed": p.TEXT,
     }

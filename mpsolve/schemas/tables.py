@@ -100,31 +100,3 @@ def ratio_table_schema() -> p.Schema:
         "assumed": p.TEXT,
     }
     return p.document("ratio-table", "Table of mpsolve table in the paper's ratios", "mpsolve table", 1, keys)
-
-
-def distance_schema() -> p.Schema:
-    """Of `mpsolve critical-distance --json`."""
-    critical = {
-        "d": p.ROUND,
-        "re": p.ROUND,
-        "im": p.ROUND,
-        "unstable": p.maybe(p.YES),
-        "distance_m": p.maybe(p.ROUND),
-        "frequency_Hz": p.maybe(p.ROUND),
-        "growth_rate_per_s": p.maybe(p.ROUND),
-    }
-    keys: p.Schema = {
-        "title": p.TEXT,
-        "status": {"enum": ["proved", "undecided"]},
-        "proved": p.TEXT,
-        "case": p.by_name(p.one_of(p.TEXT, p.rows(p.TEXT))),
-        "physical": p.maybe({"type": "object"}),
-        "range": p.table({"start": p.TEXT, "end": p.TEXT}),
-        "critical": p.maybe(p.table(critical)),
-        "reason": p.TEXT,
-        "assumed": p.TEXT,
-        "certificate": p.maybe(p.TEXT),
-    }
-    return p.document(
-        "critical-distance", "Answer of mpsolve critical-distance", "mpsolve critical distance", 1, keys
-    )

@@ -29,6 +29,8 @@ def waves_meet_at_zero(guide: Guide) -> bool:
 
 def reason_of(reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
     """The error as a reason, with a remedy that fits it."""
+    if isinstance(error, EffortError) and error.reason.code == "interrupted":
+        return error.reason
     if isinstance(error, EffortError):
         return Reason("effort", error.reason.message, {}, f"{MORE_EFFORT}, or ask for a Rectangle round what matters")
     if isinstance(error, WavesMeetError):
@@ -42,6 +44,8 @@ def sheet_reason(line: Line, reduced: Reduced, error: EffortError | PrecisionErr
     """Why the whole sheet stays open; places are those of q."""
     passive = bool(line.height) or not line.passive_from
     other = 'ask for "unstable"' if passive else 'give some damping, and ask for "unstable"'
+    if isinstance(error, EffortError) and error.reason.code == "interrupted":
+        return error.reason
     if isinstance(error, EffortError):
         return Reason("effort", error.reason.message, {}, f"{MORE_EFFORT}, or {other}")
     if not isinstance(error, OpenPieceError):

@@ -60,11 +60,12 @@ def _solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort,
         return Found(None, (), sheet_reason(line, reduced, error) if line else reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
+    so_far: list[RootBall] = []
     try:
         tell("roots", 0.5)
-        balls = _enclosed(reduced, count, digits, tell)
+        balls = _enclosed(reduced, count, digits, tell, so_far)
     except EffortError as error:
-        return Found(count, (), error.reason)
+        return Found(count, tuple(so_far), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
@@ -103,7 +104,7 @@ def _signed(
             break
         if more * digits > MOST_DIGITS:
             return None
-        balls = _enclosed(reduced, count, more * digits, tell)
+        balls = _enclosed(reduced, count, more * digits, tell, [])
         if sum(ball.multiplicity for ball in balls) != count.total or not disjoint(balls):
             return None
     return balls if all(_sign(ball) is not None for ball in balls) else None
@@ -161,11 +162,13 @@ def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
     return (points.conj() if count.half == "upper" else points) + 1j * height
 
 
-def _enclosed(reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell) -> tuple[RootBall, ...]:
+def _enclosed(
+    reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell, balls: list[RootBall]
+) -> tuple[RootBall, ...]:
+    """The roots; `balls` holds those that are enclosed on the way."""
     hints = _hints(reduced, count)
     seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, _weight(reduced, count.region))
     proved = Proved(reduced)
-    balls: list[RootBall] = []
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)

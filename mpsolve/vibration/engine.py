@@ -99,8 +99,10 @@ class _Verdict:
 
 
 def _sample(times: Any) -> Any:
-    """Some of the times > 0, the earliest and the last among them, to judge errors at."""
+    """Some of the times > 0, the earliest and the last among them, to judge errors at; 1 where there is none."""
     positive = np.unique(times[times > 0])
+    if not len(positive):
+        return np.ones(1)
     if len(positive) <= _JUDGED:
         return positive
     ranks = np.unique(np.geomspace(1, len(positive), _JUDGED // 2).astype(int) - 1)

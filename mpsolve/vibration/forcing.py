@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.errors import InputError
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.image import Image
 
@@ -30,6 +31,18 @@ class Irregularity:
     amplitude: float
     frequency: float
     phase: float = 0.0
+
+
+def checked_irregularities(given: Any, contacts: int) -> tuple[Irregularity, ...]:
+    """One for each contact, or none at all; InputError otherwise."""
+    if given is None:
+        return ()
+    found = tuple(given)
+    if len(found) != contacts or not all(isinstance(one, Irregularity) for one in found):
+        raise InputError(
+            "irregularities", f"are no {contacts} Irregularity: give one for each contact, rear to front"
+        )
+    return found
 
 
 def tones(image: Image, outer: Outer, irregularities: tuple[Irregularity, ...]) -> tuple[Tone, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -15,8 +15,11 @@ from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.residues import Pole
+from mpsolve.vibration.rooms import room
 from mpsolve.vibration.search import count_zeros, find_zeros
 
+_TOUCHING = 1e-9
+"""Scaled: a root that is nearer to a cut has no residue of its own in float64."""
 _SHARE = 0.94
 """Of the height of the lowest cut: how far up roots are looked for."""
 _REACH, _WIDER, _FURTHER = 8.0, 16.0, 3
@@ -31,6 +34,7 @@ _AXIS = 1e-3
 class Poles:
     """All roots with Re σ > floor that are known, σ scaled, Im σ ≥ 0; the image has no cut in Re σ > cut.
 
+    Others may be among them, of the whole sheet between the cuts: those that ring on an undamped track are.
     complete: whether the search found as many as it counted. neutral: how often σ = 0 is a root.
     """
 
@@ -48,17 +52,19 @@ class Poles:
 def certified(image: Image, spectrum: Spectrum) -> Poles:
     """The roots of a certified spectrum of the same problem."""
     rate = image.rate
-    cut = _cut(image)
+    cut = lowest(image)
     region = spectrum.region
     floor = 0.0
     if isinstance(region, Below):
         floor = -float(region.height) / rate
-    elif isinstance(region, Sheet):
-        floor = cut
     roots = [(complex(root.q.mid()), root.multiplicity) for root in spectrum.roots]
     poles = [Pole(1j * q / rate, times) for q, times in roots if q.real >= 0]
     reduced = reduce_problem(image.problem)
     poles += _unfelt(reduced, rate)
+    if isinstance(region, Sheet):
+        poles = [replace(pole, room=room(image, pole.sigma)) if pole.sigma.real <= cut else pole for pole in poles]
+        kept = tuple(pole for pole in poles if pole.sigma and (pole.room is None or pole.room > _TOUCHING))
+        return Poles(kept, cut, cut, reduced.neutral, spectrum.proved)
     whole = isinstance(region, (Below, HalfPlane, Sheet)) and spectrum.proved
     return Poles(_right_of(poles, max(floor, cut)), max(floor, cut), cut, reduced.neutral, whole)
 
@@ -68,7 +74,7 @@ def searched(problem: Problem) -> Poles:
     """The roots that Newton's method finds, as many as the argument of Δ counts."""
     image = Image(problem, ())
     reduced = reduce_problem(problem)
-    cut = _cut(image)
+    cut = lowest(image)
     floor = _SHARE * cut if cut else _AXIS
     reach = _REACH * max(1.0, natural(image))
     count, path = count_zeros(image, floor, reach)
@@ -99,7 +105,8 @@ def natural(image: Image) -> float:
     return highest / image.rate
 
 
-def _cut(image: Image) -> float:
+def lowest(image: Image) -> float:
+    """Re σ of the lowest cut, scaled: none lies to the right."""
     return -float(lowest_cut(image.problem.track)[0]) / image.rate
 
 

@@ -88,8 +88,12 @@ class PreciseImage:
         return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
 
     def _values(self, sigma: Any) -> list[Any]:
+        return self._solved(sigma, self._green(sigma), self._forces(sigma))
+
+    def _solved(self, sigma: Any, G: dict[Fraction, Any], force: list[Any]) -> list[Any]:
+        """Coordinates, contact forces, rail, under forces on the coordinates."""
         n, m = self.image.size, self.image.contacts
-        G, s = self._green(sigma), sigma * self._rate
+        s = sigma * self._rate
         rows = []
         for i in range(n):
             own = [self._S[0][i][j] + s * (self._S[1][i][j] + s * self._S[2][i][j]) for j in range(n)]
@@ -97,7 +101,7 @@ class PreciseImage:
         for i in range(m):
             own = [-G[self._at[i] - self._at[j]] - (self._h[i] if i == j else 0) for j in range(m)]
             rows.append([*(self._B[j][i] for j in range(n)), *own])
-        right = [[x] for x in [*self._forces(sigma), *[acb(0)] * m]]
+        right = [[x] for x in [*force, *[acb(0)] * m]]
         x = [row[0] for row in acb_mat(rows).solve(acb_mat(right)).tolist()]
         rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self._at)), acb(0)) for at in self._seen]
         return [*x, *rail]

@@ -39,11 +39,12 @@ class Mode:
 
 @dataclass(frozen=True)
 class Pole:
-    """So many roots within `spread` of σ (scaled), Im σ ≥ 0."""
+    """So many roots within `spread` of σ (scaled), Im σ ≥ 0. room: to the nearest cut; None: as far as to `floor`."""
 
     sigma: complex
     multiplicity: int = 1
     spread: float = 0.0
+    room: float | None = None
 
 
 def clustered(poles: Sequence[Pole]) -> list[Pole]:
@@ -57,7 +58,9 @@ def clustered(poles: Sequence[Pole]) -> list[Pole]:
         number = sum(pole.multiplicity for pole in group)
         middle = sum(pole.multiplicity * pole.sigma for pole in group) / number
         spread = max(abs(pole.sigma - middle) + (pole.spread if pole.multiplicity > 1 else 0.0) for pole in group)
-        out.append(Pole(middle if len(group) > 1 else group[0].sigma, number, spread if number > 1 else 0.0))
+        rooms = [pole.room for pole in group if pole.room is not None]
+        middle = middle if len(group) > 1 else group[0].sigma
+        out.append(Pole(middle, number, spread if number > 1 else 0.0, min(rooms, default=None)))
     return out
 
 
@@ -66,7 +69,8 @@ def modes(
 ) -> tuple[Mode, ...]:
     """The residues of `image`, (len(σ), channels), at the poles, for times up to `last`.
 
-    others: further poles, on the axis; floor: the image is analytic in Re σ > floor but for poles and others.
+    others: further poles, on the axis; floor: the image is analytic in Re σ > floor but for poles and others, and
+    round a pole with a room as far as that.
     """
     groups = clustered(poles)
     if not groups:
@@ -76,7 +80,8 @@ def modes(
     known = np.concatenate([middles, middles.conj(), np.asarray(others, complex), np.conj(others)])
     apart = np.abs(middles[:, None] - known)
     apart[apart <= 1e-13 * np.abs(middles)[:, None]] = np.inf
-    radius = _SHARE * np.minimum(apart.min(1), middles.real - floor)
+    rooms = [pole.sigma.real - floor if pole.room is None else pole.room for pole in groups]
+    radius = _SHARE * np.minimum(apart.min(1), rooms)
     radius = np.where(spreads > 0, np.minimum(radius, np.maximum(_WIDE * spreads, 1e-2 * radius)), radius)
     turn = np.exp(2j * np.pi * (np.arange(_POINTS) + 0.5) / _POINTS)
     circle = radius[:, None] * turn

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.motion.grid import float_list
 from mpsolve.motion.solve import response as motion_of_case
+from mpsolve.numbers.float_list import float_list
 from mpsolve.numbers.model import rational
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.case import Case
@@ -20,7 +20,7 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.vehicles.loads import Outer, outer_forces
 from mpsolve.vibration.engine import Engine, Parts, Solution
-from mpsolve.vibration.forcing import Irregularity, tones
+from mpsolve.vibration.forcing import Irregularity, checked_irregularities, tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import Vibration, vibration
 from mpsolve.vibration.poles import certified, searched
@@ -88,7 +88,7 @@ def solved(
     at = _times(times)
     image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
-    rough = _irregular(irregularities, image.contacts)
+    rough = checked_irregularities(irregularities, image.contacts)
     acting, held = tones(image, outer, rough), tones(image, _only(outer, constant=True), ())[:0]
     if initial == "steady":
         held = tones(image, _only(outer, constant=True), ())
@@ -140,14 +140,3 @@ def checked_places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
         return problem.pencil.places
     listed = [places] if isinstance(places, (str, int, float, Fraction)) else list(places)
     return tuple(rational(x.item() if isinstance(x, np.generic) else x, "places") for x in listed)
-
-
-def _irregular(given: Any, contacts: int) -> tuple[Irregularity, ...]:
-    if given is None:
-        return ()
-    found = tuple(given)
-    if len(found) != contacts or not all(isinstance(one, Irregularity) for one in found):
-        raise InputError(
-            "irregularities", f"are no {contacts} Irregularity: give one for each contact, rear to front"
-        )
-    return found

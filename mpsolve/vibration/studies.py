@@ -21,6 +21,8 @@ from mpsolve.vehicles.vehicle import Placed
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.response import vibrate
 
+_REAL = 1e-12
+"""Im q below this part of |q| is a rounded 0."""
 _MASSES = "has a meaning for masses only"
 
 
@@ -61,11 +63,15 @@ def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> 
 class Envelope:
     """The envelope ±modulus(t) of the harmonic part at one place, and the size of each pair of frequencies there.
 
-    modulus: shape (len(times),). amplitudes by the order of `Vibration.induced`.
+    modulus: shape (len(times),). amplitudes by the order of `Vibration.induced`. greatest, least: of the modulus over
+    all times, or None where there is none in closed form; `note` says why.
     """
 
     modulus: Any
     amplitudes: tuple[float, ...]
+    greatest: float | None
+    least: float | None
+    note: str
 
 
 def envelope(problem: Any, *arguments: Any, **options: Any) -> Any:
@@ -81,7 +87,18 @@ def envelope(problem: Any, *arguments: Any, **options: Any) -> Any:
         )
     parts = problem.induced
     turns = sum((part.rail[0] * np.exp(1j * part.q * problem.times) for part in parts), np.zeros(len(problem.times)))
-    return Envelope(np.abs(turns), tuple(abs(part.rail[0]) for part in parts))
+    sizes = tuple(float(abs(part.rail[0])) for part in parts)
+    return Envelope(np.abs(turns), sizes, *_extremes([part.q for part in parts], sizes))
+
+
+def _extremes(qs: list[complex], sizes: tuple[float, ...]) -> tuple[float | None, float | None, str]:
+    """|A₁| ± |A₂|: the phases of two different frequencies take every difference."""
+    if any(abs(q.imag) > _REAL * abs(q) for q in qs):
+        return None, None, "the amplitudes grow or decay: the extremes depend on the times"
+    if len(qs) > 2:
+        return sum(sizes), None, "more than two pairs: only the bound from above is known"
+    first, second = (*sizes, 0.0, 0.0)[:2]
+    return first + second, abs(first - second), ""
 
 
 @dataclass(frozen=True)

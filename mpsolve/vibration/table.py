@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.files import write_whole
-from mpsolve.motion.output import save_columns
+from mpsolve.files import save_columns, write_whole
 from mpsolve.vibration.motion import Vibration
 
 _PARTS = {"w": "rail", "steady": "steady", "harmonic": "harmonic", "transient": "transient"}

@@ -192,6 +192,13 @@ def test_a_preset_is_opened(seen: Seen) -> None:
     assert "gap" in seen.page.inner_text("main")
 
 
+def test_the_motion_is_shown(seen: Seen) -> None:
+    seen.page.fill("#duration", "0.1 s")
+    seen.page.click("#draw-motion")
+    seen.page.wait_for_selector("#motion svg", timeout=60_000)
+    assert seen.page.locator("#motion svg").count() == 2
+
+
 def test_two_tabs_do_not_share(chromium: Any, address: str, seen: Seen) -> None:
     other = Seen(chromium, address)
     other.type("v", "1400")

@@ -9,10 +9,10 @@ from oracle import grid
 
 from mpsolve import Case, InputError
 from mpsolve.motion.beam import finite_beam
-from mpsolve.motion.beam_integrals import gauss, moments, nested_moments
 from mpsolve.motion.beam_march import Loading, march
 from mpsolve.motion.beam_modes import Beam
 from mpsolve.motion.newmark import coupled_beam, newmark
+from mpsolve.numbers.wave_integrals import gauss, moments, nested_moments
 from mpsolve.vehicles.load import Load
 
 TAU = np.linspace(0, 60, 121)

@@ -11,7 +11,7 @@ from passive_subjects import RAIL, TRACKS, family_and_envelope, least, reduced_a
 
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.characteristic.floats import Receptance
-from mpsolve.passivity.far import far, least_gap, slopes
+from mpsolve.passivity.far import far, far_numbers, least_gap, slopes
 
 
 @pytest.mark.parametrize("name", TRACKS)
@@ -21,6 +21,22 @@ def test_beyond_it_the_matrix_is_passive(name: str) -> None:
     assert X is not None
     assert (least(reduced.guide, reduced.places, X * np.geomspace(1, 20, 40)) > -1e-13).all()
     assert X < 100
+
+
+def test_its_numbers_leave_room() -> None:
+    """What blocks take by the numbers outweighs what is given; κ and C are those of the track at points."""
+    _, envelope = reduced_and_envelope(next(iter(TRACKS)), 2)
+    found = far_numbers(envelope)
+    assert found is not None
+    assert (far(envelope) or 0) <= found.X
+    sieve = (
+        2 * np.pi / float(np.min(least_gap(envelope.subject, np.array([envelope.low]), np.array([envelope.high]))))
+    )
+    growth = found.X ** float(found.gamma)
+    taken = sum(((b - a) * growth - sieve) * kappa for a, b, kappa in found.blocks) * found.X ** -float(found.e)
+    p = found.X / envelope.fastest
+    given = found.constant * (p ** (1 - found.alpha) / (found.alpha - 1) + sieve * p**-found.alpha)
+    assert taken > given > 0
 
 
 def test_over_parameters() -> None:

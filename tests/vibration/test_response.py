@@ -162,6 +162,11 @@ def test_an_irregularity_compresses_the_contact() -> None:
     assert np.abs(found.steady_harmonic).max() > 0
 
 
+def test_the_start_alone_is_rest():
+    found = response(BOGIE, times=[0])
+    assert found.rail == pytest.approx(0, abs=1e-15)
+
+
 def test_growth_doubles_in_the_time_that_the_root_tells() -> None:
     problem = as_problem(Case(alpha="1.2", eta_b="0.05", eta_m=("40",), positions=("0",)))
     found = response(problem, [Load(1)], times=np.linspace(0, 400, 2001))

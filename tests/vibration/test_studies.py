@@ -12,6 +12,7 @@ from mpsolve import (
     InputError,
     Load,
     Problem,
+    certify,
     envelope,
     merged,
     response,
@@ -65,3 +66,12 @@ def test_loads_go_with_their_vehicles() -> None:
         merged(bogies, times=times)
     with pytest.raises(InputError, match="Vibration"):
         envelope(bogies)
+
+
+def test_the_extremes_of_an_undamped_envelope_are_the_papers() -> None:
+    case = Case(alpha="0.5", eta_b=0, eta_m=(40, 40), positions=(0, "1.5"))
+    sheet = certify(case, check=False)
+    known = study.envelope(case, None, 0, (0,), sheet)
+    found = envelope(response(as_problem(case), [Load(2)] * 2, times=[0, 1], places=[0], spectrum=sheet))
+    assert (found.greatest, found.least) == pytest.approx((known.greatest, known.least), rel=1e-9)
+    assert found.note == ""

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.motion.beam_integrals import legendre_powers, moments, nested_moments
+from mpsolve.numbers.wave_integrals import legendre_powers, moments, nested_moments
 
 
 @dataclass(frozen=True)

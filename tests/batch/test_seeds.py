@@ -13,8 +13,8 @@ import pytest
 from oracle import Truth
 
 from mpsolve import Case, certify
+from mpsolve.batch.seeds import PARAMETERS, Seeds, seeds
 from mpsolve.errors import InputError
-from mpsolve.fast.seeds import PARAMETERS, Seeds, seeds
 
 
 @pytest.fixture(scope="module")
@@ -108,7 +108,7 @@ def test_roots_next_to_the_cut_have_small_basins(given: tuple[Any, ...], number:
 
 def test_roots_without_a_basin_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The others have rows, which tell that they are not all."""
-    monkeypatch.setattr("mpsolve.fast.seeds._CIRCLES", 10)
+    monkeypatch.setattr("mpsolve.batch.seeds._CIRCLES", 10)
     found = seeds(["0.67"], [0], [10], [3], eta_n=["0.2"])
     assert found.roots.tolist() == [4, 4]
     assert [case for case, _ in found.missing] == [found.cases[0]] * 2

@@ -1,22 +1,15 @@
-"""The commands about stability: their reports, certificates, files and exit statuses."""
+"""Tables in the paper's ratios: their reports, certificates, files and exit statuses."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
-from flint import acb, arb
 
 from mpsolve.cli import cli
 from mpsolve.errors import CertificateError
-from mpsolve.fields import ball_arithmetic
-from mpsolve.numbers.exact import Exact
-from mpsolve.outcome import Status
-from mpsolve.stability.distance import CriticalDistance
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RAIL, PLAIN = EXAMPLES / "rail_60e1.toml", EXAMPLES / "dimensionless.toml"
@@ -89,54 +82,9 @@ def test_a_table_that_cannot_be_written_is_printed(run: Run, monkeypatch: pytest
     assert result.stderr == "mpsolve: a.csv cannot be written: No space left on device\n"
 
 
-@pytest.fixture
-def distance(monkeypatch: pytest.MonkeyPatch) -> Callable[[CriticalDistance], list[Any]]:
-    """Puts an answer in the place of the search, which takes long; gives what it is asked for."""
-
-    def answers(found: CriticalDistance) -> list[Any]:
-        asked: list[Any] = []
-        monkeypatch.setattr("mpsolve.stability.distance.critical_distance", lambda *x: asked.append(x) or found)
-        return asked
-
-    return answers
-
-
-def critical(imag: str) -> CriticalDistance:
-    with ball_arithmetic(200):
-        blur = arb(0, "1e-40")
-        d, q = arb("1.25") + blur, acb(arb("0.15") + blur, arb(imag) + blur)
-    return CriticalDistance(d, q, Status.PROVED, "", 30)
-
-
-def test_critical_distance(run: Run, distance: Callable[[CriticalDistance], list[Any]]) -> None:
-    asked = distance(critical("-0.02"))
-    result = run("critical-distance", RAIL, "--from", 1, "--to", "2.5")
-    assert (result.exit_code, len(asked[0][2]), asked[0][5]) == (0, 2, (1, Exact("2.5")))
-    text = flat(result.stdout)
-    assert "1 ≤ d ≤ 2.5, Im q over all roots is smallest at d = 1.25000" in text
-    assert "where the vibration grows fastest." in text
-    assert "1.2500000 2.8116" in text or "1.2500000 2.8117" in text
-    data = json.loads(run("critical-distance", RAIL, "--from", 1, "--to", "2.5", "--json").stdout)["critical"]
-    assert abs(float(data["distance_m"]["value"]) - 1.25 / (1e6 / (4 * 6.4e6)) ** 0.25) < 1e-12
-    assert abs(float(data["growth_rate_per_s"]["value"]) - 0.02 * (1e6 / 60) ** 0.5) < 1e-12
-    distance(critical("0.02"))
-    text = flat(run("critical-distance", PLAIN, "--from", 1, "--to", "2.5").stdout)
-    assert "so the case is stable at every one of them." in text
-    assert "Im q = 0.02000" in text
-    distance(CriticalDistance(None, None, Status.UNDECIDED, "why", 30))
-    result = run("critical-distance", PLAIN, "--from", 1, "--to", "2.5")
-    assert (result.exit_code, "UNDECIDED: the critical distance in 1 ≤ d ≤ 2.5 is open: why." in result.stdout) == (
-        1,
-        True,
-    )
-
-
 @pytest.mark.parametrize(
     ("arguments", "key"),
     [
-        (["critical-distance", "one.toml", "--from", "x", "--to", "1"], "--from"),
-        (["critical-distance", "one.toml", "--from", "2", "--to", "1"], "--to"),
-        (["critical-distance", "one.toml", "--from", "-1", "--to", "1"], "--from"),
         (["table", "one.toml"], "one.toml"),
         (["table", "none.toml", "-o", "one.csv"], "none.toml"),
         (["table", "table.toml", "-o", "a.txt"], "output"),

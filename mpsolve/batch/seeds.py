@@ -15,16 +15,17 @@ from typing import Any
 import flint
 import numpy as np
 
-from mpsolve.certificate.sheet import certify_sheet
+from mpsolve.certificate.certify import certify
+from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import InputError, MpsolveError, PrecisionError
-from mpsolve.fields import ball_arithmetic
 from mpsolve.files import write_whole
-from mpsolve.model.branch import track
-from mpsolve.model.characteristic import characteristic
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.taylor import Taylor, taylor
 from mpsolve.parallel.pool import run
 from mpsolve.problem.case import Case
+from mpsolve.problem.cases import as_problem
+from mpsolve.problem.reduced import reduce_problem
 from mpsolve.progress import Progress
 
 FORMAT, VERSION = "mpsolve seeds", 2
@@ -38,6 +39,7 @@ _WIDER = 1.001  # the proof is for a disc that also holds the one about the root
 _CIRCLES, _ARCS, _SHRINK = 40, 32, 3
 
 Row = tuple[str, ...]
+Delta = Callable[[Any], Any]
 Found = list[tuple[complex, float | None]]  # every root of a case with its radius, None where none is proved
 
 
@@ -170,24 +172,36 @@ def _seeds_of(row: Row) -> Found | None:
     """Every root, a multiple one as often as it counts; None where they are not proved."""
     case = _case(row)
     try:
-        spectrum = certify_sheet(case, 30)
+        spectrum = certify(case, region="sheet")
     except MpsolveError:
         return None
     if not spectrum.proved:
         return None
+    delta = characteristic(case)
     return [
-        (complex(root.q.mid()), _radius(case, root.q)) for root in spectrum.roots for _ in range(root.multiplicity)
+        (complex(root.q.mid()), _radius(delta, root.q)) for root in spectrum.roots for _ in range(root.multiplicity)
     ]
 
 
-def _radius(case: Case, root: Any) -> float | None:
+def characteristic(case: Case) -> Delta:
+    """Δ(q) of (26) in balls, up to its sign; `PrecisionError` where a ball may meet a cut."""
+    reduced = reduce_problem(as_problem(case))
+    proved = Proved(reduced, eliminate=False)
+
+    def delta(q: Any) -> Any:
+        return proved.matrices(flint.acb(0, 1) * q / rational_ball(reduced.frequency_unit), slope=False)[0].det()
+
+    return delta
+
+
+def _radius(delta: Delta, root: Any) -> float | None:
     try:
-        return basin(case, root)
+        return basin(delta, root)
     except PrecisionError:
         return None
 
 
-def basin(case: Case, root: Any) -> float:
+def basin(delta: Delta, root: Any) -> float:
     """A radius ρ about the float64 midpoint c of the root's ball: Newton's method on Δ from |q − c| ≤ ρ is proved
     to halve the distance to the root z with every step. Raises `PrecisionError` where no ρ can be proved.
 
@@ -197,15 +211,15 @@ def basin(case: Case, root: Any) -> float:
     """
     centre = complex(root.mid())
     best = 0.0
-    with ball_arithmetic(_BITS) as field:
-        model, c = track(case, field), flint.acb(centre.real, centre.imag)
+    with precision(_BITS):
+        c = flint.acb(centre.real, centre.imag)
         for k in range(_CIRCLES):
             outer = abs(centre) * 2.0 ** (-1 - k)
             if outer <= 2 * best:
                 break
             try:
-                bound = _on_circle(model, c, outer)
-                series = taylor(lambda q: characteristic(model, q), c, flint.arb(outer), bound, _SHRINK)
+                bound = _on_circle(delta, c, outer)
+                series = taylor(delta, c, flint.arb(outer), bound, _SHRINK)
             except PrecisionError:
                 continue
             radii = (outer * 2.0 ** (-1 - j / 4) for j in range(48))
@@ -217,14 +231,14 @@ def basin(case: Case, root: Any) -> float:
     )
 
 
-def _on_circle(model: Any, c: Any, r: float) -> Any:
+def _on_circle(delta: Delta, c: Any, r: float) -> Any:
     """A bound of |Δ| on |q − c| = r, and so within: the cuts are unbounded, a disc whose rim meets none is free of
     them. `PrecisionError` where an arc may meet a cut.
     """
     bound = flint.arb(0)
     for k in range(_ARCS):
         turn = (2 * k + 1 + flint.arb(0, 1)) / _ARCS
-        bound = bound.max(flint.arb(characteristic(model, c + r * flint.acb(turn).exp_pi_i()).abs_upper()))
+        bound = bound.max(flint.arb(delta(c + r * flint.acb(turn).exp_pi_i()).abs_upper()))
     if not bound.is_finite():
         raise PrecisionError("the arcs of a circle are too wide: take a smaller circle")
     return bound

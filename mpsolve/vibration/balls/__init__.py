@@ -1,0 +1,1 @@
+"""The motion in proved balls: image → path → far → panels → circles → enclosure."""

@@ -1,0 +1,181 @@
+"""What û is at most far out, between line and path: the tail of the integral, and why the path may leave the line.
+
+The equations are divided by powers of σ so that they have a limit; one ball holds all of them for |σ| ≥ R. If it is
+invertible, û falls as a power of σ there, and has no pole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, acb_mat, arb, arb_mat, precision, rational_ball
+from mpsolve.vibration.balls.image import BallImage
+from mpsolve.vibration.balls.path import Path
+from mpsolve.vibration.balls.polygon import FarRoot, far_roots, power_of, turn
+
+Disc = tuple[Any, Any]
+"""A middle and a radius."""
+_FIRST, _TIMES, _TRIES = 32.0, 2.0, 22
+
+
+def far_field(image: BallImage, path: Path, last: float) -> tuple[float, list[Any]]:
+    """R > `last`, and for |Im σ| ≥ R between line and path bounds of |û| by channels."""
+    radius = max(_FIRST, 1.1 * last)
+    for _ in range(_TRIES):
+        try:
+            return radius, _Far(image, path, radius).bounds()
+        except PrecisionError as error:
+            found = error
+        radius *= _TIMES
+    raise found
+
+
+class _Far:
+    """The equations for all |σ| ≥ R, divided by powers of σ."""
+
+    def __init__(self, image: BallImage, path: Path, radius: float) -> None:
+        self.image, self.path, self.radius = image, path, arb(radius)
+        guide = image.image.guide
+        with precision(image.bits):
+            roots = far_roots(guide.D, guide.N, guide.v, self.radius)
+            self.upper, self.lower = self._sides(roots)
+            self.gamma = min(root.gamma for root in self.upper)
+        self.powers = self._powers()
+
+    def _sides(self, roots: Sequence[FarRoot]) -> tuple[list[FarRoot], list[FarRoot]]:
+        """Which are upper ones, told at one point of the line."""
+        sigma = self.path.line(self.radius)
+        balls = [root.at(sigma) for root in roots]
+        sides: list[list[FarRoot]] = []
+        for side in self.image.physical(sigma):
+            near = [[k for k, ball in enumerate(balls) if ball.overlaps(z)] for z in side]
+            if any(len(one) != 1 for one in near):
+                raise PrecisionError("p-roots far out cannot be told apart: go further")
+            sides.append([roots[one[0]] for one in near])
+        return sides[0], sides[1]
+
+    def _powers(self) -> list[Fraction]:
+        """e_i of coordinates and contact forces: rows and columns are multiplied by σ^(−e)."""
+        pencil = self.image.image.pencil
+        out = []
+        for k in range(pencil.size):
+            out.append(Fraction(1) if pencil.M[k][k] else Fraction(1, 2) if pencil.C[k][k] else Fraction(0))
+        return out + [Fraction(0) if h else -self.gamma / 2 for h in pencil.h]
+
+    def disc(self, value: Any, power: Fraction) -> Disc:
+        """value σ^power for all |σ| ≥ R, power ≤ 0."""
+        if power > 0:
+            raise PrecisionError(
+                "the equations of this vehicle far out are beyond what is proved of the motion in balls"
+            )
+        if not power or value == 0:
+            return value, arb(0)
+        return acb(0), abs(value) * power_of(self.radius, power)
+
+    def received(self, xi: Fraction, power: Fraction = Fraction(0)) -> Disc:
+        """σ^γ G(ξ), times σ^power."""
+        roots, sign = (self.upper, 1) if xi >= 0 else (self.lower, -1)
+        middle, radius = acb(0), arb(0)
+        for root in roots:
+            m, r = self.disc(self.image.scale * sign * root.weight, self.gamma - root.gamma + power)
+            if xi:
+                m, r = acb(0), (abs(m) + r) * self._grown(root, xi)
+            middle, radius = middle + m, radius + r
+        return middle, radius
+
+    def _grown(self, root: FarRoot, xi: Fraction) -> Any:
+        """A bound of |e^{Pξ}|."""
+        x, R, w = rational_ball(xi), self.radius, root.power
+        b = w.denominator
+        aside = (abs(arb(self.path.alpha)) + self.path.delta * R.sqrt()) / R  # |Re σ|/|σ| at most
+        zeta = power_of(R, Fraction(-1, b))
+        if root.neutral:
+            if root.still is not None or w > Fraction(1, 2) or w > Fraction(1, b):
+                raise PrecisionError(
+                    "a wave over a distance arrives too late for the path: give one contact, and no other place"
+                )
+            grows = abs(root.z0) * rational_ball(w) * (1 + aside) * aside * power_of(R, w)
+            second = (
+                x * root.z1.real if w == Fraction(1, b) else abs(x) * abs(root.z1) * power_of(R, w - Fraction(1, b))
+            )
+            return (abs(x) * (grows + root.left * power_of(R, w - Fraction(2, b))) + second).exp()
+        own = root.z0 * turn(w)
+        falls = x * own.real + abs(x) * (
+            abs(own) * rational_ball(w) * aside + abs(root.z1) * zeta + root.left * zeta**2
+        )
+        if not falls < 0:
+            raise PrecisionError("p-roots far out may be real: go further")
+        return (falls * power_of(R, w)).exp()
+
+    def rows(self) -> list[list[Disc]]:
+        """The equations."""
+        image, e = self.image, self.powers
+        n, m = image.image.size, image.image.contacts
+        S, B, h, at = image.pencil
+        rate, rows = image.rate_ball, []
+        for i in range(n):
+            own = [
+                _sum([self.disc(acb(S[k][i][j] * rate**k), k - e[i] - e[j]) for k in range(3) if S[k][i][j] != 0])
+                for j in range(n)
+            ]
+            rows.append([*own, *(self.disc(acb(B[i][j]), -e[i] - e[n + j]) for j in range(m))])
+        for i in range(m):
+            own = [self.disc(acb(B[j][i]), -e[j] - e[n + i]) for j in range(n)]
+            for j in range(m):
+                middle, radius = self.received(at[i] - at[j], -self.gamma - e[n + i] - e[n + j])
+                own.append((-middle - (acb(h[i]) if i == j else 0), radius))
+            rows.append(own)
+        return rows
+
+    def bounds(self) -> list[Any]:
+        """Of |û| by channels."""
+        image, e = self.image, self.powers
+        n, R = image.image.size, self.radius
+        if any(1 + power <= 0 for power in e):
+            raise PrecisionError("the forces far out are beyond what is proved of the motion in balls")
+        with precision(image.bits):
+            force = [sum(map(abs, self.disc(x, -e[k]))) for k, x in enumerate(image.far_forces(R))]
+            x = solved(self.rows(), [*force, *[arb(0)] * image.image.contacts])
+            out = [one * power_of(R, -1 - power) for one, power in zip(x, e, strict=True)]
+            for at in image.seen:
+                rail = arb(0)
+                for j, y in enumerate(image.pencil[3]):
+                    size = sum(map(abs, self.received(at - y)))
+                    rail = rail + size * x[n + j] * power_of(R, -1 - e[n + j] - self.gamma)
+                out.append(rail)
+            if not all(bound.is_finite() for bound in out):
+                raise PrecisionError("the motion far out has no bound: go further")
+            return [arb(bound.upper()) for bound in out]
+
+
+def _sum(discs: list[Disc]) -> Disc:
+    return sum((m for m, _ in discs), acb(0)), sum((r for _, r in discs), arb(0))
+
+
+def solved(rows: list[list[Disc]], right: list[Any]) -> list[Any]:
+    """Bounds of |x| for all matrices of these discs, |right| bounded; PrecisionError where one may be singular.
+
+    With an inverse R of the middles, |R A − I| ≤ E; where E u < u for some u > 0, |A⁻¹| ≤ (I − E)⁻¹ |R|.
+    """
+    n = len(rows)
+    middle = acb_mat([[m.mid() for m, _ in row] for row in rows])
+    spread = arb_mat([[r + abs(m - m.mid()) for m, r in row] for row in rows])
+    try:
+        inverse = acb_mat([[x.mid() for x in row] for row in middle.inv().tolist()])
+        one = acb_mat([[int(i == j) for j in range(n)] for i in range(n)])
+        size, off = (
+            arb_mat([[abs(x) for x in row] for row in a.tolist()]) for a in (inverse, inverse * middle - one)
+        )
+        E = arb_mat([[arb(x.upper()) for x in row] for row in (size * spread + off).tolist()])
+        left = arb_mat([[int(i == j) - E[i, j] for j in range(n)] for i in range(n)])
+        u = left.solve(arb_mat([[1]] * n))
+        u = arb_mat([[x.mid()] for row in u.tolist() for x in row])
+        if not all(u[i, 0] > 0 and (E * u)[i, 0] < u[i, 0] for i in range(n)):
+            raise ZeroDivisionError
+        x = left.solve(size * arb_mat([[value] for value in right]))
+    except ZeroDivisionError:
+        raise PrecisionError("the equations may be singular far out: go further, or give fewer contacts") from None
+    return [abs(row[0]) for row in x.tolist()]

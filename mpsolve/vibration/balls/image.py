@@ -1,0 +1,195 @@
+"""The Laplace image of a motion in balls of σ̂, on the physical sheet and on what continues it across the cuts.
+
+Over a cell, a ball of σ̂, each p-root has a disc of its own. Which of them are upper ones is proved at one point of
+the cell in the physical region, and then holds in the whole cell: no p-root changes its disc there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb, precision, square
+from mpsolve.vibration.balls.moving import Moving, moving_roots
+from mpsolve.vibration.precise_image import PreciseImage
+
+_TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A ball of σ̂ with its upper and lower p-roots and their weights."""
+
+    ball: Any
+    upper: tuple[Moving, ...]
+    lower: tuple[Moving, ...]
+
+    def roots(self, sigma: Any) -> list[Any]:
+        """The upper p-roots at a σ̂ of the ball."""
+        return [one.at(sigma) for one in self.upper]
+
+
+class BallImage(PreciseImage):
+    """û and its cells, at the precision of the image."""
+
+    @property
+    def bits(self) -> int:
+        """Of all balls."""
+        return self._bits
+
+    @property
+    def symbols(self) -> Any:
+        """D and N."""
+        return self.image.receptance.symbols
+
+    @property
+    def distances(self) -> list[Fraction]:
+        """Scaled, of places and contacts from contacts."""
+        return self._distances
+
+    @property
+    def seen(self) -> list[Fraction]:
+        """The places, scaled."""
+        return self._seen
+
+    @property
+    def pencil(self) -> tuple[Any, Any, Any, list[Fraction]]:
+        """K, C, M; B; h, in balls, and the contacts' places, scaled."""
+        return self._S, self._B, self._h, self._at
+
+    @property
+    def scale(self) -> Any:
+        """G = scale · Ĝ."""
+        return self._g
+
+    @property
+    def rate_ball(self) -> Any:
+        """σ = rate · σ̂."""
+        return self._rate
+
+    def far_forces(self, radius: Any) -> list[Any]:
+        """σ̂ times the forces on the coordinates, for all |σ̂| ≥ radius."""
+        total = [acb(0)] * self.image.size
+        for direction, (c, a, omega, phase) in self._terms:
+            wave = acb(c)
+            if a != 0:
+                ratio = abs(omega) / radius
+                if not ratio < 1:
+                    raise PrecisionError("a load acts at a high frequency: go further")
+                size = abs(a) * (ratio * abs(phase.cos()) + abs(phase.sin())) / (1 - ratio**2)
+                wave += square(arb(size.upper()))
+            total = [x + d * wave for x, d in zip(total, direction, strict=True)]
+        return total
+
+    def physical(self, sigma: Any) -> tuple[list[Any], list[Any]]:
+        """Upper and lower p-roots at a thin σ̂ to the right of the cuts, proved by their signs."""
+        roots = [one.at(sigma) for one in moving_roots(self.symbols, sigma)]
+        upper, lower = [z for z in roots if z.real < 0], [z for z in roots if z.real > 0]
+        if len(upper) != self.image.receptance.upper or len(upper) + len(lower) < len(roots):
+            raise PrecisionError("p-roots cannot be told from real ones on the path: move it")
+        return upper, lower
+
+    def start(self, sigma: Any) -> Cell:
+        """The cell of a thin σ̂ to the right of the cuts."""
+        return self.named(sigma, sigma, self.physical(sigma)[0])
+
+    def cell(self, ball: Any, inside: Any) -> Cell:
+        """The cell of a ball that holds the thin σ̂ `inside`, which lies to the right of the cuts."""
+        return self.named(ball, inside, self.physical(inside)[0])
+
+    def beside(self, ball: Any, sigma: Any, cell: Cell) -> Cell:
+        """The cell of a ball that shares the thin σ̂ with another cell."""
+        return self.named(ball, sigma, self.within(cell, sigma).roots(sigma))
+
+    def named(self, ball: Any, sigma: Any, upper: Sequence[Any]) -> Cell:
+        """The cell of a ball where the upper p-roots at its thin σ̂ are known: each disc there holds one root."""
+        found = moving_roots(self.symbols, ball)
+        there = [one.at(sigma) for one in found]
+        named = {_holder(there, z) for z in upper}
+        if len(named) < len(upper):
+            raise PrecisionError(_TOGETHER)
+        sides = ([one for k, one in enumerate(found) if (k in named) == first] for first in (True, False))
+        return Cell(ball, *(tuple(side) for side in sides))
+
+    def within(self, cell: Cell, sigma: Any) -> Cell:
+        """The same at a thin σ̂ of the cell."""
+        found = moving_roots(self.symbols, sigma)
+        names = [_holder([one.at(sigma) for one in (*cell.upper, *cell.lower)], one.at(sigma)) for one in found]
+        if sorted(names) != list(range(len(found))):
+            raise PrecisionError(_TOGETHER)
+        up = len(cell.upper)
+        sides = ([z for k, z in zip(names, found, strict=True) if (k < up) == first] for first in (True, False))
+        return Cell(sigma, *(tuple(side) for side in sides))
+
+    def values(self, cell: Cell) -> list[Any]:
+        """û over the cell: bodies, contact forces, rail; finite, so that û is analytic there."""
+        with precision(self._bits):
+            G = self._received(cell)
+            try:
+                found = self._solved(cell.ball, G, self._forces(cell.ball))
+            except ZeroDivisionError:
+                raise PrecisionError("the equations may be singular over a cell: split it") from None
+            return self._finite(found)
+
+    def response(self, cell: Cell, force: list[Any]) -> list[Any]:
+        """The channels for forces on the coordinates instead of û's own."""
+        with precision(self._bits):
+            try:
+                return self._finite(self._solved(cell.ball, self._received(cell), force))
+            except ZeroDivisionError:
+                raise PrecisionError("the equations are singular at the frequency of a load") from None
+
+    def _finite(self, values: list[Any]) -> list[Any]:
+        if not all(x.is_finite() for x in values):
+            raise PrecisionError("the motion may be infinite over a cell: split it")
+        return values
+
+    def _received(self, cell: Cell) -> dict[Fraction, Any]:
+        """G at all distances, by residues."""
+        out = {}
+        for xi in self._distances:
+            waves, sign = (cell.upper, 1) if xi >= 0 else (cell.lower, -1)
+            parts = [one.weight * (one.at(cell.ball) * self._xi[xi]).exp() if xi else one.weight for one in waves]
+            out[xi] = self._g * sign * sum(parts, acb(0))
+        return out
+
+    def tones(self) -> list[tuple[Any, list[Any]]]:
+        """(ω̂, forces on the coordinates) of constant and harmonic loads: Re(force e^{iω̂t̂}); ω̂ ≥ 0 in balls."""
+        out: dict[Any, list[Any]] = {}
+        rates: dict[Any, Any] = {}
+
+        def add(key: Any, rate: Any, factor: Any, direction: list[Any]) -> None:
+            rates[key] = rate
+            zero = out.get(key, [acb(0)] * len(direction))
+            out[key] = [x + d * factor for x, d in zip(zero, direction, strict=True)]
+
+        with precision(self._bits):
+            for (direction, (c, a, omega, phase)), (_, load) in zip(self._terms, self.exact, strict=True):
+                if load.constant:
+                    add(Fraction(0), acb(0), c, direction)
+                if load.amplitude and load.frequency:
+                    wave = acb(0, -1) * a * (acb(0, 1) * phase).exp()
+                    key, wave = (omega, wave) if omega > 0 else (-omega, wave.conjugate() * -1)
+                    add(str(key), acb(key), wave, direction)
+                elif load.amplitude:
+                    add(Fraction(0), acb(0), a * phase.sin(), direction)
+        return [(rates[key], force) for key, force in out.items()]
+
+
+def _holder(balls: Sequence[Any], z: Any) -> int:
+    """The number of the one ball that z can lie in: as each holds one root, that root is z."""
+    near = [k for k, ball in enumerate(balls) if ball.overlaps(z)]
+    if len(near) != 1:
+        raise PrecisionError(_TOGETHER)
+    return near[0]
+
+
+def hull(*points: Any) -> Any:
+    """The square ball that holds all balls."""
+    total = points[0]
+    for other in points[1:]:
+        total = acb(total.real.union(other.real), total.imag.union(other.imag))
+    return total

@@ -1,0 +1,140 @@
+"""Gauss–Legendre panels along the path, each with a proved bound of what its nodes leave out.
+
+On a panel of half length h whose integrand is at most M on the ellipse of Bernstein with parameter ρ, n nodes miss at
+most 8hMρ^(1 − 2n)/(ρ − 1): they are exact up to the degree 2n − 1, and Chebyshev's series cut there is off by
+2Mρ^(1 − 2n)/(ρ − 1) at most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from math import ceil, log
+from typing import Any
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb, bits_now
+from mpsolve.proof.effort import Effort
+from mpsolve.vibration.balls.image import BallImage, Cell
+from mpsolve.vibration.balls.path import Path
+
+_RHO = 3
+_REAL, _IMAGINARY = 5 / 3, 4 / 3
+"""(ρ ± 1/ρ)/2."""
+_MOST_NODES = 40
+_STEP = 4
+"""Numbers of nodes are multiples of this, so that few rules are needed."""
+_GROWS, _LEAST = 1.6, 2.0**-40
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Where û was computed: σ and û dσ at each node, and by channels and times a bound of what the nodes miss."""
+
+    nodes: tuple[tuple[Any, tuple[Any, ...]], ...]
+    missed: tuple[tuple[Any, ...], ...]
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A piece of the path: σ(x) and σ'(x) for x from `first` to `last`. straight: along the line."""
+
+    place: Callable[[Any], Any]
+    slope: Callable[[Any], Any]
+    first: float
+    last: float
+    straight: bool
+
+
+def legs(path: Path, end: float) -> tuple[Leg, Leg]:
+    """The line up to the corner, and the parabola up to r = end."""
+    return (
+        Leg(path.line, lambda _: acb(0, 1), 0.0, path.start**2, True),
+        Leg(path.lifted, path.slope, path.start, end, False),
+    )
+
+
+def panels(image: BallImage, leg: Leg, times: list[Any], goals: list[Any], effort: Effort) -> Iterator[Panel]:
+    """Panels that cover the leg in order; goals: by channels, of one panel.
+
+    PrecisionError where a pole, or a point where p-roots meet, lies on the path or next to it.
+    """
+    here, size = leg.first, (leg.last - leg.first) / 8
+    cell = image.start(leg.place(arb(here)))
+    while here < leg.last:
+        there = min(here + size, leg.last)
+        effort.spend(1)
+        try:
+            wide, found = _panel(image, leg, (here, there), cell, (times, goals), effort)
+        except PrecisionError as error:
+            if size < _LEAST * max(1.0, leg.last) or not isinstance(error, _WidePanelError):
+                raise
+            size = (there - here) / 2
+            continue
+        yield found
+        size = _GROWS * (there - here)
+        here = there
+        if not leg.straight and here < leg.last:
+            cell = image.within(wide, leg.place(arb(here)))
+
+
+class _WidePanelError(PrecisionError):
+    """The panel has to be halved."""
+
+
+def _panel(
+    image: BallImage,
+    leg: Leg,
+    ends: tuple[float, float],
+    begin: Cell,
+    asked: tuple[list[Any], list[Any]],
+    effort: Effort,
+) -> tuple[Cell, Panel]:
+    a, b = (arb(x) for x in ends)
+    middle, half = (a + b) / 2, (b - a) / 2
+    ellipse = acb(middle + arb(0, half * _REAL * 1.0001), arb(0, half * _IMAGINARY * 1.0001))
+    ball, slope = leg.place(ellipse), leg.slope(ellipse)
+    try:
+        point = leg.place(middle) if leg.straight else leg.place(a)
+        cell = image.cell(ball, point) if leg.straight else image.beside(ball, point, begin)
+        largest = [abs(x * slope).upper() for x in image.values(cell)]
+    except PrecisionError as error:
+        raise _WidePanelError(str(error)) from None
+    times, goals = asked
+    growth = [(t * ball.real).exp().upper() for t in times]
+    n = _number(largest, growth, half, goals)
+    share = 8 * half * arb(_RHO) ** (1 - 2 * n) / (_RHO - 1) if n else 2 * half
+    missed = tuple(tuple((M * grown * share).upper() for grown in growth) for M in largest)
+    nodes = []
+    for x, weight in rule(n, bits_now()) if n else ():
+        at = middle + half * x
+        sigma, factor = leg.place(at), leg.slope(at) * half * weight
+        effort.spend(1)
+        values = image.values(image.start(sigma) if leg.straight else image.within(cell, sigma))
+        nodes.append((sigma, tuple(value * factor for value in values)))
+    return cell, Panel(tuple(nodes), missed)
+
+
+def _number(largest: list[Any], growth: list[Any], half: Any, goals: list[Any]) -> int:
+    """How many nodes miss no more than the goals; 0 where the panel itself is below them."""
+    most = max(growth, key=float)
+    over = max(_log(M * most * half / goal) for M, goal in zip(largest, goals, strict=True))
+    if over + log(2) < 0:
+        return 0
+    n = ceil((over + log(8 / (_RHO - 1)) + log(_RHO)) / (2 * log(_RHO)))
+    n = _STEP * max(1, ceil(n / _STEP))
+    if n > _MOST_NODES:
+        raise _WidePanelError("the motion turns too often over a panel: halve it")
+    return n
+
+
+def _log(x: Any) -> float:
+    """About; also of what float64 does not hold."""
+    return float(x.log().mid()) if x > 0 else -1e9
+
+
+@lru_cache(maxsize=64)
+def rule(n: int, bits: int) -> tuple[tuple[Any, Any], ...]:  # noqa: ARG001 — part of the key
+    """Nodes and weights on [−1, 1] in balls, at the precision that is set."""
+    return tuple(arb.legendre_p_root(n, k, weight=True) for k in range(n))

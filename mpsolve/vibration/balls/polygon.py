@@ -1,0 +1,224 @@
+"""The p-roots far out, by the edges of Newton's polygon, proved for all |σ| ≥ R.
+
+P = σ^w (z₀ + z₁ζ + …), ζ = σ^{−1/b}, w = a/b. Waves that stay where they are on the track have P near σ/v; where
+several do, as those of sleepers without bending, it is s = σ − vP that goes as σ^w with w < 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations, pairwise
+from math import comb
+from typing import Any
+
+import flint
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, acb_poly, arb, rational_ball, square
+
+Polynomial = Mapping[tuple[int, int], Fraction]
+_GROWN, _FINEST = 30, 60
+_TOGETHER = "p-roots far out cannot be told apart: go further"
+
+
+@dataclass(frozen=True)
+class FarRoot:
+    """P = σ^w (z₀ + z₁ζ + rest), |rest| ≤ left |ζ|², and N/D_P = σ^{−γ} weight, for all |σ| ≥ R.
+
+    z: the ball of P/σ^w. neutral: z₀ i^w is imaginary, exactly: the wave neither grows nor decays to leading order.
+    still: the ball of s where P = (σ − s)/v = (σ − s) z₀.
+    """
+
+    power: Fraction
+    z0: Any
+    z1: Any
+    left: Any
+    z: Any
+    gamma: Fraction
+    weight: Any
+    neutral: bool
+    still: Any = None
+
+    def at(self, sigma: Any) -> Any:
+        """The ball of P at one σ."""
+        if self.still is not None:
+            return (sigma - self.still) * self.z0
+        return (sigma.log() * rational_ball(self.power)).exp() * self.z
+
+
+def far_roots(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRoot]:
+    """All p-roots of D(P, σ) for |σ| ≥ radius, apart from each other; PrecisionError where that is not proved."""
+    out: list[FarRoot] = []
+    for power in _powers(D):
+        if not 0 <= power <= 1:
+            raise PrecisionError(f"p-roots that go as σ^({power}) are beyond what is proved of the motion in balls")
+        still = _multiplicity(_edge(D, power), 1 / v) if power == 1 and v else 0
+        out += _along(D, N, power, radius, 1 / v if still > 1 else None)
+        if still > 1:
+            out += _still(D, N, v, radius)
+    if len(out) != max(i for i, _ in D):
+        raise PrecisionError("not all p-roots far out are known: take another track")
+    if any(
+        one.z.overlaps(other.z)
+        for one in out
+        for other in out
+        if one.power == 1 and one.still is None and other.still is not None
+    ):
+        raise PrecisionError(_TOGETHER)
+    for one, other in pairwise(sorted({root.power for root in out})):
+        low = max(abs(root.z).upper() for root in out if root.power == one) * power_of(radius, one)
+        high = min(abs(root.z).lower() for root in out if root.power == other) * power_of(radius, other)
+        if not low < high:
+            raise PrecisionError(_TOGETHER)
+    return out
+
+
+def power_of(radius: Any, power: Fraction) -> Any:
+    """radius^power."""
+    return (radius.log() * rational_ball(power)).exp()
+
+
+def turn(power: Fraction) -> Any:
+    """i^power."""
+    return acb(0, rational_ball(power / 2) * arb.pi()).exp()
+
+
+def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRoot]:
+    """The p-roots with P = (σ − s)/v, s = σ^w (…), w < 1."""
+    moved, over = ({key: c for key, c in _at_rest(one, v).items() if c} for one in (D, N))
+    found = [root for power in _powers(moved) if power < 1 for root in _along(moved, over, power, radius, None)]
+    _apart(found)
+    if any(root.power for root in found):
+        raise PrecisionError("waves that stay on the track far out are beyond what is proved of the motion in balls")
+    z0 = acb(rational_ball(1 / v))
+    out = []
+    for root in found:
+        z = z0 * (1 - square(abs(root.z).upper() / radius))
+        weight = -root.weight * z0
+        out.append(replace(root, power=Fraction(1), z0=z0, z=z, weight=weight, neutral=True, still=root.z))
+    return out
+
+
+def _at_rest(polynomial: Polynomial, v: Fraction) -> dict[tuple[int, int], Fraction]:
+    """As a polynomial in s and σ, P = (σ − s)/v."""
+    out: dict[tuple[int, int], Fraction] = {}
+    for (i, j), c in polynomial.items():
+        for k in range(i + 1):
+            key = k, j + i - k
+            out[key] = out.get(key, Fraction(0)) + c * comb(i, k) * (-1) ** k / v**i
+    return out
+
+
+def _powers(D: Polynomial) -> list[Fraction]:
+    """w of the edges of the upper hull of the exponents."""
+    highest: dict[int, int] = {}
+    for i, j in D:
+        highest[i] = max(highest.get(i, -1), j)
+    hull: list[tuple[int, int]] = []
+    for c in sorted(highest.items()):
+        while len(hull) > 1:
+            a, b = hull[-2:]
+            if (b[1] - a[1]) * (c[0] - a[0]) > (c[1] - a[1]) * (b[0] - a[0]):
+                break
+            hull.pop()
+        hull.append(c)
+    return [Fraction(a[1] - b[1], b[0] - a[0]) for a, b in pairwise(hull)]
+
+
+def _edge(D: Polynomial, power: Fraction) -> Any:
+    """The polynomial of z₀ in exact numbers, without roots 0."""
+    _, terms = _scaled(D, power)
+    row = {i: c for (i, k), c in terms.items() if not k}
+    low, high = min(row), max(row)
+    return flint.fmpq_poly([_exact(row.get(i, Fraction(0))) for i in range(low, high + 1)])
+
+
+def _exact(x: Fraction) -> Any:
+    return flint.fmpq(x.numerator, x.denominator)
+
+
+def _multiplicity(polynomial: Any, z: Fraction) -> int:
+    count = 0
+    while polynomial and polynomial(_exact(z)) == 0:
+        polynomial, count = polynomial.derivative(), count + 1
+    return count
+
+
+def _scaled(polynomial: Polynomial, power: Fraction) -> tuple[int, dict[tuple[int, int], Fraction]]:
+    """m and the terms z^i ζ^k of polynomial(z ζ^{−a}, ζ^{−b}) ζ^m."""
+    a, b = power.numerator, power.denominator
+    m = max(a * i + b * j for i, j in polynomial)
+    return m, {(i, m - a * i - b * j): c for (i, j), c in polynomial.items()}
+
+
+def _along(D: Polynomial, N: Polynomial, power: Fraction, radius: Any, without: Fraction | None) -> list[FarRoot]:
+    """The roots of one edge, but for those at `without`."""
+    b = power.denominator
+    m, terms = _scaled(D, power)
+    m_N, over = _scaled(N, power)
+    zeta = arb(power_of(radius, Fraction(-1, b)).upper())
+    starts = _starts(_edge(D, power), without)
+    odd = len({(i + j) % 2 for i, j in D if m == power.numerator * i + b * j}) > 1
+    wide, N_wide = _in_z(terms, square(zeta)), _in_z(over, square(zeta))
+    out = []
+    for z0 in starts:
+        z1, Y = _kept(terms, z0, zeta)
+        z = z0 + square(zeta * (abs(z1) + Y))
+        gamma = Fraction(m - power.numerator - m_N, b)
+        weight = N_wide(z) / wide.derivative()(z)
+        out.append(FarRoot(power, z0, z1, Y / zeta, z, gamma, weight, not odd and _neutral(z0, power, starts)))
+    _apart(out)
+    return out
+
+
+def _starts(edge: Any, without: Fraction | None) -> list[Any]:
+    """The roots z₀ of the edge, which must be simple."""
+    while without is not None and edge(_exact(without)) == 0:
+        edge = edge / flint.fmpq_poly([-_exact(without), 1])
+    try:
+        return list(acb_poly([acb(arb(c)) for c in edge.coeffs()]).roots())
+    except ValueError:
+        raise PrecisionError("p-roots that meet far out are beyond what is proved of the motion in balls") from None
+
+
+def _neutral(z0: Any, power: Fraction, starts: list[Any]) -> bool:
+    """z₀ i^w is its own mirror image at the imaginary axis: that is a root too, and no other is near."""
+    turned = [z * turn(power) for z in starts]
+    own = z0 * turn(power)
+    mirror = -own.conjugate()
+    return bool(own.overlaps(mirror)) and sum(1 for z in turned if z.overlaps(mirror)) == 1
+
+
+def _apart(roots: list[FarRoot]) -> None:
+    if any(one.z.overlaps(other.z) for one, other in combinations(roots, 2) if one.power == other.power):
+        raise PrecisionError(_TOGETHER)
+
+
+def _kept(terms: Mapping[tuple[int, int], Fraction], z0: Any, zeta: Any) -> tuple[Any, Any]:
+    """z₁ and Y: for each |ζ| ≤ zeta one root z₀ + ζ(z₁ + y) has |y| ≤ Y, by Rouché's theorem.
+
+    With a_kj the coefficients of ζ^k (z − z₀)^j y solves a₀₁ y + Σ a_kj ζ^(k+j−1) (z₁ + y)^j = 0, k + j ≥ 2.
+    """
+    a = {}
+    for k in sorted({k for _, k in terms}):
+        part = _in_z({(i, 0): c for (i, j), c in terms.items() if j == k}, acb(0))(acb_poly([z0, 1]))
+        a.update({(k, j): c for j, c in enumerate(part.coeffs())})
+    z1, size = -a.get((1, 0), acb(0)) / a[0, 1], abs(a[0, 1])
+    near = abs(z1)
+    rest = [(k + j - 1, j, abs(c)) for (k, j), c in a.items() if k + j >= 2]
+    Y = arb(0)
+    for _ in range(_GROWN):
+        moved = arb((sum((c * zeta**e * (near + Y) ** j for e, j, c in rest), arb(0)) / size).upper())
+        if moved < Y:
+            return z1, Y
+        Y = moved * arb(1.1) + arb(2) ** -_FINEST
+    raise PrecisionError(_TOGETHER)
+
+
+def _in_z(terms: Mapping[tuple[int, int], Fraction], zeta: Any) -> Any:
+    rows = [acb(0)] * (1 + max((i for i, _ in terms), default=0))
+    for (i, k), c in terms.items():
+        rows[i] = rows[i] + rational_ball(c) * (zeta**k if k else acb(1))
+    return acb_poly(rows)

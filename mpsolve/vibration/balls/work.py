@@ -1,0 +1,150 @@
+"""One motion in balls in the making, in scaled units: the path, the integral along it, and the residues."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import ceil, log
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.balls import acb, arb
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.vibration.balls.circles import radius_round, residues
+from mpsolve.vibration.balls.far import far_field
+from mpsolve.vibration.balls.image import BallImage
+from mpsolve.vibration.balls.panels import legs, panels
+from mpsolve.vibration.balls.path import Path, prove_strip
+from mpsolve.vibration.poles import lowest, natural
+from mpsolve.vibration.rooms import room
+
+_STEEP, _SPAN = 1.0, 0.25
+"""δ at most, and times the distance of the first from the last contact."""
+_LOWERED = 5
+_LEAST = 2.0
+"""The least r at which the path leaves the line."""
+_LONGEST = 3000.0
+"""The largest r of the path."""
+
+
+class Work:
+    """A motion at the times `at` to so many digits.
+
+    poles: balls of all roots of the problem that may lie above the path's line Re σ = alpha, and of others.
+    """
+
+    def __init__(
+        self,
+        image: BallImage,
+        poles: list[Any],
+        alpha: float,
+        at: list[Any],
+        digits: int,
+        effort: Effort,
+        said: Progress,
+    ) -> None:
+        self.image, self.alpha, self.at, self.digits = image, alpha, at, digits
+        self.effort, self.said = effort, said
+        self.tones = image.tones()
+        self.loaded = [acb(0)] + [sign * acb(0, 1) * rate for rate, _ in self.tones if rate != 0 for sign in (1, -1)]
+        self.poles = poles
+        self.empty = np.full((image.image.channels, len(at)), arb(0), object)
+
+    def parts(self, sizes: list[float]) -> tuple[Any, Any, Any, Any]:
+        """The motion, and of it steady, harmonic and transient part, (channels, times) each."""
+        goals = [arb(size) * arb(10) ** -(self.digits + 2) for size in sizes]
+        path, radius, bounds = self._path()
+        self.said("path", 1.0)
+        along = self._integral(path, radius, bounds, goals)
+        right = [z for z in self.poles if z.real > self.alpha]
+        left = [z for z in self.poles if z.real < self.alpha]
+        if len(right) + len(left) < len(self.poles):
+            raise PrecisionError("a root may lie on the path: change a parameter a little")
+        grows, inside = self._modes(right), self._known(lambda: self._modes(left))
+        steady = self._known(self._steady) if self.alpha > 0 else self._steady()
+        total = along + grows + (0 if self.alpha > 0 else steady)
+        harmonic = grows + inside
+        return total, steady, harmonic, total - steady - harmonic
+
+    def _known(self, part: Callable[[], Any]) -> Any:
+        """A part of which the sum does not depend: infinite balls where it is not proved, as on an undamped track."""
+        try:
+            return part()
+        except EffortError:
+            raise
+        except PrecisionError:
+            return np.full(self.empty.shape, arb(0, float("inf")), object)
+
+    def _path(self) -> tuple[Path, float, list[Any]]:
+        """A path that is proved, and from where on û is bounded as told."""
+        image = self.image.image
+        fast = [abs(complex(z.mid())) for z in (*self.poles, *self.loaded)]
+        start = max(_LEAST, (1.5 * max([*fast, natural(image)])) ** 0.5)
+        span = float(max(self.image.pencil[3]) - min(self.image.pencil[3]))
+        delta = min(_STEEP, _SPAN / span if span else _STEEP)
+        error: PrecisionError | None = None
+        for k in range(_LOWERED):
+            path = Path(self.alpha, start * 1.25**k, delta / 2**k)
+            try:
+                radius, bounds = far_field(self.image, path, path.start**2)
+                prove_strip(self.image, path, radius, self.effort)
+            except EffortError:
+                raise
+            except PrecisionError as found:
+                error = found
+                continue
+            return path, radius, bounds
+        raise error or PrecisionError("no path is proved: change a parameter")
+
+    def _integral(self, path: Path, radius: float, bounds: list[Any], goals: list[Any]) -> Any:
+        """(1/π) Im ∫, with what is missed in the radii."""
+        first, end = min(self.at, key=float), radius**0.5 * 1.001
+        while end < _LONGEST and any(
+            not x < goal for x, goal in zip(self._tail(path, bounds, end, first), goals, strict=True)
+        ):
+            end *= 1.2
+        total = np.full(self.empty.shape, acb(0), object)
+        missed = np.array([self._tail(path, bounds, end, t) for t in self.at], object).T
+        share = [goal / 100 for goal in goals]
+        for leg in legs(path, end):
+            for panel in panels(self.image, leg, self.at, share, self.effort):
+                missed = missed + np.array(panel.missed, object)
+                for sigma, values in panel.nodes:
+                    waves = np.array([(sigma * t).exp() for t in self.at], object)
+                    total = total + np.multiply.outer(np.array(values, object), waves)
+            self.said("integral", 0.5 if leg.straight else 1.0)
+        ball = np.vectorize(lambda value, off: (value.imag + arb(0, off.upper())) / arb.pi(), otypes=[object])
+        return ball(total, missed)
+
+    def _tail(self, path: Path, bounds: list[Any], end: float, t: Any) -> list[Any]:
+        """Bounds of what lies beyond r = end, by channels: ∫ |σ'| e^{(α − δ(r − r₀))t} dr in closed form."""
+        rate = t * path.delta
+        wave = (t * path.alpha - rate * (arb(end) - path.start)).exp()
+        return [bound * wave * ((path.delta + 2 * arb(end)) / rate + 2 / rate**2) for bound in bounds]
+
+    def _steady(self) -> Any:
+        """What the loads keep up for ever."""
+        total = self.empty
+        for rate, force in self.tones:
+            sigma = acb(0, 1) * rate
+            values = self.image.response(self.image.start(sigma), force)
+            rows = [[(x * (sigma * t).exp()).real for t in self.at] for x in values]
+            total = total + np.array(rows, object).reshape(self.empty.shape)
+        return total
+
+    def _modes(self, roots: list[Any]) -> Any:
+        """The motion at some of the induced frequencies."""
+        total = self.empty
+        for k, root in enumerate(roots):
+            self.said("residues", k / len(roots))
+            others = [z for z in self.poles if z is not root] + self.loaded
+            middle = complex(root.mid())
+            clear = middle.real - lowest(self.image.image)
+            clear = clear if clear > 0 else room(self.image.image, middle)
+            radius = radius_round(middle, [complex(z.mid()) for z in others], clear, float(max(self.at, key=float)))
+            bits = ceil((self.digits + 3) * log(10) / log(2))
+            rows = residues(self.image, root, others, radius, self.at, bits, self.effort)
+            total = total + np.array([[x.real for x in row] for row in rows], object).reshape(self.empty.shape)
+        return total

@@ -1,0 +1,38 @@
+import numpy as np
+from flint import arb
+from free_cases import BEAM, PAIR
+
+from mpsolve import Problem, crossings
+from mpsolve.certificate.verify_ranges import verify_bytes
+from mpsolve.numbers.balls import precision
+from mpsolve.proof.subdivide import Tree
+from mpsolve.ranges.certified import ball_entry, tree_text, with_room
+from mpsolve.ranges.enclosed import Crossing
+
+
+def test_trees_are_written_halves_after_their_wholes() -> None:
+    kind, axis, child = np.array([0, 1, 0, 2, 3]), np.array([1, -1, 0, -1, -1]), np.array([1, -1, 3, -1, -1])
+    assert tree_text(Tree(np.zeros((2, 5)), np.ones((2, 5)), kind, axis, child)) == "1n0pz"
+
+
+def test_balls_in_the_file_are_those_that_are_said() -> None:
+    with precision(128):
+        zero = Crossing(arb(0), arb("1.5", "1e-30"), 1)
+        roomy = with_room(zero)
+        assert roomy.q == 0
+        assert roomy.x.contains(zero.x)
+        entry = ball_entry(roomy.x, 8)
+        middle = arb(int(entry["middle"], 16)) * arb(2) ** entry["exponent"]
+        assert middle == 12
+        m, e = entry["radius"]
+        assert arb(m) * arb(2) ** e == roomy.x.rad() * 8
+
+
+def test_an_answer_hands_on_its_certificate() -> None:
+    found = crossings(Problem(BEAM, PAIR, v="0.9"), over={"track.c": ("0.1", "0.3")})
+    assert verify_bytes(found.certificate.text.encode("ascii")).valid
+    claim = found.certificate.content["claim"]
+    assert claim == {"counts": list(found.counts), "directions": [one.direction for one in found.crossings]}
+    (zero,) = found.certificate.content["zeros"]
+    middle = int(zero["x"]["middle"], 16) * 2.0 ** zero["x"]["exponent"]
+    assert found.crossings[0].lower <= middle <= found.crossings[0].upper

@@ -1,0 +1,18 @@
+import mpmath
+import pytest
+
+from mpsolve.vibration.balls.image import BallImage
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.precise_image import exact_terms
+from mpsolve.vibration.response import checked_places
+
+
+@pytest.fixture(scope="session")
+def balls():
+    """The image in balls of a problem under its weights, with 25 digits."""
+
+    def image(problem):
+        own = Image(problem, checked_places(problem, None))
+        return BallImage(mpmath.MPContext(), own, exact_terms(problem.pencil, None), 25)
+
+    return image

@@ -1,0 +1,110 @@
+import numpy as np
+import pytest
+
+from mpsolve import Effort, Irregularity, Load, Problem, Status, certify, response, tracks, vehicles
+from mpsolve.errors import InputError
+from mpsolve.vibration.balls.enclosure import response_balls
+
+BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+ONE = Problem(BEAM, vehicles.Mass(20), v="0.5")
+
+
+@pytest.fixture(scope="module")
+def alone():
+    return response_balls(ONE, [Load(1)], times=["2", "10"], digits=12)
+
+
+def test_one_mass_on_the_papers_beam_is_where_another_proof_has_it(alone):
+    """Twice these, in balls, by the contour of the paper's beam: 0.17945305282196 and 2.16132387845662."""
+    assert alone.status is Status.UNVERIFIED
+    for ball, known in zip(alone.rail[0], (0.17945305282196 / 2, 2.16132387845662 / 2), strict=True):
+        assert abs(float(ball.mid()) - known) < 1e-13
+        assert float(ball.rad()) < 1e-12
+
+
+def test_the_parts_are_where_another_proof_has_them(alone):
+    for part, known in (
+        (alone.harmonic, (-0.973148468037157 / 2, 1.00890052128798 / 2)),
+        (alone.transient, (-0.00065849773106 / 2, -0.0008366614215332 / 2)),
+    ):
+        assert [float(x.mid()) for x in part[0]] == pytest.approx(known, abs=1e-13)
+
+
+def test_all_channels_agree_with_float64(alone):
+    other = response(ONE, [Load(1)], times=[2.0, 10.0])
+    assert [float(x) for x in alone.contact_force[0]] == pytest.approx(other.contact_force[0], abs=1e-6)
+    assert [float(x) for x in alone.vehicle["wheel"]] == pytest.approx(other.vehicle["wheel"], abs=1e-8)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("problem", "times"),
+    [
+        (Problem(BEAM, [vehicles.Mass(5).at(0), vehicles.Mass(5).at("0.5")], v="0.5"), ["4"]),
+        (
+            Problem(
+                tracks.TwoLayer(
+                    EI="6.4e6", m=60, m_sleeper=150, k_pad="1e8", c_pad="5e4", k_ballast="5e7", c_ballast="1e5"
+                ),
+                vehicles.Mass(800),
+                v=60,
+            ),
+            ["0.01", "0.1"],
+        ),
+        (Problem(tracks.String(T=2, m=1, k=1, c="0.2"), vehicles.Mass(3), v="0.5"), ["1", "6"]),
+    ],
+)
+def test_other_problems_are_proved_and_agree_with_float64(problem, times):
+    found = response_balls(problem, times=times, digits=8)
+    other = response(problem, times=[float(t) for t in times])
+    assert found.status is Status.UNVERIFIED, found.reason
+    size = np.abs(other.rail).max()
+    for row, known in zip(found.rail, other.rail, strict=True):
+        assert [float(x) for x in row] == pytest.approx(known, abs=3 * other.error.rail + 1e-8 * size)
+        assert max(float(x.rad()) for x in row) < 1e-8 * size
+
+
+def test_without_damping_the_motion_and_its_parts_are_proved():
+    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1)
+    problem = Problem(beam, vehicles.Mass(20), v="0.5")
+    found = response_balls(problem, [Load(1)], times=["3"], digits=6)
+    assert found.status is Status.UNVERIFIED, found.reason
+    assert float(found.rail[0, 0]) == pytest.approx(response(problem, [Load(1)], times=[3.0]).rail[0, 0], abs=1e-8)
+    assert float(found.rail[0, 0].rad()) < 1e-5
+    other = response(problem, [Load(1)], times=[3.0], spectrum=certify(problem, check=False))
+    assert float(found.harmonic[0, 0]) == pytest.approx(other.harmonic[0, 0], abs=1e-8)
+    assert float(found.harmonic[0, 0].rad()) < 1e-5
+
+
+def test_spent_effort_leaves_nothing_known():
+    found = response_balls(ONE, times=["2"], digits=8, effort=Effort(evaluations=40))
+    assert found.status is Status.UNDECIDED
+    assert found.reason.code == "effort"
+    assert not found.rail[0, 0].is_finite()
+
+
+def test_a_place_where_waves_arrive_late_is_refused_with_the_reason():
+    string = Problem(tracks.String(T=2, m=1, k=1, c="0.2"), vehicles.Mass(3), v="0.5")
+    found = response_balls(string, times=["2"], places=["1"], digits=8)
+    assert found.status is Status.UNDECIDED
+    assert "arrives too late" in found.reason.message
+
+
+@pytest.mark.parametrize(
+    ("options", "word"),
+    [({"times": ["0"]}, "times"), ({"times": ["1"], "digits": 2}, "digits"), ({"times": []}, "times")],
+)
+def test_what_cannot_be_used_is_refused(options, word):
+    with pytest.raises(InputError, match=word):
+        response_balls(ONE, **options)
+
+
+def test_the_spectrum_of_another_problem_is_refused():
+    other = Problem(BEAM, vehicles.Mass(21), v="0.5")
+    with pytest.raises(InputError, match="another problem"):
+        response_balls(ONE, times=["1"], spectrum=certify(other, check=False))
+
+
+def test_irregularities_are_no_loads_of_balls():
+    with pytest.raises(TypeError):
+        response_balls(ONE, times=["1"], irregularities=[Irregularity(1, 1)])

@@ -1,0 +1,42 @@
+import numpy as np
+import pytest
+
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vibration.forcing import tones, transform
+
+BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+
+PAIR = Problem(BEAM, [vehicles.Mass(20).at(0), vehicles.Mass(20).at(1)], v="0.5")
+
+
+def test_a_cell_holds_what_float64_has_at_its_corners(balls):
+    image = balls(PAIR)
+    acting = tones(image.image, outer_forces(image.image.pencil, None), ())
+    with precision(image.bits):
+        values = image.values(image.cell(acb(arb(0, 0.01), arb(2, 0.02)), acb(0.005, 2)))
+    for sigma in (0.009 + 1.985j, -0.009 + 2.015j):
+        at = np.array([sigma])
+        known = image.image.solve(at, transform(acting, at, image.image.size + image.image.contacts))[0]
+        for ball, value in zip(values, known, strict=True):
+            assert ball.contains(acb(value.real, value.imag)) or abs(complex(ball.mid()) - value) < float(ball.rad())
+
+
+def test_names_are_kept_across_a_cut(balls):
+    image = balls(PAIR)
+    with precision(image.bits):
+        cell = image.start(acb(-0.02, 9))
+        for k in range(12):
+            left = -0.02 - 0.05 * k
+            ball = acb(arb(left).union(arb(left - 0.05)), 9)
+            cell = image.beside(ball, acb(left, 9), cell)
+        beyond = image.within(cell, acb(-0.6, 9))
+        assert any(z.real > 0 for z in beyond.roots(acb(-0.6, 9)))  # a wave that would grow ahead
+
+
+def test_a_pole_in_the_cell_is_refused(balls):
+    image = balls(PAIR)
+    with precision(image.bits), pytest.raises(PrecisionError):
+        image.values(image.cell(acb(arb(0, 0.1), arb(0, 0.1)), acb(0.05, 0)))

@@ -1,0 +1,26 @@
+import pytest
+
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.errors import EffortError
+from mpsolve.numbers.balls import arb, precision
+from mpsolve.proof.effort import Effort
+from mpsolve.vibration.balls.path import Path, prove_strip
+
+BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+
+ONE = Problem(BEAM, vehicles.Mass(20), v="0.5")
+
+
+def test_the_path_leaves_the_line_where_they_meet():
+    path = Path(-0.25, 2.0, 0.5)
+    assert path.corner.contains(path.line(arb(4)))
+    assert complex(path.lifted(arb(3))) == pytest.approx(-0.75 + 9j)
+    assert path.left(9.0) <= -0.75
+
+
+def test_the_strip_of_one_mass_is_proved(balls):
+    image = balls(ONE)
+    with precision(image.bits):
+        assert prove_strip(image, Path(-0.02, 2.0, 1.0), 100.0, Effort()) > 10
+        with pytest.raises(EffortError):
+            prove_strip(image, Path(-0.02, 2.0, 1.0), 100.0, Effort(evaluations=3))

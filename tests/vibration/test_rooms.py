@@ -1,0 +1,41 @@
+import numpy as np
+import pytest
+
+from mpsolve import Case, Load, Problem, certify, response, tracks, vehicles
+from mpsolve.problem.cases import as_problem
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.rooms import room
+
+BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+
+
+@pytest.mark.parametrize("v", [0, "0.5"])
+def test_cuts_of_the_papers_beam_are_half_lines(v):
+    """At v = 0 they begin at Im q = η_b, |Re q| = √(1 − η_b²); at 0.5 they begin nearer to 0."""
+    image = Image(Problem(BEAM, vehicles.Mass(1), v=v), ())
+    edge = -0.05 + 1j * np.sqrt(1 - 0.05**2)
+    if v == 0:
+        assert room(image, edge - 0.3j) == pytest.approx(0.3, rel=1e-6)
+        assert room(image, 0.1 + 0j) == pytest.approx(abs(0.1 - edge), rel=1e-6)
+    assert room(image, -0.05 + 7j - 0.01) == pytest.approx(0.01, rel=1e-4)  # over the line
+
+
+def test_a_layered_track_has_rooms_too():
+    two = tracks.TwoLayer(EI="6.4e6", m=60, m_sleeper=150, k_pad="1e8", c_pad="5e4", k_ballast="5e7", c_ballast="1e5")
+    image = Image(Problem(two, vehicles.Mass(800), v=60), ())
+    near = [room(image, complex(-0.1, y)) for y in (0.0, 1.0, 5.0)]
+    assert all(x > 0 for x in near)
+    assert room(image, 100.0 + 0j) == pytest.approx(100, rel=0.1)
+
+
+@pytest.mark.parametrize(("alpha", "eta_b", "d"), [("0.9", 0, "1.5"), ("1.1", "0.05", 1)])
+def test_what_rings_between_the_cuts_is_harmonic(alpha, eta_b, d):
+    """Roots of the whole sheet, on the axis or above the cuts: against the residues of mpmath, the paper's (36)."""
+    from mpsolve import harmonic_solution
+
+    case, times = Case(alpha=alpha, eta_b=eta_b, eta_m=(40, 40), positions=(0, d)), np.linspace(0, 60, 13)
+    found = certify(case, check=False)
+    other = harmonic_solution(case, None, [0], times, found)
+    mine = response(as_problem(case), [Load(1)] * 2, times=times, places=[0], spectrum=found)
+    assert 2 * mine.harmonic == pytest.approx(other.harmonic, abs=1e-10 * np.abs(other.harmonic).max())
+    assert len(mine.induced) == len(other.harmonic_pairs)
