@@ -17,14 +17,11 @@ if TYPE_CHECKING:
     from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
     from mpsolve.fast.seeds import Seeds, seeds
+    from mpsolve.finite.beam.beam import BeamResponse, finite_beam
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.model.inputfile import read_case
     from mpsolve.model.load import Load
     from mpsolve.model.parameters import Case, Mass, PhysicalCase
-    from mpsolve.motion.beam import BeamResponse, finite_beam
-    from mpsolve.motion.solution import HarmonicSolution, Response
-    from mpsolve.motion.solve import harmonic_solution
-    from mpsolve.motion.study import deflection_shape
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
     from mpsolve.passivity.answer import PassivityVelocity
@@ -49,6 +46,8 @@ if TYPE_CHECKING:
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
+    from mpsolve.vibration.case_motion import Response
+    from mpsolve.vibration.case_studies import deflection_shape
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -134,8 +133,6 @@ __all__ = [
     "rail_roughness",
     "out_of_round",
     "Event",
-    "harmonic_solution",
-    "HarmonicSolution",
     "envelope",
     "superposition",
     "merged",
@@ -234,16 +231,14 @@ _HOME = {
     "rail_roughness": "vibration.roughness",
     "out_of_round": "vibration.roughness",
     "Event": "vibration.liftoff",
-    "Response": "motion.solution",
-    "harmonic_solution": "motion.solve",
-    "HarmonicSolution": "motion.solution",
+    "Response": "vibration.case_motion",
     "envelope": "vibration.studies",
     "superposition": "vibration.studies",
     "merged": "vibration.studies",
     "transient_importance": "vibration.studies",
-    "deflection_shape": "motion.study",
-    "finite_beam": "motion.beam",
-    "BeamResponse": "motion.beam",
+    "deflection_shape": "vibration.case_studies",
+    "finite_beam": "finite.beam.beam",
+    "BeamResponse": "finite.beam.beam",
     "finite_track": "finite.finite_track",
     "FiniteTrackMotion": "finite.finite_track",
     "study": "studies.run",

@@ -127,10 +127,10 @@ class PreciseMotion:
 
 def precise_response(
     case: Case | PhysicalCase,
-    loads: Iterable[Load] | None,
-    xi: Iterable[Number] | Number | None,
-    tau: Iterable[Number] | Number,
-    digits: int,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    digits: int = 15,
     spectrum: AnySpectrum | None = None,
 ) -> PreciseMotion:
     """The middles of the balls of `enclose_response`; PrecisionError if a ball is wider than 10^−digits."""

@@ -8,11 +8,11 @@ from infinite import kernels, response
 from oracle import grid
 
 from mpsolve import Case, InputError
+from mpsolve.finite.beam.beam import finite_beam
+from mpsolve.finite.beam.march import Loading, march
+from mpsolve.finite.beam.modes import Beam
+from mpsolve.finite.beam.newmark import coupled_beam, newmark
 from mpsolve.model.load import Load
-from mpsolve.motion.beam import finite_beam
-from mpsolve.motion.beam_march import Loading, march
-from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.newmark import coupled_beam, newmark
 from mpsolve.numbers.wave_integrals import gauss, moments, nested_moments
 
 TAU = np.linspace(0, 60, 121)

