@@ -1,4 +1,4 @@
-"""Certificates under certs/ for whole ranges: crossing masses, onsets, windows, a critical distance.
+"""Certificates under certs/ for whole ranges: crossing masses, onsets, windows.
 
 `python examples/crossings.py` proves each anew. Sections are the paper's.
 """
@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from mpsolve import critical_distance, crossing_masses
+from mpsolve import crossing_masses
 from mpsolve.report.figures import COLOUR, save_figure
 from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
@@ -24,8 +24,6 @@ RESULTS: dict[str, Callable[[], object]] = {
     "onset_single_mass_eta70": lambda: onset_velocity("0.05", 70),
     # a stable window between two unstable ranges
     "windows_d1.5_eta50": lambda: unstable_velocities("0.05", (50, 50), (0, "1.5"), alpha=(0, 1)),
-    # the line just above the least imaginary part: it is global
-    "critical_distance_eta_b0.5": lambda: critical_distance("0.99", "0.5", 70, d=("0.5", 2)),
 }
 
 

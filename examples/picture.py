@@ -8,10 +8,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from mpsolve import Case, PhysicalCase, Spectrum, certify
-from mpsolve.model.inputfile import read_input
+from mpsolve import PhysicalCase, Spectrum, certify
+from mpsolve.problem.casefile import read_input
 from mpsolve.report.figures import save_figure
-from mpsolve.report.figures_plane import gap_end, q_plane, roots_zoom
+from mpsolve.report.figures_plane import cut_line, q_plane, roots_zoom
 from mpsolve.report.vibration import Vibration, vibrations
 
 HERE = Path(__file__).parent
@@ -22,10 +22,9 @@ INSET_PLACE = (0.41, 0.40, 0.33, 0.52)  # in units of the axes
 SOURCE = read_input(INPUT)
 assert isinstance(SOURCE.case, PhysicalCase)
 PHYSICAL: PhysicalCase = SOURCE.case
-CASE: Case = PHYSICAL.dimensionless
-SPECTRUM: Spectrum = certify(CASE)
-VIBRATIONS: tuple[Vibration, ...] = vibrations(SPECTRUM, PHYSICAL)
-Q_LM = gap_end(CASE)
+SPECTRUM: Spectrum = certify(PHYSICAL)
+VIBRATIONS: tuple[Vibration, ...] = vibrations(SPECTRUM)
+CUTS = cut_line(PHYSICAL)
 
 
 def draw(ax: Any) -> Any:
@@ -33,13 +32,13 @@ def draw(ax: Any) -> Any:
     q_plane(SPECTRUM, ax)
     ax.annotate(
         f"{SPECTRUM.count} induced frequencies,\nproved to be all there are",
-        (-0.16, 0.0025),
-        xytext=(-0.72, 0.0225),
+        (-20.7, 0.32),
+        xytext=(-93, 2.9),
         ha="center",
         arrowprops={"arrowstyle": "-", "color": "gray", "linewidth": 0.8},
     )
     inset = roots_zoom(VIBRATIONS, True, ax.inset_axes(INSET_PLACE))
-    inset.set(xlabel="", ylabel="", xlim=(0.12, 0.2))
+    inset.set(xlabel="", ylabel="", xlim=(15.5, 25.8))
     inset.tick_params(labelsize=8)
     ax.indicate_inset_zoom(inset, edgecolor="gray")
     verdict = "stable" if SPECTRUM.stable else "unstable"

@@ -9,7 +9,8 @@ if TYPE_CHECKING:
     from mpsolve.batch.result import Frequencies
     from mpsolve.certificate.certify import certify
     from mpsolve.certificate.check import verify
-    from mpsolve.certificate.roots import real_roots, roots
+    from mpsolve.certificate.real_roots import real_roots
+    from mpsolve.certificate.roots import roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.endless.amplification import Amplification, amplification
@@ -19,15 +20,17 @@ if TYPE_CHECKING:
     from mpsolve.fast.seeds import Seeds, seeds
     from mpsolve.finite.beam.beam import BeamResponse, finite_beam
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
-    from mpsolve.model.inputfile import read_case
-    from mpsolve.model.load import Load
-    from mpsolve.model.parameters import Case, Mass, PhysicalCase
+    from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
+    from mpsolve.loci.lines import frequency_lines
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
     from mpsolve.passivity.answer import PassivityVelocity
     from mpsolve.passivity.band import PassivityBand, passivity_band
     from mpsolve.passivity.velocity import passivity_velocity
+    from mpsolve.problem.case import Case
+    from mpsolve.problem.casefile import read_case
     from mpsolve.problem.inputfile import read_problem
+    from mpsolve.problem.physical import Mass, PhysicalCase
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
     from mpsolve.ranges.chart import Chart, stability_chart
@@ -36,15 +39,13 @@ if TYPE_CHECKING:
     from mpsolve.ranges.robust import Robust, prove_stable
     from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
     from mpsolve.ranges.table import Table, stability_table
+    from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
     from mpsolve.stability.cuts import cut_points
-    from mpsolve.stability.distance import critical_distance
-    from mpsolve.stability.limiting import limiting_mass
-    from mpsolve.stability.lines import frequency_lines
     from mpsolve.stability.masses import crossing_masses
-    from mpsolve.stability.sensitivity import damping_sensitivity
     from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
+    from mpsolve.vehicles.load import Load
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
     from mpsolve.vibration.case_motion import Response
     from mpsolve.vibration.case_studies import deflection_shape
@@ -101,14 +102,16 @@ __all__ = [
     "crossing_masses",
     "onset",
     "unstable_ranges",
+    "worst",
+    "Worst",
     "crossings",
     "prove_stable",
     "sensitivity",
-    "limiting_mass",
-    "critical_distance",
     "cut_points",
     "frequency_lines",
-    "damping_sensitivity",
+    "FrequencyLines",
+    "FrequencyLine",
+    "LineEnd",
     "onset_table",
     "stability_chart",
     "Onset",
@@ -166,11 +169,11 @@ _HOME = {
     "tracks": "tracks",
     "vehicles": "vehicles",
     "read_problem": "problem.inputfile",
-    "Case": "model.parameters",
-    "PhysicalCase": "model.parameters",
-    "Mass": "model.parameters",
+    "Case": "problem.case",
+    "PhysicalCase": "problem.physical",
+    "Mass": "problem.physical",
     "Exact": "numbers.exact",
-    "read_case": "model.inputfile",
+    "read_case": "problem.casefile",
     "receptance": "characteristic.forced",
     "dispersion": "waves.dispersion",
     "critical_velocities": "waves.critical",
@@ -203,11 +206,11 @@ _HOME = {
     "crossings": "ranges.crossings",
     "prove_stable": "ranges.robust",
     "sensitivity": "ranges.sensitivity",
-    "limiting_mass": "stability.limiting",
-    "critical_distance": "stability.distance",
     "cut_points": "stability.cuts",
-    "frequency_lines": "stability.lines",
-    "damping_sensitivity": "stability.sensitivity",
+    "frequency_lines": "loci.lines",
+    "FrequencyLines": "loci.answer",
+    "FrequencyLine": "loci.answer",
+    "LineEnd": "loci.answer",
     "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",
@@ -219,8 +222,10 @@ _HOME = {
     "Sensitivity": "ranges.sensitivity",
     "Chart": "ranges.chart",
     "stability_table": "ranges.table",
+    "worst": "ranges.worst",
+    "Worst": "ranges.worst",
     "Table": "ranges.table",
-    "Load": "model.load",
+    "Load": "vehicles.load",
     "response": "vibration.response",
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
@@ -245,7 +250,7 @@ _HOME = {
     "open_study": "studies.run",
     "Study": "studies.run",
     "roots": "certificate.roots",
-    "real_roots": "certificate.roots",
+    "real_roots": "certificate.real_roots",
     "Zeros": "zeros.answer",
     "Zero": "zeros.answer",
     "Disc": "zeros.regions",

@@ -36,9 +36,10 @@ _MODULES = {
     "explore": "explore",
     "onset": "ranges",
     "crossings": "ranges",
+    "lines": "ranges",
+    "worst": "ranges",
     "robust": "ranges",
     "chart": "ranges",
-    "critical-distance": "stability",
     "table": "table",
     "train": "train",
     "response": "response",
@@ -66,8 +67,9 @@ EXAMPLES = {
     "explore": "mpsolve explore mine.toml",
     "onset": "mpsolve onset rail.toml --over v=0..400km/h",
     "crossings": "mpsolve crossings rail.toml --over scale.mass=0.1..3",
+    "lines": "mpsolve lines rail.toml --over v=0..400km/h -o lines.svg",
+    "worst": "mpsolve worst pair.toml --over gap[0]=1m..5m",
     "robust": "mpsolve robust rail.toml --over v=0..150km/h --over track.k=0.8e6..1.2e6",
-    "critical-distance": "mpsolve critical-distance pair.toml --from 0.5 --to 2",
     "table": "mpsolve table onsets.toml -o onsets.csv",
     "chart": "mpsolve chart rail.toml --over v=100..300 --over scale.mass=0.5..2 -o chart.svg",
     "response": "mpsolve response pair.toml -o motion.csv --to 50",
@@ -119,10 +121,11 @@ def verify(files: tuple[Path, ...]) -> None:
     Exit status 0: all are valid. 1: one is not, or cannot be read.
     """
     from mpsolve.certificate.check import verify as check
+    from mpsolve.certificate.check import verify_bytes
 
     valid = True
     for file in files:
-        result = check(file)
+        result = verify_bytes(sys.stdin.buffer.read()) if str(file) == "-" else check(file)
         valid = valid and result.valid
         verdict = f"valid: {file}: {result.claim}" if result.valid else f"invalid: {file}: {result.reason}"
         click.echo("\n  ".join(verdict.splitlines()))
@@ -140,7 +143,7 @@ def derive(file: Path | None, latex: bool, masses: int) -> None:
     Without: the paper's beam, to the kernel. Exit status 0: printed. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.model.derivation import derivation, render
+        from mpsolve.derivation.paper import derivation, render
 
         if file is None:
             steps = derivation(masses)

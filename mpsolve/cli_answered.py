@@ -27,6 +27,7 @@ def answered(
     output: Path | None,
     defaults: str = "near",
     suffixes: tuple[str, ...] = (".json", ".csv"),
+    certificate: Path | None = None,
 ) -> None:
     """Reads, answers, reports, writes and exits. defaults: the ranges where none is given."""
     with one_sentence():
@@ -37,6 +38,8 @@ def answered(
         source = read_source(file)
         if output is not None:
             checked_suffix(checked_output(output, file, "the answer"), suffixes)
+        if certificate is not None:
+            checked_suffix(checked_output(certificate, file, "the certificate"), (".json",))
         question = asked(source.given, source.title, overs)
         with progress() as tell:
             said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
@@ -44,6 +47,8 @@ def answered(
             click.echo(json.dumps(_data(said), ensure_ascii=False, indent=1))
         else:
             click.echo("\n".join(one.text for one in said), nl=False)
+        if certificate is not None:
+            _certify(certificate, said, as_json)
         if output is not None:
             _write(output, said)
             click.echo(str(output), err=as_json)
@@ -56,9 +61,12 @@ def _by_default(
     """The answers over the default ranges in ascending order.
 
     defaults: "near"; "first", step by step up to the first range in which something grows, or that is undecided;
-    "chart", masses too, and the range that holds the file's own velocity.
+    "chart", masses too, and the range that holds the file's own velocity; "gap", the first distance of vehicles.
     """
-    from mpsolve.ranges.default import MASS_FACTORS, velocity_ranges
+    from mpsolve.ranges.default import MASS_FACTORS, gap_range, velocity_ranges
+
+    if defaults == "gap" and (gaps := gap_range(question.problem)) is not None:
+        return [_told(answer(question.by_itself({"gap[0]": gaps}), tell))]
 
     ranges = velocity_ranges(question.problem)
     if defaults == "chart":
@@ -89,17 +97,38 @@ def _data(said: list[Said]) -> dict[str, Any]:
     return each[0] if len(each) == 1 else parts_data(each)
 
 
+def _certify(path: Path, said: list[Said], quiet: bool) -> None:
+    """Writes the certificate of each answer: FILE, then FILE-2, … where an answer falls into several ranges."""
+    from mpsolve.errors import CertificateError
+
+    for number, one in enumerate(said, 1):
+        found: Any = one.answer
+        if found.certificate is None:
+            why = found.note or "it is not proved"
+            raise CertificateError(f"no certificate is written: {why}")
+        to = path if number == 1 else path.with_name(f"{path.stem}-{number}{path.suffix}")
+        found.certificate.save(to)
+        click.echo(str(to), err=quiet)
+
+
 def _write(output: Path, said: list[Said]) -> None:
     from mpsolve.files import write_whole
+    from mpsolve.report.lines_words import lines_csv
     from mpsolve.report.ranges_files import cells_csv, rows_csv
 
-    suffix = output.suffix.lower()
+    suffix, name = output.suffix.lower(), said[0].name
     drawn: Any = said[0].answer
     if suffix == ".svg":
-        from mpsolve.pictures.proved_chart import proved_chart
-
-        write_whole(output, proved_chart(drawn, said[0].asked))
+        write_whole(output, _picture(name)(drawn, said[0].asked))
     elif suffix == ".csv":
-        write_whole(output, cells_csv(drawn, said[0].asked) if said[0].name == "chart" else rows_csv(said))
+        tables: dict[str, Any] = {"chart": cells_csv, "lines": lines_csv}
+        write_whole(output, tables[name](drawn, said[0].asked) if name in tables else rows_csv(said))
     else:
         write_whole(output, json.dumps(_data(said), ensure_ascii=False, indent=1) + "\n")
+
+
+def _picture(name: str) -> Callable[[Any, Asked], str]:
+    from mpsolve.pictures.loci import loci_picture
+    from mpsolve.pictures.proved_chart import proved_chart
+
+    return loci_picture if name == "lines" else proved_chart

@@ -64,8 +64,8 @@ def region_of(text: str | None, given: Any = None) -> Any:
     Heights and bounds may have units, as in below="50 1/s", unless what is given is a case in the paper's ratios.
     """
     from mpsolve.errors import InputError
-    from mpsolve.model.parameters import Case
     from mpsolve.numbers.units import measured
+    from mpsolve.problem.case import Case
     from mpsolve.spectrum.regions import Rectangle
 
     if text in (None, "sheet", "unstable"):
@@ -93,8 +93,7 @@ def _told(prove: Any) -> Spectrum:
     if found.reason is None:
         return found
     reason = replace(found.reason, remedy=on_command_line(found.reason.remedy))
-    sheet = None if found.sheet is None else replace(found.sheet, reason=str(reason), why=reason)
-    return replace(found, reason=reason, sheet=sheet)
+    return replace(found, reason=reason)
 
 
 def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_default: bool) -> None:

@@ -39,7 +39,8 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
         track = source.problem.track
         found = critical_velocities(track, omega, over={"v": (low, high)})
         if as_json:
-            click.echo(json.dumps(found.to_dict(), ensure_ascii=False, indent=1))
+            head = {"format": "mpsolve critical velocities", "version": 1}
+            click.echo(json.dumps(head | found.to_dict(), ensure_ascii=False, indent=1))
         else:
             for one in found:
                 name = f" ({one.name})" if one.name else ""

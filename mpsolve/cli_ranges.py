@@ -1,4 +1,4 @@
-"""The commands about stability over ranges of any parameters of any problem: onset, crossings, robust, chart."""
+"""The commands about stability over ranges of any parameters: onset, crossings, lines, worst, robust, chart."""
 
 from __future__ import annotations
 
@@ -23,6 +23,11 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
 _OUTPUT = click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
 )
+_CERTIFICATE = click.option(
+    "--certificate",
+    type=click.Path(path_type=Path),
+    help="Write the certificate as FILE.json, for `mpsolve verify`; FILE-2.json, … for further ranges.",
+)
 
 
 def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -43,18 +48,28 @@ _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity 
 @click.option(
     "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
 )
+@click.option(
+    "--worst",
+    "worsts",
+    multiple=True,
+    metavar="RANGE",
+    help="A second parameter and its range, such as gap[0]=1m..2m: the onset at its worst value.",
+)
 @_DIGITS
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def onset(
     file: Path,
     overs: tuple[str, ...],
     everything: bool,
+    worsts: tuple[str, ...],
     digits: int,
     effort: float | None,
     as_json: bool,
     output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
 
@@ -69,11 +84,20 @@ def onset(
         from mpsolve.report import ranges_words as words
 
         options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        if worsts:
+            from mpsolve.report.worst_words import said_of_onset_at_worst
+
+            second = question.second(worsts)
+            found = prove(question.given, over=question.over, worst=second.over, **options)
+            return said_of_onset_at_worst(found, question, second)
         if everything:
             return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
-    answered(file, overs, answer, as_json, output, "near" if everything else "first")
+    with one_sentence():
+        _only_one(worsts, everything)
+    default = "near" if everything or worsts else "first"
+    answered(file, overs, answer, as_json, output, default, certificate=certificate)
 
 
 @click.command()
@@ -83,8 +107,15 @@ def onset(
 @_EFFORT
 @_JSON
 @_OUTPUT
+@_CERTIFICATE
 def crossings(
-    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+    file: Path,
+    overs: tuple[str, ...],
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
@@ -98,7 +129,67 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
+
+
+@click.command()
+@_FILE
+@_over(False, _VELOCITIES)
+@click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced.")
+@_DIGITS
+@_EFFORT
+@_JSON
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Draw FILE.svg, or write FILE.csv or .json, with points."
+)
+def lines(
+    file: Path,
+    overs: tuple[str, ...],
+    points: int,
+    digits: int,
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+) -> None:
+    """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
+
+    Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.loci.lines import frequency_lines
+        from mpsolve.report.lines_words import said_of_lines
+
+        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        return said_of_lines(frequency_lines(question.given, over=question.over, points=points, **options), question)
+
+    answered(file, overs, answer, as_json, output, suffixes=(".svg", ".json", ".csv"))
+
+
+@click.command()
+@_FILE
+@_over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]")
+@_DIGITS
+@_EFFORT
+@_JSON
+@_OUTPUT
+def worst(
+    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+) -> None:
+    """Prove at which value of a parameter the problem in FILE (TOML) is least stable: at which distance, say.
+
+    That is where the vibration that grows fastest grows fastest, or, where none grows, the least damped one decays
+    most slowly: the global minimum of Im q over the range, its ends included. Exit status as for onset.
+    """
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        from mpsolve.ranges.worst import worst as prove
+        from mpsolve.report.worst_words import said_of_worst
+
+        found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
+        return said_of_worst(found, question)
+
+    answered(file, overs, answer, as_json, output, "gap")
 
 
 @click.command()
@@ -107,7 +198,15 @@ def crossings(
 @_EFFORT
 @_JSON
 @_OUTPUT
-def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bool, output: Path | None) -> None:
+@_CERTIFICATE
+def robust(
+    file: Path,
+    overs: tuple[str, ...],
+    effort: float | None,
+    as_json: bool,
+    output: Path | None,
+    certificate: Path | None,
+) -> None:
     """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
 
     Or find a certified counterexample, or list the parts of the ranges that stay open. Exit status 0: proved stable,
@@ -123,7 +222,16 @@ def robust(file: Path, overs: tuple[str, ...], effort: float | None, as_json: bo
 
     with one_sentence():
         _required(overs)
-    answered(file, overs, answer, as_json, output)
+    answered(file, overs, answer, as_json, output, certificate=certificate)
+
+
+def _only_one(worsts: tuple[str, ...], everything: bool) -> None:
+    from mpsolve.errors import InputError
+
+    if len(worsts) > 1:
+        raise InputError("--worst", "is given more than once: name one parameter")
+    if worsts and everything:
+        raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
 
 
 def _required(overs: tuple[str, ...]) -> None:
@@ -167,4 +275,4 @@ def chart(
     answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
 
 
-COMMANDS = (onset, crossings, robust, chart)
+COMMANDS = (onset, crossings, lines, worst, robust, chart)

@@ -19,26 +19,33 @@ from mpsolve.cli_tools import checked_output, one_sentence
     "as in '1 Hz,100 Hz,400'.",
 )
 @click.option("--xi", default="0", show_default=True, help="Distances ahead of the force, in m in SI: -1.5,0,1.5.")
+@click.option(
+    "--contacts", is_flag=True, help="In JSON: the matrices between the contacts of FILE, and their inverses, too."
+)
 @click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write this file, not the terminal.")
-def receptance(file: Path, omega: str, xi: str, as_json: bool, output: Path | None) -> None:
+def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, output: Path | None) -> None:
     """Tabulate the receptance G(ξ, ω) of the track in FILE (TOML) under a moving harmonic force, in float64.
 
     G is the displacement of the rail per unit force, at the velocity of FILE and in its units: m/N for a file in SI;
-    EI = 1/4, m = k = 1 for a dimensionless one. The vehicles of FILE play no part. Exit status 0: written. 1: it
-    could not be written. 2: the input cannot be used.
+    EI = 1/4, m = k = 1 for a dimensionless one. The vehicles of FILE play no part but for --contacts, with the
+    dynamic stiffness, the inverse of the receptances between them. Exit status 0: written. 1: it could not be
+    written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.errors import InputError
         from mpsolve.files import write_whole
-        from mpsolve.model.parameters import Case
+        from mpsolve.problem.case import Case
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.receptances import receptances
 
         given = read_problem(file)
+        if contacts and not as_json:
+            raise InputError("--contacts", "is for matrices, which CSV does not hold: add --json")
         si = not isinstance(given.case, Case)
         if output is not None:
             checked_output(output, given.path, "the table")
-        table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si))
+        table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si), contacts)
         text = table.to_json() if as_json else table.to_csv()
         if output is None:
             click.echo(text, nl=False)

@@ -12,7 +12,7 @@ from mpsolve import cli_vibration
 from mpsolve.cli_tools import checked_output, one_sentence
 
 if TYPE_CHECKING:
-    from mpsolve.model.inputfile import InputFile
+    from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
     from mpsolve.vibration.case_motion import Response
     from mpsolve.vibration.scale import Scale
@@ -26,7 +26,7 @@ _END = click.option(
     help='The last time: τ of the paper, or "2 s"; in s for a file with [track].',
 )
 _POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="Times.")
-_SUFFIXES = (".csv", ".npz", ".png", ".svg", ".pdf")
+_SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 
 @click.command()
@@ -57,7 +57,7 @@ def response(
     input cannot be used.
     """
     with one_sentence():
-        from mpsolve.model.inputfile import InputFile
+        from mpsolve.problem.casefile import InputFile
 
         kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
         source = _source(file, end)
@@ -76,7 +76,13 @@ def response(
         places = None if xi is None else [x.strip() for x in xi.split(",")]
         found = respond(source.case, source.loads, places, tau)
         scale = _scale(source)
-        _save(found, output, kind, source.title, scale)
+        if kind == ".json":
+            from mpsolve.files import save_json
+            from mpsolve.vibration.case_table import columns
+
+            save_json(columns(found, scale), output, source.title, _summary(found, scale))
+        else:
+            _save(found, output, kind, source.title, scale)
         click.echo("\n".join(_summary(found, scale)))
         click.echo(str(output))
 
@@ -94,7 +100,7 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
     or written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.model.inputfile import InputFile
+        from mpsolve.problem.casefile import InputFile
 
         kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
         source = _source(file, end)
@@ -121,8 +127,8 @@ COMMANDS = (response, compare)
 def _source(file: Path, end: str) -> ProblemFile | InputFile:
     """A problem in SI where the file has [track] or the last time is given in s; else the paper's case."""
     from mpsolve.errors import InputError
-    from mpsolve.model.parameters import PhysicalCase
     from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
+    from mpsolve.problem.physical import PhysicalCase
 
     source = read_source(file)
     if isinstance(source, ProblemFile) or cli_vibration.seconds(end) is None:
@@ -169,7 +175,7 @@ def _suffix(path: Path, known: tuple[str, ...]) -> str:
 
 
 def _scale(source: InputFile) -> Scale:
-    from mpsolve.model.parameters import PhysicalCase
+    from mpsolve.problem.physical import PhysicalCase
     from mpsolve.vibration.scale import Scale
 
     return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)

@@ -65,7 +65,7 @@ def roots(
 
 
 def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, seconds: float | None) -> Any:
-    from mpsolve.certificate.roots import real_roots
+    from mpsolve.certificate.real_roots import real_roots
     from mpsolve.certificate.roots import roots as prove
     from mpsolve.errors import InputError
     from mpsolve.proof.effort import Effort
@@ -118,6 +118,8 @@ def _json(answer: Any) -> str:
         for zero in answer.roots
     ]
     data = {
+        "format": "mpsolve roots",
+        "version": 1,
         "function": answer.function,
         "region": _where(answer.region),
         "status": answer.status.value,

@@ -8,21 +8,22 @@ from mpsolve.cli_tools import one_sentence
 
 
 @click.command()
-@click.argument("what", type=click.Choice(["input", "certify"]))
-def schema(what: str) -> None:
-    """Print a JSON Schema (draft 2020-12): of input files, or of what certify --json prints.
+@click.argument("name", required=False)
+def schema(name: str | None) -> None:
+    """Print the JSON Schema (draft 2020-12) with NAME; without NAME list them: of files, answers, certificates.
 
-    Exit status 0: printed. Editors that know TOML check a file against it after the line
+    Exit status 0: printed. 2: there is no such schema. Editors that know TOML check a file against it after the line
     "#:schema ./mpsolve.schema.json".
     """
     with one_sentence():
         import json
 
-        from mpsolve.problem.schema import input_schema
-        from mpsolve.report.schema import certify_schema
+        from mpsolve.schemas.catalogue import listing, schema_of
 
-        made = input_schema() if what == "input" else certify_schema()
-        click.echo(json.dumps(made, indent=1, ensure_ascii=False))
+        click.echo(
+            listing() if name is None else json.dumps(schema_of(name), indent=1, ensure_ascii=False),
+            nl=name is not None,
+        )
 
 
 COMMANDS = (schema,)

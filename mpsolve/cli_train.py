@@ -7,19 +7,22 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, one_sentence, progress
+from mpsolve.cli_tools import UNDECIDED, effort_of, one_sentence, progress
 
 
 @click.command()
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--spacing", help="From each vehicle to the next, where FILE holds only one.")
+@click.option(
+    "--effort", type=float, default=10.0, show_default=True, metavar="SECONDS", help="Time for each of the proofs."
+)
 @click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-def train(file: Path, spacing: str | None, as_json: bool) -> None:
+def train(file: Path, spacing: str | None, effort: float, as_json: bool) -> None:
     """Prove whether disturbances grow along the train in FILE (TOML), as if it had no end, and how it amplifies.
 
     FILE holds equal vehicles at equal distances, or one vehicle with --spacing. The factors from one vehicle to the
-    next, and what is said of long trains, are computed; the rest is proved. Exit status 0: proved. 1: undecided,
-    with the reason. 2: the input cannot be used.
+    next, and what is said of long trains, are computed; the rest is proved. Where the time of a part ends early it
+    says what is known by then. Exit status 0: proved. 1: undecided, with the reason. 2: the input cannot be used.
     """
     with one_sentence():
         from mpsolve.endless.amplification import amplification
@@ -31,8 +34,9 @@ def train(file: Path, spacing: str | None, as_json: bool) -> None:
         given = read_problem(file)
         row, count = row_in(given.problem, spacing)
         with progress() as tell:
-            found = infinite_train(row.problem, row.spacing, progress=tell)
-            ratios = amplification(given.problem, progress=tell) if given.problem.pencil.contacts > 1 else None
+            budget, several = effort_of(effort), given.problem.pencil.contacts > 1
+            found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)
+            ratios = amplification(given.problem, effort=budget, progress=tell) if several else None
         write = train_json if as_json else train_text
         click.echo(write(given.title, found, ratios, count), nl=False)
     if not found.proved:

@@ -37,13 +37,25 @@ def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | 
     found = vibrate(source.problem, source.loads, times=times, places=places, initial=initial)
     if kind == ".csv":
         save_table(found, output)
+    elif kind == ".json":
+        from mpsolve.files import save_json
+        from mpsolve.vibration.table import columns
+
+        save_json(columns(found), output, source.title, _summary(found))
     elif kind == ".npz":
         save_arrays(found, output)
     else:
         from mpsolve.report.figures_vibration import save_motion
 
         save_motion(found, output, source.title)
-    return _summary(found)
+    return [*_summary(found), *warnings(source)]
+
+
+def warnings(source: ProblemFile) -> list[str]:
+    """What looks like a mistake in the file."""
+    from mpsolve.problem.warned import warned
+
+    return [f"Warning: {reason}." for reason in warned(source.problem)]
 
 
 def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:
@@ -140,5 +152,5 @@ def compare(source: ProblemFile, output: Path, kind: str, times: Any) -> None:
     for name, row in list(found.items())[1:]:
         apart = abs(row - found["complete"])[whole.within].max()
         click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} m while contact is kept")
-    for note in notes:
+    for note in (*notes, *warnings(source)):
         click.echo(note)

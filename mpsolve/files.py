@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -65,3 +66,15 @@ def save_columns(table: Mapping[str, Any], path: Path) -> Path:
     writer.writerow(table)
     writer.writerows([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
     return write_whole(path, stream.getvalue())
+
+
+def save_json(table: Mapping[str, Any], path: Path, title: str, said: Sequence[str]) -> Path:
+    """The same as an object: format, version, title, columns with name, unit and values, what is said."""
+    columns = []
+    for name, values in table.items():
+        bare, _, unit = (
+            name.removesuffix("]").rpartition(" [") if name.endswith("]") and " [" in name else (name, "", "")
+        )
+        columns.append({"name": bare, "unit": unit, "values": [float(x) for x in values]})
+    content = {"format": "mpsolve response", "version": 1, "title": title, "columns": columns, "said": list(said)}
+    return write_whole(path, json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n")

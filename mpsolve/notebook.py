@@ -11,21 +11,17 @@ from functools import singledispatch
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import InputError
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.parameters import PhysicalCase
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits
-from mpsolve.problem.cases import as_paper
 from mpsolve.report import spectrum_words as words
 from mpsolve.report.figures import figure_of
 from mpsolve.report.figures_plane import q_plane
 from mpsolve.report.figures_response import displacements
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.html_environment import rendered_template
-from mpsolve.report.statement import proved, verdict
-from mpsolve.report.text import in_words, motion_rows
-from mpsolve.report.vibration import own_vibrations, vibrations
+from mpsolve.report.vibration import in_words, motion_rows, vibrations
+from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.stability.table import OnsetTable
 from mpsolve.stability.table_text import notes, proved_sentence
@@ -50,31 +46,11 @@ def save_picture(result: Any, path: Path) -> Path:  # noqa: ARG001 (what is regi
 
 
 @card.register
-def spectrum_card(spectrum: SheetSpectrum) -> str:
-    """Verdict, roots with eight digits, and the q-plane; in dimensionless terms."""
-    motions = vibrations(spectrum)
-    rows = [
-        (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, "τ"))
-        for motion, row in zip(motions, motion_rows(motions), strict=True)
-    ]
-    name = f"spectrum-{_mark(spectrum.case.as_dict())}"
-    return rendered_template(
-        _TEMPLATE,
-        head=verdict(spectrum),
-        caption="Induced frequencies, in units of τ",
-        headings=("", "Re q", "Im q", "frequency [1/τ]", "growth rate [1/τ]", "what it does"),
-        rows=rows,
-        notes=proved(spectrum),
-        svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane"),
-    )
-
-
-@card.register
 def problem_card(spectrum: Spectrum) -> str:
-    """Verdict and roots with eight digits in the problem's units; the q-plane where it is the paper's."""
-    if spectrum.sheet is not None and not isinstance(as_paper(spectrum.problem), PhysicalCase):
-        return spectrum_card(spectrum.sheet)
-    units, motions = words.units_of(spectrum), own_vibrations(spectrum)
+    """Verdict and roots with eight digits in the problem's units; the q-plane where its whole sheet was counted."""
+    name = f"spectrum-{_mark(repr(spectrum.problem))}"
+    plane = isinstance(spectrum.region, Sheet)
+    units, motions = words.units_of(spectrum), vibrations(spectrum)
     rows = [
         (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, units.time))
         for motion, row in zip(motions, motion_rows(motions), strict=True)
@@ -88,7 +64,7 @@ def problem_card(spectrum: Spectrum) -> str:
         ),
         rows=rows,
         notes=(*words.proved(spectrum), *filter(None, [words.verified(spectrum)])),
-        svg="",
+        svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane") if plane else "",
     )  # fmt: skip
 
 
@@ -114,7 +90,9 @@ def response_card(response: Response) -> str:
         rows=rows,
         notes=notes,
         svg=_svg(
-            lambda ax: displacements(response, ax), f"response-{_mark(response.case.as_dict())}", "Displacements"
+            lambda ax: displacements(response, ax),
+            f"response-{_mark(repr(response.case.as_dict()))}",
+            "Displacements",
         ),
     )
 
@@ -142,14 +120,14 @@ def table_card(table: OnsetTable) -> str:
 
 def _parts(q: Any) -> tuple[str, str]:
     """Re q and Im q in eight digits."""
-    with ball_arithmetic(128):
+    with precision(128):
         real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)
     return ("" if q.real == 0 else "±") + real, imag.replace("-", "−")
 
 
-def _mark(case: dict[str, Any]) -> str:
+def _mark(case: str) -> str:
     """A short name of the case, so that two figures of one notebook do not share ids."""
-    return hashlib.sha256(repr(case).encode()).hexdigest()[:8]
+    return hashlib.sha256(case.encode()).hexdigest()[:8]
 
 
 def _svg(draw: Callable[[Axes], Axes], name: str, title: str) -> str:

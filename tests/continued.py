@@ -16,7 +16,7 @@ import flint
 
 from mpsolve import Case
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 acb, arb = flint.acb, flint.arb
 

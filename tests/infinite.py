@@ -12,7 +12,7 @@ import numpy as np
 from laplace import Line
 
 from mpsolve import Case
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 LINE = Line(periods=4.0)
 

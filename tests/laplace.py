@@ -15,7 +15,7 @@ import numpy as np
 from oracle import Truth, _polynomial
 
 from mpsolve import Case
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,6 @@
-"""What a built site asks of other hosts: `python tests/site_pages.py docs/_build` exits with 1 if anything."""
+"""What is wrong with a built site: `python tests/site_pages.py docs/_build` exits with 1 if it asks other hosts for
+anything, or if a link to one of its own pages or to a place in one leads nowhere.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +8,7 @@ import re
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
+from urllib.parse import unquote
 
 OTHER = re.compile(r"^\s*(?:https?:|wss?:|//)", re.IGNORECASE)
 LOADS = (
@@ -57,13 +60,60 @@ def asked(site: Path) -> dict[str, list[str]]:
     return {str(path.relative_to(site)): places for path, places in found.items() if places}
 
 
+def broken(site: Path) -> dict[str, list[str]]:
+    """By file of the site: the links to its own pages, or to places in them, that lead nowhere."""
+    places = {path: _Links.of(path) for path in sorted(site.rglob("*.html"))}
+    found: dict[str, list[str]] = {}
+    for path, links in places.items():
+        bad = [href for href in links.hrefs if not _leads(path, href, places)]
+        if bad:
+            found[str(path.relative_to(site))] = bad
+    return found
+
+
+def _leads(path: Path, href: str, places: dict[Path, _Links]) -> bool:
+    if OTHER.match(href) or re.match(r"\w+:", href):
+        return True
+    file, _, place = unquote(href).partition("#")
+    target = (path.parent / file.partition("?")[0]).resolve() if file else path
+    if target.is_dir():
+        target /= "index.html"
+    if target not in places:
+        return target.exists()
+    return not place or place in places[target].names
+
+
+class _Links(HTMLParser):
+    """Where a page leads to, and the places in it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.hrefs: list[str] = []
+        self.names: set[str] = set()
+
+    @classmethod
+    def of(cls, path: Path) -> _Links:
+        page = cls()
+        page.feed(path.read_text("utf-8"))
+        return page
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = {name: value or "" for name, value in attrs}
+        self.names |= {given[name] for name in ("id", "name") if name in given}
+        if tag == "a" and "href" in given:
+            self.hrefs.append(given["href"])
+
+
 def main(site: Path) -> int:
     if not (site / "index.html").exists():
         print(f"{site} is no built site")
         return 1
-    for path, places in (found := asked(site)).items():
-        print(path, *places)
-    return int(bool(found))
+    site = site.resolve()
+    found = [("asks another host for", asked(site)), ("leads nowhere with", broken(site))]
+    for told, pages in found:
+        for path, places in pages.items():
+            print(path, told, *places)
+    return int(any(pages for _, pages in found))
 
 
 if __name__ == "__main__":

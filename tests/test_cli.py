@@ -16,8 +16,8 @@ from click.testing import CliRunner, Result
 import mpsolve
 from mpsolve.cli import EXAMPLES as _EXAMPLES
 from mpsolve.cli import cli
-from mpsolve.model import derivation
-from mpsolve.model.steps import equation_of_motion
+from mpsolve.derivation import paper as derivation
+from mpsolve.derivation.paper_steps import equation_of_motion
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 CERTS = EXAMPLES.parent / "certs"

@@ -6,6 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
+from click import Context
+from click import Path as PathType
 from click.testing import CliRunner
 
 from mpsolve.cli import cli
@@ -71,3 +73,57 @@ def test_two_files_of_one_name_leave_two_certificates(tmp_path: Path) -> None:
     masses = {json.loads(file.read_text("utf-8"))["equations"]["vehicle"]["M"][0][0] for file in made}
     assert masses == {"10", "20"}
     assert run("verify", *map(str, made))[0] == 0
+
+
+ROOT = Path(__file__).parents[1]
+FROM_STANDARD_INPUT = {
+    "derive -": "rail_60e1",
+    "certify - --region unstable -o a.json": "rail_60e1",
+    "report - --effort 2 -o a.html": "rail_60e1",
+    "onset - --over v=0..100km/h": "rail_60e1",
+    "crossings - --over v=0..100km/h": "rail_60e1",
+    "worst - --over vehicles.M=8..12t": "rail_60e1",
+    "robust - --over v=0..80m/s": "rail_60e1",
+    "chart - --over v=0..100km/h --over scale.mass=0.5..2 --depth 2": "rail_60e1",
+    "worst - --over gap[0]=1..2": "dimensionless",
+    "train -": "endless_train",
+    "critical -": "rail_60e1",
+    "receptance - --omega 1,2,3": "rail_60e1",
+    "response - -o a.csv --to 1s": "rail_60e1",
+    "compare - -o b.csv --to 0.1s": "rail_60e1",
+    "table - --workers 1": "onset_table",
+    "study - -o a.sqlite --workers 1": "study_certified",
+    "verify -": "",
+}
+
+
+@pytest.mark.parametrize("words", FROM_STANDARD_INPUT)
+def test_every_command_reads_standard_input(words: str, tmp_path: Path) -> None:
+    name = FROM_STANDARD_INPUT[words]
+    file = ROOT / f"examples/{name}.toml" if name else ROOT / "certs/single_mass.json"
+    status, out, said = run(*words.split(), stdin=file.read_text("utf-8"))
+    assert status == 0, said
+    assert out
+    assert not list(tmp_path.glob("-*"))
+
+
+def test_no_command_that_reads_a_file_is_left_out() -> None:
+    """What takes FILE takes -: but for a store, and a page that stays open."""
+    context = Context(cli)
+    commands = {name: cli.get_command(context, name) for name in cli.list_commands(context)}
+    taking = {
+        name
+        for name, one in commands.items()
+        if one is not None
+        and any(isinstance(p.type, PathType) and p.param_type_name == "argument" for p in one.params)
+    }
+    assert taking - {words.split()[0] for words in FROM_STANDARD_INPUT} == {"audit", "explore", "export", "status"}
+
+
+def test_a_table_of_a_problem_from_standard_input_finds_the_problem_here(tmp_path: Path) -> None:
+    (tmp_path / "rail_60e1.toml").write_text((ROOT / "examples/rail_60e1.toml").read_text("utf-8"), "utf-8")
+    status, out, said = run(
+        "table", "-", "--workers", "1", stdin=(ROOT / "examples/rail_table.toml").read_text("utf-8")
+    )
+    assert (status, said) == (0, "")
+    assert "776.28541" in out

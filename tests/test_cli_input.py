@@ -26,7 +26,7 @@ LONG = "x" * 300
         (f"chart case.toml -o {LONG}.svg", "File name too long"),
         (f"study study.toml -o {LONG}.sqlite", "File name too long"),
         (f"certify {LONG}.toml", "File name too long"),
-        ("response case.toml -o plain", "plain does not end in one of .csv, .npz"),
+        ("response case.toml -o plain", "plain does not end in one of .csv, .json, .npz"),
         ("study study.toml -o s.sqlite --dask nonsense", "--dask: is 'nonsense'"),
         (
             "receptance fast.toml --omega 0,1,3",

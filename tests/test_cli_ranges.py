@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
@@ -59,6 +60,21 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
     return lambda *arguments: CliRunner().invoke(cli, [str(x) for x in arguments], catch_exceptions=False)
 
 
+def test_a_certificate_is_written_and_read(run: Run) -> None:
+    made = run("crossings", PLAIN, "--over", "v=0.6..0.7", "--certificate", "a.json")
+    assert made.exit_code == 0
+    read = run("verify", "a.json")
+    assert read.exit_code == 0
+    assert "1 crossing of the real axis" in read.stdout
+
+
+def test_an_answer_without_certificate_says_why(run: Run) -> None:
+    made = run("onset", "wire.toml", "--over", "v=20..30", "--effort", "0.001", "--certificate", "a.json")
+    assert made.exit_code != 0
+    assert "no certificate is written" in made.output
+    assert not Path("a.json").exists()
+
+
 def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
     """In the paper's ratios, to 1e-12 of what another program with its own certificate proves."""
     data = json.loads(run("onset", PLAIN, "--over", "v=0.6..0.7", "--digits", 20, "--json").stdout)
@@ -67,8 +83,8 @@ def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
     assert truth.alpha is not None
     assert abs(float(value["decimal"]) - float(truth.alpha.mid())) < 1e-12
     assert value["lower"] <= float(truth.alpha.mid()) <= value["upper"]
-    assert data["certificate"] is None
-    assert data["trust"].startswith("Proved, without certificate")
+    assert len(data["certificate"]) == 64
+    assert data["trust"].startswith("Proved: a certificate")
     assert data["ranges"]["v"]["high"] == {"exact": "7/10", "decimal": "0.7"}
 
 
@@ -84,6 +100,18 @@ def test_the_crossings_are_those_of_the_paper_s_own_proof(run: Run) -> None:
     assert len(rows) == len(found) == 1
 
 
+def test_lines_are_followed_and_written(run: Run) -> None:
+    result = run("lines", PLAIN, "--over", "v=0.6..0.7", "--points", 3, "-o", "lines.csv")
+    assert result.exit_code == 0
+    assert "lies on one of 2 lines" in result.stdout
+    with Path("lines.csv").open(encoding="utf-8", newline="") as file:
+        heading, *rows = csv.reader(file)
+    assert heading == ["line", "v", "Re q [√(k/m)]", "Im q [√(k/m)]"]
+    assert len(rows) == 6
+    assert run("lines", PLAIN, "--over", "v=0.6..0.7", "--points", 3, "-o", "lines.svg").exit_code == 0
+    assert ET.fromstring(Path("lines.svg").read_text("utf-8")).tag.endswith("svg")
+
+
 def test_units_and_the_default_range(run: Run) -> None:
     result = run("onset", RAIL)
     assert (result.exit_code, result.stderr) == (0, "")
@@ -91,7 +119,7 @@ def test_units_and_the_default_range(run: Run) -> None:
     assert "v: 191.183147740034 m/s (688.3 km/h)" in result.stdout
     assert "v is 360 km/h, 328.3 km/h (47.7 %) below the onset." in result.stdout
     assert "The range: v from 0 km/h to 720 km/h (give others with --over)." in result.stdout
-    assert "Proved, without certificate" in result.stdout
+    assert "Proved: a certificate" in result.stdout
 
 
 def test_a_contact_wire_is_not_called_stable_for_every_velocity(run: Run) -> None:
@@ -200,3 +228,36 @@ def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[objec
     assert result.stderr.startswith(f"mpsolve: {key}: ")
     assert result.stderr.count("\n") == 1
     assert said in result.stderr
+
+
+def test_what_looks_like_a_mistake_is_told(tmp_path: Path) -> None:
+    """EI a million off, where the question is about v; not km/h for m/s, as the file's own v plays no part."""
+    text = (Path(__file__).parents[1] / "examples/rail_60e1.toml").read_text("utf-8")
+    file = tmp_path / "rail.toml"
+    file.write_text(re.sub(r"EI = \S+", "EI = 6.4", text), "utf-8")
+    done = CliRunner().invoke(cli, ["robust", str(file), "--over", "v=0..1"])
+    assert "Warning: track.EI is 6.4 N m²" in done.output
+    assert 'write EI = "6.4 MN m²"' in done.output
+
+
+def test_worst_in_the_units_that_were_written(run: Run) -> None:
+    result = run("worst", RAIL, "--over", "gap[0]=1m..5m")
+    assert result.exit_code == 0
+    assert (
+        "STABLE: the least damped vibration decays most slowly at gap[0] = 4.815 m, inside the range."
+        in result.stdout
+    )
+    assert "halves in 14.61 s" in result.stdout
+    result = run("worst", PLAIN, "--json")  # from half to twice the distance
+    data = json.loads(result.stdout)
+    assert (result.exit_code, data["question"], data["answer"]["where"]) == (0, "worst", "inside")
+    assert data["ranges"]["gap[0]"]["high"]["decimal"] == "3"
+
+
+def test_onset_at_the_worst_value_of_another_parameter(run: Run) -> None:
+    result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2")
+    assert result.exit_code == 0
+    assert "For every gap[0] from 1 to 2: STABLE for scale.mass from 0.01 to 0.5929" in result.stdout
+    assert "worst gap[0]: 1.697045734437" in result.stdout
+    result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2", "--all")
+    assert (result.exit_code, "give one of the two" in result.stderr) == (2, True)

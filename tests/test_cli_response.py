@@ -12,8 +12,8 @@ from click.testing import CliRunner, Result
 
 from mpsolve import Case, PhysicalCase, certify, merged, response, superposition
 from mpsolve.cli import cli
-from mpsolve.model.inputfile import read_case
-from mpsolve.model.load import Load
+from mpsolve.problem.casefile import read_case
+from mpsolve.vehicles.load import Load
 
 TEXT = """title = "two"
 [dimensionless]

@@ -7,16 +7,18 @@ import json
 from click.testing import CliRunner
 
 from mpsolve.cli import cli
-from mpsolve.problem.schema import input_schema
-from mpsolve.report.schema import certify_schema
+from mpsolve.schemas.catalogue import CATALOGUE, listing
 
 
-def test_both() -> None:
-    for what, made in (("input", input_schema()), ("certify", certify_schema())):
-        result = CliRunner().invoke(cli, ["schema", what])
+def test_all() -> None:
+    for name, (_, make) in CATALOGUE.items():
+        result = CliRunner().invoke(cli, ["schema", name])
         assert result.exit_code == 0
-        assert json.loads(result.stdout) == made
+        assert json.loads(result.stdout) == make()
+    assert CliRunner().invoke(cli, ["schema"]).stdout == listing()
 
 
 def test_another() -> None:
-    assert CliRunner().invoke(cli, ["schema", "poem"]).exit_code == 2
+    result = CliRunner().invoke(cli, ["schema", "poem"])
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "which is unknown" in result.stderr

@@ -37,3 +37,11 @@ def test_one_vehicle_needs_a_distance(words: list[str], tmp_path: Path) -> None:
     done = CliRunner().invoke(cli, ["train", str(file), *words])
     assert done.exit_code == 2
     assert "spacing" in done.output
+
+
+def test_eight_coaches_are_answered_within_their_time() -> None:
+    done = CliRunner().invoke(cli, ["train", str(EXAMPLES / "train_8_coaches.toml"), "--effort", "4"])
+    assert done.exit_code in (0, 1)
+    assert "no motion grows" in done.output or "undecided" in done.output
+    assert "train of 8: stable" in done.output
+    assert "back: " in done.output

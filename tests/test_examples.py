@@ -33,7 +33,9 @@ def test_it_can_be_imported(name: str) -> None:
 def test_picture(tmp_path: Path) -> None:
     picture = load("picture")
     assert (picture.SPECTRUM.count, picture.SPECTRUM.stable) == (4, True)
-    assert abs(picture.Q_LM - 0.7678098053) < 1e-10
+    height, begin = picture.CUTS
+    assert abs(begin / (1e6 / 60) ** 0.5 - 0.7678098053) < 1e-10
+    assert abs(height - 770 / 120) < 1e-14
     assert [round(float(motion.frequency), 4) for motion in picture.VIBRATIONS] == [2.9393, 3.6425]
     assert [round(float(motion.time), 3) for motion in picture.VIBRATIONS] == [4.265, 6.047]
     ax = Figure().add_subplot()
@@ -71,6 +73,16 @@ def test_certificates_are_those_of_the_cases_and_valid() -> None:
         stored = json.loads(files[name].read_text("ascii"))
         assert spectrum.certificate.content["roots"] == stored["roots"]
         assert spectrum.certificate.content["claim"] == stored["claim"]
+
+
+def test_certificates_of_zeros_are_those_of_the_cases_and_valid() -> None:
+    zeros = load("zeros")
+    files = {path.stem: path for path in zeros.FOLDER.glob("*.json")}
+    assert sorted(files) == sorted(zeros.CASES)
+    for name, path in files.items():
+        assert verify(path).valid, name
+        stored = json.loads(path.read_text("ascii"))
+        assert zeros.prove(name).certificate.content["claim"] == stored["claim"], name
 
 
 def test_the_certificates_are_drawn(tmp_path: Path) -> None:

@@ -16,11 +16,13 @@ from types import ModuleType
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from schema_check import errors
 
 from mpsolve import Case, PhysicalCase, certify, read_problem, receptance
 from mpsolve.cli import cli
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.receptances import receptances
+from mpsolve.schemas.catalogue import schema_of
 
 FOLDER = Path(__file__).parents[1] / "examples" / "handover"
 SHELL = (FOLDER / "shell.sh").read_text("utf-8")
@@ -98,6 +100,29 @@ def test_the_shell_hands_over_the_same_in_json(solver: ModuleType, folder: Path,
     assert (shell / "receptance.csv").read_text() == (folder / "receptance.csv").read_text()
 
 
+def test_shapes_stiffness_and_the_stable_box(solver: ModuleType, shell: Path) -> None:
+    """Roots come with shapes; at a root the dynamic stiffness balances the masses; the box is that of the library."""
+    roots = json.loads((shell / "induced.json").read_text("utf-8"))["roots"]
+    for root, truth in zip(roots, certify(solver.CASE).roots, strict=True):
+        for name, ball in truth.shape.bodies.items():
+            shown = root["shape"]["bodies"][name]
+            assert (
+                abs(complex(float(shown["re"]["value"]), float(shown["im"]["value"])) - complex(ball.mid())) < 1e-12
+            )
+        assert len(root["shape"]["rail"]) == 2
+    table = json.loads((shell / "contacts.json").read_text("utf-8"))
+    assert errors(table, schema_of("receptance")) == []
+    G, K = (np.array(table["contacts"][f"{x}_re"]) + 1j * np.array(table["contacts"][f"{x}_im"]) for x in "GK")
+    places = as_problem(solver.CASE).pencil.places
+    for k, omega in enumerate(table["omega"]):
+        near = receptance(solver.TRACK, [float(a - b) for a in places for b in places], omega, v=solver.CASE.alpha)
+        assert np.allclose(G[k].ravel(), near[:, 0], rtol=1e-13)
+        assert np.allclose(K[k] @ G[k], np.eye(2), atol=1e-12)
+    box = json.loads((shell / "box.json").read_text("utf-8"))["answer"]
+    assert box["stable"] is True
+    assert [end["exact"] for end in box["over"]["v"]] == ["0", "3/5"]
+
+
 def test_the_receptance_in_si_units() -> None:
     """At rest, under a static force, Winkler's deflection F χ/(2k)."""
     case = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, masses=[(1, 0)])
@@ -124,6 +149,7 @@ def test_the_command_takes_any_track() -> None:
         (["--omega", "0.1,0.2,0"], "a whole COUNT from 1"),
         (["--omega", "0.1,x,3"], "--omega: "),
         (["--omega", "0.1,0.2,3", "--xi", "a"], "--xi: "),
+        (["--omega", "0.1,0.2,3", "--contacts"], "which CSV does not hold: add --json"),
         (["--omega", "0.1,0.2,3", "-o", "none/a.csv"], "none is no directory"),
     ],
 )

@@ -17,7 +17,7 @@ import mpsolve
 from mpsolve.claims import Verdict
 from mpsolve.claims.load import load
 from mpsolve.cli import cli
-from mpsolve.model.inputfile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_input
+from mpsolve.problem.casefile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_input
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
@@ -65,7 +65,7 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
             digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
             assert value.str(60, radius=False).startswith(digits), expression
             balls += 1
-    assert (len(SHOWN), balls) == (28, 6)
+    assert (len(SHOWN), balls) == (29, 6)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import os
 import re
@@ -10,7 +11,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from site_pages import asked, main, of_page, of_style
+from site_pages import asked, broken, main, of_page, of_style
+
+from mpsolve.presets.catalogue import names, preset
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -74,6 +77,50 @@ def test_other_hosts_are_seen(tmp_path: Path) -> None:
     assert main(tmp_path) == 0
 
 
+def test_links_that_lead_nowhere_are_seen(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "index.html").write_text('<h1 id="here">x</h1> <a href="../index.html#top">y</a>', "utf-8")
+    good = '<p id="top"><a href="a/#here">x</a> <a href="#top">x</a> <a href="https://b.org#z">y</a>'
+    (tmp_path / "index.html").write_text(good, "utf-8")
+    assert broken(tmp_path) == {}
+    bad = good + '<a href="a/index.html#gone">x</a> <a href="none.html">y</a> <a href="#away">z</a>'
+    (tmp_path / "index.html").write_text(bad, "utf-8")
+    assert broken(tmp_path) == {"index.html": ["a/index.html#gone", "none.html", "#away"]}
+    assert main(tmp_path) == 1
+
+
+def test_the_gallery_of_presets_is_that_of_the_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every preset stands in it, with a drawing, its sources and the verdict of `certify`, not typed."""
+    monkeypatch.syspath_prepend(str(DOCS / "_extensions"))
+    made = importlib.import_module("presets_page").presets_page(tmp_path)
+    for name in names("track"):
+        assert f"`mpsolve new {name}`" in made
+        assert (tmp_path / f"preset-{name}.svg").read_text("utf-8").rstrip().endswith("</svg>")
+        assert all(source in made for source in preset("track", name).sources)
+    assert all(f"- `{name}`: " in made for name in names("vehicle"))
+    assert made.count("**STABLE at ") == len(names("track")) - 1
+    assert made.count("**UNDECIDED: ") == 1  # the ice road, whose long waves meet at q = 0
+
+
+def test_papers_have_addresses_that_are_well_formed() -> None:
+    """Each entry but the first, whose address is not known to us, has a DOI, and the link is to that very DOI."""
+    entries = (DOCS / "theory/papers.md").read_text("utf-8").split("\n- ")[1:]
+    without = [entry[:20] for entry in entries if "doi" not in entry]
+    assert without == ["Z. Dimitrovová, *Dyn"]
+    for shown, target in re.findall(r"\[doi:([^\]]*)\]\(https://doi\.org/([^)]*)\)", "".join(entries)):
+        assert shown == target
+        assert re.fullmatch(r"10\.\d{4,}/\S+", shown)
+
+
+def test_every_figure_of_paper_and_findings_is_in_the_gallery() -> None:
+    """Each module of figures can be drawn and checked; the gallery takes all that can."""
+    helpers = {"comparison", "induced", "style", "vibration"}
+    for folder in ("figures", "findings"):
+        for source in (ROOT / "examples" / folder).glob("*.py"):
+            text = source.read_text("utf-8")
+            assert ("def visualize(" in text and "def check(" in text) == (source.stem not in helpers), source
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)} (the extra docs)")
 def test_the_site_is_built_without_a_warning_and_asks_no_host(tmp_path: Path) -> None:
@@ -85,3 +132,4 @@ def test_the_site_is_built_without_a_warning_and_asks_no_host(tmp_path: Path) ->
     )
     assert made.returncode == 0, made.stderr[-3000:]
     assert asked(tmp_path) == {}
+    assert broken(tmp_path.resolve()) == {}

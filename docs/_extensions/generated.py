@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from presets_page import presets_page
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
@@ -130,6 +131,19 @@ def first_line(value: Any) -> str:
     return (inspect.getdoc(value) or "").split("\n")[0]
 
 
+def schemas() -> str:
+    """Every schema with its version and its keys at the top."""
+    from mpsolve.schemas.catalogue import CATALOGUE
+
+    lines = ["# Schemas", "", "`mpsolve schema NAME` prints a JSON Schema (draft 2020-12) of:", ""]
+    lines += ["| NAME | of | version | keys |", "|---|---|---|---|"]
+    for name, (told, make) in CATALOGUE.items():
+        made = make()
+        keys = ", ".join(f"`{key}`" for key in made.get("properties", {})) or "one of several forms"
+        lines.append(f"| `{name}` | {told} | {made['$id'].rsplit('/', 1)[1]} | {keys} |")
+    return "\n".join([*lines, "", "A later version of a kind adds keys, and changes the meaning of none.", ""])
+
+
 def specifications() -> None:
     """The format of certificates, as it stands beside them."""
     for source in sorted((ROOT / "certs").glob("SPEC*.md")):
@@ -213,7 +227,9 @@ def generate(_app: Any) -> None:
     write(reference / "commands.md", commands())
     write(reference / "library.md", names())
     specifications()
+    write(reference / "schemas.md", schemas())
     write(DOCS / "gallery" / "_generated" / "index.md", gallery())
+    write(DOCS / "gallery" / "_generated" / "presets.md", presets_page(DOCS / "gallery" / "_generated"))
 
 
 def setup(app: Any) -> dict[str, bool]:

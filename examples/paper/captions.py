@@ -8,10 +8,10 @@ import sympy as sp
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import grid, shown
+from mpsolve.derivation.paper import dispersion
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.derivation import dispersion
 from mpsolve.model.limits import critical_velocity_ratio
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 from .equations import derived
 

@@ -12,7 +12,7 @@ from mpsolve import Spectrum, certify
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim
 from mpsolve.errors import PrecisionError
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 from mpsolve.stability.cuts import CutPoint, cut_points
 
 MASSES = ("10", "40", "70")  # η_M = 10:30:70, Section 4.1

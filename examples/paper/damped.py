@@ -13,7 +13,7 @@ from mpsolve.claims.values import below, decimal, first_on_grid, grid, places, s
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
 from .cases import certificate, lowest, pair, spectrum

@@ -13,13 +13,13 @@ from sympy.parsing.sympy_parser import parse_expr
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
+from mpsolve.derivation import paper_residues as rs
+from mpsolve.derivation import paper_steps as st
+from mpsolve.derivation.paper import derivation
+from mpsolve.derivation.paper_steps import Step
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model import residues as rs
-from mpsolve.model import steps as st
-from mpsolve.model.derivation import derivation
 from mpsolve.model.limits import limiting_frequency
-from mpsolve.model.parameters import Case
-from mpsolve.model.steps import Step
+from mpsolve.problem.case import Case
 
 from .cases import certificate, pair, spectrum
 from .harmonic import harmonic

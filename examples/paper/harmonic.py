@@ -11,7 +11,7 @@ import flint
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic_rate, kernel_matrix
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 from .cases import spectrum
 

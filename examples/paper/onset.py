@@ -6,11 +6,11 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
+from mpsolve import onset as stability_onset
+from mpsolve import worst
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, grid, places, rounded, rounds_to, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.stability.distance import critical_distance
-from mpsolve.stability.limiting import limiting_mass
 
 from .cases import certificate, lowest, pair, spectrum
 from .damped import onset
@@ -21,11 +21,16 @@ _BOX, _NEAR = ("0.5", "4.5"), ("0.5", "2")  # distances: all of Section 4.1, and
 
 @lru_cache(maxsize=128)
 def critical_at(alpha: str, eta_b: str, eta_m: str, d: tuple[str, str] = _NEAR) -> Any:
-    """The critical distance in the range d, proved. PrecisionError if it is not."""
-    found = critical_distance(alpha, eta_b, eta_m, d=d, digits=15)
-    if not found.proved:
-        raise PrecisionError(found.reason)
+    """The critical distance in the range d, proved, inside of it. PrecisionError if it is not."""
+    found = worst(pair(alpha, eta_b, eta_m, "1"), over={"d": d}, digits=15)
+    if not found.proved or found.where != "inside":
+        raise PrecisionError(str(found.reason or "the least Im q lies at an end of the range"))
     return found
+
+
+def _there(found: Any) -> Any:
+    """The certificate of the frequencies next to the critical distance."""
+    return found.proofs[0].base.certificate
 
 
 def critical_ends(claim: Claim) -> Finding:
@@ -35,10 +40,10 @@ def critical_ends(claim: Claim) -> Finding:
     ends_ = (steps[0], steps[-1])
     for eta_b, printed in zip(ends_, claim.values("distance"), strict=True):
         found = critical_at(claim.number("alpha"), eta_b, claim.number("eta_m"), _BOX)
-        numbers += [(f"η_b = {eta_b}: d", shown(found.d, 14)), ("  least Im q", shown(found.q.imag, 12))]
-        certificates.append((f"{claim.id}_eta_b{eta_b}", found.certificate))
-        if not rounds_to(found.d, printed):
-            wrong.append((eta_b, printed, rounded(found.d, places(printed))))
+        numbers += [(f"η_b = {eta_b}: d", shown(found.value, 14)), ("  least Im q", shown(found.q.imag, 12))]
+        certificates.append((f"{claim.id}_eta_b{eta_b}", _there(found)))
+        if not rounds_to(found.value, printed):
+            wrong.append((eta_b, printed, rounded(found.value, places(printed))))
     if not wrong:
         return Finding(Verdict.PROVED, "Both round to the printed decimals.", numbers, certificates=certificates)
     text = "; ".join(f"η_b = {b}: printed {p}, proved {r}" for b, p, r in wrong)
@@ -71,12 +76,12 @@ def critical_falls(claim: Claim) -> Finding:
     """Conclusion (xi): the critical distance falls smoothly with η_b: all values of the paper's grid in turn."""
     values = grid(claim.number("eta_b"))
     found = [critical_at(claim.number("alpha"), eta_b, claim.number("eta_m")) for eta_b in values]
-    wrong = [b for b, (x, y) in zip(values, pairwise(found), strict=False) if not below(y.d, x.d)]
-    falls = [float((x.d - y.d).mid()) for x, y in pairwise(found)]
-    numbers = [(f"η_b = {b}: d", shown(f.d, 10)) for b, f in zip(values, found, strict=True)]
+    wrong = [b for b, (x, y) in zip(values, pairwise(found), strict=False) if not below(y.value, x.value)]
+    falls = [float((x.value - y.value).mid()) for x, y in pairwise(found)]
+    numbers = [(f"η_b = {b}: d", shown(f.value, 10)) for b, f in zip(values, found, strict=True)]
     numbers.append(("largest fall from one value to the next (float64)", f"{max(falls):.2g}"))
     kept = (0, len(values) // 2, -1)
-    certificates = [(f"{claim.id}_eta_b{values[k]}", found[k].certificate) for k in kept]
+    certificates = [(f"{claim.id}_eta_b{values[k]}", _there(found[k])) for k in kept]
     if wrong:
         text = f"It does not fall after η_b = {', '.join(wrong)}."
         return Finding(Verdict.REFUTED, text, numbers, certificates=certificates)
@@ -145,22 +150,22 @@ def limit_at(claim: Claim) -> Finding:
 def limit_at_critical(claim: Claim) -> Finding:
     """Section 4.3: the limiting mass for masses at the critical distance."""
     alpha, eta_b, printed = claim.numbers("alpha", "eta_b", "eta_m")
-    worst = limiting_mass(alpha, eta_b, d=("0.5", "2"), digits=15)
-    if not worst.proved or worst.eta is None:
-        return Finding(Verdict.UNDECIDABLE, worst.reason)
+    least = stability_onset(pair(alpha, eta_b, "1", "1"), over={"eta_m": ("1", "70")}, worst={"d": _NEAR}, digits=15)
+    if not least.proved or least.value is None:
+        return Finding(Verdict.UNDECIDABLE, str(least.reason))
     heavy = critical_at(alpha, eta_b, "70")
-    place = rounded(heavy.d, 6)
+    place = rounded(heavy.value, 6)
     there = crossings(alpha, eta_b, place)
     numbers = (
-        ("least limiting mass over d = 0.5 to 2", shown(worst.eta, 14)),
-        ("at the distance d", shown(worst.d, 12)),
+        ("least limiting mass over d = 0.5 to 2", shown(least.value, 14)),
+        ("at the distance d", shown(least.worst, 12)),
         (f"limiting mass at d = {place}, critical for η_M = 70", shown(there[0].eta, 12)),
     )
     certificates = [
         (f"{claim.id}_limit", there.certificate),
         (f"{claim.id}_unstable", certificate(pair(alpha, eta_b, printed, place))),
     ]
-    if rounds_to(worst.eta, printed) or rounds_to(there[0].eta, printed):
+    if rounds_to(least.value, printed) or rounds_to(there[0].eta, printed):
         return Finding(Verdict.PROVED, "It is the limiting mass.", numbers, certificates=certificates)
     hits = reproductions(alpha, printed, claim.values("dampings"))
     certificates += [(f"{claim.id}_eta_b{b}_d{d}", crossings(alpha, b, d).certificate) for b, d in hits]
@@ -168,7 +173,7 @@ def limit_at_critical(claim: Claim) -> Finding:
     if spectrum(pair(alpha, eta_b, printed, place)).unstable:
         sentence = (
             f"Unstable it is there (certified), but as the limiting mass it is not right: that is "
-            f"{shown(there[0].eta, 5)} at the critical distance, {shown(worst.eta, 5)} at the worst one."
+            f"{shown(there[0].eta, 5)} at the critical distance, {shown(least.value, 5)} at the worst one."
         )
         return Finding(Verdict.CONDITIONAL, sentence, numbers, search=search, certificates=certificates)
     sentence = f"Stable there: the limiting mass is {shown(there[0].eta, 5)}."

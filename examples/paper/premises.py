@@ -9,10 +9,10 @@ import sympy as sp
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
+from mpsolve.derivation.paper import dispersion
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.derivation import dispersion
 from mpsolve.model.limits import limiting_frequency
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 from .modal import MATRICES, entry
 from .theory import undamped_roots_are_real

@@ -10,8 +10,8 @@ import sympy as sp
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
+from mpsolve.derivation.paper import dispersion
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.derivation import dispersion
 from mpsolve.model.limits import limiting_frequency
 from mpsolve.stability.cuts import cut_points
 

@@ -10,8 +10,8 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import decimal, ends, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
 from mpsolve.stability.tube import follow
 from mpsolve.stability.velocities import UnstableRanges, unstable_velocities
 

@@ -6,18 +6,16 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.problem.cases import Given, as_paper, as_problem
+from mpsolve.problem.case import Case
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.regions import checked_region
+from mpsolve.spectrum.regions import Sheet, checked_region
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum
-
-FEW = 2
-"""Up to so many masses the whole sheet of the paper's beam is what is asked for by default."""
 
 
 def certify(
@@ -49,40 +47,42 @@ def certify(
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem, a Case or a PhysicalCase")
     if effort is not None and not isinstance(effort, Effort):
         raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    from mpsolve.certificate.asked import default_region, has_whole_sheet, is_damped
     from mpsolve.certificate.solve import certify_problem, checked_digits  # what computes is loaded when it is needed
+    from mpsolve.certificate.whole_sheet import unstable_part
 
-    digits = checked_digits(digits)
-    paper = as_paper(problem)
-    wanted = _default(paper) if region is None else checked_region(region)
+    meant, digits = as_problem(problem), checked_digits(digits)
     options: dict[str, Any] = {"digits": digits, "effort": effort, "progress": progress, "check": check}
-    if isinstance(paper, Case) and wanted in ("sheet", "unstable") and not _rational(paper):
-        return _on_sheet(problem, paper, wanted, options)
-    found = _about(problem, certify_problem(as_problem(problem), region=wanted, **options))
-    if region is None and wanted == "sheet" and not found.proved and not _lossless(paper):
-        other = _about(problem, certify_problem(as_problem(problem), region=None, **options))
-        return replace(other, note=other.note or _SHEET) if other.proved else found
-    if paper is not None and _lossless(paper) and not found.proved and wanted in ("sheet", "unstable"):
-        other = _on_sheet(problem, paper, wanted, options)  # next to the critical velocity
-        return other if other.proved else found
-    if wanted is None and not found.proved:
-        other = certify(problem, region="unstable", **options)
-        return replace(other, note=other.note or _ABOVE) if other.proved else found
-    return found
+
+    def answered(wanted: object) -> Spectrum:
+        return _about(problem, certify_problem(meant, region=wanted, **options))
+
+    asked = default_region(problem, meant) if region is None else checked_region(region)
+    first = answered(asked)
+    if first.proved:
+        return first
+    if region is not None:
+        if asked != "unstable" or not _next_to_the_line(first) or not (is_damped(meant) and has_whole_sheet(meant)):
+            return first
+        whole = answered("sheet")  # a root is too close to the real axis: this count goes another way
+        return unstable_part(whole) if whole.proved else first
+    for wanted, note in _NARROWER if isinstance(first.region, Sheet) else _NARROWER[1:]:
+        if wanted or is_damped(meant):  # without damping there is nothing below a height
+            found = answered(wanted)
+            if found.proved:
+                return replace(found, note=found.note or note)
+    return first
 
 
-def _lossless(paper: Case | PhysicalCase | None) -> bool:
-    """Whether nothing damps: then there is no other region than the sheet."""
-    return paper is not None and not (paper.eta_b if isinstance(paper, Case) else paper.c)
+def _next_to_the_line(found: Spectrum) -> bool:
+    return found.reason is not None and found.reason.code in ("root-on-line", "line")
 
 
-_SHEET = "roots above the cuts, or next to them, are left out, as the count on the whole sheet stayed open"
-_ABOVE = "roots above the real axis are left out, as the count below a height stayed open"
-
-
-def _on_sheet(given: Given, paper: Case | PhysicalCase, region: Any, options: dict[str, Any]) -> Spectrum:
-    from mpsolve.certificate.on_sheet import certify_on_sheet
-
-    return certify_on_sheet(given, paper, region, **options)
+_NARROWER = (
+    (None, "roots above the cuts, or next to them, are left out, as the count on the whole sheet stayed open"),
+    ("unstable", "roots above the real axis are left out, as the count of more than the half-plane stayed open"),
+)
+"""What is asked for instead where the default region stays open, and what is said then."""
 
 
 def _about(given: Given, found: Spectrum) -> Spectrum:
@@ -90,19 +90,3 @@ def _about(given: Given, found: Spectrum) -> Spectrum:
     if given is found.problem:
         return found
     return replace(found, problem=given, roots=tuple(replace(root, problem=given) for root in found.roots))
-
-
-def _default(paper: Case | PhysicalCase | None) -> str | None:
-    """ "sheet" or None, where the general engine chooses."""
-    if paper is None:
-        return None
-    case = paper if isinstance(paper, Case) else paper.dimensionless
-    if not case.cuts_on_line:
-        return None if _rational(case) or isinstance(paper, PhysicalCase) else "unstable"
-    few = len(set(case.positions)) <= FEW or not case.eta_b
-    return "sheet" if few or isinstance(paper, Case) else None
-
-
-def _rational(case: Case) -> bool:
-    ratios = (case.alpha, case.eta_b, case.eta_n, case.eta_s, *case.eta_m, *case.positions)
-    return all(x.is_rational for x in ratios)

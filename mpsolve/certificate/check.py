@@ -9,6 +9,7 @@ from mpsolve.certificate.verify import Verdict
 
 _MOST = 64_000_001
 _ZEROS = re.compile(rb'"format"\s*:\s*"mpsolve zeros"')
+_RANGES = re.compile(rb'"kind"\s*:\s*"(?:crossings|stable)"')
 _VERSION_2 = re.compile(rb'"version"\s*:\s*2\b')
 
 
@@ -29,6 +30,11 @@ def verify_bytes(raw: bytes) -> Verdict:
 
         zeros = of_zeros(raw)
         return Verdict(zeros.valid, zeros.reason, zeros.claim)
+    if _VERSION_2.search(raw) and _RANGES.search(raw):
+        from mpsolve.certificate.verify_ranges import verify_bytes as of_ranges
+
+        third = of_ranges(raw)
+        return Verdict(third.valid, third.reason, third.claim)
     if _VERSION_2.search(raw):
         from mpsolve.certificate.verify2 import verify_bytes as second
 

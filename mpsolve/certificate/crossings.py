@@ -11,8 +11,8 @@ from mpsolve.certificate import verify
 from mpsolve.certificate.format import FORMAT, VERSION, Certificate, digest, dyadic
 from mpsolve.certificate.sheet import SheetSpectrum
 from mpsolve.errors import CertificateError, known
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
 
 KIND = "crossings"
 _LEAST_REACH = 2.0**-48

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import known
 from mpsolve.files import write_whole
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.problem.case import Case
 from mpsolve.spectrum.regions import Rectangle
 
 if TYPE_CHECKING:

@@ -1,38 +1,27 @@
-"""The public verbs `roots` and `real_roots`: every zero of an analytic function, proved, written and checked."""
+"""The public verb `roots`: every zero of an analytic function in a region, proved, written and checked."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from fractions import Fraction
-from itertools import pairwise
 from time import process_time
 from typing import Any
 
-from flint import acb
-
-from mpsolve.certificate.roots_file import interval_certificate, region_certificate
+from mpsolve.certificate.roots_check import budget_of, checked
+from mpsolve.certificate.roots_file import region_certificate
 from mpsolve.certificate.solve import checked_digits
-from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.numbers.balls import precision
-from mpsolve.numbers.model import rational, shown
+from mpsolve.errors import InputError
 from mpsolve.numbers.rootball import Symmetry
-from mpsolve.outcome import Reason, Status
+from mpsolve.outcome import Status
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.zeros.analytic import hull
 from mpsolve.zeros.answer import Work, Zero, Zeros
-from mpsolve.zeros.enclose import Zeros as Near
-from mpsolve.zeros.function import Function
-from mpsolve.zeros.read import Given, read_function
-from mpsolve.zeros.reals import OpenTileError, Tiling, bracket, tile
-from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle, Region
-from mpsolve.zeros.solve import Solved, reason_of, solve
+from mpsolve.zeros.read import Given, of_expression, read_function
+from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle, Region, bound_words
+from mpsolve.zeros.solve import Solved, solve
+from mpsolve.zeros.turned import complex_words, composed, slant, turned_back, turned_cut, turned_region
 
-_EVALUATIONS = 400_000
 _UNCHECKED = "proved, without a certificate that others can check: f is a Python function"
-_BOUND = "no zero in the half-plane has |z| ≥ {bound}, as the bound of HalfPlane says"
-_REMEDY = "report this as a fault, with the input"
 
 
 def roots(
@@ -55,7 +44,8 @@ def roots(
     acb.integral has it, or be vouched for with assume_analytic=True: its balls must not be finite where it may not be
     analytic. derivative: f′, for such a function. Sums and quotients are made one fraction: its zeros are those of
     the numerator where the denominator is not 0.
-    region: Rectangle, Disc, Polygon, or HalfPlane (with the user's bound). cuts: branch cuts that reach into it.
+    region: Rectangle, Disc, Polygon, or HalfPlane (with the user's bound). cuts: branch cuts that reach into it, in
+    any direction d; where they slant, the zeros are counted in w = z/d, and the certificate is one of f(d w).
     digits: certified digits of each zero relative to its modulus, 15 to 10,000. effort bounds the work. check: run
     the standalone verifier on the certificate before "proved" is returned.
     Raises InputError for what is no function or not analytic by its form, and for cuts that divide the region.
@@ -64,17 +54,38 @@ def roots(
     >>> roots("sin(z) - z/2", Rectangle(-10, 10, -5, 5)).count
     7
     """
-    started = process_time()
     if not isinstance(region, (Rectangle, Disc, Polygon, HalfPlane)):
         raise InputError("region", f"is of type {type(region).__name__}: give Rectangle, Disc, Polygon or HalfPlane")
-    digits, budget = checked_digits(digits), _budget(effort)
+    digits, budget = checked_digits(digits), budget_of(effort)
     declared = _checked_cuts(cuts)
     given = read_function(f, derivative, assume_analytic)
     tell = progress or silent
-    found = solve(given, region, declared, digits, budget, tell)
+    turn = slant(declared)
+    if turn is None:
+        return _answered(given, region, declared, digits, budget, tell, check)
+    if given.expression is None:
+        raise InputError(
+            "cuts", "slant, and f cannot be read as an expression: turn z, so that they lie along an axis"
+        )
+    there, along = turned_region(region, turn), [turned_cut(cut, turn) for cut in declared]
+    turned = of_expression(composed(given.expression, turn))
+    try:
+        answer = _answered(turned, there, along, digits, budget, tell, check)
+    except InputError as error:
+        stated = str(error).removeprefix(f"{error.key}: ")
+        raise InputError(error.key, f"{stated}, in the plane of w = z/({complex_words(turn)})") from None
+    return turned_back(answer, given.words, region, there, turn)
+
+
+def _answered(
+    given: Given, region: Region, cuts: Sequence[Cut], digits: int, budget: Effort, tell: Progress, check: bool
+) -> Zeros:
+    """The answer where all cuts lie along the axes."""
+    started = process_time()
+    found = solve(given, region, cuts, digits, budget, tell)
     assumed = given.assumed
     if isinstance(region, HalfPlane):
-        assumed += (_BOUND.format(bound=shown(region.bound)),)
+        assumed += (bound_words(region),)
     common: dict[str, Any] = {"function": given.words, "digits": digits, "assumed": assumed, "note": found.note}
     zeros = _zeros(found)
     if found.count is None or found.reason is not None:
@@ -95,7 +106,7 @@ def roots(
     if given.expression is None:
         return replace(answer, note=f"{answer.note}; {_UNCHECKED}" if answer.note else _UNCHECKED)
     certificate = region_certificate(given.expression, found.count, found.region, found.balls, total)
-    return _checked(answer, certificate, check, tell)
+    return checked(answer, certificate, check, tell)
 
 
 def _zeros(found: Solved) -> tuple[Zero, ...]:
@@ -109,138 +120,3 @@ def _checked_cuts(cuts: Iterable[Cut]) -> tuple[Cut, ...]:
         if not isinstance(cut, Cut):
             raise InputError("cuts", f"has an entry of type {type(cut).__name__}: give Cut.ray or Cut.segment")
     return declared
-
-
-def _budget(effort: Effort | None) -> Effort:
-    if effort is not None and not isinstance(effort, Effort):
-        raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
-    return effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
-
-
-def _checked(answer: Zeros, certificate: Any, check: bool, tell: Progress) -> Zeros:
-    """The answer with the verifier's word on its certificate."""
-    if not check:
-        return replace(answer, certificate=certificate)
-    from mpsolve.certificate.verify_roots import verify_bytes
-
-    tell("verifying", 0.0)
-    started = process_time()
-    verdict = verify_bytes(certificate.text.encode("ascii"))
-    cost = replace(answer.cost, verification=process_time() - started)
-    if verdict.valid:
-        return replace(answer, status=Status.PROVED, certificate=certificate, verified=verdict.claim, cost=cost)
-    message = f"the standalone verifier does not accept the proof: {verdict.reason}"
-    reason = Reason("verifier", message, {}, _REMEDY)
-    return replace(
-        answer, status=Status.UNDECIDED, reason=reason, count=None, roots=(), certificate=certificate, cost=cost
-    )
-
-
-def real_roots(
-    f: object,
-    a: object,
-    b: object,
-    *,
-    digits: int = 15,
-    effort: Effort | None = None,
-    progress: Progress | None = None,
-    check: bool = True,
-) -> Zeros:
-    """Every real zero of f on the closed interval [a, b] with its multiplicity: a proof, or undecided with a reason.
-
-    f: as for `roots`, but it must be an expression that is real on the interval. A multiplicity is the power of the
-    factor of f whose simple zero it is: a multiple zero must show in the form of f, as in (z - 1)**3. Zeros of one
-    factor that meet are refused by name. The balls are flint.arb. Other arguments and errors as for `roots`.
-
-    >>> from mpsolve import real_roots
-    >>> [zero.multiplicity for zero in real_roots("(z - 1)**3*(z**2 - 2*z - 24.11)", -10, 10).roots]
-    [1, 3, 1]
-    """
-    started = process_time()
-    digits, budget, tell = checked_digits(digits), _budget(effort), progress or silent
-    low, high = rational(a, "a"), rational(b, "b")
-    if not low < high:
-        raise InputError("b", f"is {shown(high)}, not above a = {shown(low)}: give the ends in order")
-    given = read_function(f, None, False)
-    if given.expression is None or not given.function.real:
-        raise InputError("f", "is not known to be real on the real axis: give an expression without i")
-    common: dict[str, Any] = {"function": given.words, "digits": digits, "region": (low, high)}
-    try:
-        tilings = [tile(part, power, low, high, budget) for part, power in given.function.parts]
-        zeros, brackets, reason = _real_zeros(given, tilings, digits, float(max(abs(low), abs(high))))
-    except (EffortError, PrecisionError) as error:
-        cost = Work(process_time() - started, 0.0, budget.spent)
-        return Zeros(status=Status.UNDECIDED, reason=_real_reason(error), cost=cost, **common)
-    pieces = sum(len(tiling.kinds) for tiling in tilings)
-    cost = Work(process_time() - started, 0.0, budget.spent, pieces)
-    if reason is not None:
-        return Zeros(status=Status.UNDECIDED, reason=reason, roots=zeros, cost=cost, **common)
-    total = sum(zero.multiplicity for zero in zeros)
-    answer = Zeros(status=Status.UNVERIFIED, count=total, roots=zeros, cost=cost, **common)
-    rows = [(tiling, _sharp_bits(digits), row) for tiling, row in zip(tilings, brackets, strict=True)]
-    return _checked(answer, interval_certificate(given.expression, low, high, rows), check, tell)
-
-
-def _sharp_bits(digits: int) -> int:
-    """At which the signs beside a zero are told: twice its digits, as f may be flat there, and some more."""
-    return int(7 * digits) + 256
-
-
-def _real_reason(error: EffortError | PrecisionError) -> Reason:
-    if isinstance(error, OpenTileError):
-        remedy = "write a multiple zero as a power of a factor, or give an interval without this place"
-        return Reason("open-tile", str(error), {"re": f"{error.place:.10g}"}, remedy)
-    return reason_of(error)
-
-
-def _real_zeros(
-    given: Given, tilings: list[Tiling], digits: int, size: float
-) -> tuple[tuple[Zero, ...], list[list[tuple[Fraction, Fraction]]], Reason | None]:
-    """The zeros in their order; the brackets of each factor's zeros; and why they are not all told apart."""
-    found, brackets = [], []
-    for tiling in tilings:
-        near, row = Near(tiling.function, size, tiling.power), []
-        for low, high in tiling.with_zeros:
-            ball = _sharp(near, low, high, digits)
-            with precision(_sharp_bits(digits)):
-                row.append(bracket(tiling.function, low, high, ball))
-            found.append((*row[-1], ball, tiling.power))
-        brackets.append(row)
-    found.sort(key=lambda one: one[0])
-    zeros = tuple(Zero(ball, power, True) for _, _, ball, power in found)
-    for one, two in pairwise(found):
-        if one[1] >= two[0]:
-            place = float((two[0] + two[1]) / 2)
-            message = f"zeros of two factors of f near z = {place:.8g} are not told apart"
-            remedy = "take the common factor out of both, or ask for more digits"
-            return zeros, brackets, Reason("open-tile", message, {"re": f"{place:.10g}"}, remedy)
-    for low, high, _, _ in found:
-        if given.denominator is not None and not _nonzero(given.denominator, low, high):
-            message = f"numerator and denominator may vanish together near z = {float(low):.8g}"
-            remedy = "divide both by what they have in common"
-            return zeros, brackets, Reason("common-zero", message, {"re": f"{float(low):.10g}"}, remedy)
-    return zeros, brackets, None
-
-
-def _nonzero(f: Function, low: Fraction, high: Fraction) -> bool:
-    try:
-        return bool(f.value(acb(hull((low, low), (high, high)).real)).abs_lower() > 0)
-    except PrecisionError:
-        return False
-
-
-def _sharp(near: Near, low: Any, high: Any, digits: int) -> Any:
-    """The one zero of a tile as a real ball: interval Newton from its middle, which must end in the tile."""
-    tile_ball = hull((low, low), (high, high)).real
-    seeds = [(low + high) / 2, low, high, *(low + (high - low) * k / 8 for k in range(1, 8))]
-    for seed in seeds:
-        try:
-            ball = near.single(acb(hull((seed, seed)).real), 80, digits)
-        except PrecisionError:
-            continue
-        if ball.symmetry is Symmetry.REAL and tile_ball.overlaps(ball.q.real):
-            return ball.q.real
-    return tile_ball
-
-
-__all__ = ["real_roots", "roots"]

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field, replace
 
 from mpsolve.certificate import verify
 from mpsolve.certificate.format import Certificate, make_certificate
-from mpsolve.display import card
 from mpsolve.errors import InputError, PrecisionError, known
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.progress import Progress, silent
 from mpsolve.sheet import reasons
 from mpsolve.sheet.collect import collect
@@ -61,10 +61,6 @@ class SheetSpectrum:
         if not self.proved or isinstance(self.region, Rectangle):
             return None
         return self.unstable == 0
-
-    def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        return card(self)
 
 
 def certify_sheet(
@@ -221,11 +217,3 @@ def _below(root: RootBall) -> bool | None:
     if root.symmetry is Symmetry.REAL or root.q.imag >= 0:
         return False
     return True if root.q.imag < 0 else None
-
-
-def known_count(spectrum: SheetSpectrum) -> int | None:
-    """The proved number of roots in the region, or None.
-
-    An undecided unstable region has none: its roots may have been counted on the whole sheet.
-    """
-    return None if spectrum.region == "unstable" and not spectrum.proved else spectrum.count

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 from time import process_time
 from typing import Any
 
+from mpsolve.certificate.asked import asked_region
 from mpsolve.certificate.entries import root_entries
 from mpsolve.certificate.format import Certificate
 from mpsolve.certificate.sheet_file import sheet_certificate
@@ -14,29 +14,32 @@ from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
 from mpsolve.certificate.whole_sheet import closing_words, sheet_halves, unstable_part
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.decimals import outward
-from mpsolve.numbers.model import shown
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
+from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
 from mpsolve.spectrum.premises import require_premises
-from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet, checked_region
+from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
-from mpsolve.spectrum.solve import Found, default_height, solve, unstable_number
+from mpsolve.spectrum.solve import MOST_DIGITS, Found, solve, unstable_number
 from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
 from mpsolve.spectrum.unfelt import unfelt_frequencies
-from mpsolve.tracks.at_rest import lowest_cut
 
 AnyCount = Count | SheetCount
-MAX_DIGITS, MIN_DIGITS = 10_000, 15
+MAX_DIGITS, MIN_DIGITS = MOST_DIGITS, 15
 _EVALUATIONS = 200_000  # about a minute; most problems take some thousands
 _ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
+_CLOSED = (AT_REST, PASSIVE)
+_PART = "ask for a Rectangle round the part that matters"
 _REMEDY = "report this as a fault, with the input"
 
 
+@stoppable
 def certify_problem(
     problem: Problem,
     *,
@@ -59,6 +62,10 @@ def certify_problem(
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
     line = on_line(reduced)
+    digits = checked_digits(digits)
+    rest: tuple[Any, ...] = (budget, started, check, tell)
+    if line is not None and region == "unstable" and passive_everywhere(line):
+        return _spectrum(reduced, HalfPlane(), HalfPlane(), digits, Found(none_unstable(line), (), None), *rest)
     lossless = line is not None and not line.height and region in ("unstable", None)
     if region == "sheet" or lossless:
         wanted: Answered = Sheet()
@@ -67,9 +74,8 @@ def certify_problem(
         wanted = asked = region
     else:
         require_premises(reduced, HalfPlane())
-        wanted = asked = _region(reduced, region)
-    found = solve(reduced, asked, checked_digits(digits), budget, tell)
-    answer = _spectrum(reduced, wanted, asked, digits, found, budget, started, check, tell)
+        wanted = asked = asked_region(reduced, region)
+    answer = _spectrum(reduced, wanted, asked, digits, solve(reduced, asked, digits, budget, tell), *rest)
     return unstable_part(answer) if lossless and region == "unstable" else answer
 
 
@@ -95,41 +101,6 @@ def _timed(progress: Progress, budget: Effort) -> Progress:
     return tell
 
 
-def _region(reduced: Reduced, region: object) -> Region:
-    if region == "unstable":
-        return HalfPlane()
-    low, _ = lowest_cut(reduced.problem.track)
-    if region is None:
-        return Below(default_height(reduced, low)) if low > 0 else HalfPlane()
-    if isinstance(region, HalfPlane):
-        return region
-    given = checked_region(region)
-    if isinstance(given, Below) and given.height > low:
-        raise InputError("region", f"is {_below_words(given)}, but {_cut_words(low)}: {_lower('h', low)}")
-    if isinstance(given, Rectangle) and given.im_max > max(low, Fraction(0)):
-        stated = f"is {shown(given.im_max)}, but {_cut_words(low)}"
-        raise InputError("region.im_max", f"{stated}: {_lower('im_max', low)}")
-    if isinstance(given, (Below, Rectangle)):
-        return given
-    raise InputError("region", f'is {region!r}: give "unstable", ("below", h) or a Rectangle')
-
-
-def _below_words(region: Below) -> str:
-    return f'("below", {shown(region.height)})'
-
-
-def _cut_words(low: Fraction) -> str:
-    where = f"begin at Im q = {float(low):.6g}" if low > 0 else "come down to Im q = 0"
-    return f"the branch cuts of this track {where}"
-
-
-def _lower(name: str, low: Fraction) -> str:
-    """What to give instead."""
-    if low > 0:
-        return f"give {name} up to {outward(math.nextafter(float(low), 0), 5, up=False)}"
-    return 'ask for "unstable"' if name == "h" else f"give {name} up to 0"
-
-
 def _spectrum(
     reduced: Reduced,
     wanted: Answered,
@@ -152,7 +123,7 @@ def _spectrum(
         "roots": roots,
         "neutral": reduced.neutral,
         "unfelt": unfelt_frequencies(reduced.parts),
-        "note": "" if count.why == AT_REST else count.why,
+        "note": "" if count.why in _CLOSED else count.why,
         "closing": _closing(reduced, count),
     }
     if found.reason is not None:
@@ -163,15 +134,15 @@ def _spectrum(
     certificate = _certificate(reduced, count, root_entries(found.balls), unstable)
     if check:
         tell("verifying", 0.0)
-    status, reason, verified, seconds = _checked(certificate, check)
+    status, reason, verified, seconds = _checked(certificate, count, check)
     pieces = count.pieces
-    for room in _ROOMS if reason is not None and "piece" in reason.message else ():
+    for room in _ROOMS if reason is not None and reason.code == "verifier" and "piece" in reason.message else ():
         # the verifier's bounds are wider on some piece: the same proof again, in shorter pieces
         again = _recounted(reduced, asked, budget, room)
         if again is None or (again.total, again.region) != (count.total, count.region):
             break
         certificate = _certificate(reduced, again, root_entries(found.balls), unstable)
-        status, reason, verified, more = _checked(certificate, check)
+        status, reason, verified, more = _checked(certificate, again, check)
         pieces, seconds = again.pieces, seconds + more
         if reason is None:
             break
@@ -211,6 +182,8 @@ def _closing(reduced: Reduced, count: AnyCount) -> str:
     """What proves that no root is missed."""
     if isinstance(count, SheetCount):
         return closing_words(reduced, count)
+    if count.why == PASSIVE:
+        return PASSIVE
     at_rest = count.beyond is None and isinstance(count.region, (HalfPlane, Below)) and count.region.radius is None
     if at_rest:
         return AT_REST
@@ -229,16 +202,20 @@ def _known(count: AnyCount) -> dict[str, Any]:
     return {"count": count.total}
 
 
-def _checked(certificate: Any, check: bool) -> tuple[Status, Reason | None, str, float]:
+def _checked(certificate: Any, count: AnyCount, check: bool) -> tuple[Status, Reason | None, str, float]:
     """The verifier's word on the certificate that was just made."""
     if not check:
         return Status.UNVERIFIED, None, "", 0.0
-    from mpsolve.certificate.verify2 import verify_bytes
+    from mpsolve.certificate.verify2 import MAX_PIECES, verify_bytes
 
+    other = 'ask for "unstable"' if isinstance(count, SheetCount) else ""
+    if count.pieces > MAX_PIECES:
+        message = f"the proof has {count.pieces} pieces, more than the {MAX_PIECES} that a verifier reads"
+        return Status.UNDECIDED, Reason("pieces", message, {"pieces": str(count.pieces)}, other or _PART), "", 0.0
     started = process_time()
     verdict = verify_bytes(certificate.text.encode("ascii"))
     seconds = process_time() - started
     if verdict.valid:
         return Status.PROVED, None, verdict.claim, seconds
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"
-    return Status.UNDECIDED, Reason("verifier", message, {}, _REMEDY), "", seconds
+    return Status.UNDECIDED, Reason("verifier", message, {}, f"{other}; {_REMEDY}" if other else _REMEDY), "", seconds

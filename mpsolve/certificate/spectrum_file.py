@@ -45,7 +45,7 @@ def spectrum_certificate(reduced: Reduced, count: Count, roots: Iterable[RootEnt
         "version": VERSION,
         "kind": KIND,
         "equations": equations(reduced),
-        "basis": _basis(reduced),
+        "basis": basis_entry(reduced),
         "bits": 64,
         "start": dyadic(Fraction(count.start.depth) * unit),
         "paths": [
@@ -73,7 +73,7 @@ def equations(reduced: Reduced) -> dict[str, Any]:
     }
 
 
-def _basis(reduced: Reduced) -> dict[str, Any] | None:
+def basis_entry(reduced: Reduced) -> dict[str, Any] | None:
     parts = reduced.parts
     if parts.basis is None:
         return None

@@ -27,7 +27,7 @@ from typing import Any
 import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
-MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 5_000, 1e9, 1_000, 20_000
+MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9, 1_000, 20_000
 ARCS = 24
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 SMALL = 8  # matrices up to this size are eliminated entry by entry
@@ -49,6 +49,9 @@ class Verdict:
     valid: bool
     reason: str = ""
     claim: str = ""
+
+    def __bool__(self) -> bool:
+        raise TypeError("a verdict has no truth value: ask for .valid")
 
 
 def verify(path: Any) -> Verdict:
@@ -615,9 +618,10 @@ class Split:
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
     """Roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
     c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
-    z = [
-        p + 1e-4j * (abs(p) or 1) * (-1) ** k for k, p in enumerate(start)
-    ]  # off the real axis, where roots may meet
+    z = []  # off the real axis, where roots may meet, but not past each other
+    for k, p in enumerate(start):
+        gap = min((abs(p - other) for i, other in enumerate(start) if i != k), default=1.0)
+        z.append(p + 1j * min(1e-4 * (abs(p) or 1), 0.05 * (gap or 1)) * (-1) ** k)
     for _ in range(40):
         change = 0.0
         for k, p in enumerate(z):
@@ -635,7 +639,7 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
     top = max(map(abs, z), default=1.0)
     for i, k in combinations(range(len(z)), 2):
         scale = max(abs(z[i]), abs(z[k]), 1e-12 * top)
-        if abs(z[i] - z[k]) < 1e-6 * scale:  # nodes must be apart
+        if abs(z[i] - z[k]) < 1e-7 * scale:  # nodes must be apart
             z[k] += 1e-3 * scale
     return z
 
@@ -1365,7 +1369,9 @@ def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], pro
         require(
             not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}"
         )
-        if depth % 2:
+        across = sum(abs(float(b[i + 1, j]) - float(b[i, j])) for i in range(n) for j in range(m + 1))
+        along = sum(abs(float(b[i, j + 1]) - float(b[i, j])) for i in range(n + 1) for j in range(m))
+        if along > across:
             middle = (y0 + y1) / 2
             stack += [((x0, x1), (y0, middle), depth + 1), ((x0, x1), (middle, y1), depth + 1)]
         else:
@@ -2200,6 +2206,12 @@ def spectrum(content: dict[str, Any]) -> str:
             number = count_sheet(Sheet.of(track, vehicle), walker, content, start)
         elif region.re and content["theorem"] is not None:
             number = count_beside(Sheet.of(track, vehicle), region, walker, content, start)
+        elif region.kind == "unstable" and content["theorem"] == {"half": "passive"}:
+            read_paths(content["paths"], "")
+            sheet = Sheet.of(track, vehicle)
+            passive = sheet.height == 0 and nonnegative(fmpq_poly(sheet.along(fmpq(0))), False)
+            require(passive, "the beam is not undamped and passive at all frequencies")
+            number = 0
         elif at_rest:
             read_paths(content["paths"], "")
             check_no_cut(track, region.height)

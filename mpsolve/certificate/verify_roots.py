@@ -47,6 +47,9 @@ class Verdict:
     reason: str = ""
     claim: str = ""
 
+    def __bool__(self) -> bool:
+        raise TypeError("a verdict has no truth value: ask for .valid")
+
 
 def verify(path: Any) -> Verdict:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""

@@ -26,24 +26,29 @@ _APART = 0.7  # of how far a box moves two roots that meet: how far their nodes 
 
 @dataclass(frozen=True)
 class Boxes:
-    """Boxes in (q̂, x̂): middles and half-widths, shape (variables, boxes); variable 0 is q̂."""
+    """Boxes in (q̂, x̂): middles and half-widths, shape (variables, boxes); variable 0 is q̂.
+
+    More generally it is t with σ̂ = origin + way·t, along a line on which no cut lies.
+    """
 
     m: Any
     r: Any
+    origin: complex = 0.0
+    way: complex = 1j
 
     @property
     def count(self) -> int:
         return int(self.m.shape[1])
 
     def take(self, rows: Any) -> Boxes:
-        return Boxes(self.m[:, rows], self.r[:, rows])
+        return Boxes(self.m[:, rows], self.r[:, rows], self.origin, self.way)
 
     @property
     def variables(self) -> tuple[Any, Any]:
         """(y, ρ) with y + ρ u = (σ̂, x̂) over the box."""
         y, rho = self.m.astype(complex), self.r.astype(complex)
-        y[0] *= 1j
-        rho[0] *= 1j
+        y[0] = self.origin + self.way * y[0]
+        rho[0] *= self.way
         return y, rho
 
 
@@ -99,14 +104,18 @@ class FreeTrack:
             rows[i] |= {(j, *exponents): c for exponents, c in several}
         return Forms.of(rows, self.variables)
 
+    def nodes(self, D: Quadratic) -> tuple[Any, Any]:
+        """(floats near the roots at the middles, those of U first; |lead| is at least this over each box)."""
+        lead = D[:, -1]
+        return side_nodes(D.k[0][:, None, :], self.up), (np.abs(lead.a) - lead.spread) * (1 - 64 * U)
+
     def split(self, boxes: Boxes) -> Wave:
         """The splitting over each box."""
         y, rho = boxes.variables
         D, still, up = self.D(y, rho), self.D(y, 0 * rho), self.up
         n = D.k.shape[-1] - 1
-        z0 = side_nodes(D.k[0][:, None, :], up)
+        z0, low = self.nodes(D)
         lead = D[:, n]
-        low = (np.abs(lead.a) - lead.spread) * (1 - 64 * U)
         z = _spread(D, z0, low, up)
         value, size = at(D, z), gaps(z)
         box, tight, done = contraction(_weights(value, size, low), size, up)

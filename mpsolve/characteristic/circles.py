@@ -9,16 +9,13 @@ the Laurent series, |c_n| r^n ≤ max |f| on the circles of radius r within whic
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave, at
-from mpsolve.numbers.forms import Forms
+from mpsolve.characteristic.boxes import Wave, at
 from mpsolve.numbers.jets import TINY, UP, U, exponential
 from mpsolve.numbers.quadratic import Quadratic
-from mpsolve.problem.family import Family
 
 SAMPLES = 32
 _TOGETHER = 0.3  # roots of one side closer than this share of the distance to the other side share a circle
@@ -28,90 +25,55 @@ _INNER, _OUTER = (
 )  # where f is bounded, between the roots inside and the circle; of the next root's distance
 _RADIUS = 0.4  # of a circle, relative to the distance of the next root outside
 _GROWTH = 7.5  # over the largest distance: of a circle's outer radius
-_NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
+NOISE = 2.0**-36  # more than the points' rounding changes f, as the inner radius is at most _CLOSEST of the circle's
 _CLOSEST = 0.9
 
 
-@dataclass(frozen=True)
-class Receptances:
-    """G at each distance as models of shape (boxes, distances), where it is bounded; `wave` tells why not."""
+def by_circles(wave: Wave, N: Quadratic, xi: Quadratic, upper: bool, fixed: bool) -> Quadratic:
+    """G at the distances of one sign, from the roots of one side; fixed: whether no distance varies."""
+    own = (np.arange(wave.z.shape[1]) < wave.up) == upper
+    if not own.any():
+        return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
+    circles = circles_of(wave, own, xi.size.max(1))
+    f, points = samples(wave, N, circles)
+    sums = _summed(f if upper else -f, points, xi, fixed)
+    return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
 
-    G: Quadratic
-    good: Any
-    wave: Wave
+
+def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Any]:
+    """(N/D at the points of the active circles times their share of the integral over 2πi, the points)."""
+    boxes = len(wave.z)
+    turn = exponential(2j * np.pi * np.arange(SAMPLES) / SAMPLES)[0]
+    arm = circles.radius[:, :, None] * turn
+    points = (circles.centre[:, :, None] + arm).reshape(boxes, -1)
+    weight = (np.where(circles.active[:, :, None], arm, 0) / SAMPLES).reshape(boxes, -1)
+    inverse = at(wave.D, points).inverse()
+    f = at(N, points) * inverse
+    noise = NOISE * majorant(N, np.abs(points)) * inverse.size
+    f = Quadratic(f.k, f.e + noise, f.m).times(weight)
+    idle = weight == 0  # 1/D need not be bounded there
+    return Quadratic(np.where(idle, 0, f.k), np.where(idle, 0.0, f.e), f.m), points
 
 
-@dataclass(frozen=True)
-class FreeReceptance:
-    """G between the places of a family over boxes."""
+def _summed(f: Quadratic, points: Any, xi: Quadratic, fixed: bool) -> Quadratic:
+    """Σ f e^{Pξ} over the points."""
+    if not fixed:
+        phase = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m).times(points[:, :, None])
+        grown = phase.exp() * Quadratic(f.k[..., None], f.e[..., None], f.m)
+        return grown.sum(-2)
+    return summed(f, points, xi.a)
 
-    family: Family
 
-    @cached_property
-    def track(self) -> FreeTrack:
-        return FreeTrack(self.family)
-
-    @cached_property
-    def distances(self) -> tuple[Forms, Any, Any]:
-        """(the different distances as forms, which are at least 0, for each pair of places the number of its own)."""
-        places, variables = self.family.places, self.track.variables
-        exact = sorted({a - b for a in places for b in places})
-        which = np.array([[exact.index(a - b) for b in places] for a in places])
-        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], variables)
-        return forms, np.arange(len(exact)) >= which[0, 0], which
-
-    def __call__(self, boxes: Boxes) -> Receptances:
-        """Over each box."""
-        with np.errstate(all="ignore"):
-            whole = self.track.split(boxes)
-            rows = np.flatnonzero(whole.good)  # the others are not bounded anyway
-            y, rho = boxes.take(rows).variables
-            wave, N = whole.take(rows), self.track.N(y, rho)
-            forms, ahead, which = self.distances
-            xi = forms(y, rho)
-            k = np.zeros((len(xi.k), boxes.count, len(ahead)), complex)
-            e = np.full((boxes.count, len(ahead)), np.inf)
-            for mask, own in ((ahead, True), (~ahead, False)):
-                if mask.any() and len(rows):
-                    side = self._side(wave, N, xi[:, mask], own)
-                    at_ = np.ix_(rows, np.flatnonzero(mask))
-                    k[:, at_[0], at_[1]], e[at_] = side.k, side.e
-            good = whole.good & np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
-            G = Quadratic(k, e, xi.m)
-            return Receptances(G[:, which], good, whole)
-
-    def _side(self, wave: Wave, N: Quadratic, xi: Quadratic, upper: bool) -> Quadratic:
-        """G at the distances of one sign, from the roots of one side."""
-        own = (np.arange(wave.z.shape[1]) < wave.up) == upper
-        boxes = len(wave.z)
-        if not own.any():
-            return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m)
-        circles = circles_of(wave, own, xi.size.max(1))
-        turn = exponential(2j * np.pi * np.arange(SAMPLES) / SAMPLES)[0]
-        arm = circles.radius[:, :, None] * turn
-        points = (circles.centre[:, :, None] + arm).reshape(boxes, -1)
-        weight = (np.where(circles.active[:, :, None], arm, 0) / SAMPLES).reshape(boxes, -1)
-        inverse = at(wave.D, points).inverse()
-        f = at(N, points) * inverse
-        noise = _NOISE * majorant(N, np.abs(points)) * inverse.size
-        f = Quadratic(f.k, f.e + noise, f.m).times(weight if upper else -weight)
-        sums = self._summed(f, points, xi)
-        return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
-
-    def _summed(self, f: Quadratic, points: Any, xi: Quadratic) -> Quadratic:
-        """Σ f e^{Pξ} over the points."""
-        if not self.distances[0].fixed:
-            phase = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m).times(points[:, :, None])
-            grown = phase.exp() * Quadratic(f.k[..., None], f.e[..., None], f.m)
-            return grown.sum(-2)
-        wave, lost = exponential(points[:, :, None] * xi.a[:, None, :])
-        lost = lost + (2 * _NOISE + 8 * U) * np.abs(points)[:, :, None] * np.abs(xi.a)[:, None, :]
-        size = np.abs(wave)
-        k = (f.k[:, :, None, :] @ wave)[:, :, 0]
-        e = (f.e[:, None, :] @ (size * (1 + lost)))[:, 0]
-        whole = np.abs(f.k).sum(0)[:, None, :]
-        e = e + (whole @ (size * (lost + 16 * (points.shape[1] + 4) * U)))[:, 0]
-        return Quadratic(k, e * UP + TINY, f.m)
+def summed(f: Quadratic, points: Any, xi: Any) -> Quadratic:
+    """Σ f e^{Pξ} over the points, for numbers ξ of shape (boxes, distances)."""
+    wave, lost = exponential(points[:, :, None] * xi[:, None, :])
+    lost = lost + (2 * NOISE + 8 * U) * np.abs(points)[:, :, None] * np.abs(xi)[:, None, :]
+    size = np.abs(wave)
+    k = (f.k[:, :, None, :] @ wave)[:, :, 0]
+    e = (f.e[:, None, :] @ (size * (1 + lost)))[:, 0]
+    whole = np.abs(f.k).sum(0)[:, None, :]
+    e = e + (whole @ (size * (lost + 16 * (points.shape[1] + 4) * U)))[:, 0]
+    return Quadratic(k, e * UP + TINY, f.m)
 
 
 @dataclass(frozen=True)
@@ -125,10 +87,11 @@ class Circles:
     active: Any
 
 
-def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
+def circles_of(wave: Wave, own: Any, reach: Any, off_axis: bool = False) -> Circles:
     """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
 
-    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that.
+    A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that. off_axis:
+    and on its side of Re P = 0.
     """
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
@@ -147,6 +110,8 @@ def circles_of(wave: Wave, own: Any, reach: Any) -> Circles:
     if other.shape[1]:
         outer = np.minimum(outer, np.abs(centre[:, :, None] - other[:, None, :]).min(2))
     outer = np.minimum(outer, 4 * (np.abs(centre) + inner))
+    if off_axis:
+        outer = np.minimum(outer, np.abs(centre.real))
     outer = np.minimum(outer, np.maximum(_GROWTH / np.maximum(reach[:, None], TINY), 3 * inner))
     radius = np.where(active, np.maximum(_RADIUS * outer, np.sqrt(inner * outer)), 1.0)
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)

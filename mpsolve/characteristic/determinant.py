@@ -55,40 +55,65 @@ class Bordering:
         gone = {contact for _, contact, _ in self.direct}
         return tuple(j for j in range(len(self.which)) if j not in gone)
 
+    @cached_property
+    def cells(self) -> tuple[tuple[tuple[int, tuple[Fraction, ...]], ...], ...]:
+        """For each row the entries of S that are not 0, by their columns."""
+        return tuple(tuple((j, cell) for j, cell in enumerate(row) if any(cell)) for row in self.S)
+
+    @cached_property
+    def shares(self) -> tuple[list[tuple[tuple[Fraction, ...], Fraction]], list[list[tuple[int, int]]]]:
+        """(the different −S_ij y_j/λ as (S_ij, b), for each body (contact, the number of its own))."""
+        kinds: dict[tuple[tuple[Fraction, ...], Fraction], int] = {}
+        links = []
+        for row in self.cells:
+            here = dict(row)
+            found = [(contact, (here[body], b)) for body, contact, b in self.direct if body in here]
+            links.append([(contact, kinds.setdefault(key, len(kinds))) for contact, key in found])
+        return list(kinds), links
+
     def rows(self, K: Arithmetic, sigma: Any, G: Sequence[Any]) -> list[list[Any]]:
         """The matrix A(σ), from the receptances at `distances`: rows of bodies, then of contacts that remain."""
-        like = sigma * 0
-        out = []
-        for i, cells in enumerate(self.S):
-            pencil = {j: K.evaluate(cell, sigma) for j, cell in enumerate(cells) if any(cell)}
-            row = [like - K.number(x) if x else like for x in self.B[i]]
-            for body, contact, b in self.direct:
-                if body in pencil:
-                    factor = pencil[body] * K.number(1 / b)
-                    row = [x - factor * G[k] for x, k in zip(row, self.which[contact], strict=True)]
-            out.append([*(pencil.get(j, like) for j in self.kept), *row])
-        for i in self.indirect:
-            row = [G[k] + K.number(self.h[i]) if i == j and self.h[i] else G[k] for j, k in enumerate(self.which[i])]
-            out.append([*(like + K.number(self.B[j][i]) if self.B[j][i] else like for j in self.kept), *row])
-        return out
+        kinds, links = self.shares
+        factors = [K.evaluate(cell, sigma) * K.number(1 / b) for cell, b in kinds]
+        shared = [[factor * g for g in G] for factor in factors]
+        return self._filled(K, sigma, G, shared, links, False)
 
     def slopes(self, K: Arithmetic, sigma: Any, G: Sequence[Any], G_sigma: Sequence[Any]) -> list[list[Any]]:
         """A'(σ), from the receptances and their slopes."""
+        kinds, links = self.shares
+        shared = []
+        for cell, b in kinds:
+            inverse = K.number(1 / b)
+            factor, rate = K.evaluate(cell, sigma) * inverse, K.evaluate((cell[1], 2 * cell[2]), sigma) * inverse
+            shared.append([factor * x + rate * g for x, g in zip(G_sigma, G, strict=True)])
+        return self._filled(K, sigma, G_sigma, shared, links, True)
+
+    def _filled(
+        self,
+        K: Arithmetic,
+        sigma: Any,
+        G: Sequence[Any],
+        shared: list[list[Any]],
+        links: list[list[tuple[int, int]]],
+        rate: bool,
+    ) -> list[list[Any]]:
+        """The rows, where those of a body take `shared` at the distances of its own contacts; rate: of the slopes."""
         like = sigma * 0
         out = []
-        for cells in self.S:
-            pencil = {j: K.evaluate(cell, sigma) for j, cell in enumerate(cells) if any(cell)}
-            rates = {j: K.evaluate((c[1], 2 * c[2]), sigma) for j, c in enumerate(cells) if c[1] or c[2]}
-            row = [like] * len(self.which)
-            for body, contact, b in self.direct:
-                if body in pencil:
-                    factor, rate = (x * K.number(1 / b) for x in (pencil[body], rates.get(body, like)))
-                    row = [
-                        x - factor * G_sigma[k] - rate * G[k] for x, k in zip(row, self.which[contact], strict=True)
-                    ]
-            out.append([*(rates.get(j, like) for j in self.kept), *row])
+        for i, cells in enumerate(self.cells):
+            entries = {j: (cell[1], 2 * cell[2]) if rate else cell for j, cell in cells}
+            row = [like - K.number(x) if x and not rate else like for x in self.B[i]]
+            for contact, kind in links[i]:
+                row = [x - shared[kind][k] for x, k in zip(row, self.which[contact], strict=True)]
+            kept = (K.evaluate(entries[j], sigma) if j in entries else like for j in self.kept)
+            out.append([*kept, *row])
         for i in self.indirect:
-            out.append([*[like] * len(self.kept), *(G_sigma[k] for k in self.which[i])])
+            own = [
+                G[k] + K.number(self.h[i]) if i == j and self.h[i] and not rate else G[k]
+                for j, k in enumerate(self.which[i])
+            ]
+            B = [self.B[j][i] if not rate else Fraction(0) for j in self.kept]
+            out.append([*(like + K.number(x) if x else like for x in B), *own])
         return out
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
-from mpsolve.characteristic.circles import FreeReceptance, Receptances
+from mpsolve.characteristic.free_receptance import FreeReceptance, Receptances
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.quadratic import Quadratic, joined
 from mpsolve.problem.family import Family
@@ -49,7 +49,7 @@ class FreeMatrix:
     @cached_property
     def _forms(self) -> tuple[Forms, Forms, Forms]:
         """S (row by row), B and h."""
-        family, m = self.family, self.variables
+        family, m = self.family, 1 + len(self.family.paths)
         n = len(family.B)
         entries = []
         for i in range(n):
@@ -66,15 +66,19 @@ class FreeMatrix:
         with np.errstate(all="ignore"):
             return self.assembled(found.G, y, rho), found
 
+    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic]:
+        """S, B and h of shapes (boxes, n, n), (boxes, n, c), (boxes, c)."""
+        n, c, boxes = len(self.family.B), len(self.family.index), y.shape[1]
+        shapes = ((boxes, n, n), (boxes, n, c), (boxes, c))
+        S, B, h = (_shaped(form(y, rho), shape) for form, shape in zip(self._forms, shapes, strict=True))
+        return S, B, h
+
     def assembled(self, G: Quadratic, y: Any, rho: Any) -> Quadratic:
         """A from G between the places."""
         contact = np.array(self.family.index)
         G = G[:, contact[:, None], contact[None, :]]
-        n, c, boxes = len(self.family.B), len(contact), y.shape[1]
-        S, B, h = (
-            _shaped(form(y, rho), shape)
-            for form, shape in zip(self._forms, ((boxes, n, n), (boxes, n, c), (boxes, c)), strict=True)
-        )
+        n, c = len(self.family.B), len(contact)
+        S, B, h = self.own(y, rho)
         bodies = [body for body, _, _ in self.direct]
         gone = [j for _, j, _ in self.direct]
         rest = [i for i in range(n) if i not in bodies]

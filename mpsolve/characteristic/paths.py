@@ -25,10 +25,13 @@ from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.cover import cover, halved, midpoints
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.even import evened
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
+_HARD, _ORDER = 0.84, 0.6  # θ of a piece that is aimed at where pieces are spread evenly; θ^0.6 grows as their length
+_FEW = 40  # pieces that are not worth spreading
 _DEFINITE = 0.9
 ROOM = 1.1
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
@@ -87,7 +90,17 @@ class Paths:
         points = np.asarray(points, complex)
         if len(points) < 2:
             return Path(kind, points)
-        return Path(kind, cover(points, self._test(kind), effort, middle=_between(arc)), arc)
+        found = cover(points, self._test(kind), effort, middle=_between(arc))
+        if kind == "turn" and arc is None and len(found) > max(_FEW, len(points)):
+            found = cover(self._evened(found, effort), self._test(kind), effort)
+        return Path(kind, found, arc)
+
+    def _evened(self, points: Any, effort: Effort) -> Any:
+        """Points spread so that the determinant is about as hard to keep from 0 on each piece."""
+        effort.spend(len(points) - 1)
+        with np.errstate(all="ignore"):
+            piece = self._evaluate("turn", points[:-1], points[1:], self.room)[2]
+        return points if piece is None else evened(points, (piece.theta / _HARD) ** _ORDER, 1.0)
 
     def _test(self, kind: Kind) -> Any:
         def passes(a: Any, b: Any) -> Any:

@@ -42,6 +42,8 @@ def _body(report: Report, claim: Claim, finding: Finding) -> Text:
 def as_data(report: Report) -> dict[str, Any]:
     """Everything, as JSON takes it."""
     return {
+        "format": "mpsolve audit",
+        "version": 1,
         "title": report.paper.title,
         "paper": report.paper.citation,
         "notation": report.paper.notation,

@@ -7,10 +7,10 @@ from typing import Any
 
 import sympy as sp
 
+from mpsolve.derivation.paper_steps import Step
 from mpsolve.derivation.tracks import Derived, Omega, derived, load, p, symbols_of, t, x
 from mpsolve.derivation.vehicles import Energies, energies
 from mpsolve.errors import InputError
-from mpsolve.model.steps import Step
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Track
 from mpsolve.vehicles.vehicle import AnyVehicle

@@ -9,9 +9,10 @@ from mpsolve.certificate.certify import certify
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.start import start
 from mpsolve.endless.ratio import Ratio
-from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import nearest
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.problem.cases import Given, as_problem
@@ -19,6 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
@@ -29,7 +31,10 @@ _DIGITS = 15
 
 @dataclass(frozen=True)
 class Peak:
-    """low ≤ largest ratio ≤ high, proved; the ratio is at least `low` at the frequency `omega`, a float."""
+    """low ≤ largest ratio ≤ high, proved; the ratio is at least `low` at the frequency `omega`, a float.
+
+    high is infinite where no bound is known within the effort.
+    """
 
     low: float
     high: float
@@ -37,11 +42,12 @@ class Peak:
 
 
 @dataclass(frozen=True)
-class Amplification:
+class Amplification(Result):
     """Ratios of contact forces over the band of real frequencies, in the problem's units.
 
     ahead: the rearmost contact is shaken, the ratio is that of the foremost force to the rearmost. back: the other
-    way round. None where it is not proved, with the `reason`. stable: whether the train is proved to be stable; only
+    way round. Where the effort ends early the bounds are those known by then; None where nothing is known, with the
+    `reason`. stable: whether the train is proved to be stable; only
     then do the ratios describe vibrations that last.
     """
 
@@ -53,15 +59,8 @@ class Amplification:
     back: Peak | None
     reason: Reason | None = None
 
-    @property
-    def proved(self) -> bool:
-        """Whether the train is stable and both ratios are enclosed, with proof."""
-        return self.status.holds
 
-    def __bool__(self) -> bool:
-        raise TypeError("an amplification has no truth value: ask for .proved")
-
-
+@stoppable
 def amplification(
     problem: Given,
     *,
@@ -89,7 +88,6 @@ def amplification(
         raise InputError("tolerance", f"is {tolerance!r}: give a relative width from 1e-12 to 1")
     ends = _band(reduced, band)
     low, high = (float(x / reduced.frequency_unit) for x in ends)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_evaluations(reduced))
     tell("stability", 0.0)
     stable = certify(train, region="unstable", digits=_DIGITS, check=False, effort=effort).stable
     arrays, peaks, reason = Arrays(reduced), [], None
@@ -97,10 +95,10 @@ def amplification(
         up = start(reduced.guide).up
         for k, (source, target) in enumerate(((0, last), (last, 0))):
             tell("ratio", 0.4 + 0.3 * k)
+            budget = effort.anew() if effort is not None else Effort(evaluations=_evaluations(reduced))
             found = Ratio(arrays, up, source, target).largest(low, high, tolerance, budget)
             peaks.append(Peak(found.low, found.high, found.q * float(reduced.frequency_unit)))
-    except EffortError as error:
-        reason = Reason("effort", str(error), {}, "allow more effort, or a greater tolerance")
+            reason = reason or found.reason
     except PrecisionError as error:
         reason = Reason("ratio", str(error), {}, "give a band that keeps away from this frequency")
     if stable is not True:

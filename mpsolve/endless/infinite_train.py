@@ -12,12 +12,14 @@ from mpsolve.endless.doubling import growing_in_floats
 from mpsolve.endless.growing import Growing, find_growing
 from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.problem.cases import Given
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 from mpsolve.spectrum.spectrum import Cost
@@ -30,7 +32,7 @@ _LONG = 16  # vehicles of a train that is counted, where roots of long trains do
 
 
 @dataclass(frozen=True)
-class InfiniteTrain:
+class InfiniteTrain(Result):
     """What is known of an endless row of vehicles; frequencies and velocities in the units of the problem.
 
     stable: True if proved that for every real κ all motions decay, False if proved that one grows, None where open.
@@ -56,11 +58,6 @@ class InfiniteTrain:
     cost: Cost = field(default_factory=lambda: Cost(0.0))
 
     @property
-    def proved(self) -> bool:
-        """Whether `stable` is proved."""
-        return self.status.holds
-
-    @property
     def words(self) -> str:
         """What it means for finite trains, in one sentence; the part about them is computed, not proved."""
         if self.stable is None:
@@ -75,10 +72,8 @@ class InfiniteTrain:
             )
         return "long finite trains grow by themselves"
 
-    def __bool__(self) -> bool:
-        raise TypeError("an infinite train has no truth value: ask for .proved or .stable")
 
-
+@stoppable
 def infinite_train(
     problem: Given, spacing: object, *, effort: Effort | None = None, progress: Progress | None = None
 ) -> InfiniteTrain:
@@ -141,7 +136,7 @@ def _stable(row: Row, known: InfiniteTrain, effort: Effort) -> InfiniteTrain:
     try:
         count = count_growing(row, effort)
     except EffortError as error:
-        return replace(known, reason=Reason("effort", str(error), {}, "allow more effort"))
+        return replace(known, reason=error.reason)
     except PrecisionError as error:
         remedy = "change the velocity a little: it may be next to where a motion begins to grow"
         return replace(known, reason=Reason("row", str(error), {}, remedy))

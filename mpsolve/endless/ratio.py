@@ -10,8 +10,9 @@ import numpy as np
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import split, waves
 from mpsolve.characteristic.paths import discs
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.jets import UP, Jet
+from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.solution import solution
 
@@ -23,11 +24,14 @@ FLOOR = 1e-6
 
 @dataclass(frozen=True)
 class Largest:
-    """low ≤ max ≤ high; the ratio is at least `low` at the frequency q (scaled)."""
+    """low ≤ max ≤ high; the ratio is at least `low` at the frequency q (scaled). reason: why they are not as near to
+    each other as was asked, with `high` infinite where nothing is known.
+    """
 
     low: float
     high: float
     q: float
+    reason: Reason | None = None
 
 
 @dataclass(frozen=True)
@@ -60,15 +64,19 @@ class Ratio:
             return good & (off > size * UP).all(1)
 
     def largest(self, low: float, high: float, tolerance: float, effort: Effort) -> Largest:
-        """The largest |ratio| for low ≤ q ≤ high, enclosed to the relative tolerance; PrecisionError where it is not.
+        """The largest |ratio| for low ≤ q ≤ high, enclosed to the relative tolerance, or as far as the effort goes.
 
-        On a real piece |a + b t| is convex, so its largest value is at an end.
+        On a real piece |a + b t| is convex, so its largest value is at an end. PrecisionError where the ratio is not
+        bounded.
         """
         points = np.linspace(low, high, _PIECES + 1)
-        a, b = points[:-1], points[1:]
+        a, b, above = points[:-1], points[1:], np.full(_PIECES, np.inf)
         best, at, ceiling = 0.0, low, 0.0
         while len(a):
-            effort.spend(len(a))
+            try:
+                effort.spend(len(a))
+            except EffortError as error:
+                return Largest(best, max(ceiling, best, float(above.max())), at, error.reason)
             ratio, fine = self.jets(a + 0j, b + 0j)
             with np.errstate(all="ignore"):
                 step = 1j * ratio.b * ratio.r
@@ -80,9 +88,9 @@ class Ratio:
                 best, at = float(lower[k]), float((a[k] + b[k]) / 2)
             done = upper <= max(best * (1 + tolerance), FLOOR)
             ceiling = max(ceiling, float(upper[done].max(initial=0.0)))
-            a, b = a[~done], b[~done]
+            a, b, above = a[~done], b[~done], upper[~done]
             if len(a) and (b - a).min() < _SMALLEST * (high - low):
                 raise PrecisionError(f"the ratio of forces is not bounded near q = {a[0]:.6g} (scaled)")
             middle = (a + b) / 2
-            a, b = np.concatenate([a, middle]), np.concatenate([middle, b])
+            a, b, above = np.concatenate([a, middle]), np.concatenate([middle, b]), np.tile(above, 2)
         return Largest(best, max(ceiling, best), at)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -11,7 +12,7 @@ import numpy as np
 from mpsolve.batch.frequencies import frequencies
 from mpsolve.batch.result import Frequencies
 from mpsolve.errors import InputError
-from mpsolve.pictures.chart import chart_picture
+from mpsolve.pictures.chart import Sure, chart_picture
 from mpsolve.problem.problem import Problem
 
 COLUMNS, ROWS = 41, 25
@@ -19,10 +20,11 @@ COLUMNS, ROWS = 41, 25
 
 @dataclass(frozen=True)
 class ProvedPoint:
-    """A problem about which stability has been proved."""
+    """A problem about which stability has been proved, and the ranges of two parameters round it, if it is stable."""
 
     problem: Problem
     stable: bool
+    region: Mapping[str, Any] | None = None
 
 
 @dataclass(frozen=True)
@@ -41,8 +43,17 @@ class Chart:
         here = self._point(now)
         points = [(self._point(one.problem), one.stable) for one in proved]
         marks = [(*point, stable) for point, stable in points if point is not None]
+        sure = [one for point in proved for one in self._sure(point)]
         said = f"How many roots grow, over {across} and {up}"
-        return chart_picture(xs, ys, self.found.count, across, up, said, here=here, proved=marks)
+        return chart_picture(xs, ys, self.found.count, across, up, said, here=here, proved=marks, sure=sure)
+
+    def _sure(self, point: ProvedPoint) -> list[Sure]:
+        """The region of a point that stands on this chart, if it is one of the same two parameters."""
+        region = point.region
+        if region is None or set(region) != {self.x, self.y} or self._point(point.problem) is None:
+            return []
+        (a, b), (c, d) = ([float(x) for x in region[path]] for path in (self.x, self.y))
+        return [Sure((a, b), (c, d))]
 
     def _title(self, path: str) -> str:
         quantity = self.problem.quantity(path)

@@ -16,6 +16,7 @@ from nicegui import events, run, ui
 
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.session import Session
+from mpsolve.explorer.words import region_told, told, vibration
 from mpsolve.numbers.spoken import rounded
 from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
@@ -112,6 +113,12 @@ class Tab:
             ui.button("Draw the chart", on_click=self.draw_chart).props("outline id=draw-chart")
         self.chart = ui.html("", sanitize=False).classes("w-full").props("id=chart")
         with ui.row().classes("items-center gap-2"):
+            self.duration = ui.input(label="Time after it is put on the track", value="2 s").props(
+                "for=duration dense"
+            )
+            ui.button("Show the motion", on_click=self.draw_motion).props("outline id=draw-motion")
+        self.motion = ui.html("", sanitize=False).classes("w-full").props("id=motion")
+        with ui.row().classes("items-center gap-2"):
             ui.button("Prove what is shown", on_click=self.prove).props("id=prove")
             self.stop = ui.button("Stop", on_click=self.session_stop).props("outline id=stop")
             self.progress = (
@@ -124,6 +131,8 @@ class Tab:
             self.certificate = ui.button("Certificate", on_click=self.save_certificate).props(
                 "outline id=certificate"
             )
+            self.report = ui.button("Report", on_click=self.session.start_report).props("outline id=report")
+            self.writing = ui.label().props("aria-live=polite id=writing role=status")
         self.stop.set_visibility(False)
         self.progress.set_visibility(False)
         self.certificate.set_visibility(False)
@@ -165,6 +174,7 @@ class Tab:
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
         self.chart.set_content(session.chart_picture())
+        self.motion.set_content(session.motion)
 
     # --- what is done --------------------------------------------------------------------------------------
 
@@ -181,6 +191,7 @@ class Tab:
     async def tick(self) -> None:
         """Take what was typed and moved since; of many quick changes only the last one counts."""
         self.watch_proof()
+        self.watch_report()
         if self.busy or not self.pending:
             return
         self.busy = True
@@ -266,8 +277,18 @@ class Tab:
             self.verdict.set_text(str(error))
         self.chart.set_content(self.session.chart_picture())
 
-    def prove(self) -> None:
-        self.session.start_proof()
+    async def draw_motion(self) -> None:
+        try:
+            await run.io_bound(self.session.draw_motion, self.duration.value)
+        except (MpsolveError, ArithmeticError) as error:
+            self.verdict.set_text(str(error))
+        self.motion.set_content(self.session.motion)
+
+    async def prove(self) -> None:
+        if self.session.chart is None:
+            await self.draw_chart()
+        chart = self.session.chart
+        self.session.start_proof(() if chart is None else (chart.x, chart.y))
         self.certificate.set_visibility(False)
         self.stop.set_visibility(True)
         self.progress.set_visibility(True)
@@ -282,18 +303,35 @@ class Tab:
             return
         proving.poll()
         self.progress.set_value(proving.fraction)
+        if self.session.note_proof():
+            self.chart.set_content(self.session.chart_picture())
         if proving.running:
             self.proof.set_text(f"Proving: {proving.stage}")
             return
         self.stop.set_visibility(False)
         self.progress.set_visibility(False)
-        text = f"The proof ended: {proving.failure}" if proving.failure else told(proving.answer)
-        if self.session.note_proof():
-            self.chart.set_content(self.session.chart_picture())
+        text = told(proving.answer) if proving.answer is not None else f"The proof ended: {proving.failure}"
+        text += region_told(proving)
         if proving.problem != self.session.problem:
             text += "\n(of the state at which it was started)"
         self.proof.set_text(text)
         self.certificate.set_visibility(proving.answer is not None and proving.answer.certificate is not None)
+
+    def watch_report(self) -> None:
+        """Say how far the report is, and hand it out once."""
+        writing = self.session.reporting
+        if writing is None:
+            return
+        writing.poll()
+        if writing.running:
+            self.writing.set_text(f"Report: {writing.stage}")
+            return
+        self.session.reporting = None
+        if writing.answer is None:
+            self.writing.set_text(f"The report ended: {writing.failure}")
+        else:
+            self.writing.set_text("The report is written.")
+            ui.download(writing.answer.encode(), "report.html")
 
     def save_certificate(self) -> None:
         proving = self.session.proving
@@ -302,19 +340,3 @@ class Tab:
         with tempfile.TemporaryDirectory() as folder, suppress(MpsolveError):
             path = Path(proving.answer.certificate.save(Path(folder) / "certificate.json"))
             ui.download(path.read_bytes(), "certificate.json")
-
-
-def vibration(q: complex) -> str:
-    """A root as a vibration."""
-    frequency, rate = abs(q.real) / 6.283185307179586, -q.imag
-    grows = f"doubles every {0.6931471805599453 / rate:.3g} s" if rate > 0 else f"decays at {-rate:.3g} 1/s"
-    return f"{frequency:.4g} Hz, {grows}"
-
-
-def told(answer: Any) -> str:
-    """The verdict of a proof, what is proved, and what has confirmed it."""
-    from mpsolve.report import spectrum_words
-
-    return "\n".join(
-        [spectrum_words.verdict(answer), *spectrum_words.proved(answer), spectrum_words.verified(answer)]
-    )

@@ -10,10 +10,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.view import View, Window, look
-from mpsolve.errors import MpsolveError
+from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History
-from mpsolve.explorer.proving import Proving
+from mpsolve.explorer.moving import motion_pictures
+from mpsolve.explorer.proving import Proving, report
+from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.problem.outputfile import problem_toml
@@ -35,8 +37,11 @@ class Session:
     view: View | None = None
     chosen: int | None = None
     proving: Proving | None = None
+    reporting: Proving | None = None
     chart: Chart | None = None
     proved: tuple[ProvedPoint, ...] = ()
+    motion: str = ""
+    _moving: Problem | None = field(default=None, repr=False)
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
 
@@ -67,9 +72,10 @@ class Session:
     def nudge(self, path: str, value: object) -> None:
         """As `change`; moves of one parameter that follow each other quickly are one step for undo."""
         now = time.monotonic()
-        same = path == self._moved[0] and now - self._moved[1] < _QUICK
+        same = path == self._moved[0] and now < self._moved[1]
         self.change(path, value, step=not same)
-        self._moved = (path, now)
+        done = time.monotonic()
+        self._moved = (path, done + max(_QUICK, 3 * (done - now)))  # a slow machine is no reason for more steps
 
     def open(self, problem: Problem, title: str) -> None:
         """Another problem altogether; undo leads back."""
@@ -93,6 +99,8 @@ class Session:
     def refresh(self) -> View:
         """Compute what is to be seen now."""
         q = self._chosen_root()
+        if self.problem != self._moving:
+            self.motion = ""
         self.view = look(self.problem, self.window, self._near)
         self.window = self.view.window
         self._near = self.view.roots
@@ -150,6 +158,13 @@ class Session:
             f"{np.log(2) / -worst.imag:.3g} s (computed, not proved)"
         )
 
+    def draw_motion(self, duration: str) -> None:
+        """Draw the motion so long after the vehicle is put on the track; InputError for what is no time above 0."""
+        seconds = float(in_unit(duration.strip(), "s", "duration", "time"))
+        if not seconds > 0:
+            raise InputError("duration", f"is {duration}: give a time above 0")
+        self.motion, self._moving = motion_pictures(self.problem, seconds), self.problem
+
     def draw_chart(self, x: str, y: str) -> None:
         """Count over two parameters round the present problem; InputError says why that cannot be."""
         self.chart = chart_of(self.problem, x, y)
@@ -158,30 +173,41 @@ class Session:
         return "" if self.chart is None else self.chart.picture(self.problem, self.proved)
 
     def note_proof(self) -> bool:
-        """Keep what a finished proof has shown, once; whether there was something new."""
+        """Keep what a proof has shown so far, once; whether there was something new."""
         proving = self.proving
         if proving is None or proving.answer is None or proving.answer.stable is None:
             return False
-        point = ProvedPoint(proving.problem, bool(proving.answer.stable))
+        point = ProvedPoint(proving.problem, bool(proving.answer.stable), proving.region)
         if point in self.proved:
             return False
-        self.proved = (*self.proved, point)
+        self.proved = (*(one for one in self.proved if one.problem != point.problem or one.region), point)
         return True
 
     def toml(self) -> str:
         """The state as an input file."""
         return problem_toml(self.problem, self.title)
 
-    def start_proof(self, seconds: float = 60.0) -> Proving:
-        """Prove what is shown; a proof under way is stopped."""
-        self.stop_proof()
-        self.proving = Proving(self.problem, seconds)
+    def start_proof(self, axes: tuple[str, ...] = (), seconds: float = 60.0) -> Proving:
+        """Prove what is shown, and a region of the parameters `axes` round it; a proof under way is stopped."""
+        if self.proving is not None:
+            self.proving.stop()
+        self.proving = Proving(self.problem, seconds, more=axes if len(set(axes)) == 2 else ())
         self.proving.start()
         return self.proving
 
+    def start_report(self, seconds: float = 30.0) -> Proving:
+        """Write the page of what is shown; one under way is stopped."""
+        if self.reporting is not None:
+            self.reporting.stop()
+        self.reporting = Proving(self.problem, seconds, work=report, more=(self.title or "Explored",))
+        self.reporting.start()
+        return self.reporting
+
     def stop_proof(self) -> None:
-        if self.proving is not None:
-            self.proving.stop()
+        """End all work that is under way."""
+        for one in (self.proving, self.reporting):
+            if one is not None:
+                one.stop()
 
 
 def _shape(problem: Problem, q: complex) -> str:

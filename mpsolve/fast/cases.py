@@ -10,7 +10,7 @@ import numpy as np
 
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 
 @dataclass(frozen=True)

@@ -21,10 +21,10 @@ from mpsolve.fields import ball_arithmetic
 from mpsolve.files import write_whole
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.taylor import Taylor, taylor
 from mpsolve.parallel.pool import run
+from mpsolve.problem.case import Case
 from mpsolve.progress import Progress
 
 FORMAT, VERSION = "mpsolve seeds", 2

@@ -17,7 +17,7 @@ import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import Ball, Field, Float64
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.fields import Field
 from mpsolve.model.branch import track
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 
 def limiting_frequency(case: Case, field: Field) -> Any:

@@ -26,9 +26,17 @@ def unpack(packed: PackedBall) -> Any:
 
 @dataclass(frozen=True)
 class _Ball:
-    """A real ball (one part) or a complex one (two)."""
+    """A real ball (one part) or a complex one (two); None is the ball of all numbers, for one that is not finite."""
 
-    parts: tuple[PackedBall, ...]
+    parts: tuple[PackedBall | None, ...]
+
+
+@dataclass(frozen=True)
+class _Array:
+    """A numpy array of objects."""
+
+    shape: tuple[int, ...]
+    values: tuple[Any, ...]
 
 
 class Portable:
@@ -37,6 +45,10 @@ class Portable:
     def __reduce__(self) -> tuple[Any, ...]:
         values = {one.name: _packed(getattr(self, one.name)) for one in fields(self)}  # type: ignore[arg-type]
         return _restored, (type(self), values)
+
+
+def _part(ball: Any) -> PackedBall | None:
+    return pack(ball) if ball.is_finite() else None
 
 
 def _restored(kind: type[Any], values: Mapping[str, Any]) -> Any:
@@ -48,9 +60,11 @@ def _restored(kind: type[Any], values: Mapping[str, Any]) -> Any:
 
 def _packed(value: Any) -> Any:
     if isinstance(value, arb):
-        return _Ball((pack(value),))
+        return _Ball((_part(value),))
     if isinstance(value, acb):
-        return _Ball((pack(value.real), pack(value.imag)))
+        return _Ball((_part(value.real), _part(value.imag)))
+    if getattr(getattr(value, "dtype", None), "hasobject", False):
+        return _Array(value.shape, tuple(map(_packed, value.ravel().tolist())))
     if type(value) is tuple:
         return tuple(map(_packed, value))
     return {key: _packed(one) for key, one in value.items()} if type(value) is dict else value
@@ -58,8 +72,19 @@ def _packed(value: Any) -> Any:
 
 def _unpacked(value: Any) -> Any:
     if isinstance(value, _Ball):
-        parts = [unpack(one) for one in value.parts]
+        parts = [arb(0, float("inf")) if one is None else unpack(one) for one in value.parts]
         return parts[0] if len(parts) == 1 else acb(*parts)
+    if isinstance(value, _Array):
+        return _object_array(value)
     if type(value) is tuple:
         return tuple(map(_unpacked, value))
     return {key: _unpacked(one) for key, one in value.items()} if type(value) is dict else value
+
+
+def _object_array(packed: _Array) -> Any:
+    import numpy as np  # only who has made such an array needs it
+
+    out = np.empty(len(packed.values), object)
+    for k, value in enumerate(packed.values):
+        out[k] = _unpacked(value)
+    return out.reshape(packed.shape)

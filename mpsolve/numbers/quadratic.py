@@ -166,3 +166,13 @@ def constant(values: Any, boxes: int, m: int) -> Quadratic:
     k = np.zeros((1 + m + len(pairs(m)), boxes, *np.shape(values)), complex)
     k[0] = values
     return Quadratic(k, 2 * U * np.abs(k[0]), m)
+
+
+def lifted(f: Quadratic, m: int) -> Quadratic:
+    """The same functions among m variables, of which the further ones do not matter."""
+    if m == f.m:
+        return f
+    where = [0, *range(1, f.m + 1), *(1 + m + pairs(m).index(pair) for pair in pairs(f.m))]
+    k = np.zeros((1 + m + len(pairs(m)), *f.e.shape), complex)
+    k[where] = f.k
+    return Quadratic(k, f.e, m)

@@ -47,9 +47,15 @@ class Reduction:
         return Reduction(_exact(left), _exact(right))
 
     @cached_property
+    def one_sided(self) -> bool:
+        """Whether right is the identity: left · A is near it."""
+        n = self.right.nrows()
+        return all(x == int(k // n == k % n) for k, x in enumerate(self.right.entries()))
+
+    @cached_property
     def factor(self) -> Any:
         """1/det(left · right), at the precision at which it is first asked for."""
-        return 1 / (self.left.det() * self.right.det())
+        return 1 / (self.left.det() if self.one_sided else self.left.det() * self.right.det())
 
     def _blocks(self, A: Any) -> tuple[Any, Any, Any, Any]:
         B = self.left * A * self.right
@@ -73,13 +79,26 @@ class Reduction:
 
     def determinant(self, A: Any, A_slope: Any) -> tuple[Any, Any]:
         """det A and its derivative along A_slope."""
-        first = self._blocks(A)[0]
-        s, d_s = self.scalar(A), self.scalar_slope(A, A_slope)
-        if not first.nrows():
-            return self.factor * s, self.factor * d_s
+        if self.one_sided:
+            near, slope = self.left * A, self.left * A_slope
+            value = self.factor * _near_one(near)
+            return value, value * _solved(near, slope).trace()
+        first, column, row, corner = self._blocks(A)
+        d_first, d_column, d_row, d_corner = self._blocks(A_slope)
+        n = first.nrows()
+        if not n:
+            return self.factor * corner, self.factor * d_corner
+        columns = [
+            [x, y, *line]
+            for x, y, line in zip(*(m.entries() for m in (column, d_column)), d_first.tolist(), strict=True)
+        ]
+        found = _solved(first, acb_mat(columns)).tolist()  # first⁻¹ times column, its slope, and the slope of first
+        x, d_x = (acb_mat(n, 1, [line[k] for line in found]) for k in (0, 1))
+        turned = acb_mat([line[2:] for line in found])
+        s = corner - _entry(row * x)
+        d_s = d_corner - _entry(d_row * x) - _entry(row * d_x) + _entry(row * (turned * x))
         size = self.factor * _near_one(first)
-        turn = _solved(first, self._blocks(A_slope)[0]).trace()
-        return size * s, size * (d_s + s * turn)
+        return size * s, size * (d_s + s * turned.trace())
 
     def kernel(self, A: Any) -> list[Any]:
         """A vector x ≠ 0 with A x = 0 for each singular matrix of the balls A."""

@@ -41,6 +41,12 @@ class RootBall(Portable):
         with precision(2 * self.q.bits() + 64):
             return RootBall(-self.q.conjugate(), self.exponent, self.multiplicity, self.symmetry)
 
+    @property
+    def conjugated(self) -> RootBall:
+        """The ball of q̄, exactly."""
+        with precision(2 * self.q.bits() + 64):
+            return RootBall(self.q.conjugate(), self.exponent, self.multiplicity, self.symmetry)
+
 
 RADIUS = (29, -6)  # 29/64 as mantissa and exponent
 CLUSTER = 10  # the grid of a cluster is finer by this many bits than its radius

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,25 +9,17 @@ import numpy as np
 from mpsolve.batch.view import look
 from mpsolve.errors import MpsolveError
 from mpsolve.page.parts import Parts
-from mpsolve.page.words import Speech, speech
-from mpsolve.pictures.chart import chart_picture
+from mpsolve.page.picture import Picture
+from mpsolve.page.words import speech
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
 from mpsolve.pictures.model import model_picture
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
+from mpsolve.ranges.onset import Kind
 from mpsolve.spectrum.shape import root_shape
 from mpsolve.spectrum.spectrum import Root
 
 _SHAPE_POINTS = 121
-
-
-@dataclass(frozen=True)
-class Picture:
-    """A figure with its caption; name: of its element on the page."""
-
-    name: str
-    svg: str
-    caption: str
 
 
 def drawing(parts: Parts) -> Picture:
@@ -121,9 +112,9 @@ def _growth_range(curves: list[Curve]) -> tuple[float, float] | None:
 
 def _marks(parts: Parts, factor: float) -> list[Mark]:
     marks = [Mark(float(parts.problem.v) * factor, "this case")]
-    found = parts.onset.value
-    if found is not None and str(getattr(found.kind, "value", found.kind)) == "crosses":
-        marks.append(Mark(float(found.value.mid()) * factor, "onset"))
+    found = parts.reach.value
+    if found is not None and found.kind is Kind.CROSSES and found.value is not None:
+        marks.append(Mark(float(found.value.mid()) * factor, "onset, proved"))
     return marks
 
 
@@ -145,30 +136,6 @@ def followed(roots: Any) -> list[Any]:
             lines[-1][k] = q
         ends = [(j, complex(one[k])) for j, one in enumerate(lines) if np.isfinite(one[k])]
     return [one for one in lines if np.isfinite(one).sum() > 2]
-
-
-def chart(parts: Parts) -> Picture | None:
-    """How many roots grow, over velocity and masses."""
-    found = parts.chart.value
-    if found is None:
-        return None
-    speak = speech(parts)
-    v, factors = np.asarray(found.over["v"], float)[:, 0], np.asarray(found.over["scale.mass"], float)[0]
-    scale = 3.6 if speak.si else 1.0
-    mass, y_title = _masses(parts, speak)
-    svg = chart_picture(
-        v * scale, factors * mass, found.count, "velocity, km/h" if speak.si else "velocity ratio α", y_title,
-        "How many roots grow, over velocity and masses", here=(float(parts.problem.v) * scale, mass),
-    )  # fmt: skip
-    said = "How many roots grow at each velocity and size of all masses, computed in floats. The cross is this case."
-    return Picture("chart", svg, said)
-
-
-def _masses(parts: Parts, speak: Speech) -> tuple[float, str]:
-    """The mass that the axis tells, and its title: of all bodies together."""
-    pencil = parts.problem.pencil
-    total = sum(float(pencil.M[k][k]) for k, name in enumerate(pencil.names) if "pitch" not in name)
-    return (total / 1000, "mass of all bodies, t") if speak.si else (1.0, "factor on all masses")
 
 
 def motion(parts: Parts) -> list[Picture]:

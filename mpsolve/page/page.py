@@ -8,16 +8,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve import __version__
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.model import Model, Part, quantities
 from mpsolve.numbers.spoken import beside, rounded
-from mpsolve.page import figures
+from mpsolve.page import charts, figures
+from mpsolve.page.limit_words import limit_rows
 from mpsolve.page.parts import Parts
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
+from mpsolve.problem.case import Case
+from mpsolve.problem.problem import Problem
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
 from mpsolve.spectrum.spectrum import Root, Spectrum
@@ -48,6 +50,8 @@ def page_html(parts: Parts, stem: str) -> str:
         sentence=rest[:1].upper() + rest[1:],
         mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
         cards=cards(parts),
+        limits=limit_rows(parts),
+        warnings=[str(one) for one in parts.spectrum.warnings],
         late=parts.late,
         drawing=figures.drawing(parts),
         tables=tables(parts),
@@ -60,7 +64,8 @@ def page_html(parts: Parts, stem: str) -> str:
         amplitudes=[] if shape is None else shape[1],
         lines=figures.lines(parts),
         lines_reason=parts.lines.reason,
-        chart=figures.chart(parts),
+        chart=charts.chart(parts),
+        chart_status=charts.chart_status(parts),
         chart_reason=parts.chart.reason,
         motion=figures.motion(parts),
         motion_reason=parts.response.reason,
@@ -83,6 +88,7 @@ def page_data(parts: Parts) -> dict[str, Any]:
         "version": 1,
         "spectrum": spectrum_data(parts.spectrum, parts.title),
         "cards": [vars(card) for card in cards(parts)],
+        "limits": [vars(row) for row in limit_rows(parts)],
         "late": list(parts.late),
     }
 
@@ -90,7 +96,7 @@ def page_data(parts: Parts) -> dict[str, Any]:
 def downloads(parts: Parts, stem: str) -> list[Download]:
     """The certificates that came with the answers."""
     out = []
-    answers = (("", "the induced frequencies", parts.spectrum), ("onset.", "the onset", parts.onset.value))
+    answers = (("", "the induced frequencies", parts.spectrum), ("onset.", "the onset", parts.reach.value))
     for kind, proves, answer in answers:
         certificate = getattr(answer, "certificate", None)
         if certificate is None:
@@ -107,7 +113,11 @@ def tables(parts: Parts) -> list[tuple[str, list[tuple[str, str, str]]]]:
     if isinstance(parts.given, Case):
         rows = [(name, str(value), "") for name, value in vars(parts.given).items()]
         return [("The case in the paper's ratios", [(n, v.replace("(", "").replace(")", ""), m) for n, v, m in rows])]
-    problem = parts.problem
+    return tables_of(parts.problem)
+
+
+def tables_of(problem: Problem) -> list[tuple[str, list[tuple[str, str, str]]]]:
+    """The same of a problem: velocity and track, and each kind of vehicle; rows of name, value, meaning."""
     first = [("v", beside(problem.v, "m/s"), "velocity")]
     track = _rows(problem.track) if isinstance(problem.track, Track) else [("matrix", "", "equations of one's own")]
     out = [("Track", first + track)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -13,16 +13,20 @@ from mpsolve.batch.frequencies import frequencies
 from mpsolve.batch.result import Frequencies
 from mpsolve.certificate.certify import certify
 from mpsolve.page.budget import Budget, Part
+from mpsolve.page.limits import Reach, distance_margin, distance_path, mass_margin, reach_of, stable_box
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity
+from mpsolve.ranges.chart import Chart, stability_chart
+from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity, velocity_ranges
+from mpsolve.ranges.margin import Margin
 from mpsolve.report.spectrum_words import verdict
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.waves.critical import CriticalVelocities
 
-LINE_POINTS, CHART_COLUMNS, CHART_ROWS = 81, 49, 25
+LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 6
+NOT_ASKED: Part[Any] = Part("more", reason="it was not asked for")
 
 
 @dataclass(frozen=True)
@@ -34,11 +38,15 @@ class Parts:
     title: str
     top: Fraction
     spectrum: Spectrum
-    onset: Part[Any]
+    reach: Part[Reach]
     response: Part[Any]
     lines: Part[Frequencies]
     critical: Part[CriticalVelocities]
     chart: Part[Frequencies]
+    mass: Part[Margin]
+    distance: Part[Margin] | None = None
+    box: Part[Any] = NOT_ASKED
+    proved_chart: Part[Any] = NOT_ASKED
     loads: Any = None
 
     @property
@@ -49,39 +57,48 @@ class Parts:
     @property
     def late(self) -> tuple[str, ...]:
         """The parts for which there was no time."""
-        parts = (self.onset, self.response, self.lines, self.critical, self.chart)
-        return tuple(part.name for part in parts if part.late)
+        parts = (self.reach, self.response, self.lines, self.critical, self.chart, self.mass, self.distance)
+        return tuple(part.name for part in (*parts, self.box, self.proved_chart) if part is not None and part.late)
 
 
 def gather(
-    given: Given, title: str, *, digits: int, seconds: float, tell: Callable[[str, float], None], loads: Any = None
+    given: Given,
+    title: str,
+    *,
+    digits: int,
+    seconds: float,
+    tell: Callable[[str, float], None],
+    loads: Any = None,
+    prove_chart: bool = False,
 ) -> Parts:
-    """All parts that fit into the budget; the roots come first and always."""
+    """All parts that fit into the budget; the roots come first and always. prove_chart: with what is left then."""
     problem, budget = as_problem(given), Budget(seconds, tell)
     tell("roots", 0.0)
     spectrum = certify(given, digits=digits, effort=Effort(seconds=max(seconds / 2, 5.0)))
     critical = budget.part("critical velocities", lambda _: critical_of(problem), share=0.3)
     top = top_velocity(problem, critical.value)
-    return Parts(
-        given=given,
-        problem=problem,
-        title=title,
-        top=top,
-        spectrum=spectrum,
-        onset=budget.part("onset", lambda left: onset_of(problem, top, left), share=0.6, least=0.2),
-        response=budget.part("response", lambda _: response_of(problem, spectrum, loads), share=0.7, least=0.5),
-        lines=budget.part("frequency lines", lambda _: lines_of(problem, top), least=0.5),
-        critical=critical,
-        chart=budget.part("chart", lambda _: chart_of(problem, top), least=2.0),
-        loads=loads,
-    )
+    reach = budget.part("onset", lambda left: reach_of(problem, left), share=0.5, least=0.2)
+    response = budget.part("response", lambda _: response_of(problem, spectrum, loads), share=0.7, least=0.5)
+    lines = budget.part("frequency lines", lambda _: lines_of(problem, top), least=0.5)
+    chart = budget.part("chart", lambda _: chart_of(problem, top), least=1.0)
+    mass = budget.part("limit of the mass", lambda left: mass_margin(problem, left), share=0.4, least=0.2)
+    parts = Parts(given, problem, title, top, spectrum, reach, response, lines, critical, chart, mass, loads=loads)
+    return _last(parts, budget, prove_chart)
 
 
-def onset_of(problem: Problem, top: Fraction, seconds: float) -> Any:
-    """The first velocity at which a vibration begins to grow."""
-    from mpsolve.ranges.onset import onset
-
-    return onset(problem, over={"v": (0, top)}, digits=15, effort=Effort(seconds=seconds))
+def _last(parts: Parts, budget: Budget, prove_chart: bool) -> Parts:
+    """With what comes last: the limit of the distance, the region of stability, and the proved chart if asked for."""
+    problem, path = parts.problem, distance_path(parts.problem)
+    if path is not None:
+        make = lambda left: distance_margin(problem, path, left)  # noqa: E731
+        parts = replace(parts, distance=budget.part("limit of the distance", make, share=0.4, least=0.2))
+    if parts.spectrum.stable and problem.v:
+        make_box = lambda left: stable_box(problem, parts.reach.value, parts.mass.value, left)  # noqa: E731
+        parts = replace(parts, box=budget.part("region of stability", make_box, share=0.5, least=0.2))
+    if prove_chart:
+        make_chart = lambda left: proved_chart_of(problem, left)  # noqa: E731
+        parts = replace(parts, proved_chart=budget.part("proved chart", make_chart, least=3.0))
+    return parts
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:
@@ -120,3 +137,11 @@ def chart_of(problem: Problem, top: Fraction) -> Frequencies:
 def velocities(top: Fraction, number: int) -> Any:
     """Velocities from near 0 to the top that are no round numbers, as those may be wave speeds."""
     return float(top) * (np.arange(number) + 0.503) / number
+
+
+def proved_chart_of(problem: Problem, seconds: float) -> Chart:
+    """How many roots grow over velocity and masses, as proved regions."""
+    near = velocity_ranges(problem).near
+    v = next((ends for ends in near if ends[0] <= problem.v <= ends[1]), near[0])
+    over = {"v": v, "scale.mass": MASS_FACTORS}
+    return stability_chart(problem, over=over, depth=PROVED_DEPTH, effort=Effort(seconds=seconds))

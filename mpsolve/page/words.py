@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.page.budget import Part
 from mpsolve.page.parts import Parts
+from mpsolve.problem.case import Case
+from mpsolve.ranges.onset import Kind
 from mpsolve.spectrum.spectrum import Root
 
 
@@ -58,21 +59,21 @@ def cards(parts: Parts) -> list[Card]:
 def velocity_card(parts: Parts) -> Card:
     """How far the velocity is from the one at which stability changes."""
     question, speak = "When does it change with the velocity?", speech(parts)
-    part, v = parts.onset, parts.problem.v
+    part, v = parts.reach, parts.problem.v
     found = part.value
     if found is None:
         return missing(question, part)
-    kind = str(getattr(found.kind, "value", found.kind))
     here = f"It runs at {speak.velocity(v)}."
-    if kind == "stable":
-        low, high = next(iter(found.over.values()))
-        said = f"Stable all the way from {speak.velocity(low)} to {speak.velocity(high)}. {here}"
-        return Card(question, "no change", said, "proved")
-    if kind == "unstable_from_start":
+    if found.kind is Kind.STABLE:
+        said = f"Stable all the way from {speak.velocity(found.low)} to {speak.velocity(found.high)}. {here}"
+        if found.reason is None:
+            return Card(question, "no change", said, "proved")
+        return Card(question, f"not up to {speak.velocity(found.high)}", f"{said} Beyond that it is open.", "proved")
+    if found.kind is Kind.UNSTABLE_FROM_START:
         return Card(
             question, "unstable from the start", f"A vibration grows at the least velocities too. {here}", "proved"
         )
-    if kind != "crosses":
+    if found.kind is not Kind.CROSSES:
         return Card(question, "undecided", f"{found.reason}. {here}", "open")
     with precision(128):
         value = found.value
@@ -82,8 +83,7 @@ def velocity_card(parts: Parts) -> Card:
             said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / value, 3)} % of it."
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
-        low = next(iter(found.over.values()))[0]
-        said = f"{said} Looked at from {speak.velocity(low)} on." if low else said
+        said = f"{said} Looked at from {speak.velocity(found.low)} on." if found.low else said
         return Card(question, f"stable below {where}", said, "proved")
 
 
@@ -121,7 +121,7 @@ def contact_card(parts: Parts) -> Card:
     return Card(
         question,
         when,
-        f"Contact {event.contact + 1} lifts off then; the model says nothing of what follows.",
+        f"Contact {event.contact}, counted from the rear, lifts off then; the model says nothing of what follows.",
         "computed",
     )
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.model import shown
-from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 
 
@@ -23,7 +23,7 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True)
-class PassivityVelocity(Portable):
+class PassivityVelocity(Result):
     """What is known of −Im G(0, q) > 0 for all real q > 0 over a range of velocities, in the track's units.
 
     value: the first velocity at which it fails, a ball (flint.arb); None where there is none in the range.
@@ -40,14 +40,6 @@ class PassivityVelocity(Portable):
     wave_speeds: tuple[Any, ...]
     status: Status
     reason: Reason | None = None
-
-    @property
-    def proved(self) -> bool:
-        """Whether the whole answer is proved."""
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("a passivity velocity is neither true nor false: ask for .kind, .value or .proved")
 
     @property
     def sentence(self) -> str:

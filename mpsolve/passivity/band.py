@@ -12,7 +12,7 @@ from mpsolve.characteristic.floats import Receptance
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import proved_digits
-from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
@@ -28,7 +28,7 @@ _SAMPLES = 400
 
 
 @dataclass(frozen=True)
-class PassivityBand(Portable):
+class PassivityBand(Result):
     """−Im G(q) is positive definite for all real q > value (rad/s for a problem in SI), G between the contacts.
 
     value: a real ball; None where no such frequency is proved. least: in floats, without proof, the largest frequency
@@ -39,14 +39,6 @@ class PassivityBand(Portable):
     least: float
     status: Status
     reason: Reason | None = None
-
-    @property
-    def proved(self) -> bool:
-        """Whether the frequency is proved."""
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("a passivity band is neither true nor false: ask for .value or .proved")
 
     @property
     def sentence(self) -> str:

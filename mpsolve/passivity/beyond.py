@@ -92,7 +92,8 @@ def _least(arrays: Arrays, up: int, q: Any) -> Any:
     V = (1j * q)[:, None, None] * G.a
     H = (V + np.swapaxes(V.conj(), 1, 2)) / 2
     values = np.linalg.eigvalsh(np.where(good[:, None, None], H, -np.eye(H.shape[1])))
-    return np.where(good, values[:, 0] / np.abs(values).max(1), -1.0)
+    largest = np.abs(values).max(1)
+    return np.where(good & (largest > 0), values[:, 0] / np.where(largest > 0, largest, 1.0), -1.0)
 
 
 def _short(x: float) -> float:

@@ -27,9 +27,12 @@ class PassiveBeyond:
     boxes: int
 
 
-def passive_beyond(envelope: Envelope, box: tuple[Any, Any] | None = None, ceiling: float | None = None) -> Any:
+def passive_beyond(
+    envelope: Envelope, box: tuple[Any, Any] | None = None, ceiling: float | None = None, halvings: int = _HALVINGS
+) -> Any:
     """The least X that is found for the box (low, high) of parameters, that of the envelope if left out.
 
+    halvings: of a cell of frequencies, before it is left open: fewer take less time, and X is greater.
     ceiling: an X that is known for the whole envelope (`far`), so that many boxes share it. None where the track
     gives at high frequencies: contacts faster than short waves.
     """
@@ -41,13 +44,13 @@ def passive_beyond(envelope: Envelope, box: tuple[Any, Any] | None = None, ceili
     width = 8
     while not open_ and top * _LOWEST < X and tried < _MOST:
         ends = X * _RATIO ** -np.arange(width + 1.0)
-        found, open_, spent = _covered(envelope, low, high, ends)
+        found, open_, spent = _covered(envelope, low, high, ends, halvings)
         tried += spent
         X, width = float(ends[found]), min(2 * width, 64)
     return PassiveBeyond(X, top, tried)
 
 
-def _covered(envelope: Envelope, low: Any, high: Any, ends: Any) -> tuple[int, bool, int]:
+def _covered(envelope: Envelope, low: Any, high: Any, ends: Any, halvings: int) -> tuple[int, bool, int]:
     """(how many cells in a row below ends[0] are proved, whether the next one failed, how many boxes were looked at).
 
     Cells far below one that is hard are left for another time.
@@ -56,7 +59,7 @@ def _covered(envelope: Envelope, low: Any, high: Any, ends: Any) -> tuple[int, b
     lows = np.concatenate([ends[1:, None], np.broadcast_to(low, (n, k))], 1)
     highs = np.concatenate([ends[:-1, None], np.broadcast_to(high, (n, k))], 1)
     cell, left, tried = np.arange(n), n, 0
-    for depth in range(_HALVINGS + 1):
+    for depth in range(halvings + 1):
         tried += len(cell)
         passed = passive_on(envelope, lows, highs, SIDE if depth < _COARSE else _FINE)
         lows, highs, cell = lows[~passed], highs[~passed], cell[~passed]

@@ -11,11 +11,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.passivity.cover import Moving
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.newton import isolated, polished, real_part, sharpened
+from mpsolve.proof.subdivide import subdivide
 
 _BITS = 96
 _PARTS = 1500  # boxes at most
@@ -104,14 +107,14 @@ def _bends(moving: Moving, value: Any, reach: float, effort: Effort) -> bool:
 
 
 def _falls(moving: Moving, below: float, value: Any, reach: float, effort: Effort) -> bool:
-    """Whether F_v < 0 for 0 ≤ q ≤ reach, below ≤ v ≤ value, and a little beyond."""
-    top = float(value.mid()) * (1 + 2.0**-40)
+    """Whether F_v < 0 for 0 ≤ q ≤ reach, below ≤ v ≤ value, and a little beyond: F = −Im G_q for real q."""
+    low = np.array([0.0, below])
+    high = np.array([float(reach), float(value.mid()) * (1 + 2.0**-40)])
 
-    def holds(box: tuple[float, float, float, float]) -> bool:
-        q, v = (arb(x / 2 + y / 2).union(arb(x)).union(arb(y)) for x, y in (box[:2], box[2:]))
-        return bool(moving.germ(acb(0, q), v, 1).by_velocity[1].real > 0)
+    def judge(a: Any, b: Any) -> tuple[Any, Any]:
+        return moving.waves.rises(a, b).astype(np.int8), ((b - a) / (high - low)[:, None]).argmax(0)
 
-    return _everywhere((0.0, reach, below, top), holds, effort)
+    return not len(subdivide(low, high, judge, effort, smallest=2.0**-9).tree.open)
 
 
 def _everywhere(box: tuple[float, float, float, float], holds: Any, effort: Effort) -> bool:

@@ -21,11 +21,13 @@ from mpsolve.passivity.far import far
 from mpsolve.passivity.germ import germ
 from mpsolve.passivity.near import Near
 from mpsolve.passivity.subject import Subject
+from mpsolve.passivity.waves import Waves
 from mpsolve.problem.reduced import Guide
 from mpsolve.proof.effort import Effort
 
 _COARSE, _FINE = 12, 384  # cells on each side of a wave: twice as many after every second halving
 _GERMS = 11  # halvings from which single boxes are looked at by the germ
+_SLOW = 14  # halvings from which boxes that the waves leave open are looked at by integrals over wavenumber
 _DEEPEST = 26
 _BITS = 80
 
@@ -40,6 +42,11 @@ class Moving:
     @cached_property
     def subject(self) -> Subject:
         return Subject.of_guide(self.guide, free_velocity=True)
+
+    @cached_property
+    def waves(self) -> Waves:
+        """Its p-roots over boxes of (q, v)."""
+        return Waves(self.guide, self.upper)
 
     def germ(self, sigma: Any, v: Any, order: int) -> Any:
         """The germ of G(0, σ) at balls of σ and of the scaled velocity."""
@@ -93,8 +100,10 @@ def cover(strip: Strip, first: float, effort: Effort) -> Any:
 def _passed(strip: Strip, near: Near, boxes: Any, level: int) -> Any:
     side = min(_COARSE * 2 ** (level // 2), _FINE)
     low, high = boxes[:, [0, 2]], boxes[:, [1, 3]]
-    below = boxes[:, 1] <= near.reach
-    passed = np.zeros(len(boxes), bool)
+    passed = strip.moving.waves.passes(low.T, high.T)
+    if level < _SLOW:
+        return passed
+    below = ~passed & (boxes[:, 1] <= near.reach)
     passed[below] = near.passes(low[below], high[below], side)
     rest = ~passed & (boxes[:, 0] > 0)
     passed[rest] = passive_on(strip.envelope, low[rest], high[rest], side)

@@ -163,14 +163,14 @@ def _full(f: Affine, ones: Any) -> Affine:
 
 
 def _halved(low: Any, high: Any, bottom: Affine, top: Affine, names: tuple[str, ...]) -> tuple[Any, Any]:
-    """Each box in two, along the variable that moves |D|² and W most; every third time along the widest in x or y."""
+    """Each box in two, along the variable that moves |D|² most, and W too where |D|² > 0 is known already."""
     if not len(low):
         return low, high
     weight = np.zeros_like(low)
     for k, name in enumerate(names):
-        for f in (bottom, top):
+        for f, counts in ((bottom, 1.0), (top, (bottom.low > 0) * 1.0)):
             if name in f.b:
-                weight[:, k] += np.abs(f.b[name]) / (np.abs(f.a) + f.spread + f.e + 1e-300)
+                weight[:, k] += counts * np.abs(f.b[name]) / (np.abs(f.a) + f.spread + f.e + 1e-300)
     rounds = high - low
     span = rounds / (np.abs(high) + np.abs(low) + 1e-300)
     weight = np.nan_to_num(weight) + 1e-3 * span * (span > 0)

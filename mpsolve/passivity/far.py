@@ -26,11 +26,98 @@ from mpsolve.tracks.waveguide import Polynomial, moving
 _RATIO = 1.25  # of one X to the next that is tried
 _SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh
+_LESS, _MORE = 0.9, 1.1  # of κ and of C in what a checker is told
+_SHARE = 0.7  # of what is taken that must outweigh what is given, so that it does with those numbers
+_FIRST = 2.0**14  # times the least X: how far a box is tried before it is halved
+_DEPTH = 8  # halvings of the box of parameters at most; each part has its own X
 _MARGIN = 1 + 2.0**-20  # of what is taken over what is given: for the rounding of the sums
 
 
 def far(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> float | None:
-    """X for the whole box of parameters of the envelope, scaled; None where none is found below `most`."""
+    """X for the whole box of parameters of the envelope, scaled; None where none is found below `most`.
+
+    Where the waves of the track move too much over the box for one X, it is halved: X is the largest of its parts.
+    """
+    waiting, X, whole = [(envelope, 0)], least, np.array(envelope.high) - np.array(envelope.low)
+    while waiting:
+        part, depth = waiting.pop()
+        if not _may_be(part):
+            return None
+        last = depth == _DEPTH or not whole.any()
+        found = _far(part, X, most if last else min(most, max(X, _FIRST * least)))
+        if found is not None:
+            X = found
+        elif last or (depth == 0 and not all(_far(point, least, most) for point in _corners(part))):
+            return None
+        else:
+            waiting += [(half, depth + 1) for half in _halves(part, whole)]
+    return X
+
+
+def _part(envelope: Envelope, low: Any, high: Any) -> Envelope:
+    return Envelope(envelope.subject, tuple(low.tolist()), tuple(high.tolist()), envelope.of, envelope.beside)
+
+
+def _corners(envelope: Envelope) -> list[Envelope]:
+    """The least and the greatest parameters, each alone: where they fail, halving does not help."""
+    low, high = np.array(envelope.low), np.array(envelope.high)
+    least = low + (high - low) * 2.0**-20
+    return [_part(envelope, least, least), _part(envelope, high, high)]
+
+
+def _halves(part: Envelope, whole: Any) -> list[Envelope]:
+    """Two boxes of parameters, along the side that is longest beside the whole."""
+    low, high = np.array(part.low), np.array(part.high)
+    k = int(np.argmax((high - low) / np.where(whole > 0, whole, np.inf)))
+    middle = low[k] / 2 + high[k] / 2
+    first, second = high.copy(), low.copy()
+    first[k] = second[k] = middle
+    return [_part(part, low, first), _part(part, second, high)]
+
+
+def _may_be(envelope: Envelope) -> bool:
+    low, high = np.array([envelope.low]), np.array([envelope.high])
+    gap = least_gap(envelope.subject, low, high)
+    return envelope.fastest > 0 and envelope.subject.power.alpha > 1 and (gap is None or gap > 0)
+
+
+def _far(envelope: Envelope, least: float, most: float) -> float | None:
+    """X for all parameters of the box at once."""
+    subject = envelope.subject
+    low, high = np.array([envelope.low]), np.array([envelope.high])
+    parameters = [f.take(0) for f in subject.parameters(low, high)]
+    gap = least_gap(subject, low, high)
+    charts = [_Chart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
+    X = least
+    while X <= most:  # noqa: SIM300 — X is no constant
+        given = _given(envelope, X, gap)
+        for chart in charts:
+            if (
+                np.isfinite(given)
+                and chart.taken(envelope, parameters, X, gap, subject.power.alpha) > given * _MARGIN
+            ):
+                return X
+        X *= _RATIO
+    return None
+
+
+@dataclass(frozen=True)
+class FarNumbers:
+    """What a checker needs for the tail theorem over the box from X on, with room; all scaled.
+
+    blocks: (z₁, z₂, κ), q^e W/|D|² ≥ κ at p = z q^γ. constant: C, |W|/|D|² ≤ C p^−α where p ≥ X/(greatest v).
+    """
+
+    X: float
+    gamma: Fraction
+    e: Fraction
+    alpha: int
+    blocks: tuple[tuple[float, float, float], ...]
+    constant: float
+
+
+def far_numbers(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> FarNumbers | None:
+    """The theorem with numbers from which something is taken off, at the least X found; None where there is none."""
     subject = envelope.subject
     low, high = np.array([envelope.low]), np.array([envelope.high])
     parameters = [f.take(0) for f in subject.parameters(low, high)]
@@ -42,11 +129,11 @@ def far(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> float | No
     while X <= most:  # noqa: SIM300 — X is no constant
         given = _given(envelope, X, gap)
         for chart in charts:
-            if (
-                np.isfinite(given)
-                and chart.taken(envelope, parameters, X, gap, subject.power.alpha) > given * _MARGIN
-            ):
-                return X
+            taken = chart.taken(envelope, parameters, X, gap, subject.power.alpha)
+            if np.isfinite(given) and taken * _SHARE > given:
+                blocks = tuple((a, b, kappa * _LESS) for a, b, kappa in chart.blocks(envelope, parameters, X, gap))
+                C = float(envelope.constants(np.array([X / envelope.fastest / UP]))[0])
+                return FarNumbers(X, chart.gamma, chart.e, subject.power.alpha, blocks, C * _MORE)
         X *= _RATIO
     return None
 
@@ -122,16 +209,24 @@ class _Chart:
         if not alpha - 1 >= self.e - self.gamma:
             return 0.0
         growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
-        z = self._ends(envelope, X, growth)
-        least = self._least(envelope, parameters, z, X)
-        blocks = best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
+        blocks = self.blocks(envelope, parameters, X, gap)
         total = sum(max((z2 - z1) * growth - sieve, 0.0) * kappa for z1, z2, kappa in blocks)
         return float(total * X ** -float(self.e) / _MARGIN)
 
+    def blocks(self, envelope: Envelope, parameters: list[Affine], X: float, gap: float | None) -> Any:
+        """Intervals of z with a lower bound κ of what they take."""
+        growth, sieve = X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
+        z = self._ends(envelope, X, growth)
+        least = self._least(envelope, parameters, z, X)
+        return best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
+
     def _ends(self, envelope: Envelope, X: float, growth: float) -> Any:
-        middle = (np.array([envelope.low]) + np.array([envelope.high])) / 2
-        spread = np.array([0.2])
-        ends = np.unique(cells(envelope.subject, np.array([X]), middle, spread, _SIDE)[0] / growth)
+        low, high = np.array([envelope.low]), np.array([envelope.high])
+        own = ((high - low) / np.maximum(np.abs(high + low), 1e-300)).max(1, initial=0.0)
+        ends = np.unique(
+            [cells(envelope.subject, np.array([X]), (low + high) / 2, spread, _SIDE)[0] / growth
+             for spread in (np.array([0.2]), np.clip(own, 1e-4, 0.1))]
+        )  # fmt: skip
         parts = np.arange(_FINE) / _FINE
         fine = ends[:-1, None] + (ends[1:] - ends[:-1])[:, None] * parts
         return np.unique(np.append(fine.ravel(), ends[-1]))

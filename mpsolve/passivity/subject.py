@@ -53,7 +53,7 @@ class Subject:
         equations, or exactly where its own parameters are fixed.
         """
         track = family.problem.track
-        fixed = not any(path.startswith("track.") for path in family.paths)
+        fixed = not _is_free(family)
         if not (
             passivity(track).passive if fixed else isinstance(track, Track) and passive_by_structure(type(track))
         ):
@@ -87,9 +87,14 @@ class Subject:
         return [coefficient(key, parameters) for key in kept], number
 
 
+def _is_free(family: Any) -> bool:
+    """Whether a parameter of the track at rest is left free."""
+    return any(any(powers) for a in (family.D_rest, family.N_rest) for row in a.values() for powers, _ in row)
+
+
 def _passive_at_rest(family: Any) -> bool:
     track = family.problem.track
-    if not any(path.startswith("track.") for path in family.paths):
+    if not _is_free(family):
         return passivity(track).passive
     return isinstance(track, Track) and passive_by_structure(type(track))
 

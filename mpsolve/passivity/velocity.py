@@ -55,7 +55,7 @@ def passivity_velocity(
     that is unstable, undamped or active at rest. Source: SPEC2, section 6.6.
 
     For EulerBernoulli(EI="1/4", m=1, k=1, c=1), the paper's beam with η_b = 0.5, `value` is 1.1899209702954530 to 16
-    digits, after some 10 s.
+    digits, after 1 s.
     """
     low, high = _range(over)
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:

@@ -23,8 +23,9 @@ STYLE = """
 .picture .note { font-size: 12px; }
 .picture .halo { paint-order: stroke; stroke: var(--card, Canvas); stroke-width: 4px; stroke-linejoin: round; }
 .picture .grows { fill: var(--red, #c44e00); fill-opacity: 0.14; }
-.picture .many { fill: var(--red, #c44e00); fill-opacity: 0.3; }
-.picture .open { fill: var(--soft, #777); fill-opacity: 0.35; }
+.picture .hatch { fill: none; stroke: var(--red, #c44e00); stroke-width: 1.3; }
+.picture .border { fill: none; stroke: var(--ink, currentColor); stroke-width: 1; }
+.picture .sure { fill: none; stroke: var(--green, #00805f); stroke-width: 2.5; }
 .picture .cut { fill: none; stroke: var(--faint, #777); stroke-width: 4; stroke-dasharray: 9 4; }
 .picture .root { fill: var(--blue, #0072b2); stroke: var(--ink, currentColor); }
 .picture .unstable { fill: var(--red, #c44e00); }

@@ -1,51 +1,95 @@
-"""A chart of two parameters: how many vibrations grow at each point, and where the case itself stands."""
+"""A chart of two parameters: how many vibrations grow at each point, and where the case itself stands.
+
+Areas differ by their hatching, not by colour alone, and are parted by lines, so that grey is enough.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, box, disc, line, path, svg, text
 
+SOME, MANY, OPEN = "some", "many", "open"
+_PATTERNS = (
+    '<pattern id="chart-some" width="7" height="7" patternUnits="userSpaceOnUse">'
+    '<path class="hatch" d="M-1 8L8 -1"/></pattern>'
+    '<pattern id="chart-many" width="5" height="5" patternUnits="userSpaceOnUse">'
+    '<path class="hatch" d="M-1 6L6 -1M-1 -1L6 6"/></pattern>'
+    '<pattern id="chart-open" width="6" height="6" patternUnits="userSpaceOnUse">'
+    '<circle class="solid" cx="3" cy="3" r="1.1"/></pattern>'
+)
+_ROW = 17
+
+
+@dataclass(frozen=True)
+class Sure:
+    """A box of the two parameters, or a line, all over which stability is proved."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
 
 def chart_picture(
     x: Any, y: Any, counts: Any, x_title: str, y_title: str, title: str,
     here: tuple[float, float] | None = None, boundaries: Sequence[tuple[Any, Any]] = (),
-    proved: Sequence[tuple[float, float, bool]] = (), open_words: str = "hatched: open",
+    proved: Sequence[tuple[float, float, bool]] = (), sure: Sequence[Sure] = (), open_words: str = "open",
 ) -> str:  # fmt: skip
-    """counts[i, j] belongs to the cell round (x[i], y[j]): 0 stable, more is darker, −1 is hatched as open.
+    """counts[i, j] belongs to the cell round (x[i], y[j]): 0 blank, 1 and 2 hatched, more crossed, −1 dotted as open.
 
     here: the point of the case; boundaries: curves (x, y) where a root crosses the real axis; proved: points (x, y,
-    whether stable) that have been proved: circles are stable, squares not. open_words: what the legend says of −1.
+    whether stable) that have been proved: circles are stable, squares not; sure: outlined boxes and lines on which
+    stability is proved. open_words: what the legend says of −1. The legend stands below the axes.
     """
-    edges_x, edges_y = _edges(x), _edges(y)
-    axes = Axes((edges_x[0], edges_x[-1]), (edges_y[0], edges_y[-1]))
-    parts = [
-        '<pattern id="chart-open" width="6" height="6" patternUnits="userSpaceOnUse">'
-        '<path class="tick" d="M0 6L6 0"/></pattern>'
-    ]
-    for j in range(len(y)):
-        low, high = float(axes.py(edges_y[j])), float(axes.py(edges_y[j + 1]))
-        for first, last, count in _runs(counts[:, j]):
-            a, b = float(axes.px(edges_x[first])), float(axes.px(edges_x[last + 1]))
-            parts += _cell(a, high, b - a, low - high, count)
+    counts = np.asarray(counts)
+    edges = _edges(x), _edges(y)
+    axes = Axes((edges[0][0], edges[0][-1]), (edges[1][0], edges[1][-1]))
+    kinds = np.select([counts < 0, counts == 0, counts <= 2], [-1, 0, 1], 2)
+    parts = [_PATTERNS, *_areas(axes, edges, kinds), *_borders(axes, edges, kinds)]
     parts += [line(axes, bx, by, "boundary") for bx, by in boundaries]
+    parts += [_sure(axes, one) for one in sure]
     parts += [_proved(axes, *one) for one in proved]
     if here is not None:
         parts += _here(axes, *here)
-    parts += _legend(counts, open_words)
     parts += axes.titled(x_title, y_title)
-    return svg(parts, title)
+    legend = _legend(counts, open_words, bool(sure))
+    return svg([*parts, *legend], title, HIGH + 4 + _ROW * -(-len(legend) // 4))
 
 
-def _cell(x: float, y: float, wide: float, high: float, count: int) -> list[str]:
-    if count == 0:
+def _areas(axes: Axes, edges: tuple[list[float], list[float]], kinds: Any) -> list[str]:
+    parts = []
+    for j in range(kinds.shape[1]):
+        low, high = float(axes.py(edges[1][j])), float(axes.py(edges[1][j + 1]))
+        for first, last, kind in _runs(kinds[:, j]):
+            a, b = float(axes.px(edges[0][first])), float(axes.px(edges[0][last + 1]))
+            parts += _cell(a, high, b - a, low - high, kind)
+    return parts
+
+
+def _cell(x: float, y: float, wide: float, high: float, kind: int) -> list[str]:
+    if kind == 0:
         return []
-    if count < 0:
-        return [f'<rect x="{x:.1f}" y="{y:.1f}" width="{wide:.2f}" height="{high:.2f}" fill="url(#chart-open)"/>']
-    return [box(x, y, wide, high, "grows")] + [box(x, y, wide, high, "many")] * (count > 2)
+    name = {-1: OPEN, 1: SOME, 2: MANY}[kind]
+    tint = [box(x, y, wide, high, "grows")] * (kind > 0)
+    return [*tint, _hatched(x, y, wide, high, name)]
+
+
+def _hatched(x: float, y: float, wide: float, high: float, name: str) -> str:
+    size = f'x="{x:.1f}" y="{y:.1f}" width="{wide:.2f}" height="{high:.2f}"'
+    return f'<rect class="area {name}" {size} fill="url(#chart-{name})"/>'
+
+
+def _borders(axes: Axes, edges: tuple[list[float], list[float]], kinds: Any) -> list[str]:
+    """Lines between cells of different kinds."""
+    d = []
+    for i, j in np.argwhere(kinds[1:] != kinds[:-1]):
+        d.append(f"M{axes.px(edges[0][i + 1]):.1f} {axes.py(edges[1][j]):.1f}V{axes.py(edges[1][j + 1]):.1f}")
+    for i, j in np.argwhere(kinds[:, 1:] != kinds[:, :-1]):
+        d.append(f"M{axes.px(edges[0][i]):.1f} {axes.py(edges[1][j + 1]):.1f}H{axes.px(edges[0][i + 1]):.1f}")
+    return [path("".join(d), "border")] if d else []
 
 
 def _edges(values: Any) -> list[float]:
@@ -60,20 +104,27 @@ def _runs(row: Any) -> list[tuple[int, int, int]]:
     return [(a, b, int(row[a])) for a, b in zip(starts, [*ends, len(row) - 1], strict=True)]
 
 
+def _inside(axes: Axes, x: float, y: float) -> tuple[float, float] | None:
+    a, b = float(axes.px(x)), float(axes.py(y))
+    return (a, b) if LEFT <= a <= WIDE - RIGHT and TOP <= b <= HIGH - BOTTOM else None
+
+
 def _here(axes: Axes, x: float, y: float) -> list[str]:
     """A cross with an open middle, so that it hides nothing."""
-    a, b = float(axes.px(x)), float(axes.py(y))
-    if not (LEFT <= a <= WIDE - RIGHT and TOP <= b <= HIGH - BOTTOM):
+    at = _inside(axes, x, y)
+    if at is None:
         return []
+    a, b = at
     cross = f"M {a - 13:.1f} {b:.1f} h 9 m 8 0 h 9 M {a:.1f} {b - 13:.1f} v 9 m 0 8 v 9"
     right = a < WIDE - 110
     return [path(cross, "ring"), text(a + (8 if right else -8), b - 8, "this case", "start" if right else "end")]
 
 
 def _proved(axes: Axes, x: float, y: float, stable: bool) -> str:
-    a, b = float(axes.px(x)), float(axes.py(y))
-    if not (LEFT <= a <= WIDE - RIGHT and TOP <= b <= HIGH - BOTTOM):
+    at = _inside(axes, x, y)
+    if at is None:
         return ""
+    a, b = at
     return (
         disc(a, b, 4, "root", "proved: stable")
         if stable
@@ -81,13 +132,32 @@ def _proved(axes: Axes, x: float, y: float, stable: bool) -> str:
     )
 
 
-def _legend(counts: Any, open_words: str) -> list[str]:
+def _sure(axes: Axes, one: Sure) -> str:
+    """The outline of what is inside of the frame."""
+    (a, b), (c, d) = (np.clip(ends, *whole) for ends, whole in ((one.x, axes.x), (one.y, axes.y)))
+    x, y = float(axes.px(a)), float(axes.py(d))
+    wide, high = float(axes.px(b)) - x, float(axes.py(c)) - y
+    outline = f"M{x:.1f} {y:.1f}h{wide:.1f}v{high:.1f}h{-wide:.1f}z"  # a rect without height would not be drawn
+    return f'<path class="sure" d="{outline}"><title>proved: stable all over</title></path>'
+
+
+def _legend(counts: Any, open_words: str, sure: bool) -> list[str]:
+    """Four pieces of picture for each row: frame, tint, hatching, words."""
     found = sorted(set(np.ravel(counts).tolist()))
-    said = {0: "blank: stable", -1: open_words}
-    words = [said.get(k, f"shaded: {k} roots grow" if k <= 2 else f"darker: {k} and more") for k in found]
-    kept = [
-        w
-        for k, w in enumerate(words)
-        if not (w.startswith("darker") and any(x.startswith("darker") for x in words[:k]))
-    ]
-    return [text(LEFT + 6, TOP + 16 + 15 * k, word) for k, word in enumerate(kept)]
+    few, more = [k for k in found if 0 < k <= 2], [k for k in found if k > 2]
+    rows = [("", "blank: none grows")] * (0 in found)
+    if few:
+        grow = "root grows" if few == [1] else "roots grow"
+        rows.append((SOME, f"hatched: {' or '.join(map(str, few))} {grow}"))
+    if more:
+        rows.append((MANY, f"crossed: {more[0]} roots grow{', or more' if len(more) > 1 else ''}"))
+    rows += [(OPEN, f"dotted: {open_words}")] * (found[0] < 0)
+    rows += [("sure", "outlined, or on the line: proved stable")] * sure
+    parts = []
+    for k, (name, words) in enumerate(rows):
+        y = HIGH + 4 + _ROW * k
+        frame = box(LEFT, y, 22, 12, "sure" if name == "sure" else "frame")
+        tint = box(LEFT, y, 22, 12, "grows") if name in (SOME, MANY) else ""
+        area = _hatched(LEFT, y, 22, 12, name) if name not in ("", "sure") else ""
+        parts += [tint, area, frame, text(LEFT + 30, y + 11, words, name="note")]
+    return parts

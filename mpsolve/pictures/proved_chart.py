@@ -12,7 +12,7 @@ from mpsolve.problem.over import Over
 from mpsolve.ranges.chart import Chart
 from mpsolve.report.ranges_asked import Asked
 
-_ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" height="480" style="background:#fff;color:#000"'
+_ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
 
 
 def proved_chart(found: Chart, asked: Asked) -> str:
@@ -23,9 +23,9 @@ def proved_chart(found: Chart, asked: Asked) -> str:
     here = tuple(float(one.shown(own[one.path])) for one in (first, second) if one.path in own)
     counts = np.where(found.counts < 0, -1, found.counts)
     picture = chart_picture(
-        x, y, counts, _title(first), _title(second), "How many roots grow: proved regions, hatched where open",
+        x, y, counts, _title(first), _title(second), "How many roots grow: proved regions, dotted where open",
         here=(here[0], here[1]) if len(here) == 2 else None,
-        open_words="hatched: a boundary, or open",
+        open_words="a boundary, or open",
     )  # fmt: skip
     head, rest = picture.split(">", 1)
     return f"{head}{_ALONE}><style>{STYLE}</style>{rest}\n"

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from mpsolve.errors import InputError
-from mpsolve.model.toml import parsed
+from mpsolve.problem.toml import parsed
 
 _HERE = Path(__file__).parent
 Kind = Literal["track", "vehicle"]

@@ -7,8 +7,9 @@ from functools import singledispatch
 from typing import Any, TypeAlias
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.vehicles.mass import Mass

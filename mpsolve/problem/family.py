@@ -78,7 +78,7 @@ class Family:
     def at(self, x: Sequence[Fraction]) -> Problem:
         """The problem at a point x̂."""
         problem = self.problem
-        for path, unit, value in _factors_last(list(zip(self.paths, self.units, x, strict=True))):
+        for path, unit, value in factors_last(list(zip(self.paths, self.units, x, strict=True))):
             problem = problem.changed(path, value * unit)
         return problem
 
@@ -127,7 +127,7 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     base, point = _base(problem, over, units)
     ring = Ring(tuple(over), point)
     track, vehicles, v = problem.track, problem.vehicles, cast(Any, problem.v)
-    for path, unit, x in _factors_last(list(zip(over, units, ring.variables, strict=True))):
+    for path, unit, x in factors_last(list(zip(over, units, ring.variables, strict=True))):
         track, vehicles, v = changed(track, vehicles, v, path, x * unit)
     D_rest, N_rest, speed = _guide(track, base.guide, ring, ring.constant(v))
     pencil = joined([(placed.vehicle.pencil, placed.position, "") for placed in vehicles])
@@ -156,7 +156,7 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     )
 
 
-def _factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:
+def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:
     return sorted(entries, key=lambda entry: entry[0].startswith("scale."))
 
 
@@ -167,7 +167,7 @@ def _base(
     for share in _SHARES:
         point = [a + share * (b - a) for a, b in over.values()]
         inside = problem
-        for path, _, value in _factors_last(list(zip(over, units, point, strict=True))):
+        for path, _, value in factors_last(list(zip(over, units, point, strict=True))):
             inside = inside.changed(path, value)
         try:
             return reduce_problem(inside), tuple(x / u for x, u in zip(point, units, strict=True))
@@ -182,7 +182,7 @@ def _guide(
 ) -> tuple[FreePolynomial, FreePolynomial, Several]:
     """D̂ and N̂ at rest, and v̂, in the scales of a guide."""
     P, s = Fraction(2) ** -scale.length, Fraction(2) ** -scale.time
-    free = Waveguide(_matrix(track, ring), track.loaded)
+    free = Waveguide(free_matrix(track, ring), track.loaded)
     out = []
     for polynomial, like in ((free.dispersion, scale.D_rest), (free.numerator, scale.N_rest)):
         rescaled = {(i, j): ring.constant(c) * P**i * s**j for (i, j), c in polynomial.items()}
@@ -192,7 +192,7 @@ def _guide(
     return out[0], out[1], v * (P / s)
 
 
-def _matrix(track: Track | Waveguide, ring: Ring) -> Any:
+def free_matrix(track: Track | Waveguide, ring: Ring) -> Any:
     """The equations of the track as polynomials in P and s, with coefficients in the free parameters."""
     if isinstance(track, Waveguide):
         return track.matrix

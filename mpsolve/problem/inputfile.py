@@ -13,14 +13,17 @@ from typing import Any, TypeVar
 
 from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
-from mpsolve.model.inputfile import InputFile, input_of
-from mpsolve.model.load import Load, gives_forces
-from mpsolve.model.parameters import Case, PhysicalCase, errors_under
-from mpsolve.model.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.numbers.model import Model, Part, defaults, quantities
 from mpsolve.numbers.units import measured
+from mpsolve.problem.case import Case
+from mpsolve.problem.casefile import InputFile, input_of
 from mpsolve.problem.cases import as_problem
+from mpsolve.problem.checked import errors_under
+from mpsolve.problem.load import gives_forces
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
+from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
 
 _M = TypeVar("_M", bound=Model)

@@ -2,7 +2,8 @@
 
 Paths: `v`; `track.k`; `vehicles[0].wheel` and `vehicles[0].bogie.k`, vehicles counted from 0 in ascending order of
 position; `vehicles.wheel`, all vehicles at once; `gap[0]`, the distance between the middles of vehicles 0 and 1;
-`scale.mass` and `scale.gap`, factors on all masses and on all gaps (bodies stay rigid). All values are exact.
+`scale.mass` and `scale.gap`, factors on all masses and on all gaps (bodies stay rigid). A case of the paper has its
+ratios too (`problem/ratios.py`). All values are exact.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import msgspec
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational, shown
 from mpsolve.numbers.several import Several
+from mpsolve.problem.ratios import paths_of, ratio, ratios_of
 from mpsolve.vehicles.vehicle import Placed
 
 _MASSES = ("kg", "kg m²")
@@ -48,6 +50,8 @@ def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str
     """Unit, meaning and bound of the parameter at `path`; InputError names a path that there is not."""
     placed = _ascending(vehicles)
     indexed = _INDEXED.fullmatch(path)
+    if (asked := ratio(track, placed, path)) is not None:
+        return asked
     if path == "v":
         return _VELOCITY
     if path == "scale.mass" or (path == "scale.gap" and len(placed) > 1):
@@ -62,7 +66,7 @@ def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str
     elif indexed and indexed[1] == "vehicles" and indexed[3] and int(indexed[2]) < len(placed):
         found = _inner(placed[int(indexed[2])].vehicle, indexed[3])
     if found is None:
-        raise _unknown(path, parameters_of(track, vehicles, v))
+        raise _unknown(path, parameters_of(track, vehicles, v) | ratios_of(track, placed, v))
     return found
 
 
@@ -85,14 +89,26 @@ def changed(
     asked = quantity_of(track, vehicles, v, path)
     placed = _ascending(vehicles)
     number: Any = value if isinstance(value, Several) else rational(value, path, asked.unit, asked.meaning)
+    if ratio(track, placed, path) is not None:
+        return _ratio_changed(track, placed, v, path, number)
     if path == "v":
         return track, vehicles, number
     if path.startswith("track.") and isinstance(track, Model):
         return _with(track, path.removeprefix("track."), number, path), vehicles, v
     moved = _vehicle_changed(placed, path, number)
     if moved is None:
-        raise _unknown(path, parameters_of(track, vehicles, v))
+        raise _unknown(path, parameters_of(track, vehicles, v) | ratios_of(track, placed, v))
     return track, moved, v
+
+
+def _ratio_changed(track: Any, placed: Any, v: Any, path: str, number: Any) -> tuple[Any, tuple[Placed, ...], Any]:
+    """Through the parameters that a ratio of the paper stands for."""
+    try:
+        for inner, factor in paths_of(path, len(placed)):
+            track, placed, v = changed(track, placed, v, inner, number * factor)
+    except InputError as error:
+        raise InputError(path, str(error).removeprefix(f"{error.key}: ")) from None
+    return track, placed, v
 
 
 def _vehicle_changed(placed: tuple[Placed, ...], path: str, number: Any) -> tuple[Placed, ...] | None:

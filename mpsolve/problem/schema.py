@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from mpsolve import tracks, vehicles
-from mpsolve.model.inputfile import DIMENSIONLESS, MASS, PHYSICAL, REQUIRED, UNITS
-from mpsolve.model.inputfile import LOAD as RATIO_LOAD
 from mpsolve.numbers.model import Entries, Part, Quantity, Texts, defaults, quantities
+from mpsolve.problem.casefile import DIMENSIONLESS, MASS, PHYSICAL, REQUIRED, UNITS
+from mpsolve.problem.casefile import LOAD as RATIO_LOAD
 from mpsolve.problem.inputfile import LOAD, LOAD_UNITS, PLACE
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"

@@ -12,10 +12,10 @@ from itertools import pairwise
 from math import pi, sqrt
 from typing import Any
 
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.model import Quantity, quantities, shown
 from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.floating_ice import FloatingIce

@@ -9,6 +9,7 @@ from typing import Any
 
 from mpsolve.errors import EffortError, InputError
 from mpsolve.outcome import Reason
+from mpsolve.proof.stopping import end_if_asked
 
 MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
 
@@ -34,7 +35,8 @@ class Effort:
         return Effort(self.seconds, self.evaluations)
 
     def spend(self, evaluations: int) -> None:
-        """Count evaluations of the characteristic function."""
+        """Count evaluations of the characteristic function; EffortError where they are too many, or after Ctrl-C."""
+        end_if_asked()
         self.spent += evaluations
         if self.evaluations is not None and self.spent > self.evaluations:
             self._end(f"{self.evaluations} evaluations", {"evaluations": str(self.evaluations)})

@@ -105,6 +105,23 @@ def sharpened(f: Planar, zero: Zero, goal: int) -> Point:
     raise PrecisionError("a crossing could not be sharpened to the digits asked: it is too badly conditioned")
 
 
+def settled(f: Planar, zero: Zero) -> Point:
+    """The image, made smaller by further steps as long as they help: f may be known on balls only."""
+    at = zero.image
+    for _ in range(_MOST_STEPS):
+        middle = (arb(at[0].mid()), arb(at[1].mid()))
+        slopes = f.slopes(*at)
+        Y = _inverse(slopes)
+        spread = arb_mat([[at[0] - middle[0]], [at[1] - middle[1]]])
+        step = (_one() - Y * _jacobian(slopes)) * spread - Y * _column(f.value(*middle))
+        new = tuple(_met(old, m + s) for old, m, s in zip(at, middle, (step[0, 0], step[1, 0]), strict=True))
+        better = any(bool(b.rad() * 2 < a.rad()) for a, b in zip(at, new, strict=True))
+        at = (new[0], new[1])
+        if not better:
+            break
+    return at
+
+
 def _met(old: Any, new: Any) -> Any:
     return new if new.is_finite() and new.rad() < old.rad() else old
 

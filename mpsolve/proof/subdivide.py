@@ -17,6 +17,7 @@ from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
 
 BATCH = 2048
+_FEW = 48  # boxes: so many take as long as one, so that fewer are halved without being judged
 OPEN = 0
 """Of a box that is not decided."""
 Judge = Callable[[Any, Any], tuple[Any, Any]]
@@ -77,8 +78,17 @@ def subdivide(
     waiting = [(grown.add(1), lows[0], highs[0])]
     whole = highs[0] - lows[0]
     stuck, reason, closed = 0, None, 0.0
+
+    def halve(numbers: Any, a: Any, b: Any, axis: Any) -> tuple[Any, Any, Any]:
+        new = grown.halve(numbers, a, b, axis, whole, smallest)
+        lows.append(new[1])
+        highs.append(new[2])
+        return new
+
     while waiting:
         numbers, a, b = _taken(waiting)
+        while len(numbers) <= _FEW // 2 and _wide(a, b, whole, smallest).all():
+            numbers, a, b = halve(numbers, a, b, _longest(a, b, whole, smallest))
         try:
             effort.spend(len(numbers))
         except EffortError as error:
@@ -88,12 +98,10 @@ def subdivide(
         closed += float(_share(a[:, kind > 0], b[:, kind > 0], whole).sum())
         grown.kind[numbers] = kind
         rest = kind == OPEN
-        wide = rest & (b - a > smallest * whole * (1 + 2.0**-20)).any(0)
+        wide = rest & _wide(a, b, whole, smallest)
         stuck += int((rest & ~wide).sum())
         if wide.any():
-            waiting.append(grown.halve(numbers[wide], a[:, wide], b[:, wide], axis[wide], whole, smallest))
-            lows.append(waiting[-1][1])
-            highs.append(waiting[-1][2])
+            waiting.append(halve(numbers[wide], a[:, wide], b[:, wide], axis[wide]))
         if tell is not None:
             tell(min(closed, 1.0))
     tree = Tree(np.concatenate(lows, 1), np.concatenate(highs, 1), *grown.arrays)
@@ -113,6 +121,15 @@ def _taken(waiting: list[tuple[Any, Any, Any]]) -> tuple[Any, Any, Any]:
         waiting.append((numbers[:-BATCH], a[:, :-BATCH], b[:, :-BATCH]))
         numbers, a, b = numbers[-BATCH:], a[:, -BATCH:], b[:, -BATCH:]
     return numbers, a, b
+
+
+def _wide(a: Any, b: Any, whole: Any, smallest: Any) -> Any:
+    return (b - a > smallest * whole * (1 + 2.0**-20)).any(0)
+
+
+def _longest(a: Any, b: Any, whole: Any, smallest: Any) -> Any:
+    """Of each box, relative to the smallest that there may be."""
+    return ((b - a) / np.where(whole > 0, whole, np.inf) / smallest).argmax(0)
 
 
 def _share(a: Any, b: Any, whole: Any) -> Any:

@@ -15,6 +15,7 @@ from flint import acb, arb
 
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.packed import Portable, pack
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.proof.subdivide import Covered
@@ -47,12 +48,13 @@ class Proof(Portable):
 
 
 @dataclass(frozen=True)
-class Answer(Portable):
+class Answer(Result):
     """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
     from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
-    When undecided, `reason` says why and what helps, and `known` what is proved all the same. What rests on a tree of
-    boxes is `Status.UNVERIFIED` where it is proved: no verifier reads trees yet, only the spectrum of the one point.
+    When undecided, `reason` says why and what helps, and `known` what is proved all the same. A proved answer is
+    `Status.PROVED` where it has a `certificate` that passed the standalone verifier; else `Status.UNVERIFIED`, which
+    says: proved, without certificate, and `note` tells why.
     """
 
     problem: Given
@@ -62,18 +64,12 @@ class Answer(Portable):
     known: Mapping[str, Any] = field(default_factory=dict)
     proofs: tuple[Proof, ...] = field(default=(), repr=False)
     cost: Spent = field(default_factory=lambda: Spent(0.0))
-
-    @property
-    def proved(self) -> bool:
-        """Whether the whole answer is proved."""
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("an answer has no truth value: ask for .proved or for what it says")
+    certificate: Any = field(default=None, repr=False)
+    note: str = ""
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON: exact numbers as texts, with decimals beside them."""
-        hidden = {"proofs", "problem", "spectrum"}
+        hidden = {"proofs", "problem", "spectrum", "certificate"}
         return {one.name: plain(getattr(self, one.name)) for one in fields(self) if one.name not in hidden} | {
             "proved": self.proved
         }

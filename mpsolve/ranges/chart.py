@@ -23,6 +23,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, scope_of
@@ -79,6 +80,7 @@ class Chart(Answer):
                 for part in self.parts]  # fmt: skip
 
 
+@stoppable
 def stability_chart(
     problem: Given,
     *,

@@ -9,10 +9,7 @@ from itertools import pairwise
 from time import process_time
 from typing import Any
 
-import numpy as np
-
 from mpsolve.certificate.solve import certify_problem, checked_digits
-from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.packed import Portable
 from mpsolve.outcome import Reason, Status
@@ -21,12 +18,13 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
+from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
-from mpsolve.ranges.enclosed import enclose
-from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.ranges.search import Search
+from mpsolve.ranges.verified import verified
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -82,7 +80,7 @@ def crossings(
 
     over: {path: (low, high)}, in the problem's units. The answer is proved where the list is complete and the numbers
     of unstable roots between its entries are known; else `Status.UNDECIDED` with a reason, and what was found.
-    check: have the standalone verifier pass the spectrum from which the roots are counted.
+    check: have the standalone verifier pass the certificate of the whole answer; without it the answer has none.
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
@@ -93,6 +91,7 @@ def crossings(
     return replace(found, problem=problem)
 
 
+@stoppable
 def find(
     problem: Problem,
     over: Mapping[str, Interval],
@@ -112,12 +111,13 @@ def find(
         return Crossings(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
-    search = _Search(scope, digits)
+    search = Search(scope, digits)
     cover = search.cover(budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
     reason, inside = cover.reason, []
-    for one in search.found:
+    zeros = [with_room(one) for one in search.found]
+    for one in zeros:
         crossing = _in_units(one, scope)
         where = within(crossing.value, next(iter(over.values())))
         if where is None and reason is None:
@@ -137,58 +137,13 @@ def find(
     if reason is not None:
         known = {"crossings": len(inside)}
         return Crossings(problem, over, Status.UNDECIDED, reason, known, proofs, cost, **common)
-    return Crossings(problem, over, Status.UNVERIFIED, proofs=proofs, cost=cost, counts=counts, **common)
-
-
-@dataclass
-class _Search:
-    """The cover of a scope with one parameter; zeros that it meets are enclosed on the way."""
-
-    scope: Scope
-    digits: int
-
-    def __post_init__(self) -> None:
-        self.judge: Judge = self.scope.judge()
-        self.judge.found = self._enclose
-        self.found: list[Scaled] = []
-        self._failed: list[Any] = []
-
-    def cover(self, budget: Effort, progress: Progress) -> Covered:
-        low, high = self.scope.corners
-        return subdivide(low, high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
-
-    def _enclose(self, point: Any) -> bool:
-        """Enclose the zero near a float point; True where it was."""
-        size = 2 * self.judge.width * 2.0**-6
-        if any((np.abs(point - other) < 2.0**-10 * self.judge.width).all() for other in self._failed):
-            return False
-        if abs(point[0]) < 1e-6 * self.judge.width[0]:
-            point = np.array([0.0, point[1]])
-        try:
-            with precision(80):
-                zero = enclose(
-                    self.scope.proved, (abs(float(point[0])), float(point[1])), tuple(size * 2.0**-6), self.digits
-                )
-            at = np.array([float(zero.q.mid()), float(zero.x.mid())])
-            if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
-                return True
-            room = self.judge.room(at, size * 4)
-        except PrecisionError:
-            self._failed.append(point)
-            return False
-        if room is None or not _holds(room, zero):
-            self._failed.append(point)
-            return False
-        self.judge.known.append(room)
-        self.found.append(zero)
-        return True
-
-
-def _holds(room: tuple[Any, Any], zero: Scaled) -> bool:
-    return all(
-        bool(ball > low) and bool(ball < high)
-        for ball, low, high in zip((zero.q, zero.x), room[0].tolist(), room[1].tolist(), strict=True)
-    )
+    rooms = list(zip(zeros, search.judge.known, strict=True))
+    claim = {"counts": list(counts or ()), "directions": [one.direction for one in inside]}
+    at = Base((_counted_at(over, inside),), base)
+    found = verified(lambda: crossings_certificate(scope, cover.tree, rooms, at, claim), cover.tree.nodes, check)
+    cost = replace(cost, verification=cost.verification + found.seconds)
+    common |= {"proofs": proofs, "cost": cost, "counts": counts}
+    return Crossings(problem, over, found.status, certificate=found.certificate, note=found.note, **common)
 
 
 def _in_units(one: Scaled, scope: Scope) -> Crossing:
@@ -202,7 +157,7 @@ def _counts(
     problem: Problem, over: Mapping[str, Interval], found: list[Crossing], check: bool
 ) -> tuple[tuple[int, ...] | None, Any, Reason | None]:
     """(the numbers of unstable roots between crossings, the spectrum from which they are counted, why not)."""
-    path, (low, high) = next(iter(over.items()))
+    path = next(iter(over))
     for one, other in pairwise(found):
         if not one.value < other.value:
             return None, None, Reason("close", "two crossings cannot be told apart", {}, "ask for more digits")
@@ -212,8 +167,7 @@ def _counts(
             None,
             Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits"),
         )
-    end = Fraction(found[0].lower) if found else high
-    at = _short(low, end)
+    at = _counted_at(over, found)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
     if base.stable is None or base.unstable is None:
         return (
@@ -231,6 +185,12 @@ def _counts(
             Reason("counts", "the counts contradict each other", {}, "report this as a fault, with the input"),
         )
     return tuple(counts), base, None
+
+
+def _counted_at(over: Mapping[str, Interval], found: list[Crossing]) -> Fraction:
+    """Where the roots are counted: before the first crossing."""
+    low, high = next(iter(over.values()))
+    return _short(low, Fraction(found[0].lower) if found else high)
 
 
 def _short(low: Fraction, high: Fraction) -> Fraction:

@@ -43,6 +43,12 @@ def velocity_ranges(problem: Problem) -> Velocities:
     return Velocities(_between(Fraction(0), top, speeds), beyond, steps)
 
 
+def gap_range(problem: Problem) -> Interval | None:
+    """From half to twice the distance of the first two vehicles; None where there is one, or they share a place."""
+    own = problem.parameters.get("gap[0]")
+    return (own / 2, own * 2) if own else None
+
+
 def _between(low: Fraction, high: Fraction, speeds: list[Fraction]) -> tuple[Interval, ...]:
     """The parts of a range off the wave speeds."""
     out, start = [], low

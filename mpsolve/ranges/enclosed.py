@@ -1,4 +1,7 @@
-"""A crossing of the real axis in balls: the only real root near a point (q̂, x̂), and the way in which it crosses."""
+"""A crossing of the real axis in balls: the only real root near a point (q̂, x̂), and the way in which it crosses.
+
+The same for another edge, with the roots on the edge and its coordinate y in place of q̂.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,7 @@ from mpsolve.numbers.balls import acb, acb_mat, arb, precision
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.proof import newton, planar
 from mpsolve.proof.ladder import climb
+from mpsolve.ranges.edge import REAL_AXIS, Edge
 
 BASE_BITS = 80
 _TRIED = 640
@@ -22,7 +26,8 @@ _AT_ZERO = 2.0**-20  # of the box: a crossing this close to q = 0 is first looke
 class Crossing:
     """Scaled: q̂ ≥ 0 (exactly 0 for a divergence), x̂; gained: by how much the number of unstable roots grows with x̂.
 
-    gained counts q and −q̄ together: ±2, and ±1 at q = 0; None where the root's direction is not proved.
+    q is the coordinate y of an edge. gained: of roots on the side Im y < 0; it counts q and −q̄ together: ±2, and ±1
+    at q = 0; None where the root's direction is not proved.
     """
 
     q: Any
@@ -31,62 +36,67 @@ class Crossing:
 
 
 @dataclass(frozen=True)
-class _InPlane:
-    """The scalar whose zeros are the real roots, for the last parameter free, as a function of (q̂, x̂)."""
+class InPlane:
+    """The scalar whose zeros are the roots on the edge, for the last parameter free, as a function of (y, x̂)."""
 
     proved: FreeProved
     reduction: Reduction
+    edge: Edge = REAL_AXIS
 
-    def value(self, q: Any, x: Any) -> Any:
-        return self.reduction.scalar(self.proved.matrices(acb(0, q), [x], slopes=False)[0])
+    def value(self, y: Any, x: Any) -> Any:
+        return self.reduction.scalar(self.proved.matrices(self.edge.sigma(y), [x], slopes=False)[0])
 
-    def slopes(self, q: Any, x: Any) -> tuple[Any, Any]:
-        A, (A_sigma, A_x) = self.proved.matrices(acb(0, q), [x])
-        i = acb(0, 1)
-        return i * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
+    def slopes(self, y: Any, x: Any) -> tuple[Any, Any]:
+        A, (A_sigma, A_x) = self.proved.matrices(self.edge.sigma(y), [x])
+        return acb(self.edge.way) * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
 
 
 @dataclass(frozen=True)
 class _AtZero:
-    """The same at q = 0, as an analytic function of x̂; real for real x̂ up to a constant factor."""
+    """The same at y = 0, as an analytic function of x̂; real for real x̂ up to a constant factor."""
 
     proved: FreeProved
     reduction: Reduction
+    edge: Edge
 
     def value(self, x: Any) -> Any:
-        return self.reduction.scalar(self.proved.matrices(acb(0), [x], slopes=False)[0])
+        return self.reduction.scalar(self.proved.matrices(self.edge.sigma(0), [x], slopes=False)[0])
 
     def slope(self, x: Any) -> Any:
         return self.both(x)[1]
 
     def both(self, x: Any) -> tuple[Any, Any]:
-        A, (_, A_x) = self.proved.matrices(acb(0), [x])
+        A, (_, A_x) = self.proved.matrices(self.edge.sigma(0), [x])
         return self.reduction.scalar(A), self.reduction.scalar_slope(A, A_x)
 
 
-def enclose(proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], digits: int) -> Crossing:
-    """The crossing near `seed` (q̂, x̂), to so many digits; `PrecisionError` where none is proved. size: of its box."""
+def enclose(
+    proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], digits: int, edge: Edge = REAL_AXIS
+) -> Crossing:
+    """The crossing near `seed` (y, x̂), to so many digits; `PrecisionError` where none is proved. size: of its box."""
     goal = math.ceil(digits * math.log2(10)) + 2
-    if abs(seed[0]) <= _AT_ZERO * size[0]:
-        return climb(lambda _: _at_zero(proved, seed[1], size[1], goal), BASE_BITS, _TRIED)
-    return climb(lambda _: _in_plane(proved, seed, size, goal), BASE_BITS, _TRIED)
+    if edge.mirrored and abs(seed[0]) <= _AT_ZERO * size[0]:
+        return climb(lambda _: _at_zero(proved, seed[1], size[1], goal, edge), BASE_BITS, _TRIED)
+    return climb(lambda _: _in_plane(proved, seed, size, goal, edge), BASE_BITS, _TRIED)
 
 
-def _reduction(proved: FreeProved, q: Any, x: Any) -> Reduction:
-    A: acb_mat = proved.matrices(acb(0, q), [x], slopes=False)[0]
+def _reduction(proved: FreeProved, y: Any, x: Any, edge: Edge) -> Reduction:
+    A: acb_mat = proved.matrices(edge.sigma(y), [x], slopes=False)[0]
     return Reduction.of(A, near_root=True)
 
 
-def _in_plane(proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], goal: int) -> Crossing:
+def _in_plane(
+    proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], goal: int, edge: Edge
+) -> Crossing:
     at: planar.Point = (arb(seed[0]), arb(seed[1]))
     for _ in range(2):  # the reduction is best made at the zero itself
-        f = _InPlane(proved, _reduction(proved, *at))
+        f = InPlane(proved, _reduction(proved, *at, edge), edge)
         at = planar.polished(f, (float(at[0]), float(at[1])))
     zero = planar.isolated(f, at, (arb(size[0]), arb(size[1])))
     q, x = planar.sharpened(f, zero, goal + 8)
-    if q < 0:
+    if edge.mirrored and q < 0:
         q = -q
-    if not q > 0:
+    if edge.mirrored and not q > 0:
         raise PrecisionError("a crossing lies at q = 0 to within the precision, and is not proved there")
     f_q, f_x = f.slopes(q, x)
     drift = (-f_x / f_q).imag
@@ -94,13 +104,13 @@ def _in_plane(proved: FreeProved, seed: tuple[float, float], size: tuple[float, 
     return Crossing(q, x, gained)
 
 
-def _at_zero(proved: FreeProved, seed: float, size: float, goal: int) -> Crossing:
-    f = _AtZero(proved, _reduction(proved, arb(0), arb(seed)))
+def _at_zero(proved: FreeProved, seed: float, size: float, goal: int, edge: Edge) -> Crossing:
+    f = _AtZero(proved, _reduction(proved, arb(0), arb(seed), edge), edge)
     middle = newton.polished(f, arb(seed))
     found = newton.isolated(f, acb(middle.real.mid()), arb(size) * 2**8)
     x = newton.sharpened(f, found.image, goal + 8, newton.real_part).real
     with precision(BASE_BITS):
-        A, (A_sigma, A_x) = proved.matrices(acb(0), [x])
+        A, (A_sigma, A_x) = proved.matrices(edge.sigma(0), [x])
         f_sigma, f_x = (f.reduction.scalar_slope(A, slope) for slope in (A_sigma, A_x))
         drift = (-f_x / f_sigma).real  # of σ̂, which grows where it is positive
     gained = 1 if drift > 0 else -1 if drift < 0 else None

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
-from mpsolve.characteristic.circles import Receptances
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
@@ -25,28 +25,33 @@ NONZERO, PASSIVE, KNOWN = 1, 2, 3
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
-Found = Callable[[Any], bool]
-"""What is done about a point (q̂, x̂) where the determinant seems to vanish: True where a zero was enclosed there."""
+Found = Callable[[Any, Any], bool]
+"""What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
+a zero was enclosed there.
+"""
 
 
-def boxes_of(low: Any, high: Any) -> Boxes:
+def boxes_of(low: Any, high: Any, origin: complex = 0.0, way: complex = 1j) -> Boxes:
     """Boxes that hold those between the corners, middles rounded."""
     m = low / 2 + high / 2
-    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000)
+    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000, origin, way)
 
 
 @dataclass
 class Judge:
     """Judges boxes of one family.
 
-    width: half of the whole; known: boxes (low, high) whose only zero has been enclosed, of two variables.
+    envelope: that of the contacts, None where their passivity tells nothing. width: half of the whole; known: boxes
+    (low, high) whose only zero has been enclosed, of two variables. origin, way: of the line, see `Boxes`.
     """
 
     matrix: FreeMatrix
-    envelope: Envelope
+    envelope: Envelope | None
     width: Any
     found: Found | None = None
     known: list[tuple[Any, Any]] = field(default_factory=list)
+    origin: complex = 0.0
+    way: complex = 1j
 
     @cached_property
     def variables(self) -> int:
@@ -56,20 +61,23 @@ class Judge:
         """(kind of each box, the variable along which to halve it)."""
         kind = np.zeros(low.shape[1], np.int8)
         kind[self._in_known(low, high)] = KNOWN
-        boxes = boxes_of(low, high)
+        boxes = boxes_of(low, high, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
+        if self.envelope is not None:
+            kind[self._passive(self.envelope, boxes, low, high, kind)] = PASSIVE
+        if self.found is not None and (kind == 0).any():
+            self._look(boxes, s, kind)
+        return kind, self._axis(boxes, G, s, verdict)
+
+    def _passive(self, envelope: Envelope, boxes: Boxes, low: Any, high: Any, kind: Any) -> Any:
         rest = np.flatnonzero((kind == 0) & (low[0] > 0))
         if len(rest):
             middles = Boxes(boxes.m[:, rest], 0 * boxes.r[:, rest])
             rest = rest[_seems_passive(self.matrix.receptance(middles))]
-        if len(rest):
-            kind[rest[passive_on(self.envelope, low[:, rest].T, high[:, rest].T)]] = PASSIVE
-        if self.found is not None and (kind == 0).any():
-            self._look(boxes, s, kind)
-        return kind, self._axis(boxes, G, s, verdict)
+        return rest[passive_on(envelope, low[:, rest].T, high[:, rest].T)] if len(rest) else rest
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
@@ -85,13 +93,13 @@ class Judge:
         for n in np.flatnonzero(near)[:_TRIED]:
             point = boxes.m[:, n] + boxes.r[:, n] * u[:, n]
             if not any(((point >= a) & (point <= b)).all() for a, b in self.known) and self.found is not None:
-                self.found(point)
+                self.found(point, boxes.r[:, n])
 
     def room(self, point: Any, size: Any) -> tuple[Any, Any] | None:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
         one, other = np.meshgrid(_SHARES, _SHARES)
         shares = np.stack([one.ravel(), other.ravel()])
-        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares)
+        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
@@ -105,10 +113,10 @@ class Judge:
         """Where the determinant is bounded, what stands most against the test; else what moves the p-roots most."""
         with np.errstate(all="ignore"):
             bounded = G.good & np.isfinite(s.strain).all(0)
-            strain = np.where(bounded, s.strain, 0) + G.wave.strain
+            strain = np.where(bounded, s.strain, 0) + G.strain
             share = strain / strain.sum(0)
             weight = verdict.weight + s.s.e * np.where(np.isfinite(share), share, 0)
-            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.wave.strain))
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.strain))
             width = boxes.r / np.where(self.width > 0, self.width, np.inf)[:, None]
             usable = np.isfinite(weight).all(0) & (weight > 0).any(0)
             weight = np.where(usable, weight / weight.max(0), 1.0) * (width > 0) + width * 1e-9

@@ -12,13 +12,18 @@ from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.packed import Portable
+from mpsolve.outcome import Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, outward
 from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
+
+SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
+"""What an answer has from the crossings that it is read from: their certificate is its own."""
 
 
 class Kind(Enum):
@@ -74,12 +79,16 @@ class Onset(Answer):
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
     unstable_from_start, or undecided. value, q: balls in the problem's units; lower, upper: floats that hold `value`
     between them, so that the problem is stable from the start of the range to `lower`; None without a value.
+    worst: where a second parameter was left to its worst value, that value, a ball, and where it lies in its range:
+    "inside", "start" or "end". The problem is then stable up to `lower` for all values of the second parameter.
     """
 
     digits: int = 15
     kind: Kind = Kind.UNDECIDED
     value: Any | None = None
     q: Any | None = None
+    worst: Any | None = None
+    where: str = ""
 
     @property
     def lower(self) -> float | None:
@@ -107,7 +116,7 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
 
 
@@ -115,14 +124,24 @@ def onset(
     problem: Given,
     *,
     over: Mapping[str, Any],
+    worst: Mapping[str, Any] | None = None,
     digits: int = 15,
     effort: Effort | None = None,
     progress: Progress | None = None,
     check: bool = True,
 ) -> Onset:
-    """From which value of one parameter on the problem is unstable: see `crossings` for arguments and errors."""
+    """From which value of one parameter on the problem is unstable: see `crossings` for arguments and errors.
+
+    worst: {path: (low, high)} of a second parameter, which is left to its worst value in this range, its ends
+    included: a limiting mass at the worst distance, say. Below the answer all is stable, whatever that parameter is.
+    """
+    if worst is not None:
+        digits = checked_digits(digits)
+        return _at_worst(
+            at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
+        )
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in ("status", "reason", "known", "proofs", "cost")}
+    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
     answer = Onset(problem, found.over, digits=found.digits, **common)
     if found.counts is None:
         return answer
@@ -132,6 +151,15 @@ def onset(
     if found.counts[0]:
         return replace(answer, kind=Kind.UNSTABLE_FROM_START)
     return replace(answer, kind=Kind.CROSSES, value=parts[0].start, q=parts[0].q)
+
+
+def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
+    found = answer.found
+    if found is None:
+        return Onset(problem, answer.over, Status.UNDECIDED, answer.reason, cost=answer.cost, digits=digits)
+    known: dict[str, Any] = {"value": found.value, "q": found.q, "worst": found.worst, "where": found.where}
+    known |= {"kind": Kind.STABLE if found.value is None else Kind.CROSSES, "proofs": found.proofs}
+    return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
 
 
 def intervals_of(found: Crossings) -> tuple[Unstable, ...]:

@@ -18,10 +18,13 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
+from mpsolve.ranges.verified import verified
 
 _BOXES = 1_000_000
 _TRIED = 12  # open boxes at which a root that grows is looked for
@@ -52,6 +55,7 @@ class Robust(Answer):
         return out
 
 
+@stoppable
 def prove_stable(
     problem: Given,
     *,
@@ -154,7 +158,7 @@ def _answer(question: _Question, progress: Progress) -> Robust:
         found = _beside_open(question, cover)
         if found is not None:
             return found
-    _, base = question.certified((scope.low + scope.high) / 2)
+    point, base = question.certified((scope.low + scope.high) / 2)
     if base.stable is False:
         found = question.refuted((scope.low + scope.high) / 2)
         if found is not None:
@@ -167,7 +171,11 @@ def _answer(question: _Question, progress: Progress) -> Robust:
     common: dict[str, Any] = {"proofs": proofs, "cost": question.cost(base)}
     if reason is not None:
         return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)
-    return Robust(question.problem, question.over, Status.UNVERIFIED, stable=True, **common)
+    at = Base(tuple(point.values()), base)
+    made = verified(lambda: stable_certificate(scope, cover.tree, at), cover.tree.nodes, question.check)
+    common["cost"] = replace(common["cost"], verification=common["cost"].verification + made.seconds)
+    common |= {"certificate": made.certificate, "note": made.note}
+    return Robust(question.problem, question.over, made.status, stable=True, **common)
 
 
 def _beside_open(question: _Question, cover: Covered) -> Robust | None:

@@ -28,6 +28,7 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
+_OF_ONE, _OF_SEVERAL = 1, 5  # halvings of a cell of frequencies, for one parameter and for several
 
 
 class OpenError(PrecisionError):
@@ -36,9 +37,13 @@ class OpenError(PrecisionError):
 
 @dataclass(frozen=True)
 class Scope:
-    """A family with all that is proved of it as a whole. All is scaled."""
+    """A family with all that is proved of it as a whole. All is scaled.
+
+    reach: a frequency up to which alone is asked, where passivity says nothing.
+    """
 
     family: Family
+    reach: float | None = None
 
     @cached_property
     def matrix(self) -> FreeMatrix:
@@ -59,14 +64,25 @@ class Scope:
 
     @cached_property
     def envelope(self) -> Envelope:
-        return Envelope(Subject.of_family(self.family), tuple(self.low.tolist()), tuple(self.high.tolist()))
+        """Over the box, which is thin along parameters of the vehicles: the track's receptance knows none of them."""
+        family = self.family
+        told = [*family.D_rest.values(), *family.N_rest.values(), family.v, *family.places]
+        felt = [any(e[k] for c in told for e, _ in c) for k in range(len(family.paths))]
+        low = np.where(felt, self.low, self.high)
+        return Envelope(Subject.of_family(family), tuple(low.tolist()), tuple(self.high.tolist()))
 
     @cached_property
     def X(self) -> float:
-        """From this frequency on the contacts are passive for all parameters; `OpenError` where none is found."""
+        """From this frequency on the contacts are passive for all parameters; `OpenError` where none is found.
+
+        Or the reach.
+        """
+        if self.reach is not None:
+            return self.reach
         # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
         one = len(self.family.paths) == len(self.family.places) == 1
-        found = far(self.envelope) if one else getattr(passive_beyond(self.envelope), "X", None)
+        halvings = _OF_ONE if len(self.family.paths) == 1 else _OF_SEVERAL
+        found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=halvings), "X", None)
         if found is None:
             message = "no frequency is found beyond which the contacts are passive for all these parameters"
             raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
@@ -75,7 +91,7 @@ class Scope:
     def judge(self) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return Judge(self.matrix, self.envelope, width)
+        return Judge(self.matrix, self.envelope if self.reach is None else None, width)
 
     @property
     def corners(self) -> tuple[Any, Any]:

@@ -12,7 +12,8 @@ from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import fixed_digits, working_bits
 from mpsolve.numbers.model import rational, shown
 from mpsolve.numbers.packed import Portable
-from mpsolve.outcome import Reason
+from mpsolve.numbers.result import Result
+from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over
@@ -45,7 +46,7 @@ class Entry(Portable):
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Result):
     """entries[i][j] belongs to rows[1][i] and columns[1][j]; an axis is (path, exact values in the model's unit)."""
 
     quantity: str
@@ -57,9 +58,14 @@ class Table:
     title: str = ""
 
     @property
-    def proved(self) -> bool:
-        """Whether no entry is undecided."""
-        return all(entry.status != "undecided" for row in self.entries for entry in row)
+    def status(self) -> Status:
+        """UNVERIFIED where no entry is undecided: tables have no certificate."""
+        return Status.UNVERIFIED if self.reason is None else Status.UNDECIDED
+
+    @property
+    def reason(self) -> Reason | None:
+        """That of the first entry which is undecided."""
+        return next((one.reason for row in self.entries for one in row if one.status == "undecided"), None)
 
 
 @dataclass(frozen=True)

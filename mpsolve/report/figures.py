@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
 from mpsolve.files import write_whole
-from mpsolve.model.parameters import PhysicalCase
+from mpsolve.problem.physical import PhysicalCase
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

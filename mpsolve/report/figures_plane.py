@@ -1,26 +1,28 @@
-"""The complex q-plane of a spectrum: cuts, branch points, contour, certified roots, and each root's ball.
+"""The complex q-plane of a spectrum: cuts, branch points, contour, certified roots; in the units of its problem.
 
 Ids in the pictures: root-K (the K-th of spectrum.roots, from 1), branch-point-left and -right, cut-left and -right.
 """
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
-from mpsolve.fields import Float64
-from mpsolve.model.limits import limiting_frequency
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.decimals import proved_digits
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.line import on_line
+from mpsolve.problem.reduced import reduce_problem
 from mpsolve.report.figures import COLOUR, Look
+from mpsolve.report.spectrum_words import SI, units_of
 from mpsolve.report.vibration import Trend, Vibration
+from mpsolve.spectrum.branch_loops import edge_points
+from mpsolve.spectrum.spectrum import Spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+_PARTS = {"x": "Re", "y": "Im"}
 _GAP = 0.018  # of the height: how far the contour is drawn from the cut on which it runs
 _GUARD = 0.12  # of the extent, around what is shown
 _CLOSE = 0.25  # of the half width: below it the labels of both branch points would meet
@@ -31,33 +33,40 @@ def centre(root: Any) -> tuple[float, float]:
     return float(root.q.real.mid()), float(root.q.imag.mid())
 
 
-def gap_end(case: Case) -> float | None:
-    """q_lm where the cuts are apart, 0 where they are joined, None where they leave the line Im q = η_b; float64."""
-    return max(0.0, float(limiting_frequency(case, Float64()))) if case.cuts_on_line else None
+def cut_line(given: Given) -> tuple[float, float] | None:
+    """(height of the cuts, Re q where they begin, 0 if joined) of a beam, in float64; None for other cuts."""
+    line = on_line(reduce_problem(as_problem(given)))
+    if line is None:
+        return None
+    unit = float(line.lower.frequency_unit)
+    begin = edge_points(line)[0].z if line.joined is False else 0.0
+    return float(line.height) * unit, begin * unit
 
 
-def q_plane(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
+def q_plane(spectrum: Spectrum, ax: Axes, look: Look = COLOUR) -> Axes:
     """The roots with the cuts, their branch points, the contour along them and the unstable half-plane; `ax`."""
-    spectrum = sheet_of(spectrum)
-    start = gap_end(spectrum.case)
-    height = float(spectrum.case.eta_b)
+    height, start = cut_line(spectrum.problem) or (0.0, None)
     places = [centre(root) for root in spectrum.roots]
-    reach = 1.5 * max([abs(x) for x, _ in places] + [start or 0.0, 0.3])
+    reach = 1.5 * (max([abs(x) for x, _ in places] + [start or 0.0, 2 * height]) or 1.0)
     low, high = (f([y for _, y in places] + [0.0, height if start is not None else 0.0]) for f in (min, max))
     extent = (high - low) or 0.1
     limits = low - 2 * _GUARD * extent, high + 2 * _GUARD * extent
-    ax.set(xlim=(-reach, reach), ylim=limits, xlabel="Re q", ylabel="Im q")
+    ax.set(xlim=(-reach, reach), ylim=limits, **_labels(spectrum))
     _halves(ax, look)
     if start is not None:
-        _cuts(ax, start, height, look)
+        _cuts(ax, start, height, look, units_of(spectrum) is not SI)
         _contour_at_cuts(ax, start, height, look)
     draw_roots(spectrum, ax, look, 7)
     return ax
 
 
-def draw_roots(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
+def _labels(spectrum: Spectrum) -> dict[str, str]:
+    unit = units_of(spectrum)
+    return {f"{axis}label": f"{part} q [{unit.q}]" if unit is SI else f"{part} q" for axis, part in _PARTS.items()}
+
+
+def draw_roots(spectrum: Spectrum, ax: Axes, look: Look = COLOUR, size: float = 7) -> Axes:
     """A mark at the midpoint of each certified ball; a diamond where Im q < 0 is proved."""
-    spectrum = sheet_of(spectrum)
     for k, root in enumerate(spectrum.roots, 1):
         x, y = centre(root)
         ax.plot(x, y, **look.root(root.q.imag < 0), markersize=size, markeredgewidth=0.8, zorder=5, gid=f"root-{k}")
@@ -81,50 +90,6 @@ def roots_zoom(motions: tuple[Vibration, ...], seconds: bool, ax: Axes, look: Lo
     return ax
 
 
-def root_ball(motion: Vibration, ax: Axes, look: Look = COLOUR) -> Axes:
-    """The proved box of one root, drawn to scale around its midpoint; `ax`."""
-    q, units = motion.root.q, 0
-    radii = [float(side.rad()) for side in (q.real, q.imag)]
-    size = max(radii)
-    if size:
-        units = math.floor(math.log10(size))
-    scaled = [radius / 10.0**units for radius in radii]
-    reach = 2.2 * max(*scaled, 0.1)
-    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
-    _box(scaled, ax, look.unstable if motion.trend is Trend.GROWS else look.stable)
-    ax.plot(0, 0, "+", color=look.ink, markersize=8)
-    unit = f"$10^{{{units}}}$"
-    ax.set_xlabel(f"Re q − {proved_digits(abs(q.real), 6)}…, in {unit}", fontsize=9)
-    ax.set_ylabel(f"Im q − ({proved_digits(q.imag, 4)}…), in {unit}", fontsize=9)
-    ax.tick_params(labelsize=8)
-    return ax
-
-
-def whole_contour(spectrum: AnySpectrum, ax: Axes, look: Look = COLOUR) -> Axes:
-    """The whole contour of the count to scale: both edges of the cuts and the far circle; `ax`.
-
-    Where only Im q < 0 was counted: the real axis and the circle below it.
-    """
-    spectrum = sheet_of(spectrum)
-    rho = 1.0 if spectrum.radius is None else spectrum.radius
-    start = gap_end(spectrum.case)
-    on_cuts = start is not None
-    height = float(spectrum.case.eta_b)
-    below = math.asin(min(1.0, height / rho))  # where the circle meets the real axis
-    turn = np.linspace(0.0 if on_cuts else below - np.pi, 2 * np.pi if on_cuts else -below, 361)
-    ax.plot(rho * np.cos(turn), height + rho * np.sin(turn), color=look.ink, linewidth=1.2, gid="far-circle")
-    limit = 1.12 * rho
-    ax.set(xlim=(-limit, limit), ylim=(height - limit, height + limit), aspect="equal", xlabel="Re q", ylabel="Im q")
-    ax.axhspan(height - limit, 0, color=look.shade, linewidth=0, zorder=0)
-    if on_cuts:
-        for side in (-1, 1):
-            ax.plot([side * (start or 0), side * limit], [height, height], color=look.cut, linewidth=2.2)
-    else:
-        ax.plot([-rho * math.cos(below), rho * math.cos(below)], [0, 0], color=look.ink, linewidth=1.2)
-    ax.text(0, height + (0.5 if on_cuts else -0.5) * rho, f"|q − i$η_b$| = {rho:.6g}", ha="center", fontsize=9)
-    return draw_roots(spectrum, ax, look, 3)
-
-
 def _halves(ax: Axes, look: Look, said: bool = True) -> None:
     """The real axis and the half-plane below it, in which e^{iqτ} grows."""
     (left, _), (low, high) = ax.get_xlim(), ax.get_ylim()
@@ -135,7 +100,7 @@ def _halves(ax: Axes, look: Look, said: bool = True) -> None:
         ax.text(left * 0.97, low + 0.02 * (high - low), "Im q < 0: grows, unstable", va="bottom", fontsize=9)
 
 
-def _cuts(ax: Axes, start: float, height: float, look: Look) -> None:
+def _cuts(ax: Axes, start: float, height: float, look: Look, in_ratios: bool) -> None:
     """The rays Im q = η_b, |Re q| ≥ q_lm, from their branch points outward."""
     reach = ax.get_xlim()[1]
     for side, name in ((-1, "left"), (1, "right")):
@@ -147,7 +112,7 @@ def _cuts(ax: Axes, start: float, height: float, look: Look) -> None:
     if start:
         both = [(-start, "−"), (start, "")] if start > _CLOSE * reach else [(0.0, "±")]
         for x, sign in both:
-            said = f"{sign}$q_{{lm}}$ + i$η_b$"
+            said = f"{sign}$q_{{lm}}$ + i$η_b$" if in_ratios else "branch point"
             ax.annotate(said, (x, height), (0, 9), textcoords="offset points", ha="center", fontsize=9)
     place = (reach + start) / 2
     ax.annotate("branch cut", (place, height), (0, -14), textcoords="offset points", ha="center", fontsize=9)
@@ -184,13 +149,3 @@ def _told(motion: Vibration, seconds: bool) -> str:
         return f"{said}\n{motion.trend.value}"
     verb = "doubles" if motion.trend is Trend.GROWS else "halves"
     return f"{said}\n{verb} in {proved_digits(motion.time, 3)}{unit}"
-
-
-def _box(radii: list[float], ax: Axes, colour: str) -> None:
-    """The box [−r, r] × [−s, s]; a segment or a point where a radius is 0."""
-    from matplotlib.patches import Rectangle
-
-    r, s = radii
-    ax.add_patch(Rectangle((-r, -s), 2 * r, 2 * s, facecolor=colour, alpha=0.25, edgecolor=colour, gid="ball"))
-    if not (r and s):
-        ax.plot([-r, r], [-s, s], color=colour, marker="" if r or s else "o")

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from mpsolve.errors import InputError
-from mpsolve.model.specs import ONE_MASS
+from mpsolve.problem.specs import ONE_MASS
 from mpsolve.report.figures import COLOUR, Look
 from mpsolve.stability.table import OnsetTable
 

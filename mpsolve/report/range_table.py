@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.specs import steps
-from mpsolve.model.toml import check_keys, kind, parsed, text_of
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import rational
 from mpsolve.numbers.packed import pack
 from mpsolve.numbers.spoken import decimal
 from mpsolve.problem.inputfile import read_source
+from mpsolve.problem.specs import steps
+from mpsolve.problem.toml import check_keys, kind, parsed, text_of
 from mpsolve.progress import Progress
 from mpsolve.ranges.table import Entry, Table, stability_table
 from mpsolve.report.ranges_asked import asked

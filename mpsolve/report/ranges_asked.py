@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case
 from mpsolve.outcome import Reason
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over, parse_overs
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.warned import warned
 
 _NO_END = "has no upper end: give one, such as {path}=0..{example}, for a range without an end is not proved"
 
@@ -38,9 +39,11 @@ class Asked:
 
     @property
     def warnings(self) -> tuple[Reason, ...]:
-        """Of each range that does not hold the file's own value."""
-        found = (one.outside(self.problem) for one in self.overs)
-        return tuple(reason for reason in found if reason is not None)
+        """What looks like a mistake in the problem, and each given range that does not hold the file's own value."""
+        free = {one.path for one in self.overs}
+        own = [reason for reason in warned(self.given) if not free & reason.numbers.keys()]
+        found = () if self.by_default else (one.outside(self.problem) for one in self.overs)
+        return (*own, *(reason for reason in found if reason is not None))
 
     @property
     def ranges(self) -> str:
@@ -50,6 +53,10 @@ class Asked:
     def by_itself(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
         """The same question over ranges that the user did not give; velocities are told in km/h."""
         return replace(self, overs=tuple(self._of(path, *ends) for path, ends in over.items()), by_default=True)
+
+    def second(self, texts: Iterable[str]) -> Asked:
+        """The same question over another range: of a parameter that is left to its worst value."""
+        return asked(self.given, self.title, texts, "--worst")
 
     def answered(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
         """The same question over the ranges of which an answer speaks."""
@@ -62,19 +69,19 @@ class Asked:
         return Over(path, low, high, unit, "km/h" if unit == "m/s" else unit)
 
 
-def asked(given: Given, title: str, texts: Iterable[str]) -> Asked:
+def asked(given: Given, title: str, texts: Iterable[str], key: str = "--over") -> Asked:
     """What `texts` ask, such as "v=0..400 km/h"; InputError for a range without an end and for units of a ratio."""
     problem = as_problem(given)
-    overs = parse_overs(texts, problem)
+    overs = parse_overs(texts, problem, key)
     for one in overs:
         if one.high is None:
             example = "400km/h" if one.path == "v" and one.si else "10"
-            raise InputError("--over", f"names {one.path}, which {_NO_END.format(path=one.path, example=example)}")
+            raise InputError(key, f"names {one.path}, which {_NO_END.format(path=one.path, example=example)}")
     if isinstance(given, Case):
         for one in overs:
             if one.unit != one.si:
                 stated = f"gives {one.path} in {one.unit}, but the file holds the paper's ratios"
-                raise InputError("--over", f"{stated}: give numbers without units, v being α")
+                raise InputError(key, f"{stated}: give numbers without units, v being α")
         overs = tuple(replace(one, si="", unit="") for one in overs)
     return Asked(given, problem, title, overs)
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from mpsolve.numbers.spoken import decimal
 from mpsolve.ranges.answer import Answer
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import trust
-from mpsolve.report.spectrum_data import spectrum_data
+from mpsolve.report.spectrum_data import number, spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED
 
 FORMAT = "mpsolve ranges"
@@ -19,15 +18,15 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
     """The answer in plain values.
 
     format, version   "mpsolve ranges", 1; a version adds no meaning to a key that is there
-    question          "onset", "unstable_ranges", "crossings", "robust" or "chart"
+    question          "onset", "unstable_ranges", "crossings", "lines", "worst", "robust" or "chart"
     title, verdict    the title of the file, or "", and one sentence
     ranges            for each path {"low", "high", "own": {"exact", "decimal"}, "unit"}, in the model's units; own is
                       the file's value
-    warnings          reasons in parts, where the file's own value lies outside a range
+    warnings          reasons in parts: what looks like a mistake, where the file's own value is outside a range
     answer            what the library's to_dict gives; a ball is {"decimal", "lower", "upper", "ball"}, the last as
                       [mantissa, exponent of 2] of the middle and of the radius, mantissas as texts
     spectrum          the report of certify at a counterexample, or null
-    certificate       null: there is none for ranges yet
+    certificate       the sha256 of the certificate that passed the verifier, or null
     trust, assumed    sentences
     """
     spectrum = getattr(found, "spectrum", None)
@@ -41,7 +40,7 @@ def ranges_data(question: str, verdict: str, found: Answer, asked: Asked) -> dic
         "warnings": [reason.data() for reason in asked.warnings],
         "answer": found.to_dict(),
         "spectrum": None if spectrum is None else spectrum_data(spectrum, asked.title),
-        "certificate": None,
+        "certificate": None if found.certificate is None else found.certificate.content["sha256"],
         "trust": trust(found),
         "assumed": ASSUMED,
     }
@@ -55,5 +54,5 @@ def parts_data(each: list[dict[str, Any]]) -> dict[str, Any]:
 def _range(over: Any, asked: Asked) -> dict[str, Any]:
     own = asked.problem.parameters.get(over.path)
     ends = {"low": over.low, "high": over.high, "own": own}
-    exact = {name: x if x is None else {"exact": str(x), "decimal": decimal(x)} for name, x in ends.items()}
+    exact = {name: x if x is None else number(x) for name, x in ends.items()}
     return {**exact, "unit": over.si}

@@ -18,7 +18,7 @@ def rows_csv(said: list[Said]) -> str:
     rows = [dict(row) for one in said for row in one.answer.rows()]
     (over, *_) = said[0].asked.overs
     rate = "rad/s" if said[0].asked.si else "√(k/m)"
-    units = {"value": over.si, "start": over.si, "end": over.si, "q": rate}
+    units = {"value": over.si, "start": over.si, "end": over.si, "q": rate, "re q": rate, "im q": rate}
     names = list(dict.fromkeys(name for row in rows for name in row))
     named = {name: over.path if name == "value" else name for name in names}
     headings = [f"{named[name]} [{units[name]}]" if units.get(name) else named[name] for name in names]

@@ -17,9 +17,13 @@ from mpsolve.report.over_words import margin, onset_at, stable_throughout, unsta
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.spectrum_words import ASSUMED
 
+CERTIFIED = (
+    "Proved: a certificate with the equations, all boxes of frequency and parameters, and the roots at one point, "
+    "passed the standalone verifier; --certificate FILE writes it."
+)
 WITHOUT = (
-    "Proved, without certificate: boxes of frequency and parameters are excluded in rigorous arithmetic, but no file "
-    "of that is written yet for others to check."
+    "Proved, without certificate: boxes of frequency and parameters are excluded in rigorous arithmetic, but there "
+    "is no file of that which the verifier has passed."
 )
 _BASE = "The roots at one point, from which all are counted, are certified and passed the standalone verifier."
 _UNVERIFIED = "The roots at one point, from which all are counted, are certified; the verifier was not asked."
@@ -184,5 +188,7 @@ def trust(found: Answer) -> str:
     if not found.proved:
         known = "" if not found.known else " What is listed is proved all the same, but may not be all."
         return f"Not decided, so nothing is claimed of the whole range.{known}"
+    if found.certificate is not None and found.status is Status.PROVED:
+        return CERTIFIED
     verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
     return f"{WITHOUT} {_BASE if found.proofs and verified else _UNVERIFIED}"

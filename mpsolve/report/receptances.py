@@ -9,7 +9,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from mpsolve.characteristic.forced import receptance
+from mpsolve.errors import InputError
 from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Track
@@ -23,13 +26,17 @@ MEANING = (
 
 @dataclass(frozen=True)
 class Receptances:
-    """G[i, j] = G(xi[i], omega[j]), complex128: displacement of the rail per unit force, in the problem's units."""
+    """G[i, j] = G(xi[i], omega[j]), complex128: displacement of the rail per unit force, in the problem's units.
+
+    contacts: None, or the matrices G(x_i − x_j, omega) of the problem's contacts, shape (omega, i, j).
+    """
 
     problem: Problem
     title: str
     xi: tuple[float, ...]
     omega: tuple[float, ...]
     G: Any
+    contacts: Any = None
 
     def to_csv(self) -> str:
         """A row for each ω: omega, then re_G(ξ) and im_G(ξ) for each ξ."""
@@ -53,13 +60,39 @@ class Receptances:
             "omega": self.omega,
             "G_re": self.G.real.tolist(),
             "G_im": self.G.imag.tolist(),
-        }
+        } | ({} if self.contacts is None else {"contacts": self._matrices()})
         return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
+    def _matrices(self) -> dict[str, Any]:
+        """Receptances and dynamic stiffness K = G⁻¹ between the contacts, from rear to front, for each ω."""
+        stiffness = np.linalg.inv(self.contacts)
+        return {
+            "places": [float(x) for x in self.problem.pencil.places],
+            "G_re": self.contacts.real.tolist(),
+            "G_im": self.contacts.imag.tolist(),
+            "K_re": stiffness.real.tolist(),
+            "K_im": stiffness.imag.tolist(),
+        }
 
-def receptances(problem: Problem, title: str, xi: tuple[float, ...], omega: tuple[float, ...]) -> Receptances:
-    """The table of the problem's track at its velocity; the vehicles play no part. Errors as of `receptance`."""
-    return Receptances(problem, title, xi, omega, receptance(problem.track, xi, omega, v=problem.v))
+
+def receptances(
+    problem: Problem, title: str, xi: tuple[float, ...], omega: tuple[float, ...], contacts: bool = False
+) -> Receptances:
+    """The table of the problem's track at its velocity. Errors as of `receptance`.
+
+    contacts: the matrices between the contacts of the vehicles, too; else the vehicles play no part.
+    """
+    G = receptance(problem.track, xi, omega, v=problem.v)
+    return Receptances(problem, title, xi, omega, G, _between(problem, omega) if contacts else None)
+
+
+def _between(problem: Problem, omega: tuple[float, ...]) -> Any:
+    places = np.array([float(x) for x in problem.pencil.places])
+    if len(set(places.tolist())) < len(places):
+        raise InputError("--contacts", "asks for a matrix, but two contacts stand at one place: it has no inverse")
+    gaps, index = np.unique(places[:, None] - places, return_inverse=True)
+    table = receptance(problem.track, gaps.tolist(), omega, v=problem.v)
+    return np.moveaxis(table[np.reshape(index, (len(places), len(places)))], -1, 0)
 
 
 def _track(track: Any) -> dict[str, str]:

@@ -24,6 +24,15 @@ def certify_schema() -> dict[str, Any]:
         "growth_rate": ball,
         "doubling_time": maybe,
         "halving_time": maybe,
+        "shape": _or_null(
+            _object(
+                {
+                    "bodies": {"type": "object", "additionalProperties": _object({"re": ball, "im": ball})},
+                    "places": {"type": "array", "items": {"$ref": "#/$defs/exact"}},
+                    "rail": {"type": "array", "items": _object({"re": ball, "im": ball})},
+                }
+            )
+        ),
     }
     properties = {
         "format": {"const": FORMAT},

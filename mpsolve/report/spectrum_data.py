@@ -6,14 +6,15 @@ import os
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.model.parameters import Case
+from mpsolve.errors import MpsolveError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, working_bits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, quantities
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
-from mpsolve.report.vibration import Trend, own_vibration
+from mpsolve.report.vibration import Trend, vibration
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle
 from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.waveguide import Track
@@ -50,6 +51,8 @@ def spectrum_data(
         trend         "grows", "decays", "steady" or "open"
         frequency     |Re q|/2π, in the same form
         growth_rate   −Im q, in the same form
+        shape         {"bodies": {name: {"re", "im"}}, "places", "rail": [{"re", "im"}]}: complex amplitudes of the
+                      vehicle's coordinates, the largest 1, and of the rail at its contacts; null where it is not told
         doubling_time, halving_time    ln 2/|Im q|, in the same form; null where it does not apply
     proved, verified, assumed    sentences
     cost              seconds of processor time, seconds of verification, evaluations, pieces
@@ -133,7 +136,7 @@ def _value(value: Any, unit: str | None) -> Any:
 
 
 def _root(root: Root, digits: int) -> dict[str, Any]:
-    motion = own_vibration(root, digits)
+    motion = vibration(root, digits)
     with precision(working_bits(digits)):
         time = None if motion.time is None else _ball(motion.time, digits)
         return _complex(root.q, digits) | {
@@ -144,7 +147,20 @@ def _root(root: Root, digits: int) -> dict[str, Any]:
             "growth_rate": _ball(motion.rate, digits),
             "doubling_time": time if motion.trend is Trend.GROWS else None,
             "halving_time": time if motion.trend is Trend.DECAYS else None,
+            "shape": _shape(root, digits),
         }
+
+
+def _shape(root: Root, digits: int) -> dict[str, Any] | None:
+    try:
+        shape = root.shape
+    except MpsolveError:
+        return None
+    return {
+        "bodies": {name: _complex(x, digits) for name, x in shape.bodies.items()},
+        "places": [number(x) for x in shape.places],
+        "rail": [_complex(x, digits) for x in shape.rail],
+    }
 
 
 def _complex(q: Any, digits: int) -> dict[str, Any]:

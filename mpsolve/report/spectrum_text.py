@@ -7,18 +7,19 @@ import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, defaults, quantities
 from mpsolve.numbers.spoken import rounded, said_in, spoken
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_paper, as_problem
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
 from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
-from mpsolve.report.vibration import Trend, Vibration, own_vibrations
+from mpsolve.report.vibration import Trend, Vibration, vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track
 
@@ -30,7 +31,7 @@ def spectrum_document(
     spectrum: Spectrum, title: str = "", certificate: str | os.PathLike[str] | None = None
 ) -> Document:
     """The report as blocks; certificate: the path where it was saved."""
-    stated, motions = verdict(spectrum), own_vibrations(spectrum)
+    stated, motions = verdict(spectrum), vibrations(spectrum)
     blocks: list[Line | Section] = [Line(title, "bold")] if title else []
     blocks += [Line(stated, _COLOUR.get(re.split(r"[ :]", stated)[0], "bold")), *warnings_of(spectrum)]
     if motions:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.outcome import Status
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import Any
 
 from mpsolve.endless.amplification import Amplification, Peak
@@ -28,13 +29,18 @@ def train_text(title: str, found: InfiniteTrain, ratios: Amplification | None, c
         lines.append(f"train of {count}: {state}")
         for name, peak in (("ahead", ratios.ahead), ("back", ratios.back)):
             if peak is not None:
-                low, high = outward(peak.low, 6, up=False), outward(peak.high, 6, up=True)
-                lines.append(
-                    f"  last force over first, {name}: at most between {low} and {high}, near {peak.omega:.6g}"
-                )
+                lines.append(f"  last force over first, {name}: {_bounds(peak)}")
         if ratios.reason is not None:
             lines.append(f"  {ratios.reason}")
     return "\n".join(lines) + "\n"
+
+
+def _bounds(peak: Peak) -> str:
+    """What is proved of the largest ratio."""
+    low = outward(peak.low, 6, up=False)
+    if not math.isfinite(peak.high):
+        return f"{low} or more, near {peak.omega:.6g}; no upper bound is known yet"
+    return f"at most between {low} and {outward(peak.high, 6, up=True)}, near {peak.omega:.6g}"
 
 
 def train_json(title: str, found: InfiniteTrain, ratios: Amplification | None, count: int) -> str:
@@ -44,6 +50,8 @@ def train_json(title: str, found: InfiniteTrain, ratios: Amplification | None, c
         q = found.motion.q
         motion = {"q": q.str(15), "kappa_d": found.motion.theta}
     content: dict[str, Any] = {
+        "format": "mpsolve train",
+        "version": 1,
         "title": title,
         "velocity": str(found.problem.v),
         "spacing": found.spacing,
@@ -76,5 +84,7 @@ def _gain(gain: Gain) -> dict[str, float]:
     return {"factor": gain.factor, "frequency": gain.q}
 
 
-def _peak(peak: Peak | None) -> dict[str, float] | None:
-    return None if peak is None else {"low": peak.low, "high": peak.high, "frequency": peak.omega}
+def _peak(peak: Peak | None) -> dict[str, float | None] | None:
+    if peak is None:
+        return None
+    return {"low": peak.low, "high": peak.high if math.isfinite(peak.high) else None, "frequency": peak.omega}

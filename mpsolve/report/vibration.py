@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import arb
 
-from mpsolve.errors import InputError
-from mpsolve.model.parameters import PhysicalCase
 from mpsolve.numbers.balls import precision
-from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.numbers.decimals import proved_digits, working_bits
+from mpsolve.numbers.rootball import Symmetry
 from mpsolve.spectrum.spectrum import Root, Spectrum
 
-if TYPE_CHECKING:
-    from mpsolve.certificate.on_sheet import AnySpectrum
+_PLACES = 8
 
 
 class Trend(Enum):
-    """What becomes of the amplitude |e^{iqτ}|."""
+    """What becomes of the amplitude |e^{iqt}|."""
 
     GROWS = "grows"
     DECAYS = "decays"
@@ -30,56 +28,54 @@ class Trend(Enum):
 
 @dataclass(frozen=True)
 class Vibration:
-    """The motion e^{iqτ} of the roots q and −q̄, in balls (flint.arb) that contain the exact values.
+    """The motion e^{iqt} of the roots q and −q̄, in balls (flint.arb) that contain the exact values.
 
-    frequency = |Re q| ω/2π, rate = −Im q ω (positive: it grows), time = ln 2/|Im q ω| in which it doubles or
-    halves, None unless the trend is proved to be one of the two; ω = √(k/m) in rad/s, so that they are in Hz,
-    1/s and s, or ω = 1, so that they are in the unit of the dimensionless time τ.
+    frequency = |Re q|/2π, rate = −Im q (positive: it grows), time = ln 2/|Im q| in which it doubles or halves, None
+    unless the trend is proved to be one of the two; in the units of the problem.
     """
 
-    root: RootBall | Root
+    root: Root
     frequency: Any
     rate: Any
     time: Any
     trend: Trend
 
 
-def vibration(root: RootBall | Root, physical: PhysicalCase | None, digits: int) -> Vibration:
+def vibration(root: Root, digits: int) -> Vibration:
     """The vibration of `root`, with no more than 10^−digits lost to rounding, relative to each value."""
     with precision(working_bits(digits)):
-        omega = arb(1) if physical is None else physical.time_scale.ball()
-        rate = -root.q.imag * omega
+        rate = -root.q.imag
         state = trend(root)
         time = arb.const_log2() / abs(rate) if state in (Trend.GROWS, Trend.DECAYS) else None
-        return Vibration(root, abs(root.q.real) * omega / (2 * arb.pi()), rate, time, state)
+        return Vibration(root, abs(root.q.real) / (2 * arb.pi()), rate, time, state)
 
 
-def vibrations(spectrum: AnySpectrum, physical: PhysicalCase | None = None) -> tuple[Vibration, ...]:
-    """Every root of the spectrum once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency.
-
-    Raises InputError if `physical` is not the case of the spectrum.
-    """
-    from mpsolve.certificate.on_sheet import sheet_of
-
-    spectrum = sheet_of(spectrum)
-    if physical is not None and physical.dimensionless != spectrum.case:
-        raise InputError("physical", "is not the case of this spectrum: give the case that was certified")
+def vibrations(spectrum: Spectrum) -> tuple[Vibration, ...]:
+    """Every root once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency."""
     ordered = sorted(_once(spectrum), key=lambda root: abs(float(root.q.real.mid())))
-    return tuple(vibration(root, physical, spectrum.digits) for root in ordered)
+    return tuple(vibration(root, spectrum.digits) for root in ordered)
 
 
-def own_vibration(root: Root, digits: int) -> Vibration:
-    """The vibration of a root in the units of its problem."""
-    return vibration(root, None, digits)
+def motion_rows(motions: tuple[Vibration, ...]) -> Iterator[tuple[str, ...]]:
+    """Rows of name, frequency, growth rate, time and trend, in eight proved digits."""
+    return (_motion(j, motion) for j, motion in enumerate(motions, 1))
 
 
-def own_vibrations(spectrum: Spectrum) -> tuple[Vibration, ...]:
-    """Every root of any spectrum once, in the units of its problem; by ascending frequency."""
-    ordered = sorted(_once(spectrum), key=lambda root: abs(float(root.q.real.mid())))
-    return tuple(own_vibration(root, spectrum.digits) for root in ordered)
+def _motion(j: int, motion: Vibration) -> tuple[str, ...]:
+    doing = {Trend.GROWS: "GROWS, doubles", Trend.DECAYS: "decays, halves", Trend.STEADY: "steady"}
+    time = "" if motion.time is None else proved_digits(motion.time, _PLACES)
+    frequency, rate = proved_digits(motion.frequency, _PLACES), proved_digits(motion.rate, _PLACES)
+    several = "" if motion.root.multiplicity == 1 else f" ({motion.root.multiplicity} roots)"
+    return f"q{j}", frequency, rate, time, doing.get(motion.trend, motion.trend.value) + several
 
 
-def _once(spectrum: Any) -> list[Any]:
+def in_words(row: tuple[str, ...], unit: str) -> str:
+    """What the vibration of a row does, and in which time, as "decays, halves in 2.5 s"."""
+    state, bracket, several = row[4].partition(" (")
+    return f"{state}{f' in {row[3]} {unit}' if row[3] else ''}{bracket}{several}"
+
+
+def _once(spectrum: Spectrum) -> list[Root]:
     """The roots without those whose mirror image with Re q > 0 is there too."""
     right = [root for root in spectrum.roots if not root.q.real < 0]
     with precision(working_bits(spectrum.digits)):
@@ -91,7 +87,7 @@ def _once(spectrum: Any) -> list[Any]:
     return lone + right
 
 
-def trend(root: RootBall | Root) -> Trend:
+def trend(root: Root) -> Trend:
     """What is proved of the sign of Im q."""
     if root.symmetry is Symmetry.REAL:
         return Trend.STEADY

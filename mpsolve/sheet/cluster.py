@@ -11,9 +11,9 @@ from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import Taylor, taylor
+from mpsolve.problem.case import Case
 from mpsolve.proof.pellet import pellet
 from mpsolve.sheet.enclose import isolate, refine
 

@@ -9,9 +9,9 @@ import flint
 
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.problem.case import Case
 from mpsolve.progress import Progress
 from mpsolve.sheet.cluster import separate
 from mpsolve.sheet.count import BITS, Count

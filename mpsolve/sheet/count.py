@@ -12,7 +12,7 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 from mpsolve.progress import Progress
 from mpsolve.sheet import reasons
 from mpsolve.sheet.contour import Accept, Path

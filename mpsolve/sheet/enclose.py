@@ -17,8 +17,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid
+from mpsolve.problem.case import Case
 
 acb, arb = flint.acb, flint.arb
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from mpsolve.fields import Float64
 from mpsolve.model.limits import branch_points, critical_velocity_ratio
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
 from mpsolve.outcome import Reason
+from mpsolve.problem.case import Case
 from mpsolve.sheet.region import Region
 from mpsolve.spectrum.regions import Rectangle
 

@@ -7,8 +7,8 @@ from typing import Literal, TypeAlias
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import limiting_frequency, require_cuts_on_line
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.balls import rational_ball
+from mpsolve.problem.case import Case
 from mpsolve.spectrum.regions import Rectangle
 
 Region: TypeAlias = Literal["sheet", "unstable"] | Rectangle

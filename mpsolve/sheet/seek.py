@@ -16,7 +16,7 @@ from mpsolve.fields import Float64
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import characteristic_rate
 from mpsolve.model.limits import branch_points
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 _STEPS = 30
 _GRID = 200  # points along Re q, times the effort

@@ -99,7 +99,10 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
             return loop
         ratio /= _SHRINK
     unit = float(line.lower.frequency_unit)
-    raise PrecisionError(f"a root lies at the branch point of the cuts at Re q = {point.z * unit:.8g}, or next to it")
+    place = f"the branch point of the cuts at Re q = {point.z * unit:.8g}"
+    raise PrecisionError(
+        f"on one of the sheets that meet at {place} a root may lie closer to it than floats can tell"
+    )
 
 
 def _turned(

@@ -69,7 +69,17 @@ def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any
                 return found
             starts = _near(function, hints, count, level) if level < 0 else _starts(function, area, level)
             found = _newton(function, area, starts, found, all_found)
+    for starts in (_towards_zero, lambda _: hints):  # rare: a heavy mass; many roots, some far from the others
+        for area in areas:
+            if not all_found(found):
+                found = _newton(function, area, starts(area), found, all_found)
     return found
+
+
+def _towards_zero(area: Area) -> Any:
+    """Points in all directions, ever closer to q = 0."""
+    size = area.size * np.geomspace(1e-18, 0.1, 60)
+    return (size[:, None] * np.exp(1j * np.pi * np.linspace(-0.5, 0.5, 9))).ravel()
 
 
 def _near(function: Floats, hints: Any, count: int, level: int) -> Any:
@@ -143,7 +153,7 @@ def _newton(function: Floats, area: Area, q: Any, found: Any, enough: Callable[[
         q = q + step
         q = np.where(q.real < 0, -q.conj(), q)
         alive = np.isfinite(q) & area.holds(q, 0.3 * area.size)
-        arrived = alive & (np.abs(step) < 1e-11 * np.maximum(np.abs(q), 1e-3 * area.size))
+        arrived = alive & (np.abs(step) < 1e-11 * np.maximum(np.abs(q), 1e-20 * area.size))
         for root in q[arrived]:
             if area.holds(root, slack) and not (np.abs(found - root) < _SAME * area.size).any():
                 found = np.append(found, root)

@@ -29,8 +29,10 @@ def waves_meet_at_zero(guide: Guide) -> bool:
 
 def reason_of(reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
     """The error as a reason, with a remedy that fits it."""
+    if isinstance(error, EffortError) and error.reason.code == "interrupted":
+        return error.reason
     if isinstance(error, EffortError):
-        return Reason("effort", str(error), {}, "allow more effort, or ask for a Rectangle round what matters")
+        return Reason("effort", error.reason.message, {}, f"{MORE_EFFORT}, or ask for a Rectangle round what matters")
     if isinstance(error, WavesMeetError):
         return Reason("waves-meet", str(error), {}, "ask for a Rectangle that keeps away from q = 0, with re_min > 0")
     if isinstance(error, OpenPieceError):
@@ -40,10 +42,12 @@ def reason_of(reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
 
 def sheet_reason(line: Line, reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
     """Why the whole sheet stays open; places are those of q."""
-    damped = bool(line.height)
-    other = 'ask for "unstable"' if damped else "change the velocity a little, or give some damping"
+    passive = bool(line.height) or not line.passive_from
+    other = 'ask for "unstable"' if passive else 'give some damping, and ask for "unstable"'
+    if isinstance(error, EffortError) and error.reason.code == "interrupted":
+        return error.reason
     if isinstance(error, EffortError):
-        return Reason("effort", str(error), {}, f"{MORE_EFFORT}, or {other}" if damped else MORE_EFFORT)
+        return Reason("effort", error.reason.message, {}, f"{MORE_EFFORT}, or {other}")
     if not isinstance(error, OpenPieceError):
         return Reason("sheet", str(error), {}, other)
     unit, place = float(reduced.frequency_unit), error.place + 1j * float(line.height)

@@ -26,6 +26,7 @@ from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Regi
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.spectrum import disjoint
 
+MOST_DIGITS = 10_000
 Tell = Callable[[str, float], None]
 
 
@@ -59,23 +60,26 @@ def _solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort,
         return Found(None, (), sheet_reason(line, reduced, error) if line else reason_of(reduced, error))
     if not count.total:
         return Found(count, (), None)
+    so_far: list[RootBall] = []
     try:
         tell("roots", 0.5)
-        balls = _enclosed(reduced, count, digits, tell)
+        balls = _enclosed(reduced, count, digits, tell, so_far)
     except EffortError as error:
-        return Found(count, (), error.reason)
+        return Found(count, tuple(so_far), error.reason)
     number = sum(ball.multiplicity for ball in balls)
     if number != count.total or not disjoint(balls):
         message = f"{count.total} roots are counted, but {number} could be enclosed"
         numbers = {"counted": str(count.total), "enclosed": str(number)}
-        return Found(
-            count, balls, Reason("roots", message, numbers, "ask for more digits, so that close roots come apart")
-        )
-    if any(_sign(ball) is None for ball in balls):
+        return Found(count, balls, Reason("roots", message, numbers, _FEWER))
+    signed = _signed(reduced, count, balls, digits, tell)
+    if signed is None:
         return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
-    return Found(count, balls, None)
+    return Found(count, signed, None)
 
 
+_FEWER = "ask for a Rectangle round those that matter: where fewer are counted, all are found"
+_SHARPER = (2, 4)
+"""Times the digits that were asked for, where a sign of Im q is open."""
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
@@ -89,6 +93,21 @@ def _sign(ball: RootBall) -> bool | None:
     if ball.symmetry is Symmetry.REAL or ball.q.imag >= 0:
         return False
     return True if ball.q.imag < 0 else None
+
+
+def _signed(
+    reduced: Reduced, count: Count | SheetCount, balls: tuple[RootBall, ...], digits: int, tell: Tell
+) -> tuple[RootBall, ...] | None:
+    """The balls, with more digits where a sign of Im q takes them; None where it stays open."""
+    for more in _SHARPER:
+        if all(_sign(ball) is not None for ball in balls):
+            break
+        if more * digits > MOST_DIGITS:
+            return None
+        balls = _enclosed(reduced, count, more * digits, tell, [])
+        if sum(ball.multiplicity for ball in balls) != count.total or not disjoint(balls):
+            return None
+    return balls if all(_sign(ball) is not None for ball in balls) else None
 
 
 def _areas(reduced: Reduced, count: Count | SheetCount) -> tuple[Area, ...]:
@@ -143,20 +162,22 @@ def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
     return (points.conj() if count.half == "upper" else points) + 1j * height
 
 
-def _enclosed(reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell) -> tuple[RootBall, ...]:
+def _enclosed(
+    reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell, balls: list[RootBall]
+) -> tuple[RootBall, ...]:
+    """The roots; `balls` holds those that are enclosed on the way."""
     hints = _hints(reduced, count)
     seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, _weight(reduced, count.region))
     proved = Proved(reduced)
-    balls: list[RootBall] = []
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
-            _add(balls, ball, count.region)
+            _add(balls, ball, count.region, proved.lossless)
         tell("roots", 0.5 + 0.5 * (k + 1) / len(seeds))
     for q in seeds.tolist():  # floats may take roots for one that are closer than they can tell
         if sum(ball.multiplicity for ball in balls) >= count.total:
             break
         for ball in _separated(proved, 1j * q, digits):
-            _add(balls, ball, count.region)
+            _add(balls, ball, count.region, proved.lossless)
     return tuple(balls)
 
 
@@ -169,10 +190,12 @@ def _weight(reduced: Reduced, region: Answered) -> Weight:
     return lambda q: sum(low < x < high for x in {q.real, -q.real}) if both(q) > 1 else 1
 
 
-def _add(balls: list[RootBall], ball: RootBall, region: Answered) -> None:
-    """Add a ball and its mirror where they lie in the region and hold more roots than those that they meet."""
-    for each in {False, ball.symmetry is not Symmetry.IMAGINARY}:
-        one = ball.mirrored if each else ball
+def _add(balls: list[RootBall], ball: RootBall, region: Answered, lossless: bool) -> None:
+    """Add a ball and its mirrors where they lie in the region and hold more roots than those that they meet."""
+    images = [ball] if ball.symmetry is Symmetry.IMAGINARY else [ball, ball.mirrored]
+    if lossless and ball.symmetry is not Symmetry.REAL:
+        images += [one.conjugated for one in images]
+    for one in images:
         met = [other for other in balls if one.q.overlaps(other.q)]
         if _inside(region, one) and one.multiplicity > sum(other.multiplicity for other in met):
             balls[:] = [other for other in balls if not one.q.overlaps(other.q)] + [one]

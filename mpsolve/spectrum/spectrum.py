@@ -11,6 +11,7 @@ from flint import arb
 from mpsolve.display import card
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.result import Result
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
@@ -75,7 +76,7 @@ class Cost:
 
 
 @dataclass(frozen=True)
-class Spectrum(Portable):
+class Spectrum(Result):
     """The induced frequencies of a problem in `region`; a region may be smaller than the one that was asked for.
 
     problem: what was given; q is in its units (rad/s in SI, the paper's for a `Case`).
@@ -85,7 +86,6 @@ class Spectrum(Portable):
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
     note: why the region is not all that was asked for. closing: what proves that the count misses nothing.
     verified: what the standalone verifier has confirmed, in its own words.
-    sheet: the answer on the paper's beam that this one was made of, in dimensionless terms, or None.
     """
 
     problem: Given
@@ -104,12 +104,6 @@ class Spectrum(Portable):
     known: Mapping[str, Any] = field(default_factory=dict)
     certificate: Any = field(default=None, repr=False)
     cost: Cost = field(default_factory=lambda: Cost(0.0))
-    sheet: Any = field(default=None, repr=False)
-
-    @property
-    def proved(self) -> bool:
-        """Whether every root of the region is counted and enclosed."""
-        return self.status.holds
 
     @property
     def stable(self) -> bool | None:
@@ -128,9 +122,6 @@ class Spectrum(Portable):
     def warnings(self) -> tuple[Reason, ...]:
         """What is likely to be a mistake in the problem, a sentence each; no part of any proof."""
         return warned(self.problem, [float(root.frequency.mid()) for root in self.roots])
-
-    def __bool__(self) -> bool:
-        raise TypeError("a spectrum has no truth value: ask for .proved or .stable")
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""

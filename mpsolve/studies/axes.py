@@ -7,9 +7,9 @@ from math import prod
 from typing import Any
 
 from mpsolve.errors import ContradictionError, InputError
-from mpsolve.model import specs
 from mpsolve.numbers.model import Quantity, rational
 from mpsolve.numbers.units import measured
+from mpsolve.problem import specs
 from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.studies.design import Axis, Listed, Span, Steps, Value

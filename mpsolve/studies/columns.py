@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mpsolve.certificate.format import Certificate
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
 from mpsolve.studies.blocks import Block, Result, Root, pack

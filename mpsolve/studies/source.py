@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.model.toml import Written, parsed, text_of
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import rational
+from mpsolve.problem.toml import Written, parsed, text_of
 
 PROBLEM = ("v", "track", "vehicle", "physical", "mass", "dimensionless")
 """The keys of a problem file that say what is computed."""

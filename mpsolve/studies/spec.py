@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.model import specs
+from mpsolve.problem import specs
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.inputfile import problem_of
 from mpsolve.problem.problem import Problem

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.load import GRAVITY, Load
 from mpsolve.vehicles.bounce import rigid_bounce
+from mpsolve.vehicles.load import GRAVITY, Load
 from mpsolve.vehicles.vehicle import Pencil
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.display import card
-from mpsolve.model.load import Load
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
+from mpsolve.vehicles.load import Load
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.load import Load, loads_of
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.exact import Number
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.vehicles.load import Load
 from mpsolve.vibration.case_motion import Response
 from mpsolve.vibration.of_case import motion_of_case
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 _NOISE = 1e-6  # of the largest force: what float64 leaves of a contact force that is 0
 

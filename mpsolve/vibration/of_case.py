@@ -10,13 +10,15 @@ import numpy as np
 
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.load import Load, loads_of
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.grid import checked_places, checked_times
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
+from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vibration.case_motion import HarmonicPair, Response
 from mpsolve.vibration.contact_loss import applied, contact_loss
@@ -45,7 +47,7 @@ def motion_of_case(
     whole = case.dimensionless if isinstance(case, PhysicalCase) else case
     positions = [float(x) for x in dict.fromkeys(whole.positions)]
     places, times = checked_places(xi, positions), checked_times(tau)
-    found = _certified(whole, spectrum)
+    found = _certified(whole, beam_problem(whole), spectrum)
     # the start is always computed, so that times may be none
     at, watched = np.concatenate([[0.0], times]), np.concatenate([positions, places])
     motion = _moved(whole, forces, at, watched, found)
@@ -58,7 +60,7 @@ def vibration_of_case(case: Any, loads: Any, xi: Any, tau: Any, spectrum: Any) -
     two, given = Exact(2), loads_of(case, loads)
     forces = [Load(two * one.constant, two * one.amplitude, one.frequency, one.phase) for one in given]
     places = checked_places(xi, [float(x) for x in whole.positions])
-    found = _certified(whole, spectrum)
+    found = _certified(whole, beam_problem(whole), spectrum)
     return _moved(whole, forces, checked_times(tau), places, found)
 
 
@@ -83,12 +85,16 @@ def _near(value: Any) -> Fraction:
     return value.as_fraction() if value.is_rational else Fraction(float(value))
 
 
-def _certified(case: Case, spectrum: Any) -> Spectrum:
+def _certified(case: Case, problem: Problem, spectrum: Any) -> Spectrum:
+    """All induced frequencies of the sheet, or, where the cuts are no line, of what `certify` answers."""
     if spectrum is None:
-        spectrum = certify(case, check=False)
+        try:
+            spectrum = certify(problem, region="sheet", check=False)
+        except InputError:
+            spectrum = certify(problem, check=False)
     if not isinstance(spectrum, Spectrum):
         raise InputError("spectrum", f"is of type {type(spectrum).__name__}: give certify(case)")
-    if spectrum.problem != case:
+    if spectrum.problem not in (case, problem):
         raise InputError("spectrum", "is not that of this case: give certify(case)")
     if not spectrum.proved:
         raise PrecisionError(f"the induced frequencies are undecided: {spectrum.reason}")

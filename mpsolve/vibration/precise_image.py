@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.load import GRAVITY, Load
 from mpsolve.numbers.balls import acb, acb_mat, acb_poly, arb, precision, rational_ball
 from mpsolve.vehicles.bounce import rigid_bounce
+from mpsolve.vehicles.load import GRAVITY, Load
 from mpsolve.vehicles.vehicle import Pencil
 from mpsolve.vibration.image import Image
 

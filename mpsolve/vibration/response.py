@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion import enclosure
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.vibration.of_case import motion_of_case
 from mpsolve.vibration.vibrate import vibrate
 

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.parameters import Case, PhysicalCase
+from mpsolve.problem.case import Case
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.mass import Mass

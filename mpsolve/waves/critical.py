@@ -24,6 +24,7 @@ from mpsolve.numbers.model import rational
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.ranges import checked_range
 from mpsolve.numbers.realroots import as_fmpq
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest
@@ -79,7 +80,7 @@ class CriticalVelocity(Portable):
 
 
 @dataclass(frozen=True)
-class CriticalVelocities(Portable):
+class CriticalVelocities(Result):
     """All critical velocities in lower ≤ v ≤ upper, in ascending order; it iterates over them.
 
     status: UNVERIFIED where the list is proved to be complete (there is no certificate), UNDECIDED where velocities

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 
 
@@ -34,7 +35,7 @@ class Work:
 
 
 @dataclass(frozen=True)
-class Zeros(Portable):
+class Zeros(Result):
     """The zeros of f in `region`, which may be another than was asked for: `note` says why.
 
     roots: disjoint balls, sorted by (Re, Im), whose multiplicities add up to `count` where this is proved.
@@ -57,11 +58,3 @@ class Zeros(Portable):
     certificate: Any = field(default=None, repr=False)
     verified: str = ""
     cost: Work = field(default_factory=lambda: Work(0.0))
-
-    @property
-    def proved(self) -> bool:
-        """Whether every zero of the region is counted and enclosed."""
-        return self.status.holds
-
-    def __bool__(self) -> bool:
-        raise TypeError("an answer has no truth value: ask for .proved or .count")

@@ -146,7 +146,10 @@ class HalfPlane:
 
 @dataclass(frozen=True, init=False)
 class Cut:
-    """A branch cut of f along an axis: a ray, or a segment; the region's points are beside it, on either side."""
+    """A branch cut of f: a ray, or a segment; the region's points are beside it, on either side.
+
+    length: of a segment, in units of |direction|, None for a ray.
+    """
 
     origin: Point
     direction: Point
@@ -154,23 +157,27 @@ class Cut:
 
     @classmethod
     def ray(cls, origin: object, direction: object) -> Cut:
-        """From the branch point `origin` to infinity; direction: 1, -1, 1j or -1j."""
-        return cls._of(exact_point(origin, "cuts"), exact_point(direction, "cuts"), None)
+        """From the branch point `origin` to infinity in any direction, a complex number that is not 0."""
+        towards = exact_point(direction, "cuts")
+        size = abs(towards[0]) + abs(towards[1])
+        if not size:
+            raise InputError("cuts", "has a ray in the direction 0: give one like 1, -1j or 3+4j")
+        if not all(towards):
+            towards = towards[0] / size, towards[1] / size
+        return cls._of(exact_point(origin, "cuts"), towards, None)
 
     @classmethod
     def segment(cls, start: object, end: object) -> Cut:
-        """Between two branch points, parallel to an axis."""
+        """Between two branch points."""
         a, b = exact_point(start, "cuts"), exact_point(end, "cuts")
         step = (b[0] - a[0], b[1] - a[1])
-        length = abs(step[0]) + abs(step[1])
-        if not length or (step[0] and step[1]):
-            raise InputError("cuts", "has a segment that is not parallel to an axis: turn z, so that it is")
+        if not any(step):
+            raise InputError("cuts", "has a segment of length 0: give two branch points")
+        length = Fraction(1) if all(step) else abs(step[0]) + abs(step[1])
         return cls._of(a, (step[0] / length, step[1] / length), length)
 
     @classmethod
     def _of(cls, origin: Point, direction: Point, length: Fraction | None) -> Cut:
-        if abs(direction[0]) + abs(direction[1]) != 1 or (direction[0] and direction[1]):
-            raise InputError("cuts", "has a ray whose direction is not 1, -1, 1j or -1j: turn z, so that it is")
         out = object.__new__(cls)
         vars(out).update(origin=origin, direction=direction, length=length)
         return out
@@ -184,14 +191,15 @@ class Cut:
         return (self.origin,) if self.length is None else (self.origin, self.at(self.length))
 
     def at(self, t: Fraction) -> Point:
-        """The point at the distance t from its origin."""
+        """The point origin + t direction."""
         return self.origin[0] + t * self.direction[0], self.origin[1] + t * self.direction[1]
 
     def place_of(self, p: Point) -> Fraction | None:
         """t with p = origin + t direction, None where p is not on the line of the cut."""
         x, y = p[0] - self.origin[0], p[1] - self.origin[1]
         off = x * self.direction[1] - y * self.direction[0]
-        return None if off else x * self.direction[0] + y * self.direction[1]
+        size = self.direction[0] ** 2 + self.direction[1] ** 2
+        return None if off else (x * self.direction[0] + y * self.direction[1]) / size
 
     def holds(self, a: Point, b: Point) -> bool:
         """Whether the segment from a to b lies on the cut."""
@@ -199,15 +207,24 @@ class Cut:
         return all(t is not None and t >= 0 and (self.length is None or t <= self.length) for t in places)
 
     def __str__(self) -> str:
-        a, d = (f"{float(x):.6g}{float(y):+.6g}i" for x, y in (self.origin, self.direction))
+        a, d = _words(self.origin), _words(self.direction)
         return (
             f"ray from {a} along {d}"
             if self.length is None
-            else f"segment from {a} of length {float(self.length):.6g}"
+            else f"segment from {a} to {_words(self.at(self.length))}"
         )
 
 
+def _words(z: Point) -> str:
+    return f"{float(z[0]):.6g}{float(z[1]):+.6g}i"
+
+
 Region = Rectangle | Disc | Polygon | HalfPlane
+
+
+def bound_words(region: HalfPlane) -> str:
+    """What is taken on the user's word about a half-plane."""
+    return f"no zero in the half-plane has |z| ≥ {shown(region.bound)}, as the bound of HalfPlane says"
 
 
 def place_of_box_in_disc(disc: Disc, low: Point, high: Point) -> bool | None:

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from flint import acb
 
-from mpsolve import Cut, Disc, Effort, HalfPlane, InputError, Polygon, Rectangle, Status, real_roots, roots
+from mpsolve import Cut, Disc, Effort, HalfPlane, InputError, Polygon, Rectangle, Status, roots
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "bench"))
 from roots_cases import Trial, trials
@@ -152,27 +152,6 @@ def test_python_functions_that_cannot_be_read_are_proved_on_a_word() -> None:
     assert crossing.status is Status.UNDECIDED
 
 
-def test_real_zeros_with_multiplicity() -> None:
-    answer = real_roots("(z - 1)**3*(z**2 - 2*z - 24.11)", -10, 10)
-    assert [(zero.multiplicity, float(zero.q)) for zero in answer.roots] == [
-        (1, pytest.approx(1 - 25.11**0.5)),
-        (3, pytest.approx(1)),
-        (1, pytest.approx(1 + 25.11**0.5)),
-    ]
-    assert answer.status is Status.PROVED
-    assert real_roots("tan(z)", -10, 10).count == 7
-    energies = real_roots("tan(sqrt(2*z)) + sqrt(z/(3*pi**2 - z))", "0.1", 29)
-    f = lambda x: mpmath.tan(mpmath.sqrt(2 * x)) + mpmath.sqrt(x / (3 * mpmath.pi**2 - x))  # noqa: E731
-    for zero, guess in zip(energies.roots, (4, 17), strict=True):
-        assert abs(f(mpmath.mpf(float(zero.q)))) < 1e-10, guess
-    ends = real_roots("sin(z)", 0, 10)
-    assert ends.count == 4
-    double = real_roots("sin(z)**2 - 1", -10, 10)
-    assert double.reason is not None
-    assert double.reason.code == "open-tile"
-    assert real_roots("cosh(z) - 2", -2, 2).count == 2
-
-
 def test_bad_input_is_refused_in_a_sentence() -> None:
     for f, region, more in (
         ("z", "unstable", {}),
@@ -184,10 +163,6 @@ def test_bad_input_is_refused_in_a_sentence() -> None:
     ):
         with pytest.raises(InputError):
             roots(f, region, **more)  # type: ignore[arg-type]
-    with pytest.raises(InputError):
-        real_roots("z", 1, 0)
-    with pytest.raises(InputError):
-        real_roots("z + i", 0, 1)
 
 
 def test_effort_and_progress() -> None:

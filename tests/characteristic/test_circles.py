@@ -7,8 +7,8 @@ from free_cases import BEAM
 
 from mpsolve import Problem, vehicles
 from mpsolve.characteristic.boxes import Boxes
-from mpsolve.characteristic.circles import FreeReceptance
 from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.free_receptance import FreeReceptance
 from mpsolve.problem.family import family_of
 
 

@@ -48,3 +48,15 @@ def test_what_it_refuses_and_what_it_leaves_open() -> None:
     assert found.reason is not None
     with pytest.raises(TypeError):
         bool(found)
+
+
+def test_the_bounds_known_when_the_effort_ends_are_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mpsolve.endless.amplification._EVALUATIONS", 360)
+    monkeypatch.setattr("mpsolve.endless.amplification._LEAST", 1)
+    found = amplification(masses("0.4").train(5), band=(0, 1))
+    assert not found.proved
+    assert found.reason is not None
+    assert found.reason.code == "effort"
+    for peak in (found.ahead, found.back):
+        assert peak is not None
+        assert 0 < peak.low < peak.high

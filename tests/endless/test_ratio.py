@@ -13,7 +13,6 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.start import start
 from mpsolve.endless.ratio import Ratio
 from mpsolve.endless.row import Row
-from mpsolve.errors import EffortError
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
 
@@ -76,5 +75,16 @@ def test_the_maximum_is_enclosed() -> None:
     assert found.low <= found.high <= found.low * (1 + 2e-6)
     assert 0 < found.high - grid < 1e-2 * grid
     assert abs(by_hand(0.4, 5, found.q)[0] - found.low) < 1e-5
-    with pytest.raises(EffortError):
-        ratio.largest(0.0, 1.0, 1e-6, Effort(evaluations=300))
+
+
+def test_what_is_known_when_the_effort_ends_holds_too() -> None:
+    reduced = reduce_problem(masses("0.4").train(5))
+    ratio = Ratio(Arrays(reduced), start(reduced.guide).up, 4, 0)
+    truth = ratio.largest(0.0, 1.0, 1e-6, Effort(evaluations=20_000))
+    for evaluations in (300, 350, 400):
+        early = ratio.largest(0.0, 1.0, 1e-6, Effort(evaluations=evaluations))
+        assert early.reason is not None
+        assert early.low <= truth.high
+        assert early.high >= truth.low
+    assert early.high < 2 * truth.high
+    assert ratio.largest(0.0, 1.0, 1e-6, Effort(evaluations=100)).high == np.inf

@@ -1,31 +1,76 @@
-"""The convective threshold is enclosed by proofs, the limit of long trains computed."""
+"""The convective threshold is proved over the range below it and enclosed, the limit of long trains computed."""
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+import numpy as np
 import pytest
 from endless_rows import masses
+from flint import arb
 
-from mpsolve import InputError, train_velocities
+from mpsolve import Effort, InputError, train_velocities
+from mpsolve.endless.bloch import Bloch
+from mpsolve.endless.curve import around
 
 
 def test_the_two_velocities_of_the_papers_beam() -> None:
-    found = train_velocities(masses("0.3").problem, "1.5", ("0.1", "0.6"))
+    found = train_velocities(masses("0.3").problem, "1.5", ("0.15", "0.6"))
     assert found.proved
     assert found.calm is not None
     assert found.grows is not None
-    assert found.calm.stable is True
-    assert found.grows.stable is False
+    assert (found.calm.stable, found.grows.stable) == (True, False)
     assert found.convective is not None
-    assert float(found.calm.problem.v) < found.convective < float(found.grows.problem.v)
-    assert abs(found.convective - 0.190147) < 1e-6
+    assert found.stable_to is not None
+    assert 0 < found.convective - found.stable_to < 1e-8
+    assert 0 < found.grows.problem.v - found.convective < 1e-8
+    assert found.threshold.contains(arb(found.convective))
+    assert abs(found.convective - 0.190146901) < 1e-8
     assert found.limit is not None
     assert abs(found.limit - 0.445073) < 1e-6
+    assert "threshold" in found.words
+    with pytest.raises(TypeError):
+        bool(found)
+
+
+def test_the_threshold_is_where_one_root_touches_the_axis() -> None:
+    """By another way: q(κ) followed round the circle at the ends of the ball comes to the real axis from above."""
+    least = []
+    for v in ("0.19014", "0.19015"):
+        _, sigma = around(Bloch(masses(v)), 2.0502, 0.24948j)  # next to where it is lowest
+        least.append(float(np.nanmin((-1j * sigma).imag)))
+    assert least[0] > 0 > least[1]
+    crossing = 0.19014 + 1e-5 * least[0] / (least[0] - least[1])
+    assert abs(crossing - 0.190146901) < 1e-8
+
+
+def test_a_range_in_which_nothing_grows() -> None:
+    found = train_velocities(masses("0.3").problem, "1.5", ("0.05", "0.1"))
+    assert (found.proved, found.threshold, found.convective, found.limit) == (True, None, None, None)
+    assert found.stable_to == Fraction("0.1")
+    assert "to 0.1" in found.words
+
+
+def test_a_range_that_begins_with_growth() -> None:
+    found = train_velocities(masses("0.3").problem, "1.5", ("0.3", "0.4"))
+    assert (found.proved, found.threshold, found.stable_to) == (True, None, None)
+    assert found.grows is not None
+    assert found.grows.stable is False
+    assert "already" in found.words
+
+
+def test_little_effort_keeps_what_is_known() -> None:
+    found = train_velocities(masses("0.3").problem, "1.5", ("0.15", "0.3"), effort=Effort(evaluations=300))
+    assert (found.proved, found.threshold, found.stable_to) == (False, None, None)
+    assert found.reason is not None
+    assert found.reason.code == "effort"
+    assert found.convective is not None
+    assert found.grows is not None
+    assert found.grows.stable is False
+    assert found.words.startswith("undecided")
 
 
 def test_ranges() -> None:
-    found = train_velocities(masses("0.3").problem, "1.5", (0, "0.1"))
-    assert (found.proved, found.convective, found.limit) == (False, None, None)
-    assert found.reason is not None
     for wrong in ((1, 0), 3, ("a", "b")):
         with pytest.raises(InputError, match="v"):
             train_velocities(masses("0.3").problem, "1.5", wrong)  # type: ignore[arg-type]

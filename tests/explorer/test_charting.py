@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import time
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -44,9 +47,22 @@ def test_axes_that_cannot_be() -> None:
 def test_a_session_keeps_its_proofs() -> None:
     session = Session.of(PAIR)
     session.draw_chart("v", "track.k")
-    proving = session.start_proof()
+    proving = session.start_proof(("v", "track.k"))
     while proving.running:
         proving.poll()
+        time.sleep(0.02)
     assert session.note_proof()
     assert not session.note_proof()
     assert "proved: stable" in session.chart_picture()
+    assert len(session.proved) == 1
+    assert "proved: stable all over" in session.chart_picture()
+
+
+def test_a_proved_region_is_outlined_on_the_chart_of_its_parameters_only() -> None:
+    region = {"v": (Fraction(100), Fraction(180)), "track.k": (Fraction(9 * 10**5), Fraction(11 * 10**5))}
+    point = ProvedPoint(PAIR, True, region)
+    outline = "proved: stable all over"
+    assert outline in chart_of(PAIR, "v", "track.k").picture(PAIR, (point,))
+    assert outline not in chart_of(PAIR, "v", "track.c").picture(PAIR, (point,))
+    away = ProvedPoint(PAIR.changed("track.c", 100), True, region)
+    assert outline not in chart_of(PAIR, "v", "track.k").picture(PAIR, (away,))

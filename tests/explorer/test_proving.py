@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
+from typing import Any
 
 from mpsolve import read_problem, tracks, vehicles, verify
-from mpsolve.explorer.proving import Proving
+from mpsolve.explorer.proving import Proving, report
 from mpsolve.problem.problem import Problem
 
 PROBLEM = read_problem("examples/two_layer_bogie.toml").problem
@@ -49,3 +50,24 @@ def test_a_refusal_is_told() -> None:
     proving = Proving(Problem(track, vehicles.Mass(1), v=1))
     proving.start()
     assert "buckles" in waited(proving).failure
+
+
+def test_a_region_round_the_point_follows_the_answer() -> None:
+    proving = waited(begun(more=("v", "track.k_pad")))
+    assert proving.ended
+    assert set(proving.region) == {"v", "track.k_pad"}
+    low, high = proving.region["v"]
+    assert low < PROBLEM.v < high
+
+
+def test_a_report_is_written_beside_it() -> None:
+    writing = waited(begun(work=report, seconds=3.0, more=("Bogie",)))
+    assert writing.answer.startswith("<!DOCTYPE html>")
+    assert "<h1>Bogie</h1>" in writing.answer
+    assert "STABLE" in writing.answer
+
+
+def begun(**more: Any) -> Proving:
+    proving = Proving(PROBLEM, **more)
+    proving.start()
+    return proving

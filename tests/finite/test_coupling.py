@@ -8,7 +8,7 @@ import pytest
 from mpsolve import vehicles
 from mpsolve.finite.carriage import carriage
 from mpsolve.finite.coupling import vehicle_tables
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.loads import outer_forces
 
 

@@ -14,7 +14,7 @@ from mpsolve.finite.carriage import carriage
 from mpsolve.finite.discretization import discretized
 from mpsolve.finite.exponentials import exponentials
 from mpsolve.finite.march import Setting, march
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.loads import outer_forces
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1)

@@ -9,11 +9,11 @@ import mpmath
 import pytest
 
 from mpsolve import Case
+from mpsolve.derivation.paper import characteristic as derived_determinant
+from mpsolve.derivation.paper import dispersion, kernel_resolvent
 from mpsolve.fields import MP
 from mpsolve.model.branch import Track, pairing, track
 from mpsolve.model.characteristic import characteristic
-from mpsolve.model.derivation import characteristic as derived_determinant
-from mpsolve.model.derivation import dispersion, kernel_resolvent
 from mpsolve.model.kernel import AHEAD, BEHIND, kernel, kernel_at_contact
 
 BITS = 150

@@ -19,12 +19,12 @@ from mpsolve.discs import DiscField
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import track
-from mpsolve.model.load import Load
 from mpsolve.motion.enclosure import Enclosure, enclose_response
 from mpsolve.motion.forcing import tones
 from mpsolve.motion.rigorous_path import Route, float_track, guide, route
 from mpsolve.motion.rigorous_sheet import prove_clear
 from mpsolve.motion.rigorous_tail import far, tail
+from mpsolve.vehicles.load import Load
 
 arb, acb = flint.arb, flint.acb
 

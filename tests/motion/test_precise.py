@@ -10,7 +10,7 @@ from flint import arb
 from mpsolve import Case, certify, response
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 LONE = Case(alpha="0.5", eta_b="0.05", eta_m=70)
 

@@ -7,14 +7,15 @@ import pickle
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from flint import acb, arb
 
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.packed import Portable, pack, unpack
 
 
 def test_balls_travel_exactly() -> None:
-    with ball_arithmetic(400):
+    with precision(400):
         balls = [arb.pi(), arb(0), arb("0.1") * arb(10) ** 40, -arb(2).sqrt() + arb(0, arb(2) ** -300)]
     for ball in balls:
         same = unpack(pack(ball))
@@ -34,7 +35,7 @@ class Held(Portable):
 
 
 def test_what_holds_balls_can_be_pickled_and_copied() -> None:
-    with ball_arithmetic(300):
+    with precision(300):
         held = Held(acb(arb.pi(), -arb(2).sqrt()), (arb(3).log(), 5, None), {"a": acb(1, arb(2).sqrt())})
     for same in (pickle.loads(pickle.dumps(held)), copy.deepcopy(held)):
         assert type(same) is Held
@@ -45,3 +46,14 @@ def test_what_holds_balls_can_be_pickled_and_copied() -> None:
         assert same.parts[1:] == (5, None)
         assert same.named["a"].contains(held.named["a"])
         assert same.text == "x"
+
+
+def test_arrays_of_balls_travel_and_infinite_ones_stay_so() -> None:
+    made = Held(0, (np.array([[arb("0.1", "1e-9")], [arb("nan")], [acb(1, arb(0, "inf"))]], object),), {})
+    again, given = pickle.loads(pickle.dumps(made)).parts[0], made.parts[0]
+    assert again.shape == (3, 1)
+    assert again[0, 0].contains(given[0, 0])
+    assert not again[1, 0].is_finite()
+    assert again[1, 0].contains(arb(10) ** 1000)
+    assert again[2, 0].real == 1
+    assert not again[2, 0].imag.is_finite()

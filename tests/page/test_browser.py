@@ -32,6 +32,22 @@ CONTRAST = """() => {
     if (ratio < 4.5) bad.push([e.textContent.slice(0, 40), ratio]);
   }
   return bad; }"""
+MARKS = """() => {
+  const light = c => { const v = c.map(x => x / 255).map(x => x <= .03928 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
+    return .2126 * v[0] + .7152 * v[1] + .0722 * v[2]; };
+  const parse = s => s.match(/[\\d.]+/g).map(Number).slice(0, 3);
+  const seen = {};
+  for (const kind of ['.curve', '.curve.two', '.curve.three', '.curve.four', '.cut', '.root', '.root.unstable',
+                      '.hatch', '.border', '.sure', '.here', '.ring', '.link', '.rail', '.frame', '.tick', '.body',
+                      '.solid'])
+    for (const e of document.querySelectorAll('svg ' + kind)) {
+      const style = getComputedStyle(e);
+      const ground = light(parse(getComputedStyle(e.closest('section')).backgroundColor));
+      const drawn = [style.stroke, style.fill].filter(c => c.startsWith('rgb')).map(c => light(parse(c)));
+      const ratio = Math.max(...drawn.map(c => (Math.max(c, ground) + .05) / (Math.min(c, ground) + .05)));
+      seen[kind] = Math.min(seen[kind] ?? 99, ratio);
+    }
+  return seen; }"""
 SMALL = """() => [...document.querySelectorAll('svg text')]
   .map(e => [e.textContent, e.getBoundingClientRect().height])
   .filter(([text, high]) => text && high < 9)"""
@@ -77,6 +93,13 @@ def page(request: pytest.FixtureRequest, chromium: Any, address: str) -> Iterato
 
 def test_every_text_can_be_read(page: Any) -> None:
     assert page.evaluate(CONTRAST) == []
+
+
+def test_every_mark_stands_out_from_its_ground(page: Any) -> None:
+    """3:1 for lines, hatching and marks, in light and in dark."""
+    seen = page.evaluate(MARKS)
+    assert {".curve", ".cut", ".root", ".hatch", ".border", ".sure", ".rail", ".body"} <= seen.keys()
+    assert {kind: ratio for kind, ratio in seen.items() if ratio < 3} == {}
 
 
 def test_nothing_is_wider_than_a_phone(page: Any) -> None:

@@ -7,6 +7,7 @@ import pytest
 
 from mpsolve import read_problem
 from mpsolve.page import figures
+from mpsolve.page.charts import chart
 from mpsolve.page.parts import Parts, gather
 
 
@@ -35,7 +36,7 @@ def test_every_picture_is_there(parts: Parts) -> None:
     assert {name for name, _, _ in shape[1]} == set(parts.problem.pencil.names)
     names = [one.name for one in (*figures.lines(parts), *figures.motion(parts), figures.plane(parts))]
     assert names == ["growth", "frequency", "deflection", "force", "plane"]
-    assert figures.chart(parts) is not None
+    assert chart(parts) is not None
 
 
 def test_numbers_on_the_lines_are_those_of_the_roots(parts: Parts) -> None:

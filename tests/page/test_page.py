@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import json
 import re
 from html.parser import HTMLParser
@@ -79,3 +80,11 @@ def test_names_are_unique_and_text_is_escaped(parts: Parts) -> None:
 
     Reader().feed(page)
     assert len(names) == len(set(names))
+
+
+def test_what_looks_like_a_mistake_stands_on_the_first_screen() -> None:
+    """km/h taken for m/s: the sentence that says so is above the details."""
+    problem = read_problem("examples/two_layer_bogie.toml").problem.changed("v", 250)
+    said = page_html(gather(problem, "", digits=15, seconds=0.01, tell=lambda *_: None), "x")
+    first = said[: said.index('<section id="model"')]
+    assert "Check the input: v is 250 m/s, which is 900 km/h" in html.unescape(first)

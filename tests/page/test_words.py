@@ -2,44 +2,45 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, Problem, certify, tracks, vehicles
+from mpsolve import Case, Problem, certify, response, tracks, vehicles
+from mpsolve.outcome import Reason
 from mpsolve.page.budget import Part
+from mpsolve.page.limits import Reach
 from mpsolve.page.parts import Parts
 from mpsolve.page.words import contact_card, growth_card, speech, velocity_card
+from mpsolve.ranges.onset import Kind
+from mpsolve.vibration.liftoff import Event
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=250)
 NONE: Part[Any] = Part("x", reason="it is not asked for")
 
 
-@dataclass
-class Onset:
-    kind: str
-    value: Any = None
-    reason: str = "it is open"
-    over: Any = field(default_factory=lambda: {"v": (Fraction(0), Fraction(400))})
+def reach(kind: str, value: Any = None, high: int = 400, reason: Reason | None = None) -> Part[Any]:
+    return Part("onset", Reach(Kind(kind), Fraction(0), Fraction(high), value, reason))
 
 
 def parts(problem: Problem = PAIR, **more: Any) -> Parts:
     found = certify(problem, region="unstable", digits=15)
-    made = Parts(problem, problem, "", Fraction(400), found, NONE, NONE, NONE, NONE, NONE)
+    made = Parts(problem, problem, "", Fraction(400), found, NONE, NONE, NONE, NONE, NONE, NONE)
     return replace(made, **more)
 
 
 def test_too_fast_and_slow_enough() -> None:
-    crossing = Part("onset", Onset("crosses", arb(191)))
-    card = velocity_card(parts(onset=crossing))
+    crossing = reach("crosses", arb(191))
+    card = velocity_card(parts(reach=crossing))
     assert card.figure == "stable below 687.6 km/h"
     assert "212.4 km/h above it" in card.sentence
-    slow = velocity_card(parts(PAIR.changed("v", 150), onset=crossing))
+    slow = velocity_card(parts(PAIR.changed("v", 150), reach=crossing))
     assert "leaves 147.6 km/h" in slow.sentence
 
 
@@ -48,7 +49,13 @@ def test_too_fast_and_slow_enough() -> None:
     [("stable", "no change"), ("unstable_from_start", "unstable from the start"), ("undecided", "undecided")],
 )
 def test_other_answers(kind: str, figure: str) -> None:
-    assert velocity_card(parts(onset=Part("onset", Onset(kind)))).figure == figure
+    assert velocity_card(parts(reach=reach(kind))).figure == figure
+
+
+def test_what_is_open_further_up_is_said() -> None:
+    card = velocity_card(parts(reach=reach("stable", high=200, reason=Reason("effort", "time is up", {}, ""))))
+    assert (card.figure, card.status) == ("not up to 720 km/h", "proved")
+    assert "Beyond that it is open." in card.sentence
 
 
 def test_growth_doubles_in_a_time() -> None:
@@ -59,12 +66,22 @@ def test_growth_doubles_in_a_time() -> None:
 
 
 def test_lift_off_and_late() -> None:
-    motion = SimpleNamespace(lift_off=SimpleNamespace(time=0.02, contact=1), times=[0.0, 1.0])
+    motion = SimpleNamespace(lift_off=Event(0.02, 2, 1e-6), times=[0.0, 1.0])
     card = contact_card(parts(response=Part("response", motion)))
     assert card.figure == "after 20 ms"
-    assert "Contact 2" in card.sentence
+    assert "Contact 2, counted from the rear" in card.sentence
     late = contact_card(parts(response=Part("response", reason="no time", late=True)))
     assert late.figure == "not in time"
+
+
+def test_the_contact_is_the_one_whose_force_ends() -> None:
+    """Of two the rear one, number 1."""
+    motion = response(PAIR.changed("v", 100), times=np.linspace(0, 1, 400))
+    assert motion.lift_off is not None
+    assert contact_card(parts(response=Part("response", motion))).sentence.startswith("Contact 1, ")
+    k = int(np.argmin(abs(motion.times - motion.lift_off.time)))
+    assert abs(motion.contact_force[0, k]) < 2000
+    assert motion.contact_force[1, k] > 20000
 
 
 def test_the_papers_ratios_have_no_units() -> None:

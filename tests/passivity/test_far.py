@@ -80,3 +80,15 @@ def test_one_real_point_closes_the_half_plane(name: str) -> None:
     assert R < 2.0**36 * X
     arc = R * np.exp(1j * np.linspace(0, np.pi / 2, 2000)[:-1])
     assert (hermitian(arc)[:, 0] > 0).all()
+
+
+def test_a_string_over_a_wide_range_of_velocities_is_halved() -> None:
+    wire = tracks.String(T=1, m=1, k=1, c="0.1")
+    pair = Problem(wire, [vehicles.Mass(10), vehicles.Mass(10).at("1.5")], v="0.5")
+    family, envelope = family_and_envelope(pair, {"v": (0, 0.9)})
+    X = far(envelope)
+    assert X is not None
+    for v in (0.1, 0.5, 0.8, 0.9):
+        x = [Fraction(v) / family.units[0]]
+        places = [place.at(x) for place in family.places]
+        assert (least(family.guide(x), places, X * np.geomspace(1, 4, 12)) > -1e-13).all()

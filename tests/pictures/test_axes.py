@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, TOP, WIDE, Axes, line, ticks
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, STYLE, TOP, WIDE, Axes, curve_class, line, ticks
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6))
@@ -33,3 +35,13 @@ def test_a_line_is_broken_where_a_point_is_missing() -> None:
     assert said.count("<polyline") == 2
     assert "nan" not in said
     assert pytest.approx(float(axes.px(3)), abs=0.05) == float(said.split('points="')[2].split(",")[0])
+
+
+def test_curves_differ_in_grey_too() -> None:
+    """Four curves of a picture have four kinds of dashes; roots that grow have another form than those that decay."""
+    dashes = {}
+    for k in range(4):
+        for name in curve_class(k).split():
+            found = re.search(rf"\.picture \.{name} \{{[^}}]*stroke-dasharray: ([^;}}]*)", STYLE)
+            dashes[k] = found[1] if found else dashes.get(k, "none")
+    assert len(set(dashes.values())) == 4

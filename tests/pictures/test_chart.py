@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
 
-from mpsolve.pictures.axes import LEFT, RIGHT, WIDE
-from mpsolve.pictures.chart import chart_picture
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE
+from mpsolve.pictures.chart import Sure, chart_picture
 
 
 def test_areas_are_those_of_the_counts() -> None:
@@ -16,9 +17,37 @@ def test_areas_are_those_of_the_counts() -> None:
     counts[6:, :] = 2
     counts[0, 0] = -1
     tree = ET.fromstring(chart_picture(np.arange(11), np.arange(5), counts, "v", "m", "Chart", here=(3.0, 2.0)))
-    shaded = [e for e in tree.iter("rect") if e.get("class") == "grows"]
+    shaded = [e for e in tree.iter("rect") if e.get("class") == "area some" and float(e.attrib["width"]) > 30]
     assert len(shaded) == 5
     assert float(shaded[0].attrib["width"]) == pytest.approx(0.45 * (WIDE - LEFT - RIGHT), rel=0.01)
-    assert len([e for e in tree.iter("rect") if e.get("fill") == "url(#chart-open)"]) == 1
+    assert len([e for e in tree.iter("rect") if e.get("fill") == "url(#chart-open)"]) == 2  # one in the legend
     said = [e.text for e in tree.iter("text")]
-    assert {"blank: stable", "hatched: open", "shaded: 2 roots grow", "this case"} <= set(said)
+    assert {"blank: none grows", "dotted: open", "hatched: 2 roots grow", "this case"} <= set(said)
+
+
+def test_kinds_differ_without_colour_and_are_parted_by_a_line() -> None:
+    counts = np.array([[0, 1, 2], [4, 4, -1]])
+    tree = ET.fromstring(chart_picture([0, 1], [0, 1, 2], counts, "v", "m", "Chart"))
+    assert {e.get("fill") for e in tree.iter("rect") if "area" in e.get("class", "")} == {
+        "url(#chart-some)", "url(#chart-many)", "url(#chart-open)"
+    }  # fmt: skip
+    (border,) = [e.attrib["d"] for e in tree.iter("path") if e.get("class") == "border"]
+    assert (border.count("V"), border.count("H")) == (3, 2)
+
+
+def test_the_legend_stands_below_everything() -> None:
+    tree = ET.fromstring(chart_picture([0, 1], [0, 1], np.array([[0, 1], [2, 3]]), "v", "m", "Chart"))
+    title = max(float(e.attrib["y"]) for e in tree.iter("text") if e.text == "v")
+    words = [e for e in tree.iter("text") if (e.text or "").split(":")[0] in ("blank", "hatched", "crossed")]
+    assert len(words) == 3
+    assert all(title < float(e.attrib["y"]) - 10 for e in words)
+    assert max(float(e.attrib["y"]) for e in words) < float(tree.attrib["viewBox"].split()[-1])
+
+
+def test_what_is_proved_is_outlined_within_the_frame() -> None:
+    sure = [Sure((2, 4), (-9, 9)), Sure((1, 7), (2, 2))]
+    tree = ET.fromstring(chart_picture(np.arange(11), np.arange(5), np.zeros((11, 5), int), "v", "m", "C", sure=sure))
+    found = [e.attrib["d"] for e in tree.iter("path") if e.get("class") == "sure"]
+    wide, high = zip(*(map(float, re.findall(r"[hv]([\d.]+)", d)[:2]) for d in found), strict=True)
+    assert np.array(wide) / (WIDE - LEFT - RIGHT) * 10 == pytest.approx([2, 6], rel=0.01)
+    assert high == pytest.approx([HIGH - TOP - BOTTOM, 0], abs=0.2)

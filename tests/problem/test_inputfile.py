@@ -14,12 +14,12 @@ from vehicle_models import BOGIE, TYPICAL, random_vehicles
 
 from mpsolve import PhysicalCase, tracks, vehicles
 from mpsolve.errors import InputError
-from mpsolve.model.inputfile import read_input
-from mpsolve.model.load import Load
 from mpsolve.numbers.model import Model
+from mpsolve.problem.casefile import read_input
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.inputfile import read_problem
 from mpsolve.problem.problem import Problem
+from mpsolve.vehicles.load import Load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TRACK = """

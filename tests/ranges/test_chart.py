@@ -74,3 +74,17 @@ def test_points_outside_are_refused(chart: Chart) -> None:
         chart.at(10, 1)
     assert chart.x[0] == Fraction(150)
     assert OPEN < BOUNDARY < 0
+
+
+def test_a_divergence_has_a_boundary_of_its_own() -> None:
+    """Two masses joined by a spring: a single root grows beyond f(0) = 0, whatever the masses."""
+    damped = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c=1)
+    joined = vehicles.Vehicle(
+        M=[[10, 0], [0, 10]], C=[[0, 0], [0, 0]], K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=[0, "1.5"]
+    )
+    over = {"v": (1, "1.4"), "scale.mass": ("0.2", 2)}
+    found = stability_chart(Problem(damped, joined, v="1.3"), over=over, depth=5, check=False)
+    assert [part.roots for part in found.parts] == [0, 1]
+    assert found.share > 0.9
+    assert found.at("1.22", 1) == 0
+    assert found.at("1.27", 1) == 1

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from free_cases import BEAM, LAYERS, PAIR
 
-from mpsolve import Case, Problem, vehicles
+from mpsolve import Case, Problem, tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision
 from mpsolve.outcome import Status
@@ -29,7 +29,7 @@ def in_velocity() -> Crossings:
 
 
 def test_velocities_are_those_of_the_engine_for_one_beam(in_velocity: Crossings) -> None:
-    assert in_velocity.status is Status.UNVERIFIED
+    assert in_velocity.status is Status.PROVED
     assert in_velocity.counts == (0, 2, 0, 2)
     assert [c.direction for c in in_velocity.crossings] == [2, -2, 2]
     ranges = unstable_velocities(eta_b="0.05", eta_m=("40", "40"), positions=("0", "1.5"), alpha=(0, 1), digits=20)
@@ -45,7 +45,7 @@ def test_masses_are_those_of_the_engine_for_one_beam() -> None:
     found = crossings(PROBLEM, over={"scale.mass": ("0.02", 3)})
     known = crossing_masses(alpha="0.9", eta_b="0.05", positions=("0", "1.5"))
     inside = [c for c in known if 0.02 * 40 < float(c.eta) < 120]
-    assert found.status is Status.UNVERIFIED
+    assert found.status is Status.PROVED
     assert len(found.crossings) == len(inside)
     for mine, other in zip(found.crossings, inside, strict=True):
         assert np.isclose(float(mine.value) * 40, float(other.eta), rtol=1e-12)
@@ -82,7 +82,7 @@ def test_a_divergence_is_a_single_root_at_0() -> None:
     )
     found = crossings(Problem(BEAM, joined, v="1.2"), over={"v": ("1.05", "1.4")}, digits=20)
     single = [c for c in found.crossings if float(c.q) == 0]
-    assert found.status is Status.UNVERIFIED
+    assert found.status is Status.PROVED
     assert len(single) == 1
     assert abs(single[0].direction or 0) == 1
     assert found.counts is not None
@@ -95,7 +95,7 @@ def test_the_answer_travels(in_velocity: Crossings) -> None:
     with precision(64):
         assert again.crossings[0].value.overlaps(in_velocity.crossings[0].value)
     data = json.loads(in_velocity.to_json())
-    assert data["status"] == "proved, not verified"
+    assert data["status"] == "proved"
     assert data["crossings"][0]["value"]["decimal"].startswith("0.73787693709")
     assert len(list(in_velocity.rows())) == 3
 
@@ -128,3 +128,53 @@ def test_masses_at_which_stability_changes_in_wide_and_narrow_ranges(ends: tuple
     (one,) = found.crossings
     assert abs(70 * float(one.value.mid()) - 66.71755984618989) < 1e-11
     assert found.counts == (0, 2)
+
+
+def twins(mass: object) -> list[object]:
+    return [vehicles.Mass(mass).at(0), vehicles.Mass(mass).at("1.5")]
+
+
+@pytest.mark.parametrize("over", [("0.92", "0.94"), ("0.8", "1.1")])
+def test_two_crossings_next_to_a_tangency_are_told_apart(over: tuple[object, object]) -> None:
+    """A window of 9·10⁻⁴; its ends as `unstable_velocities` of the narrower range has them."""
+    mass = "56.538095493450703825985840189429867707"
+    found = crossings(Problem(BEAM, twins(mass), v="0.9"), over={"v": over}, digits=30, check=False)
+    assert found.counts == (2, 0, 2)
+    assert np.allclose([float(c.value) for c in found.crossings], [0.9306112006925, 0.9315117341371], atol=1e-12)
+
+
+def test_ends_have_a_hundred_digits() -> None:
+    found = crossings(Problem(BEAM, twins(70), v="0.5"), over={"v": (0, "1.5")}, digits=100, check=False)
+    assert found.counts == (0, 2)
+    assert found.crossings[0].value.rad() < 1e-99
+
+
+@pytest.mark.parametrize("path", ["v", "track.k"])
+def test_two_sprung_masses_diverge_where_the_static_determinant_vanishes(path: str) -> None:
+    """f(0) = −0.699 at v = 1.3; where it is 0 tells a sum of two residues at q = 0, found without the engine."""
+    damped = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c=1)
+    joined = vehicles.Vehicle(
+        M=[[10, 0], [0, 10]], C=[[0, 0], [0, 0]], K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=[0, "1.5"]
+    )
+
+    def f(v: float, k: float) -> float:
+        """det(I + G Y) at q = 0 of the spring alone."""
+        p = np.roots([0.25, 0, -v * v, -1j * v, k])
+        slope = p**3 - 2 * v * v * p - 1j * v
+        up = p.imag > 0
+
+        def G(xi: float) -> float:
+            side = up if xi >= 0 else ~up
+            return float(((1j if xi >= 0 else -1j) * np.exp(1j * p * xi) / slope)[side].sum().real)
+
+        gain = np.array([[G(0.0), G(-1.5)], [G(1.5), G(0.0)]])
+        return float(np.linalg.det(np.eye(2) + gain @ np.array([[10.0, -10.0], [-10.0, 10.0]])))
+
+    assert abs(f(1.3, 1.0) + 0.699) < 1e-3
+    found = crossings(Problem(damped, joined, v="1.3"), over={path: ("0.9", "1.4")}, check=False)
+    (one,) = found.crossings
+    assert float(one.q) == 0
+    x = float(one.value)
+    at = (lambda y: f(y, 1.0)) if path == "v" else (lambda y: f(1.3, y))
+    assert abs(at(x)) < 1e-9
+    assert (one.direction, found.counts) == ((1, (0, 1)) if path == "v" else (-1, (1, 0)))

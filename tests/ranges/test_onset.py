@@ -9,6 +9,7 @@ from flint import arb
 from free_cases import BEAM, BOGIE, LAYERS, PAIR, RAIL
 
 from mpsolve import Problem, tracks, vehicles
+from mpsolve.numbers.balls import precision
 from mpsolve.outcome import Status
 from mpsolve.ranges.onset import Kind, onset, unstable_ranges
 
@@ -40,7 +41,7 @@ def test_rows_of_masses(number: int, known: float) -> None:
 def test_onsets_are_those_of_another_program(name: str) -> None:
     problem, over, known = KNOWN[name]
     found = onset(problem, over={"v": over})
-    assert found.status is Status.UNVERIFIED
+    assert found.status is Status.PROVED
     assert found.kind is Kind.CROSSES
     assert found.value is not None
     assert found.value.rad() < 1e-10
@@ -81,3 +82,46 @@ def test_ends_of_the_range_have_the_digits_asked_for() -> None:
     assert part.end.rad() < 1e-100
     assert Fraction(part.lower) <= Fraction("0.75")
     assert Fraction(part.upper) >= Fraction("0.8")
+
+
+def pair_of(mass: object) -> list[object]:
+    return [vehicles.Mass(mass).at(0), vehicles.Mass(mass).at("1.5")]
+
+
+def beam(eta_b: object) -> tracks.EulerBernoulli:
+    return tracks.EulerBernoulli(EI="1/4", m=1, k=1, c=2 * Fraction(str(eta_b)))
+
+
+@pytest.mark.parametrize(
+    ("eta_b", "mass", "passive"),
+    [("0.05", 10**6, "1.0201285771054"), ("0.5", 10**6, "1.1899209702955"), ("0.05", 10**4, "1.0201285771054")],
+)
+def test_a_heavy_mass_loses_stability_just_above_the_passivity_velocity(eta_b: str, mass: int, passive: str) -> None:
+    """There the crossing runs to q = 0; the passivity velocities are those of GENERAL's section 6."""
+    found = onset(Problem(beam(eta_b), vehicles.Mass(mass), v=1), over={"v": (0, "1.5")}, check=False)
+    assert found.kind is Kind.CROSSES
+    assert found.lower is not None
+    assert found.upper is not None
+    assert Fraction(passive) < Fraction(found.lower)
+    assert found.upper < float(passive) + 20 / mass
+    assert 0 < float(found.q) < 0.02
+
+
+@pytest.mark.parametrize(
+    ("eta_b", "over", "known"),
+    [("0.001", (0, 2), 0.670338073432), ("0.001", ("0.6", "0.68"), 0.670338073432),
+     ("1e-4", ("0.5", "0.9"), 0.670339465413)],
+)  # fmt: skip
+def test_small_damping_is_no_obstacle(eta_b: str, over: tuple[object, object], known: float) -> None:
+    found = onset(Problem(beam(Fraction(eta_b)), pair_of(70), v="0.5"), over={"v": over}, check=False)
+    assert found.kind is Kind.CROSSES
+    assert abs(float(found.value) - known) < 1e-11
+
+
+def test_floats_keep_to_their_side_of_the_onset() -> None:
+    found = onset(Problem(BEAM, pair_of(70), v="0.5"), over={"v": (0, 1)}, digits=40, check=False)
+    assert found.lower is not None
+    assert found.upper is not None
+    with precision(200):
+        assert arb(found.lower) <= found.value <= arb(found.upper)
+    assert math.nextafter(found.lower, 2) == found.upper

@@ -14,7 +14,7 @@ SOFT = {"track.k": ("0.5", "1.5"), "track.c": ("0.05", "0.15")}
 
 def test_a_pair_is_stable_over_three_parameters() -> None:
     found = prove_stable(PROBLEM, over={"v": (0, "0.5"), **SOFT})
-    assert found.status is Status.UNVERIFIED
+    assert found.status is Status.PROVED
     assert found.stable is True
     tree = found.proofs[0].cover.tree
     assert not len(tree.open)

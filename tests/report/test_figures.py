@@ -12,11 +12,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import Case, PhysicalCase, frequency_lines
-from mpsolve.certificate.sheet import certify_sheet as certify
+from mpsolve import Case, PhysicalCase, certify, frequency_lines
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.model.specs import ONE_MASS, Grid
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.specs import ONE_MASS, Grid
 from mpsolve.report import figures_lines, figures_plane, figures_response
 from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
 from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
@@ -39,7 +38,8 @@ def motion() -> Any:
 
 @pytest.fixture(scope="module")
 def lines() -> Any:
-    return frequency_lines("0.05", 70, 0, alpha=["0.5", "0.6", "0.7"])
+    case = Case(alpha="0.6", eta_b="0.05", eta_m=70)
+    return frequency_lines(case, over={"v": ("0.5", "0.7")}, points=["0.5", "0.6", "0.7"], check=False)
 
 
 def placed(ax: Any, gid: str) -> tuple[float, float]:
@@ -103,26 +103,6 @@ def test_joined_cuts_have_no_branch_point() -> None:
     assert "branch-point-left" not in names
 
 
-def test_the_whole_contour_encloses_what_it_counts() -> None:
-    (ax,) = figure_of(lambda ax: figures_plane.whole_contour(SPECTRUM, ax)).axes
-    (circle,) = [line for line in ax.lines if line.get_gid() == "far-circle"]
-    z = np.array(circle.get_xdata()) + 1j * np.array(circle.get_ydata())
-    assert SPECTRUM.radius is not None
-    assert np.allclose(abs(z - 0.05j), SPECTRUM.radius)
-    turns = np.unwrap(np.angle(z[None, :] - np.array([[complex(root.q.mid())] for root in SPECTRUM.roots])))
-    assert np.allclose(turns[:, -1] - turns[:, 0], 2 * np.pi)
-
-
-def test_the_box_of_a_root_is_drawn_to_scale() -> None:
-    motion = MOTIONS[0]
-    (ax,) = figure_of(lambda ax: figures_plane.root_ball(motion, ax)).axes
-    (box,) = [patch for patch in ax.patches if patch.get_gid() == "ball"]
-    power = re.search(r"10\^\{(-\d+)\}", ax.get_xlabel())
-    assert power is not None
-    width = box.get_width() * 10.0 ** int(power[1])
-    assert abs(width - 2 * float(motion.root.q.real.rad())) < 1e-9 * width
-
-
 def test_the_zoom_tells_frequency_and_time() -> None:
     (ax,) = figure_of(lambda ax: figures_plane.roots_zoom(MOTIONS, False, ax)).axes
     texts = [text.get_text() for text in ax.texts]
@@ -134,29 +114,40 @@ def test_the_zoom_tells_frequency_and_time() -> None:
 
 
 def test_lines_and_the_case_on_them(lines: Any) -> None:
-    spectrum = certify(Case(alpha="0.6", eta_b="0.05", eta_m=70))
+    spectrum = certify(lines.problem, check=False)
     for draw, part in ((figures_lines.line_frequencies, "real"), (figures_lines.line_growth, "imag")):
         ax: Any = figure_of(lambda ax, draw=draw: draw(lines, ax, spectrum)).axes[0]
-        for k, line in enumerate(lines, 1):
+        for k, line in enumerate(lines.lines, 1):
             (drawn,) = [one for one in ax.lines if one.get_gid() == f"line-{k}"]
-            assert list(drawn.get_xdata()) == [float(alpha) for alpha in line.alpha]
+            assert list(drawn.get_xdata()) == [float(value) for value in line.values]
             assert np.allclose(drawn.get_ydata(), [float(getattr(q, part).mid()) for q in line.q], rtol=1e-14)
         x, y = placed(ax, "here-1")
-        middle = [float(getattr(line.q[1], part).mid()) for line in lines]
+        middle = [float(getattr(line.q[1], part).mid()) for line in lines.lines]
         assert x == 0.6
         assert min(abs(y - value) for value in middle) < 1e-14
 
 
-def test_second_scales_agree_with_the_first(lines: Any) -> None:
+def test_second_scales_are_in_km_h_and_hz() -> None:
     rail = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=100, c=770, masses=[(10000, 0)])
-    figure = figure_of(lambda ax: figures_lines.line_frequencies(lines, ax, None, rail))
+    lines = frequency_lines(rail, over={"v": (90, 110)}, points=2, check=False)
+    figure = figure_of(lambda ax: figures_lines.line_frequencies(lines, ax))
     rendered(figure, "svg")
     ax: Any = figure.axes[0]
     right, top = ax.child_axes
     low, high = ax.get_xlim()
-    v_cr = (4 * 1e6 * 6.4e6 / 60**2) ** 0.25
-    assert np.allclose(top.get_xlim(), (low * v_cr * 3.6, high * v_cr * 3.6))
-    assert np.allclose(right.get_ylim()[1], ax.get_ylim()[1] * np.sqrt(1e6 / 60) / (2 * np.pi))
+    assert np.allclose(top.get_xlim(), (low * 3.6, high * 3.6))
+    assert np.allclose(right.get_ylim()[1], ax.get_ylim()[1] / (2 * np.pi))
+    assert ax.get_xlabel() == "v [m/s]"
+
+
+def test_a_ring_marks_where_a_line_leaves_the_region() -> None:
+    case = Case(alpha="0.95", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
+    lines = frequency_lines(case, over={"v": ("0.9", "1")}, points=3, check=False)
+    (end,) = [end for line in lines.lines for end in line.ends if end.kind == "region"]
+    ax: Any = figure_of(lambda ax: figures_lines.line_growth(lines, ax)).axes[0]
+    (ring,) = [one for one in ax.lines if one.get_marker() == "o"]
+    assert ring.get_xdata()[0] == float(end.value.mid())
+    assert ring.get_ydata()[0] == pytest.approx(float(lines.region.height), rel=1e-12)
 
 
 def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> None:
@@ -172,7 +163,7 @@ def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> No
 
 def test_displacements_in_millimetres_are_those_of_a_load_at_rest() -> None:
     """A constant force P at rest on a Winkler beam sinks by Pχ/(2k), with χ⁴ = k/(4EI)."""
-    from mpsolve.model.load import Load
+    from mpsolve.vehicles.load import Load
 
     beam = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, c=7750, masses=[(100, 0)])
     found = response(beam, [Load(constant=50_000)], tau=[0, 400])
@@ -198,10 +189,8 @@ def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
 DRAWN: dict[str, Callable[[Any, Any, Any], Any]] = {
     "plane": lambda ax, _motion, _lines: figures_plane.q_plane(SPECTRUM, ax, GREY),
     "zoom": lambda ax, _motion, _lines: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
-    "ball": lambda ax, _motion, _lines: figures_plane.root_ball(MOTIONS[0], ax, GREY),
-    "contour": lambda ax, _motion, _lines: figures_plane.whole_contour(SPECTRUM, ax, GREY),
-    "frequency": lambda ax, _motion, lines: figures_lines.line_frequencies(lines, ax, SPECTRUM, None, GREY),
-    "growth": lambda ax, _motion, lines: figures_lines.line_growth(lines, ax, SPECTRUM, None, GREY),
+    "frequency": lambda ax, _motion, lines: figures_lines.line_frequencies(lines, ax, None, GREY),
+    "growth": lambda ax, _motion, lines: figures_lines.line_growth(lines, ax, None, GREY),
     "displacement": lambda ax, motion, _lines: figures_response.displacements(motion, ax, None, GREY),
     "contact": lambda ax, motion, _lines: figures_response.contact_forces(motion, ax, None, GREY),
 }
@@ -252,7 +241,7 @@ def test_a_page_can_hold_several_figures_and_their_places_can_be_read_back(motio
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
 def test_files_are_the_same_each_time(kind: str, tmp_path: Path) -> None:
     def draw(ax: Any) -> Any:
-        return figures_plane.root_ball(MOTIONS[0], ax)
+        return figures_plane.roots_zoom(MOTIONS, True, ax)
 
     first, second = (save_figure(draw, tmp_path / f"{name}.{kind}").read_bytes() for name in "ab")
     assert first == second

@@ -54,7 +54,7 @@ def test_regions() -> None:
 
 
 def test_what_a_proof_does_not_have_is_null() -> None:
-    found = certify(Case(alpha=1, eta_b=0, eta_m=20))
+    found = certify(Case(alpha=1, eta_b=0, eta_m=20), region="sheet")
     data = spectrum_data(found)
     assert (data["status"], data["count"], data["stable"]) == ("undecided", None, None)
     assert data["reason"]["code"]

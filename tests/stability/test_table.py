@@ -15,8 +15,8 @@ from flint import arb
 
 from mpsolve.errors import CertificateError, InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model import specs
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem import specs
 from mpsolve.stability import table
 from mpsolve.stability.table import Entry, OnsetTable, onset_table
 from mpsolve.stability.table_text import _prose

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from mpsolve.model.toml import parsed
 from mpsolve.problem.inputfile import problem_of, read_problem
+from mpsolve.problem.toml import parsed
 from mpsolve.studies.source import problem_tables
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "two_layer_bogie.toml"

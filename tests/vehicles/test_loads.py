@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from vehicle_models import TYPICAL
 
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.loads import outer_forces
 
 

@@ -10,7 +10,7 @@ from infinite import inverted
 from laplace import Inversion, Line
 
 from mpsolve import Case, certify, finite_beam, response
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 SLOW = pytest.mark.slow
 GROWTH = 0.05  # more than in Figures A.4 and A.5

@@ -18,7 +18,7 @@ from mpsolve import (
     superposition,
     transient_importance,
 )
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 UNDAMPED = Case(alpha="0.5", eta_b=0, eta_m=(70, 70), positions=(0, "1.5"))
 DAMPED = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))

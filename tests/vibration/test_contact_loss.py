@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mpsolve import Case, response
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 FAST = Case(alpha="1.2", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))  # unstable: both masses lift off
 LONE = Case(alpha="0.67", eta_b="0.05", eta_m=70)

@@ -10,7 +10,7 @@ from infinite import inverted
 
 from mpsolve import Case, certify, response
 from mpsolve.errors import MpsolveError
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 
 def agrees(case: Case, loads: Any, xi: Any, times: Any) -> None:

@@ -14,8 +14,8 @@ from oracle import Truth, cases
 
 from mpsolve import Case, InputError, MpsolveError, certify, response
 from mpsolve.errors import PrecisionError
-from mpsolve.model.load import Load
 from mpsolve.numbers.exact import Exact
+from mpsolve.vehicles.load import Load
 
 TWO: dict[str, Any] = {"eta_m": (70, 70), "positions": (0, "1.5")}
 DAMPED = Case(alpha="0.67", eta_b="0.05", **TWO)

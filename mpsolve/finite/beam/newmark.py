@@ -13,9 +13,11 @@ import numpy as np
 from mpsolve.finite.beam.figures import Problem
 from mpsolve.finite.beam.march import Loading
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.model.load import Load, loads_of
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.numbers.exact import Number
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
+from mpsolve.vehicles.load import Load
 
 
 def coupled_beam(

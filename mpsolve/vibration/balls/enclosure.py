@@ -22,6 +22,7 @@ from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
 from mpsolve.numbers.model import rational
 from mpsolve.numbers.multiprecision import Multiprecision
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
@@ -45,7 +46,7 @@ _GUARD = 15
 
 
 @dataclass(frozen=True)
-class ProvedVibration:
+class ProvedVibration(Result):
     """The motion from rest in balls (flint.arb, dtype object), in the units of the problem.
 
     Where `status` is UNVERIFIED each ball holds the truth, by a proof that no other program has checked; else

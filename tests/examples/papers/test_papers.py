@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from mpsolve import verify
+from mpsolve import Problem, certify, tracks, vehicles, verify
 from mpsolve.claims import Paper, Verdict
 from mpsolve.claims.load import load
 from mpsolve.claims.report import Report
@@ -41,7 +41,7 @@ def changed(name: str, claim: str, **at: tuple[str, ...]) -> Verdict:
     return checked(replace(one, at={**one.at, **at})).verdict
 
 
-@pytest.mark.parametrize("name", ["metrikine_1997", "verichev_2001"])
+@pytest.mark.parametrize("name", ["dimitrovova_layers", "metrikine_1997", "verichev_2001"])
 def test_certificates_are_valid(name: str, tmp_path: Path) -> None:
     found = report(name)
     assert found.complete
@@ -79,3 +79,29 @@ def test_an_oscillator_and_a_bogie() -> None:
     }
     assert changed("verichev_2001", "2001-growth", v=("200",)) is Verdict.UNDECIDABLE
     assert changed("verichev_2001", "2002-below", v=("200",)) is Verdict.UNDECIDABLE
+
+
+def test_layered_tracks() -> None:
+    assert verdicts("dimitrovova_layers") == {
+        "missing": Verdict.PROVED,
+        "finite": Verdict.CONDITIONAL,
+        "two-layer-force": Verdict.PROVED,
+        "two-layer-mass": Verdict.PROVED,
+        "two-layer-masses": Verdict.PROVED,
+    }
+    assert (
+        changed("dimitrovova_layers", "missing", shear=("0",), k_ballast=("1e8",) * 4, k_ground=("5e7",) * 4)
+        is Verdict.UNDECIDABLE
+    )
+    assert changed("dimitrovova_layers", "two-layer-mass", M=("500",)) is Verdict.UNDECIDABLE
+    assert changed("dimitrovova_layers", "two-layer-masses", v=("500",)) is Verdict.UNDECIDABLE
+
+
+def test_an_oscillator_on_a_string() -> None:
+    assert verdicts("kruse_1998") == {"one-or-two": Verdict.PROVED, "not-unique": Verdict.PROVED}
+    assert changed("kruse_1998", "one-or-two", wheel=("1",), k=("1",)) is Verdict.UNDECIDABLE
+    # the string's own formula is that of the engine: the least damped root lies below the cuts, whatever they are
+    oscillator = vehicles.Oscillator(wheel=1, body=1, k=1)
+    found = certify(Problem(tracks.String(T=1, m=1, k=1, c="0.56"), oscillator, v="0.6"), digits=15)
+    assert "0.645136 + 0.096489i" in numbers("kruse_1998", "not-unique")[0]
+    assert f"{float(found.roots[-1].q.real):.6f} + {float(found.roots[-1].q.imag):.6f}i" == "0.645136 + 0.096489i"

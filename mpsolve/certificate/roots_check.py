@@ -1,0 +1,42 @@
+"""What `roots` and `real_roots` share: the effort they may take, and the verifier's word on their certificates."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from time import process_time
+from typing import Any
+
+from mpsolve.errors import InputError
+from mpsolve.outcome import Reason, Status
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.zeros.answer import Zeros
+
+_EVALUATIONS = 400_000
+_REMEDY = "report this as a fault, with the input"
+
+
+def budget_of(effort: Effort | None) -> Effort:
+    """A fresh effort of the size that is asked for. InputError for what is none."""
+    if effort is not None and not isinstance(effort, Effort):
+        raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    return effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+
+
+def checked(answer: Zeros, certificate: Any, check: bool, tell: Progress) -> Zeros:
+    """The answer with the verifier's word on its certificate."""
+    if not check:
+        return replace(answer, certificate=certificate)
+    from mpsolve.certificate.verify_roots import verify_bytes
+
+    tell("verifying", 0.0)
+    started = process_time()
+    verdict = verify_bytes(certificate.text.encode("ascii"))
+    cost = replace(answer.cost, verification=process_time() - started)
+    if verdict.valid:
+        return replace(answer, status=Status.PROVED, certificate=certificate, verified=verdict.claim, cost=cost)
+    message = f"the standalone verifier does not accept the proof: {verdict.reason}"
+    reason = Reason("verifier", message, {}, _REMEDY)
+    return replace(
+        answer, status=Status.UNDECIDED, reason=reason, count=None, roots=(), certificate=certificate, cost=cost
+    )

@@ -1,0 +1,2055 @@
+"""Checks certificates of answers over ranges of parameters against certs/SPEC2.md, section 10; shares no code with
+their maker.
+
+Needs Python ≥ 3.11 and python-flint, and verify2.py beside it, which checks the spectrum at one point of the range.
+Runs as a plain script:  python verify_ranges.py FILE [FILE …]
+Exit status 0: every file is valid; 1: one is not, and its line says why.
+
+A certificate carries the equations with free parameters as polynomials, their ranges, the spectrum at one point, the
+tree of boxes of (q, parameters) with what excludes real roots from each leaf, boxes round crossings, and numbers of
+a theorem at large q. A leaf is checked by Taylor forms of second order in balls, about its middle; one that is too
+wide for them is halved, so and so often. Throughout P = ip, σ = iq, s = σ − vP.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import combinations, pairwise, product
+from math import asinh, comb, sinh
+from typing import Any
+
+import flint
+from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
+
+if __package__:
+    from mpsolve.certificate import verify2 as spectra
+else:
+    import verify2 as spectra  # type: ignore[import-not-found,no-redef]
+
+Refused, Verdict = spectra.Refused, spectra.Verdict
+require, keys, items, integer, rational, dyadic = (
+    spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic,
+)  # fmt: skip
+
+MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
+MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 24, 24, 12, 400
+DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
+BOXES = 20_000  # that a polynomial's positivity may take
+BITS = 64
+POINTS, TOGETHER, SMALL = 24, 0.3, 64  # of a circle; roots closer than this share of the distance of others share one
+SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
+
+Exponents = tuple[int, ...]
+Free = dict[Exponents, Any]  # {exponents of the parameters: c}
+Box = tuple[tuple[Any, Any], ...]  # exact ends of q and of the parameters, or of the parameters alone
+
+
+def verify(path: Any) -> Any:
+    """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
+    try:
+        with open(path, "rb") as file:
+            raw = file.read(MAX_BYTES + 1)
+        return verify_bytes(raw)
+    except OSError as error:
+        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+
+
+def verify_bytes(raw: bytes, most: int | None = None) -> Any:
+    """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it may look at."""
+    try:
+        require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
+        content = opened(raw)
+        with spectra.precision(BITS):
+            return Verdict(True, "", checked(content, most))
+    except Refused as error:
+        return Verdict(False, str(error))
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+        return Verdict(False, f"no certificate, which is JSON in ASCII ({error})"[:200])
+    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
+        return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
+
+
+def opened(raw: bytes) -> dict[str, Any]:
+    """The file's object without its digest, which fits, with format, version, kind and keys checked."""
+
+    def no_number(text: str) -> Any:
+        raise Refused(f"{text[:40]} is not an exact number: numbers are integers, or text")
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
+        return dict(pairs)
+
+    read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
+    require(isinstance(read, dict), "the file holds no JSON object")
+    require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
+    version = read.get("version")
+    require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
+    require(read.get("kind") in ("crossings", "stable"), "the kind is not known to this verifier")
+    keys(read, "format version kind sha256 equations basis range base tail X beyond tree zeros claim")
+    rest = {key: value for key, value in read.items() if key != "sha256"}
+    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
+    require(digest == read["sha256"], "the digest does not fit the content")
+    return rest
+
+
+# --- polynomials in the parameters, exact -----------------------------------------------------------------
+
+
+def free(value: Any, count: int, name: str, least: int = 0) -> Free:
+    """A polynomial in the parameters: "c", or [[e1, …, em, "c"], …]."""
+    if isinstance(value, str):
+        c = rational(value, name)
+        return {(0,) * count: c} if c != 0 else {}
+    out: Free = {}
+    for term in items(value, 40, name):
+        *powers, c = items(term, count + 1, name, count + 1)
+        key = tuple(integer(e, least, 4, name) for e in powers)
+        require(key not in out, f"{name}: a power stands twice")
+        out[key] = rational(c, name)
+        require(out[key] != 0, f"{name}: a coefficient is 0")
+    return out
+
+
+def at(f: Free, x: Sequence[Any]) -> Any:
+    """The value at exact parameters."""
+    total = fmpq(0)
+    for powers, c in f.items():
+        for y, e in zip(x, powers, strict=True):
+            c = c * y**e if e > 0 else c / y ** (-e) if e < 0 else c
+        total += c
+    return total
+
+
+def least(f: Free, box: Box) -> Any:
+    """A lower bound over a box: the least Bernstein coefficient."""
+    if not f:
+        return fmpq(0)
+    table = dict(f)
+    degrees = [max(e[k] for e in f) for k in range(len(box))]
+    for k, (low, high) in enumerate(box):
+        if not degrees[k]:
+            continue
+        moved: Free = {}
+        for e, c in table.items():
+            for n in range(e[k] + 1):  # (low + (high − low) t)^e
+                key = (*e[:k], n, *e[k + 1 :])
+                step = c * comb(e[k], n) * low ** (e[k] - n) * (high - low) ** n
+                moved[key] = moved.get(key, fmpq(0)) + step
+        table = {}
+        for e, c in moved.items():
+            for n in range(e[k], degrees[k] + 1):
+                key = (*e[:k], n, *e[k + 1 :])
+                share = fmpq(comb(n, e[k]), comb(degrees[k], e[k]))
+                table[key] = table.get(key, fmpq(0)) + c * share
+    return min(table.get(key, fmpq(0)) for key in product(*(range(d + 1) for d in degrees)))
+
+
+def everywhere(test: Any, box: Box, used: Sequence[int], why: str) -> None:
+    """test(box) is true on parts that together are the box; those where it is not are halved along the used axes."""
+    stack, number = [(box, 0)], 0
+    while stack:
+        here, depth = stack.pop()
+        number += 1
+        if test(here):
+            continue
+        require(used and depth < 8 * len(used) and number < BOXES, why)
+        stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
+
+
+def halved(box: Box, k: int) -> list[Box]:
+    low, high = box[k]
+    middle = (low + high) / 2
+    return [(*box[:k], (low, middle), *box[k + 1 :]), (*box[:k], (middle, high), *box[k + 1 :])]
+
+
+def in_y(p: Any) -> list[Free]:
+    """Of a polynomial in P and the parameters, even in P: for each power of y = −P² what stands with it."""
+    out: dict[int, Free] = {}
+    for (i, _, *e), c in p.to_dict().items():
+        out.setdefault(int(i) // 2, {})[tuple(map(int, e))] = c * (-1) ** (int(i) // 2)
+    return [out.get(k, {}) for k in range(max(out, default=-1) + 1)]
+
+
+def positive(rows: Sequence[Free], box: Box, strictly: bool) -> bool:
+    """Σ f_k y^k > 0 (or ≥ 0) for all y ≥ 0 and all parameters of the box: by lower bounds of the f_k."""
+    low = [least(f, box) for f in rows]
+    if not strictly and all(x >= 0 for x in low):
+        return True
+    return bool(spectra.nonnegative(fmpq_poly(low), strictly))
+
+
+def determinant(rows: Sequence[Sequence[Any]], one: Any) -> Any:
+    """Of polynomials, along the first row."""
+    if not rows:
+        return one
+    total = one - one
+    for k, x in enumerate(rows[0]):
+        if x:
+            total += (-1) ** k * x * determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]], one)
+    return total
+
+
+# --- the equations ----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Track:
+    """A(P, s; θ) u = e·load; D = det A, N the cofactor of the loaded row, at rest; d, n: at s = σ − vP."""
+
+    ring: Any
+    rows: list[list[Any]]
+    D: Any
+    N: Any
+    v: Free
+    d: Any
+    n: Any
+    count: int
+
+    @cached_property
+    def powers(self) -> tuple[list[Free], list[Free]]:
+        """Of d and n: for each power of P what stands with it, exponents of (σ, θ)."""
+        return by_power(self.d), by_power(self.n)
+
+    @property
+    def degree(self) -> int:
+        return len(self.powers[0]) - 1
+
+    @cached_property
+    def power(self) -> list[Free]:
+        """W at Ω = q − vp: for each power of p what stands with it, exponents of (q, θ)."""
+        ring = self.ring
+        P, s, *x = ring.gens()
+        v = sum((c * monomial(x, e) for e, c in self.v.items()), ring.constant(0))
+        return by_power(absorption(self)[0].compose(P, s - v * P, *x, ctx=ring))
+
+    @cached_property
+    def used(self) -> list[int]:
+        """The parameters that D and N at rest hold."""
+        return [k for k in range(self.count) if any(e[2 + k] for p in (self.D, self.N) for e in p.to_dict())]
+
+
+def by_power(p: Any) -> list[Free]:
+    out: dict[int, Free] = {}
+    for (i, *e), c in p.to_dict().items():
+        out.setdefault(int(i), {})[tuple(map(int, e))] = c
+    return [out.get(k, {}) for k in range(max(out) + 1)]
+
+
+def read_track(value: Any, velocity: Any, count: int) -> Track:
+    keys(value, "matrix loaded")
+    ring = fmpq_mpoly_ctx.get(("P", "s", *(f"x{k}" for k in range(count))), "lex")
+    P, s, *x = ring.gens()
+    size = len(items(value["matrix"], MAX_ROWS, "the track's matrix"))
+    require(size > 0, "the track has no equations")
+    loaded, number = integer(value["loaded"], 0, size - 1, "loaded"), 0
+    rows = []
+    for row in value["matrix"]:
+        entries = []
+        for entry in items(row, size, "a row", size):
+            terms: dict[Exponents, Any] = {}
+            for term in items(entry, 40, "an entry of the track"):
+                i, j, c = items(term, 3, "a term", 3)
+                i, j = integer(i, 0, 12, "a power of P"), integer(j, 0, 6, "a power of s")
+                for powers, coefficient in free(c, count, "a coefficient").items():
+                    key = (i, j, *powers)
+                    require(key not in terms, "a term stands twice")
+                    terms[key], number = coefficient, number + 1
+            entries.append(ring.from_dict(terms))
+        rows.append(entries)
+    require(number <= MAX_TERMS, "the track's matrix has too many terms")
+    one = ring.constant(1)
+    D = determinant(rows, one)
+    N = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded], one)
+    require(D and N, "the track's determinant or cofactor vanishes")
+    for p in (D, N):
+        require(sum(p.degrees()[:2]) <= MAX_DEGREE, "the track's determinant has too high a degree")
+        require(all(int(e[0]) % 2 == 0 for e in p.to_dict()), "D or N is not even in P")
+    v = free(velocity, count, "velocity")
+    require(v, "the velocity is 0 throughout: at rest nothing grows")
+    moved = s - sum((c * monomial(x, e) for e, c in v.items()), ring.constant(0)) * P
+    d, n = (p.compose(P, moved, *x, ctx=ring) for p in (D, N))
+    track = Track(ring, rows, D, N, v, d, n, count)
+    require(len(track.powers[1]) + 1 <= track.degree, "N/D does not decay as 1/p²")
+    return track
+
+
+def monomial(x: Sequence[Any], e: Sequence[int]) -> Any:
+    out = 1
+    for y, k in zip(x, e, strict=True):
+        out = out * y**k if k else out
+    return out
+
+
+def check_track(track: Track, box: Box) -> None:
+    """For all parameters: v ≥ 0, passive at rest, no p-root real for Re σ ≥ 0, and none lost (section 10.2)."""
+    everyone = range(track.count)
+    used = [k for k in everyone if any(e[k] for e in track.v)]
+    everywhere(lambda part: least(track.v, part) >= 0, box, used, "the velocity may be negative")
+    lead = track.powers[0][-1]
+    require(all(e[0] == 0 for e in lead), "the highest coefficient of D depends on the frequency")
+    top = {e[1:]: c for e, c in lead.items()}
+    if at(top, [(a + b) / 2 for a, b in box]) < 0:
+        top = {e: -c for e, c in top.items()}
+    used = [k for k in everyone if any(e[k] for e in top)]
+    everywhere(lambda part: least(top, part) > 0, box, used, "a wave speed may lie in the range")
+    for rows in hurwitz(track, box):
+        used = [k for k in everyone if any(e[k] for f in rows for e in f)]
+        everywhere(lambda part, f=rows: positive(f, part, True), box, used,
+                   "the track is not proved stable and damped for all these parameters")  # fmt: skip
+    check_passive(track, box)
+    check_inertia(track, box)
+
+
+def check_inertia(track: Track, box: Box) -> None:
+    """N/D ~ a/s² for s → ∞ at every wavenumber, with one a > 0 (section 10.3)."""
+    tops = []
+    for p in (track.D, track.N):
+        top = max(int(e[1]) for e in p.to_dict())
+        terms_ = {tuple(map(int, e)): c for e, c in p.to_dict().items() if e[1] == top}
+        require(all(e[0] == 0 for e in terms_), "the inertia of the track depends on the wavenumber")
+        tops.append((top, {e[2:]: c for e, c in terms_.items()}))
+    (d, big), (n, small) = tops
+    require(d == n + 2, "the track's receptance does not fall as a mass's at high frequency")
+    both = times(big, small)
+    used = [k for k in range(track.count) if any(e[k] for e in both)]
+    everywhere(lambda part: least(both, part) > 0, box, used, "the inertia of the track may vanish")
+
+
+def hurwitz(track: Track, box: Box) -> list[list[Free]]:
+    """Polynomials in y and the parameters, which must be positive that D(ip, ·) has roots Re s < 0 only."""
+    D: dict[int, Any] = {}
+    for (i, j, *e), c in track.D.to_dict().items():
+        D.setdefault(int(j), {})[(int(i), 0, *map(int, e))] = c
+    n, zero = max(D), track.ring.constant(0)
+    a = [track.ring.from_dict(D[j]) if j in D else zero for j in range(n + 1)]
+    a = [real(track.ring, x) for x in a]
+    if at(in_y(real(track.ring, a[n]))[-1], [(p + q) / 2 for p, q in box]) < 0:
+        a = [-x for x in a]
+    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
+    minors, before = [a[n], a[0]], track.ring.constant(1)
+    for k in range(n - 1):  # the last one is the one before it times a[0]
+        pivot = h[k][k]
+        minors.append(pivot)
+        require(pivot, "the track is not damped")
+        for i in range(k + 1, n):
+            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
+        before = pivot
+    return [in_y(real(track.ring, x)) for x in minors]
+
+
+def real(ring: Any, p: Any) -> Any:
+    """A polynomial even in P with P² = −y put for it, y standing as P²: its own inverse."""
+    return ring.from_dict({e: c * (-1) ** (int(e[0]) // 2) for e, c in p.to_dict().items()})
+
+
+def check_passive(track: Track, box: Box) -> None:
+    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0 (section 6.1), for all parameters."""
+    size, ring = len(track.rows), track.ring
+    parts: dict[int, list[list[dict[Any, Any]]]] = {}
+    for r, c in product(range(size), repeat=2):
+        for (i, j, *e), x in track.rows[r][c].to_dict().items():
+            i, j = int(i), int(j)
+            rows = parts.setdefault(j, [[{} for _ in range(size)] for _ in range(size)])
+            for a, b, y in ((r, c, x / 2), (c, r, x / 2 * (-1) ** (i + j + 1))):
+                rows[a][b][(i, 0, *e)] = rows[a][b].get((i, 0, *e), fmpq(0)) + y
+    for j, entries in parts.items():
+        matrix = [[ring.from_dict({e: c for e, c in x.items() if c != 0}) for x in row] for row in entries]
+        if j % 2 == 0:
+            require(not any(x for row in matrix for x in row), "the track's matrix is not symmetric: not passive")
+            continue
+        sign = 1 if j % 4 == 1 else -1
+        for k in range(1, size + 1):
+            for kept in combinations(range(size), k):
+                minor = in_y(determinant([[sign * matrix[r][c] for c in kept] for r in kept], ring.constant(1)))
+                used = [k for k in range(track.count) if any(e[k] for f in minor for e in f)]
+                everywhere(lambda part, f=minor: positive(f, part, False), box, used,
+                           "the track may give energy at rest: it is not passive")  # fmt: skip
+
+
+def check_decay(track: Track) -> None:
+    """G → 0 as σ → ∞ for all parameters but those of a set without inner points: section 6.3 over Q(θ)."""
+    ring = track.ring
+    P, s, *x = ring.gens()
+    v = sum((c * monomial(x, e) for e, c in track.v.items()), ring.constant(0))
+    check_edges(track.d, track.n, v, ring, False)
+    slow = []
+    for p in (track.D, track.N):  # at P = (σ − s)/v, times a power of v
+        terms, top = p.to_dict(), max(int(e[0]) for e in p.to_dict())
+        total = ring.constant(0)
+        for (i, j, *e), c in terms.items():
+            total += c * (s - P) ** int(i) * v ** (top - int(i)) * P ** int(j) * monomial(x, list(map(int, e)))
+        slow.append(total)
+    check_edges(slow[0], slow[1], v, ring, True)
+
+
+def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
+    """The edges of Newton's polygon of d (of exponent θ < 1 only, if slow; else without roots 1/v where θ = 1)."""
+    at_: dict[tuple[int, int], dict[Any, Any]] = {}
+    for (i, j, *e), c in d.to_dict().items():
+        at_.setdefault((int(i), int(j)), {})[(0, 0, *e)] = c
+    top: dict[int, int] = {}
+    for i, j in at_:
+        top[i] = max(top.get(i, j), j)
+    support = {(int(e[0]), int(e[1])) for e in n.to_dict()}
+    require(0 in top, "0 is a root for every frequency")
+    P, i = ring.gens()[0], 0
+    while i < max(top):
+        slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)  # −θ
+        on = {a for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
+        edge = sum((ring.from_dict(at_[a, top[a]]) * P ** (a - i) for a in on), ring.constant(0))
+        if slope == -1:
+            while True:
+                quotient, rest = divmod(edge, 1 - v * P)
+                if rest:
+                    break
+                edge = quotient
+        if slope > -1 or not slow:
+            common = edge.gcd(edge.derivative(0)) if edge.degrees()[0] else ring.constant(1)
+            require(common.degrees()[0] == 0, "waves of one speed at high frequency: decay is not proved")
+            weight = max(b - slope * a for a, b in support) - (top[i] - slope * i + slope)
+            require(weight < 0, "the receptance does not decay at high frequency")
+        i = max(on)
+
+
+@dataclass(frozen=True)
+class Vehicle:
+    """M, C, K as {exponents: matrix}, B constant, compliances and places as polynomials, of the felt coordinates."""
+
+    M: dict[Exponents, Any]
+    C: dict[Exponents, Any]
+    K: dict[Exponents, Any]
+    B: Any
+    h: list[Free]
+    places: list[Free]
+    neutral: int
+
+    @cached_property
+    def sites(self) -> list[int]:
+        """For each contact the number of its place."""
+        kept: list[Free] = []
+        out = []
+        for place in self.places:
+            if place not in kept:
+                kept.append(place)
+            out.append(kept.index(place))
+        return out
+
+
+def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
+    keys(value, "M C K B places compliances")
+    nc = len(items(value["places"], MAX_CONTACTS, "places"))
+    nb = len(items(value["M"], MAX_BODIES, "M"))
+    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
+    B = spectra.matrix(value["B"], nb, nc, "B")
+    places = [free(x, count, "a place") for x in value["places"]]
+    h = [free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
+    for f in h:
+        for powers, c in f.items():
+            fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
+            require(fine, "a compliance may be negative, or infinite")
+    neutral = unfelt = 0
+    Q = fmpq_mat(nb, nb, [int(i == j) for i in range(nb) for j in range(nb)])
+    if basis is not None:
+        keys(basis, "matrix neutral unfelt")
+        neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
+        Q = spectra.matrix(basis["matrix"], nb, nb, "basis")
+        require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
+    B, felt = Q.transpose() * B, nb - unfelt
+    for i, j in product(range(felt - neutral, nb), range(nc)):
+        require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
+    parts = [read_free_matrix(value[name], nb, count, name) for name in "MCK"]
+    parts = [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
+    for part in parts:
+        for a in part.values():
+            for i, j in product(range(felt, nb), range(felt)):
+                require(a[i, j] == 0 == a[j, i], "the unfelt coordinates are coupled to the others")
+    M, C, K = parts
+    for a in K.values():
+        for i, j in product(range(felt - neutral, felt), range(felt)):
+            require(a[i, j] == 0, "a neutral coordinate has a spring")
+    check_semidefinite(parts, nb, box)
+    M, C, K = ({e: cut(a, felt, felt) for e, a in part.items()} for part in parts)
+    vehicle = Vehicle(M, C, K, cut(B, felt, nc), h, places, neutral)
+    check_places(vehicle, box)
+    return vehicle
+
+
+def read_free_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
+    """{exponents: matrix}, linear in each parameter."""
+    out: dict[Exponents, Any] = {}
+    for i, row in enumerate(items(value, size, name, size)):
+        for j, x in enumerate(items(row, size, name, size)):
+            for e, c in free(x, count, name).items():
+                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
+                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
+    return out
+
+
+def cut(a: Any, height: int, width: int) -> Any:
+    return fmpq_mat(height, width, [a[i, j] for i in range(height) for j in range(width)])
+
+
+def corners(box: Box, used: Sequence[int]) -> Iterator[list[Any]]:
+    """All corners along the axes that are used."""
+    for ends in product((0, 1), repeat=len(used)):
+        chosen = dict(zip(used, ends, strict=True))
+        yield [pair[chosen.get(k, 0)] for k, pair in enumerate(box)]
+
+
+def check_semidefinite(parts: Sequence[dict[Exponents, Any]], size: int, box: Box) -> None:
+    """M, C, K ≥ 0 and M + C + K > 0: at all corners, and so everywhere, being linear in each parameter."""
+    used = [k for k in range(len(box)) if any(e[k] for part in parts for e in part)]
+    for x in corners(box, used):
+        total = fmpq_mat(size, size)
+        for part in parts:
+            a = fmpq_mat(size, size)
+            for e, c in part.items():
+                a = a + c * at({e: fmpq(1)}, x)
+            require(spectra.semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
+            total = total + a
+        require(total.det() != 0, "a body has no mass, spring or damper")
+
+
+def check_places(vehicle: Vehicle, box: Box) -> None:
+    """Different places stay apart, and no contact force is indeterminate (section 2.2)."""
+    kept = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
+    middle = [(a + b) / 2 for a, b in box]
+    kept.sort(key=lambda f: at(f, middle))
+    for one, other in pairwise(kept):
+        gap = minus(other, one)
+        used = [k for k in range(len(box)) if any(e[k] for e in gap)]
+        everywhere(lambda part, f=gap: least(f, part) > 0, box, used, "two places may meet")
+    nb, nc = vehicle.B.nrows(), len(vehicle.h)
+    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
+    rows += [[fmpq(int(x == site)) for x in vehicle.sites] for site in sorted(set(vehicle.sites))]
+    rows += [[fmpq(1) if i == j and f else fmpq(0) for j in range(nc)] for i, f in enumerate(vehicle.h)]
+    require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
+
+
+def minus(a: Free, b: Free) -> Free:
+    out = dict(a)
+    for e, c in b.items():
+        out[e] = out.get(e, fmpq(0)) - c
+    return {e: c for e, c in out.items() if c != 0}
+
+
+# --- Taylor forms of second order -------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=16)
+def pairs(m: int) -> tuple[tuple[int, int, int], ...]:
+    """(number of the coefficient, i, j) for i ≤ j, variables counted from 1."""
+    both = [(i, j) for i in range(1, m + 1) for j in range(i, m + 1)]
+    return tuple((1 + m + n, i, j) for n, (i, j) in enumerate(both))
+
+
+def product_of(a: Sequence[Any], b: Sequence[Any], m: int) -> list[Any]:
+    """The coefficients of a product, up to the second order."""
+    a0, b0 = a[0], b[0]
+    k = [a0 * b0]
+    k += [a0 * b[i] + a[i] * b0 for i in range(1, m + 1)]
+    for n, i, j in pairs(m):
+        term = a0 * b[n] + a[n] * b0 + a[i] * b[j]
+        k.append(term + a[j] * b[i] if i != j else term)
+    return k
+
+
+def inverse_of(a: Sequence[Any], m: int) -> list[Any]:
+    c = 1 / a[0]
+    w = [x * c for x in a]
+    k = [c, *(-x * c for x in w[1 : m + 1])]
+    for n, i, j in pairs(m):
+        k.append((w[i] * w[j] * (1 if i == j else 2) - w[n]) * c)
+    return k
+
+
+def exponential_of(a: Sequence[Any], m: int) -> list[Any]:
+    value = a[0].exp()
+    k = [value, *(x * value for x in a[1 : m + 1])]
+    for n, i, j in pairs(m):
+        k.append((a[n] + (a[i] * a[i] / 2 if i == j else a[i] * a[j])) * value)
+    return k
+
+
+class Form:
+    """f(u) = k_0 + Σ k_i u_i + Σ_{i≤j} k_ij u_i u_j + rest, |rest| ≤ e, for all complex |u_i| ≤ 1.
+
+    The k are numbers in balls; k_0 … are those of f up to what the rest holds.
+    """
+
+    __slots__ = ("_sizes", "e", "k", "m")
+
+    def __init__(self, k: list[Any], e: Any, m: int) -> None:
+        self.k, self.e, self.m = k, e, m
+        self._sizes: tuple[Any, Any, Any] | None = None
+
+    @property
+    def sizes(self) -> tuple[Any, Any, Any]:
+        """Moduli: of the first, the linear, the quadratic part."""
+        if self._sizes is None:
+            size = [abs(x) for x in self.k]
+            self._sizes = (size[0], sum(size[1 : 1 + self.m], ZERO), sum(size[1 + self.m :], ZERO))
+        return self._sizes
+
+    @property
+    def spread(self) -> Any:
+        _, first, second = self.sizes
+        return first + second + self.e
+
+    @property
+    def size(self) -> Any:
+        return self.sizes[0] + self.spread
+
+    def __add__(self, other: Form) -> Form:
+        return Form([a + b for a, b in zip(self.k, other.k, strict=True)], self.e + other.e, self.m)
+
+    def __neg__(self) -> Form:
+        return Form([-a for a in self.k], self.e, self.m)
+
+    def scaled(self, c: Any) -> Form:
+        return Form([a * c for a in self.k], self.e * abs(c), self.m)
+
+    def plus(self, c: Any) -> Form:
+        return Form([self.k[0] + c, *self.k[1:]], self.e, self.m)
+
+    def __mul__(self, other: Form) -> Form:
+        x0, x1, x2 = self.sizes
+        y0, y1, y2 = other.sizes
+        e = x1 * y2 + x2 * (y1 + y2) + (x0 + x1 + x2) * other.e + self.e * (y0 + y1 + y2 + other.e)
+        return Form(product_of(self.k, other.k, self.m), e, self.m)
+
+    def inverse(self) -> Form:
+        """1/f = (1 − w + w² − w³/(1 + w))/k_0 with f = k_0 (1 + w)."""
+        require(not self.k[0].contains(0), "a quantity may be infinite over a box")
+        size = 1 / abs(self.k[0])
+        p, q, eps = self.sizes[1] * size, self.sizes[2] * size, self.e * size
+        y = p + q + eps
+        require(y < 0.95, "a quantity may be infinite over a box")
+        rest = size * (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y))
+        return Form(inverse_of(self.k, self.m), rest, self.m)
+
+    def exp(self) -> Form:
+        """e^f: |e^w − 1 − w − w²/2| ≤ e^y y³/6 for |w| ≤ y."""
+        _, p, q = self.sizes
+        y = p + q + self.e
+        require(y < 40, "a wave may change too much over a box")
+        rest = self.e + (q + self.e) * (2 * p + q + self.e) / 2 + y.exp() * y**3 / 6
+        k = exponential_of(self.k, self.m)
+        return Form(k, abs(self.k[0].exp()) * rest, self.m)
+
+    def rested(self, more: Any) -> Form:
+        """The same with more in the rest."""
+        return Form(self.k, self.e + more, self.m)
+
+
+ZERO, NONE = arb(0), acb(0)
+
+
+def number(c: Any, m: int) -> Form:
+    return Form([acb(c)] + [NONE] * (m + len(pairs(m))), ZERO, m)
+
+
+def total(forms: Sequence[Form], m: int) -> Form:
+    out = forms[0] if forms else number(0, m)
+    for f in forms[1:]:
+        out = out + f
+    return out
+
+
+class Place:
+    """A box of (q, θ): the variables (σ, θ) as forms, and their monomials. first: of σ by q."""
+
+    def __init__(self, middle: Sequence[Any], half: Sequence[Any], first: complex = 1j) -> None:
+        self.m = len(middle)
+        self._known: dict[Exponents, Form] = {}
+        self._powers: list[list[Form]] = []
+        for i, (x, r) in enumerate(zip(middle, half, strict=True)):
+            k = [NONE] * (1 + self.m + len(pairs(self.m)))
+            unit = acb(first) if i == 0 else acb(1)
+            k[0], k[1 + i] = unit * x, unit * r
+            self._powers.append([number(1, self.m), Form(k, ZERO, self.m)])
+
+    @classmethod
+    def of(cls, box: Box, first: complex = 1j) -> Place:
+        return cls([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box], first)
+
+    def power(self, i: int, e: int) -> Form:
+        if e < 0:
+            return self.power(i, -e).inverse()
+        row = self._powers[i]
+        while len(row) <= e:
+            row.append(row[-1] * row[1])
+        return row[e]
+
+    def monomial(self, e: Exponents) -> Form:
+        """Of exponents of (σ, θ)."""
+        found = self._known.get(e)
+        if found is None:
+            used = [(i, k) for i, k in enumerate(e) if k]
+            found = self.power(*used[0]) if used else self._powers[0][0]
+            for i, k in used[1:]:
+                found = found * self.power(i, k)
+            self._known[e] = found
+        return found
+
+    def value(self, f: Sequence[tuple[Exponents, Any]]) -> Form:
+        """Σ c·monomial, coefficients in balls."""
+        return total([self.monomial(e).scaled(c) for e, c in f], self.m)
+
+
+def balls(f: Free) -> list[tuple[Exponents, Any]]:
+    return [(e, arb(c)) for e, c in f.items()]
+
+
+# --- the splitting over a box, p-roots and G --------------------------------------------------------------
+
+
+class Wide(spectra.Refused):
+    """A box is too wide for the forms; `weights` tell along which variable to halve it."""
+
+    def __init__(self, why: str, weights: Sequence[float] = ()) -> None:
+        super().__init__(why)
+        self.weights = list(weights)
+
+
+class Waves:
+    """D and N in balls at the present precision, and the distances that G is needed for."""
+
+    def __init__(self, track: Track, vehicle: Vehicle) -> None:
+        self.degree = track.degree
+        self.D, self.N = ([balls(f) for f in part] for part in track.powers)
+        turn = [acb(1), acb(0, -1), acb(-1), acb(0, 1)]  # q = −iσ
+        self.W = [[(e, turn[e[0] % 4] * c) for e, c in balls(f)] for f in track.power]
+        places = [{(0, *e): c for e, c in place.items()} for place in vehicle.places]
+        self.distances: list[tuple[bool, list[tuple[Exponents, Any]]]] = []
+        kept: list[Free] = []
+        self.index = []
+        for a in places:
+            row = []
+            for b in places:
+                gap = minus(a, b)
+                if gap not in kept:
+                    kept.append(gap)
+                row.append(kept.index(gap))
+            self.index.append(row)
+        self._kept = kept
+
+    def ordered(self, x: Sequence[Any]) -> list[tuple[bool, list[tuple[Exponents, Any]]]]:
+        """(whether it is ≥ 0, in balls) of each distance; x: any parameters of the range."""
+        if not self.distances:
+            for gap in self._kept:
+                value = at(gap, [fmpq(0), *x])
+                self.distances.append((value >= 0, balls(gap)))
+        return self.distances
+
+
+class Split:
+    """D = lead·U·L over a box: nodes z, the first `up` of U, |a_k| ≤ tight_k, and D about each node."""
+
+    def __init__(self, waves: Waves, place: Place, throughout: bool) -> None:
+        self.place, self.m = place, place.m
+        self.D = [place.value(f) for f in waves.D]
+        n = self.n = waves.degree
+        thin = [f.k[0].mid() for f in self.D]
+        try:
+            z = [x.mid() for x in acb_poly(thin).roots()]
+        except ValueError:
+            raise Wide("p-roots meet in the middle of a box") from None
+        for _ in range(max(flint.ctx.prec.bit_length() - 4, 0)):  # FLINT isolates; Newton sharpens
+            D = acb_poly(thin)
+            slope = D.derivative()
+            z = [(x - D(x) / slope(x)).mid() for x in z]
+        z.sort(key=lambda x: float(x.real))
+        self.z, self.up = z, sum(bool(x.real < 0) for x in z)
+        self.sides = [range(self.up), range(self.up, n)]
+        self.gap = [[abs(z[i] - z[k]) if i != k else arb(1) for k in range(n)] for i in range(n)]
+        self.values = [self.about(z_, 0) for z_ in z]
+        self.box, self.tight = self.contraction(throughout)
+
+    def about(self, z: Any, i: int) -> Form:
+        """E_i in D(z + h) = Σ E_i h^i."""
+        power, out = acb(1), []
+        for j in range(i, self.n + 1):
+            out.append(self.D[j].scaled(power * comb(j, i)))
+            power = power * z
+        return total(out, self.m)
+
+    def contraction(self, throughout: bool) -> tuple[list[Any], list[Any]]:
+        """The pair of Lemma 1 over the box, proved to be (roots with Re P < 0, the others) at its middle.
+
+        throughout: at every point of the box, inside the range or not.
+        """
+        n = self.n
+        lead = self.D[n]
+        low = abs(lead.k[0]) - lead.spread
+        require(low > 0, "the highest coefficient of D may vanish")
+        self.scale = []
+        for k in range(n):
+            size = low
+            for x in self.gap[k]:
+                size = size * x
+            self.scale.append(size)
+        wide = self.solved([f.size / size for f, size in zip(self.values, self.scale, strict=True)])
+        if wide is None:
+            raise Wide("the p-roots of both sides are not kept apart over a box", self.strain())
+        self.thin = [abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)]
+        if not self.apart(wide[1]):
+            thin = self.solved(self.thin)
+            fine = thin is not None and self.apart(thin[1]) and all(
+                x < y for x, y in zip(thin[1], wide[0], strict=True)
+            )  # fmt: skip
+            if throughout or not fine:
+                raise Wide("a p-root may be real in a box", self.strain())
+        return wide
+
+    def solved(self, w: list[Any]) -> tuple[list[Any], list[Any]] | None:
+        """(β, τ) of Lemma 1 for |W_k| ≤ w_k; β by iteration, what counts is the last inequality."""
+        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
+        beta = [(x * 1.2 + tiny).upper() for x in w]
+        for _ in range(10):
+            tau = []
+            for side, other in ((0, 1), (1, 0)):
+                for k in self.sides[side]:
+                    s = sum((beta[j] / self.gap[k][j] for j in self.sides[other]), ZERO)
+                    if not s < 0.5:
+                        return None
+                    tau.append((w[k] / (1 - s)).upper())
+            if all(x < y for x, y in zip(tau, beta, strict=True)):
+                return beta, tau
+            beta = [(x * 1.15 + tiny).upper() for x in tau]
+        return None
+
+    def apart(self, tau: list[Any]) -> bool:
+        """Each root of U lies within (their number)·τ_k of some node: all have Re P < 0, those of L Re P > 0."""
+        for side, sign in zip(self.sides, (-1, 1), strict=True):
+            if not all(sign * self.z[k].real > len(side) * tau[k] for k in side):
+                return False
+        return True
+
+    def strain(self) -> list[float]:
+        """How far each variable moves p-roots, relative to the distance of the next one of the other side."""
+        out = [0.0] * self.m
+        for side, other in ((0, 1), (1, 0)):
+            for k in self.sides[side]:
+                near = min((float(self.gap[k][j]) for j in self.sides[other]), default=1.0)
+                for i in range(self.m):
+                    moved = float(abs(self.values[k].k[1 + i]))
+                    out[i] = max(out[i], moved / (float(self.scale[k]) * near))
+        return out
+
+    @cached_property
+    def roots(self) -> list[Any]:
+        """Balls of the p-roots at the middle of the box, by Lemma 2."""
+        thin = self.solved(self.thin)
+        require(thin is not None, "the p-roots of both sides are not kept apart")
+        tight, out = thin[1] if thin else [], []
+        for side in self.sides:
+            for k in side:
+                e = (tight[k] * 2).upper()
+                others = [(tight[j], self.gap[k][j] - e) for j in side if j != k]
+                if not all(gap > e for _, gap in others):
+                    raise Wide("two p-roots meet in the middle of a box", self.strain())
+                g = sum((t / gap for t, gap in others), ZERO)
+                require(g < 0.5, "two p-roots meet in the middle of a box")
+                out.append(self.z[k] + spectra.box(arb(e)))
+        return out
+
+    def wave(self, k: int, N: list[Form]) -> tuple[list[Any], list[Any]]:
+        """The Taylor coefficients of the k-th p-root and of N/D_P there, at the middle of the box."""
+        m, p = self.m, self.roots[k]
+        E = [self.about(p, i).k for i in range(min(4, self.n + 1))]
+        E[0][0] = NONE
+        require(not E[1][0].contains(0), "two p-roots meet in the middle of a box")
+        c = -1 / E[1][0]
+        turn, first = [NONE, *E[1][1:]], [x * c for x in E[0]]
+        h = E[0]
+        slope = E[1]
+        if self.n > 1:
+            second = product_of(E[2], product_of(first, first, m), m)
+            h = [(x + y + w) * c for x, y, w in zip(E[0], product_of(turn, first, m), second, strict=True)]
+            slope = [x + 2 * y for x, y in zip(slope, product_of(E[2], h, m), strict=True)]
+        if self.n > 2:
+            square = product_of(h, h, m)
+            slope = [x + 3 * E[3][0] * y for x, y in zip(slope, square, strict=True)]
+        point, above = [p, *h[1:]], N[-1].k
+        for f in reversed(N[:-1]):
+            above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
+        return point, product_of(above, inverse_of(slope, m), m)
+
+    @property
+    def small(self) -> bool:
+        """Whether the box moves p-roots by little of their distances."""
+        both = combinations(range(self.n), 2)
+        return all((self.tight[k] + self.tight[j]) * SMALL < self.gap[k][j] for k, j in both)
+
+    def isolated(self, side: range) -> list[Any]:
+        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
+        radii = []
+        for k in side:
+            for widening in (1.02, 1.1, 1.5, 3):
+                e = (self.tight[k] * widening).upper()
+                near = [(self.tight[j], self.gap[k][j] - e) for j in side if j != k]
+                if all(gap > 0 for _, gap in near):
+                    g = sum((t / gap for t, gap in near), ZERO)
+                    if g < 1 and self.tight[k] < e * (1 - g):
+                        radii.append(e)
+                        break
+            else:
+                raise Wide("two p-roots of one side meet over a box", self.strain())
+        both = combinations(range(len(radii)), 2)
+        apart = all(self.gap[side[i]][side[k]] > radii[i] + radii[k] for i, k in both)
+        require(apart, "two p-roots of one side meet over a box")
+        return radii
+
+    def sharp(self, k: int, e: Any, N: list[Form]) -> tuple[Form, Form]:
+        """The root in the disc of radius e round node k, and N/D_P there, as forms: with D(z + h) = Σ E_i h^i,
+        h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself twice."""
+        E = [self.about(self.z[k], i) for i in range(self.n + 1)]
+        require(not E[1].k[0].contains(0), "two p-roots of one side meet over a box")
+        c = -1 / E[1].k[0]
+        turn = Form([NONE, *E[1].k[1:]], E[1].e, self.m)
+        h = number(0, self.m).rested(e)
+        for _ in range(3):
+            e = h.size
+            more = sum((f.size * e**i for i, f in enumerate(E[3:], 3)), ZERO)
+            above = E[0] + turn * h + (E[2] * (h * h) if self.n > 1 else number(0, self.m))
+            h = above.rested(more).scaled(c)
+        e = h.size
+        slope = E[1]
+        if self.n > 1:
+            slope = slope + (E[2] * h).scaled(2)
+        if self.n > 2:
+            slope = slope + (E[3] * (h * h)).scaled(3)
+        slope = slope.rested(sum((i * E[i].size * e ** (i - 1) for i in range(4, self.n + 1)), ZERO))
+        point, value = h.plus(self.z[k]), N[-1]
+        for f in reversed(N[:-1]):
+            value = value * point + f
+        return point, value * slope.inverse()
+
+    def circles(self, side: int) -> list[tuple[Any, list[Any]]]:
+        """(middle, radii) of circles, the second radius is theirs; roots of one side that are close share one."""
+        own, z = list(self.sides[side]), [complex(x) for x in self.z]
+        others = [k for k in range(self.n) if k not in own]
+        far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
+        groups: list[list[int]] = []
+        for k in own:
+            near = [g for g in groups if any(abs(z[k] - z[j]) <= TOGETHER * min(far[k], far[j]) for j in g)]
+            groups = [g for g in groups if g not in near] + [[k, *(j for g in near for j in g)]]
+        out = []
+        for g in groups:
+            middle = sum(z[k] for k in g) / len(g)
+            size = max(abs(z[k] - middle) for k in g)
+            outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
+            size += len(g) * max(float(self.tight[k]) for k in g)
+            radius = max(0.4 * outer, (size * outer) ** 0.5)
+            inner = size + 0.08 * (radius - size)
+            if not inner < 0.9 * radius < 0.75 * outer:
+                raise Wide("p-roots come too near to others over a box", self.strain())
+            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)]))
+        return out
+
+    def rest(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
+        """Bounds of what G at each distance departs from its Taylor polynomial of second order (section 10.4): of
+        sums over points of circles round the p-roots, and of what these sums do not see."""
+        m, out = self.m, [ZERO] * len(distances)
+        D = [acb_poly([f.k[i] for f in self.D]) for i in range(1, len(self.D[0].k))]
+        lost, lead = arb_poly([f.e for f in self.D]), abs(self.D[-1].k[0])
+        for middle, radii in self.circles(side):
+            radius = radii[1]
+            far = abs(middle) + radius
+            above = of_polynomial(N, far)
+            waves = [moduli_of_wave(f, far) for f in distances]
+            share = radius / POINTS
+            for turn in turns(flint.ctx.prec):
+                P = middle + radius * turn
+                d = lead
+                for z in self.roots:
+                    d = d * abs(P - z)
+                sizes = [abs(f(P)) for f in D]
+                p, q, eps = sum(sizes[:m], ZERO) / d, sum(sizes[m:], ZERO) / d, lost(far) / d
+                y = p + q + eps
+                if not y < 0.95:
+                    raise Wide("p-roots move too much over a box", self.strain())
+                inverse = (1 / d, p / d, (q + p * p) / d,
+                           (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y)) / d)  # fmt: skip
+                quotient = of_moduli(above, inverse)
+                for n, (f, wave) in enumerate(zip(distances, waves, strict=True)):
+                    if wave is None:
+                        out[n] = out[n] + quotient[3] * share
+                        continue
+                    grown = (P * f.k[0]).real.exp()
+                    out[n] = out[n] + of_moduli(quotient, wave)[3] * grown * share
+            for n, x in enumerate(self.unseen(middle, radii, N, distances)):
+                out[n] = out[n] + x * (2 + len(D))
+        return [x.upper() for x in out]
+
+    def unseen(self, middle: Any, radii: list[Any], N: list[Form], distances: Sequence[Form]) -> list[Any]:
+        """How much the mean over POINTS points of the circle may differ from the integral, for |u_i| ≤ 1: by bounds
+        of N e^{Pξ}/D on two circles, with no root of D between them."""
+        out = [ZERO] * len(distances)
+        for r, ratio in ((radii[0], radii[0] / radii[1]), (radii[2], radii[1] / radii[2])):
+            away = [abs(abs(middle - z) - r) for z in self.z]
+            low = abs(self.D[-1].k[0]) - self.D[-1].spread
+            for x in away:
+                low = low * x
+            for side in self.sides:
+                share = 1 - sum((self.tight[k] / away[k] for k in side), ZERO)
+                if not share > 0:
+                    raise Wide("p-roots come too near to others over a box", self.strain())
+                low = low * share
+            require(low > 0, "p-roots come too near to others over a box")
+            far, power = abs(middle) + r, ratio**POINTS
+            bound_ = sum(of_polynomial(N, far), ZERO) / low * r * power / (1 - power)
+            for n, f in enumerate(distances):
+                out[n] = out[n] + bound_ * ((middle * f.k[0]).real + r * abs(f.k[0]) + far * f.spread).exp()
+        return out
+
+
+@lru_cache(maxsize=8)
+def turns(_precision: int) -> list[Any]:
+    """The POINTS-th roots of 1 at the precision that is set."""
+    return [acb(arb(fmpq(2 * a, POINTS))).exp_pi_i() for a in range(POINTS)]
+
+
+def of_polynomial(f: Sequence[Form], far: Any) -> tuple[Any, Any, Any, Any]:
+    """Moduli of the parts of Σ f_i P^i, |P| ≤ far."""
+    out, power = (ZERO, ZERO, ZERO, ZERO), arb(1)
+    for g in f:
+        a, b, c = g.sizes
+        out = (out[0] + a * power, out[1] + b * power, out[2] + c * power, out[3] + g.e * power)
+        power = power * far
+    return out
+
+
+def of_moduli(a: Any, b: Any) -> tuple[Any, Any, Any, Any]:
+    """Bounds of the parts of a product: of order 0, 1, 2, and the rest."""
+    rest = a[1] * b[2] + a[2] * (b[1] + b[2]) + (a[0] + a[1] + a[2]) * b[3] + a[3] * (b[0] + b[1] + b[2] + b[3])
+    return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + a[1] * b[1] + a[2] * b[0], rest
+
+
+def moduli_of_wave(distance: Form, far: Any) -> Any:
+    """Of e^{P(ξ − ξ_0)} for |P| ≤ far; None where the distance is 0."""
+    if distance.size.is_zero():
+        return None
+    p, q, eps = distance.sizes[1] * far, distance.sizes[2] * far, distance.e * far
+    y = p + q + eps
+    require(y < 40, "a wave may change too much over a box")
+    return arb(1), p, q + p * p / 2, eps + (q + eps) * (2 * p + q + eps) / 2 + y.exp() * y**3 / 6
+
+
+def bound(x: Any, y: Any) -> Any:
+    """The smaller of two upper bounds, if balls decide; else the first."""
+    return y if y < x else x
+
+
+def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+    """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
+    sharp = split.small
+    place, m = split.place, split.m
+    N = [place.value(f) for f in waves.N]
+    distances = waves.ordered(x)
+    forms = [place.value(f) for _, f in distances]
+    out = [number(0, m)] * len(forms)
+    for side, here in enumerate(split.sides):
+        chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
+        if not chosen:
+            continue
+        if sharp:
+            roots = [split.sharp(k, e, N) for k, e in zip(here, split.isolated(here), strict=True)]
+            for n in chosen:
+                each_ = [w * (P * forms[n]).exp() if distances[n][1] else w for P, w in roots]
+                out[n] = -total(each_, m) if side else total(each_, m)
+            continue
+        each = [split.wave(k, N) for k in here]
+        rests = split.rest(side, N, [forms[n] for n in chosen])
+        for n, rest in zip(chosen, rests, strict=True):
+            k = [NONE] * len(forms[n].k)
+            for P, w in each:
+                term = w if not distances[n][1] else product_of(w, exponential_of(product_of(P, forms[n].k, m), m), m)
+                k = [a - b if side else a + b for a, b in zip(k, term, strict=True)]
+            out[n] = Form(k, rest, m)
+    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
+    require(finite, "G is not bounded over a box")
+    return out
+
+
+# --- the characteristic matrix over a box -----------------------------------------------------------------
+
+
+class Matrix:
+    """A with det A = Δ̂ up to a constant (section 4.6): direct contacts and their bodies eliminated."""
+
+    def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
+        nb, nc = vehicle.B.nrows(), len(vehicle.h)
+        self.vehicle, self.waves, self.nc = vehicle, waves, nc
+        touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
+        self.direct: list[tuple[int, int, Any]] = []
+        for j in range(nc):
+            bodies = [i for i in range(nb) if j in touched[i]]
+            if not vehicle.h[j] and len(bodies) == 1 and touched[bodies[0]] == [j]:
+                self.direct.append((bodies[0], j, arb(-1 / vehicle.B[bodies[0], j])))
+        gone = [i for i, _, _ in self.direct]
+        self.kept = [i for i in range(nb) if i not in gone]
+        self.indirect = [j for j in range(nc) if j not in [k for _, k, _ in self.direct]]
+        self.S = [[self.entry(i, j) for j in range(nb)] for i in range(nb)]
+        self.h = [[((0, *e), arb(c)) for e, c in f.items()] for f in vehicle.h]
+
+    def entry(self, i: int, j: int) -> list[tuple[Exponents, Any]]:
+        """S_ij in (σ, θ); the rows of neutral coordinates divided by σ."""
+        v = self.vehicle
+        less = 1 if i >= v.B.nrows() - v.neutral else 0
+        out = []
+        for power, part in enumerate((v.K, v.C, v.M)):
+            for e, a in part.items():
+                if a[i, j] != 0:
+                    out.append(((power - less, *e), arb(a[i, j])))
+        return out
+
+    def __call__(self, place: Place, G: list[Form]) -> list[list[Form]]:
+        B, index, m = self.vehicle.B, self.waves.index, place.m
+        S = [[place.value(f) if f else None for f in row] for row in self.S]
+        rows = []
+        for i in range(B.nrows()):
+            row = [S[i][j] or number(0, m) for j in self.kept]
+            for j in range(self.nc):
+                f = number(-arb(B[i, j]), m)
+                for body, contact, factor in self.direct:
+                    s = S[i][body]
+                    if s is not None:
+                        f = f + (s * G[index[contact][j]]).scaled(factor)
+                row.append(f)
+            rows.append(row)
+        for k in self.indirect:
+            row = [number(arb(B[i, k]), m) for i in self.kept]
+            for j in range(self.nc):
+                f = G[index[k][j]]
+                row.append(f + place.value(self.h[k]) if j == k and self.h[k] else f)
+            rows.append(row)
+        return rows
+
+
+def diagonal(a: list[list[complex]]) -> tuple[list[list[complex]], list[list[complex]]]:
+    """X, Y with X a Y ≈ diag(1, …, 1, s), by the singular values of a with rows and columns scaled, the least one
+    last; by rotations of pairs of columns. Nothing rests on them."""
+    n = len(a)
+    r = [1 / (max(map(abs, row)) or 1) for row in a]
+    c = [1 / (max(abs(r[i] * a[i][j]) for i in range(n)) or 1) for j in range(n)]
+    b = [[r[i] * a[i][j] * c[j] for i in range(n)] for j in range(n)]  # columns
+    V = [[c[i] if i == j else 0j for i in range(n)] for j in range(n)]
+    for _ in range(12):
+        turned = False
+        for p, q in combinations(range(n), 2):
+            one = sum(abs(x) ** 2 for x in b[p])
+            two = sum(abs(x) ** 2 for x in b[q])
+            cross = sum(x.conjugate() * y for x, y in zip(b[p], b[q], strict=True))
+            if abs(cross) <= 1e-12 * (one * two) ** 0.5:
+                continue
+            turned = True
+            phase = cross / abs(cross)
+            zeta = (two - one) / (2 * abs(cross))
+            t = (1 if zeta >= 0 else -1) / (abs(zeta) + (1 + zeta * zeta) ** 0.5)
+            cos = 1 / (1 + t * t) ** 0.5
+            sin = cos * t
+            for rows in (b, V):
+                x, y = rows[p], rows[q]
+                rows[p] = [cos * u - sin * phase.conjugate() * v for u, v in zip(x, y, strict=True)]
+                rows[q] = [sin * phase * u + cos * v for u, v in zip(x, y, strict=True)]
+        if not turned:
+            break
+    sizes = [sum(abs(x) ** 2 for x in column) ** 0.5 or 1e-300 for column in b]
+    order = sorted(range(n), key=lambda k: -sizes[k])
+    scale = [sizes[k] for k in order]
+    if n > 1:
+        scale[-1] = scale[-2]
+    units = [[x / sizes[k] for x in b[k]] for k in order]
+    if n > 1 and sizes[order[-1]] < 1e-8 * scale[0]:  # a unit vector that is normal to the others
+        units[-1] = max((normal_to(units[:-1], i) for i in range(n)), key=lambda one: one[1])[0]
+    X = [[x.conjugate() / size * r[i] for i, x in enumerate(unit)] for unit, size in zip(units, scale, strict=True)]
+    return X, [[V[k][i] for k in order] for i in range(n)]
+
+
+def normal_to(units: list[list[complex]], i: int) -> tuple[list[complex], float]:
+    """The i-th unit vector without its parts along others, of length 1; how long it was."""
+    out = [1.0 + 0j if j == i else 0j for j in range(len(units[0]))]
+    for _ in range(2):
+        for unit in units:
+            part = sum(x.conjugate() * y for x, y in zip(unit, out, strict=True))
+            out = [y - part * x for x, y in zip(unit, out, strict=True)]
+    length = sum(abs(x) ** 2 for x in out) ** 0.5 or 1e-300
+    return [x / length for x in out], length
+
+
+def scalar(A: list[list[Form]]) -> Form:
+    """s with det A = 0 exactly where s = 0: XAY = [[1 + E, e], [f, g]], s = g − f(1 + E)⁻¹e."""
+    n, m = len(A), A[0][0].m
+    if n == 1:
+        return A[0][0]
+    X, Y = diagonal([[complex(f.k[0]) for f in row] for row in A])
+    left, right = acb_mat(X), acb_mat(Y)
+    if flint.ctx.prec > BITS:
+        left, right = sharpened(left, right, acb_mat([[f.k[0] for f in row] for row in A]))
+    parts = [(left * acb_mat([[f.k[p] for f in row] for row in A]) * right).tolist() for p in range(len(A[0][0].k))]
+    rest = (spectra.moduli(left) * arb_mat([[f.e for f in row] for row in A]) * spectra.moduli(right)).tolist()
+    last = n - 1
+    E = []
+    for i in range(last):
+        row = []
+        for j in range(last):
+            x = abs(parts[0][i][j] - (1 if i == j else 0)) + rest[i][j]
+            row.append(sum((abs(part[i][j]) for part in parts[1:]), x))
+        E.append(row)
+    x, eta = weights(E)
+    if not eta < 0.9:
+        moved = [float(max(sum((abs(y) for y in row), ZERO) for row in parts[1 + i])) for i in range(m)]
+        raise Wide("the matrix changes too much over a box", moved)
+    column = [Form([part[i][last] for part in parts], rest[i][last], m) for i in range(last)]
+    row_ = [Form([part[last][i] for part in parts], rest[last][i], m) for i in range(last)]
+    s = Form([part[last][last] for part in parts], rest[last][last], m)
+    for f, e in zip(row_, column, strict=True):
+        s = s + -(f * e)
+    size_row = sum((f.size * y for f, y in zip(row_, x, strict=True)), ZERO)
+    size_column = ZERO
+    for f, y in zip(column, x, strict=True):
+        size_column = size_column.max((f.size / y).upper())
+    return s.rested(size_row * size_column * eta / (1 - eta))
+
+
+def sharpened(left: Any, right: Any, A: Any) -> tuple[Any, Any]:
+    """The same to all digits: X A Y = [[1 + E, e], [f, g]] cleared of E, e and f at the middle, by exact matrices."""
+    B = (left * A * right).mid()
+    n = B.nrows() - 1
+    try:
+        inverse = acb_mat([[B[i, j] for j in range(n)] for i in range(n)]).inv().mid()
+    except ZeroDivisionError:
+        raise Wide("the matrix has two small singular values") from None
+    row = acb_mat([[B[n, j] for j in range(n)]]) * inverse
+    column = inverse * acb_mat([[B[i, n]] for i in range(n)])
+    L, R = spectra.identity(n + 1), spectra.identity(n + 1)
+    for i, j in product(range(n), repeat=2):
+        L[i, j] = inverse[i, j]
+    for i in range(n):
+        L[n, i], R[i, n] = -row[0, i].mid(), -column[i, 0].mid()
+    return (L * left).mid(), (right * R).mid()
+
+
+def weights(E: list[list[Any]]) -> tuple[list[Any], Any]:
+    """(x > 0, a bound of max (E x)_i/x_i): near the least."""
+    near = [[float(x.upper()) for x in row] for row in E]
+    y = [1.0] * len(E)
+    for _ in range(6):
+        z = [sum(a * b for a, b in zip(row, y, strict=True)) + 0.02 * own for row, own in zip(near, y, strict=True)]
+        top = max(z) or 1.0
+        y = [max(a / top, 1e-9) for a in z]
+        if not all(a < 1e300 for a in y):
+            y = [1.0] * len(E)
+            break
+    x = [arb(a) for a in y]
+    eta = ZERO
+    for row, own in zip(E, x, strict=True):
+        eta = eta.max((sum((a * b for a, b in zip(row, x, strict=True)), ZERO) / own).upper())
+    return x, eta
+
+
+def check_nonzero(s: Form) -> None:
+    """Re(d s) > 0 for one direction d and all real u, or Wide."""
+    m = s.m
+    b = s.k[1 : 1 + m]
+    directions = [s.k[0].conjugate()] + [x.conjugate() * acb(0, 1) for x in b]
+    if m > 1:
+        directions.append(sum(b, NONE).conjugate() * acb(0, 1))
+    best, found = -1e300, [0.0] * m
+    for d in directions:
+        near = complex(d)
+        size = abs(near)
+        if not 1e-300 < size < 1e300:
+            continue
+        d = acb(near / size)
+        k = [(x * d).real for x in s.k]
+        if k[0] < 0:
+            k = [-x for x in k]
+        low = k[0] - s.e * abs(d)
+        taken = [float(abs(x)) for x in k[1 : 1 + m]]
+        for n, i, j in pairs(m):
+            if i != j:
+                low -= abs(k[n])
+                taken[i - 1] += float(abs(k[n]))
+                taken[j - 1] += float(abs(k[n]))
+                continue
+            linear, bend = abs(k[i]), k[n]  # −l²/4b ≤ −l|u| + b u² for b > 0; −(l − b) is the least if 2b < l
+            if bend > 0:
+                low -= linear - bend if 2 * bend < linear else linear * linear / (4 * bend)
+            else:
+                low -= linear + abs(bend)
+            taken[i - 1] += float(abs(bend))
+        if low > 0:
+            return
+        share = float(low) / (abs(complex(s.k[0])) or 1e-300)
+        if share > best:
+            best, found = share, taken
+    rest = float(s.e)
+    moved = [float(abs(x)) for x in b]
+    whole = sum(moved) or 1.0
+    raise Wide(
+        "the determinant may vanish in a box", [t + rest * x / whole for t, x in zip(found, moved, strict=True)]
+    )
+
+
+# --- passive boxes: cells of wavenumber (section 6.5) -----------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """|Φ| ≤ C p^−alpha for p ≥ p0 > 0, −vp ≤ Ω ≤ 0, for each (p0, C) and all parameters; fastest: a bound of v."""
+
+    alpha: int
+    bounds: list[tuple[Any, Any]]
+    fastest: Any
+
+    def given(self, end: Any, low: Any, sites: int) -> Any:
+        """What is given beyond p = end at frequencies ≥ low, at most, for Σ|u|² = 1; None where that is not known."""
+        turn = low / self.fastest
+        p = turn if turn > end else end
+        known = [C for p0, C in self.bounds if p >= p0]
+        if not known:
+            return None
+        C = known[0]
+        for other in known[1:]:
+            C = bound(C, other)
+        return sites * C * p ** (1 - self.alpha) / (self.alpha - 1)
+
+
+@dataclass
+class Cell:
+    """Φ ≥ a + turn·ε_p + Σ b_k ε_k on p = middle ± half; lost: what is taken off, and which slopes of D cause it."""
+
+    middle: Any
+    half: Any
+    a: Any
+    b: list[Any]
+    turn: Any
+    lost: tuple[Any, list[Any]]
+
+    def costs(self) -> list[float]:
+        """In floats: how much each variable takes off."""
+        moved = [float(abs(x)) for x in self.lost[1]]
+        whole, lost = sum(moved) or 1.0, float(self.lost[0])
+        return [lost * x / whole * 2 * float(self.half) for x in moved[:-1]]
+
+
+def mesh(roots: Sequence[complex], turn: float, spread: float) -> list[float]:
+    """Ends of cells of wavenumber, ascending: fine near the waves. Nothing rests on them."""
+    size = sorted(abs(p) for p in roots)
+    near = [x for x in size if x <= 100 * size[len(size) // 2]] or size
+    reach = REACH * max(near[-1], 1e-9 * size[-1])
+    ends = {-reach, reach, min(turn, reach)}
+    for p in roots:
+        width = max(abs(p.imag), (abs(p.real) * spread + 1e-6 * reach) / 2)
+        steepest = asinh(2 * reach / width)
+        for k in range(-SIDE, SIDE + 1):
+            x = p.real + width * sinh(steepest * k / SIDE)
+            ends.add(min(max(x, -reach), reach))
+    out = sorted(ends)
+    kept = [out[0]]
+    for x in out[1:]:
+        if x - kept[-1] > 1e-9 * reach:
+            kept.append(x)
+    return kept
+
+
+def cells(waves: Waves, place: Place, low: Any, speed: Any, ends: Sequence[float]) -> list[Cell]:
+    """Lower bounds of Φ = W/|D|²; low: the least q; speed: the greatest v. Ends before a cell without a bound."""
+    m = place.m
+    parts = [by_wavenumber([place.value(x) for x in terms_], m) for terms_ in (waves.D, waves.W)]
+    out = []
+    for p0, p1 in pairwise(ends):
+        a, b = arb(p0), arb(p1)
+        middle, half, far = (a + b) / 2, (b - a) / 2, arb(max(abs(p0), abs(p1)))
+        (D, D1, lost), (W, W1, lost_W) = (
+            at_cell(part, unit, middle, half, far) for part, unit in zip(parts, (acb(0, 1), acb(1)), strict=True)
+        )
+        W, W1 = W.real, [x.real for x in W1]
+        size, first = abs(D), sum((abs(x) for x in D1), ZERO)
+        takes = p1 <= 0 or low > speed * b
+        under, over = size - first - lost, size + first + lost
+        least_W = W - sum((abs(x) for x in W1), ZERO) - lost_W
+        cell = None
+        if under > 0:  # |D|² = B + B1 + …, Φ = f + Σ f_k ε_k + rest, rest·|D|² as in section 10.4
+            B, B1 = size * size, [2 * (D.conjugate() * x).real for x in D1]
+            lost_B = first * first + (2 * (size + first) + lost) * lost
+            f = W / B
+            moved = [(x - f * y) / B for x, y in zip(W1, B1, strict=True)]
+            slope = sum((abs(x) for x in moved), ZERO)
+            spread_B = sum((abs(x) for x in B1), ZERO) + lost_B
+            rest = (lost_W + abs(f) * lost_B + slope * spread_B) / (under * under)
+            cell = Cell(middle, half, f - rest, moved[:-1], moved[-1], (rest, D1))
+            lower = f - rest - slope
+        plain = None
+        if takes:
+            plain = least_W / (over * over) if least_W > 0 else ZERO
+        elif under > 0:
+            plain = least_W / (under * under) if least_W < 0 else ZERO
+        if cell is None or (plain is not None and not lower > plain):
+            if plain is None:
+                break
+            about = abs(W) / (over * over) - plain  # what it would be without the box's size, to within its order
+            cell = Cell(middle, half, plain, [ZERO] * m, ZERO, (about, D1))
+        out.append(cell)
+    return out
+
+
+def by_wavenumber(f: Sequence[Form], m: int) -> tuple[Any, ...]:
+    """Σ f_i P^i in parts: polynomials of its coefficients, the slope in P, and polynomials that bound the rest."""
+    k = [acb_poly([g.k[i] for g in f]) for i in range(1 + m)]
+    sizes = [g.sizes for g in f]
+    second = arb_poly([s[2] + g.e for s, g in zip(sizes, f, strict=True)])
+    mixed = arb_poly([i * s[1] for i, s in enumerate(sizes)][1:])
+    bent = arb_poly([i * (i - 1) * s[0] / 2 for i, s in enumerate(sizes)][2:])
+    return k, k[0].derivative(), second, mixed, bent
+
+
+def at_cell(part: tuple[Any, ...], unit: Any, middle: Any, half: Any, far: Any) -> tuple[Any, list[Any], Any]:
+    """(value, slopes in u and in ε_p, a bound of the rest) at P = unit·(middle + half·ε_p)."""
+    k, slope, second, mixed, bent = part
+    P = unit * middle
+    linear = [f(P) for f in k[1:]]
+    linear.append(slope(P) * unit * half)
+    return k[0](P), linear, second(far) + half * mixed(far) + half * half * bent(far)
+
+
+def bend(x: Any) -> Any:
+    """(sin x − x cos x)/x², odd; for small x by its series, whose terms alternate and fall."""
+    if abs(x) < 1:
+        square, term, total_ = x * x, x / 3, ZERO
+        for k in range(1, 14):
+            total_ += term
+            term = -term * square / (2 * k * (2 * k + 3))
+        return total_ + arb(0, abs(term).upper())
+    sin, cos = x.sin_cos()
+    return (sin - x * cos) / (x * x)
+
+
+def check_passive_box(problem: Family, box: Box) -> None:
+    """−Im G(q; θ) is positive definite for all q > 0 and θ of the box, or Wide: by p-roots, or by cells."""
+    place = Place.of(box)
+    try:
+        by_roots(problem, place)
+    except Refused:
+        by_cells(problem, box, place)
+
+
+def by_roots(problem: Family, place: Place) -> None:
+    """From G over the box."""
+    G = receptances(problem.waves, Split(problem.waves, place, False), problem.middle)
+    sites, index = problem.vehicle.sites, problem.waves.index
+    first = [sites.index(k) for k in range(len(set(sites)))]
+    rows = [[G[index[i][j]] for j in first] for i in first]
+    n, half = len(first), acb(0, 0.5)
+    H = []
+    for k in range(len(rows[0][0].k)):
+        a = acb_mat([[f.k[k] for f in row] for row in rows])
+        H.append((a - a.conjugate().transpose()) * half)
+    E = [[(rows[i][j].e + rows[j][i].e) / 2 for j in range(n)] for i in range(n)]
+    require_definite(H, E, n)
+
+
+def require_definite(H: Sequence[Any], E: Sequence[Sequence[Any]], n: int) -> None:
+    """H_0 + Σ ε_k H_k + R > 0 for all |ε_k| ≤ 1 and Hermitian |R| ≤ E entry by entry, or Wide (section 4.7)."""
+    why = "the receptance is not proved passive on a box"
+    if n == 1:
+        first, *others = [a[0, 0].real for a in H]
+        if not first - sum((abs(x) for x in others), ZERO) - E[0][0] > 0:
+            raise Wide(why)
+        return
+    try:
+        X = acb_mat(spectra.inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
+    except Refused:
+        raise Wide(why) from None
+    back, size = X.conjugate().transpose(), spectra.moduli(X)
+    F = spectra.moduli(X * H[0] * back - spectra.identity(n)) + size * arb_mat(E) * size.transpose()
+    for a in H[1:]:
+        F = F + spectra.moduli(X * a * back)
+    if not spectra.contracting(F):
+        raise Wide(why)
+
+
+def by_cells(problem: Family, box: Box, place: Place) -> None:
+    """From cells of wavenumber (section 6.5)."""
+    low, high = box[0]
+    waves, m = problem.waves, len(box)
+    speed = place.value(problem.speed)
+    fastest = speed.k[0].real + speed.spread
+    middle = [place.value(f).k[0].mid() for f in waves.D]
+    try:
+        roots = [complex(x) * -1j for x in acb_poly(middle).roots()]
+    except ValueError:
+        raise Wide("p-roots meet in the middle of a box") from None
+    spread = max(float((b - a) / (abs(b + a) or 1)) for a, b in box)
+    slow = float(speed.k[0].real)
+    ends = mesh(roots, float(arb((low + high) / 2)) / slow if slow > 0 else 1e300, spread)
+    q = arb(low)
+    found = cells(waves, place, q, fastest, ends)
+    sites = len(problem.sites)
+    # the cells up to one end: the end is chosen in floats
+    best, chosen = None, 0
+    sums, off = 0.0, [0.0] * m
+    givens: dict[int, Any] = {}
+    for k, cell in enumerate(found):
+        length = 2 * float(cell.half)
+        sums += float(cell.a) * length
+        off = [x + float(y) * length for x, y in zip(off, cell.b, strict=True)]
+        if ends[k + 1] <= 0:
+            continue
+        if k + 1 < len(found) and float(cell.a) >= 0 and k % 4:
+            continue
+        given = problem.envelope.given(arb(ends[k + 1]), q, sites)
+        if given is None:
+            continue
+        left = sums - sum(map(abs, off)) - float(given)
+        if best is None or left > best:
+            best, chosen = left, k + 1
+            givens[k + 1] = given
+    if best is None:
+        raise Wide("what short waves give is not bounded over a box")
+    try:
+        definite(problem, place, found[:chosen], givens[chosen])
+    except Wide as error:
+        error.weights = [abs(x) for x in off]
+        for cell in found[:chosen]:
+            error.weights = [x + y for x, y in zip(error.weights, cell.costs(), strict=True)]
+        weight = sum(abs(float(cell.a) * float(cell.middle)) * 2 * float(cell.half) for cell in found[:chosen])
+        for one, other in pairwise(problem.sites):
+            gap = place.value([((0, *e), arb(c)) for e, c in minus(other, one).items()])
+            steps = [weight * float(abs(x)) for x in gap.k[1 : 1 + m]]
+            error.weights = [x + y for x, y in zip(error.weights, steps, strict=True)]
+        raise
+
+
+def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -> None:
+    """∫|U|²Φ is positive definite, or Wide."""
+    m, n = place.m, len(problem.sites)
+    length = [2 * c.half for c in found]
+    rows = [[c.a for c in found], *([c.b[v] for c in found] for v in range(m))]
+    whole = [sum((x * y for x, y in zip(row, length, strict=True)), ZERO) for row in rows]
+    H = [[[acb(x - given if v == 0 else x) if i == j else NONE for j in range(n)] for i in range(n)]
+         for v, x in enumerate(whole)]  # fmt: skip
+    E = [[ZERO] * n for _ in range(n)]
+    known: dict[Any, tuple[list[Any], Any]] = {}
+    for i, j in combinations(range(n), 2):
+        gap = minus(problem.sites[j], problem.sites[i])
+        key = frozenset((e, str(c)) for e, c in gap.items())
+        if key not in known:
+            known[key] = integrals(place.value([((0, *e), arb(c)) for e, c in gap.items()]), found, m)
+        values, rest = known[key]
+        for v, x in enumerate(values):
+            H[v][j][i], H[v][i][j] = x, x.conjugate()
+        E[i][j] = E[j][i] = rest
+    require_definite([acb_mat(a) for a in H], E, n)
+
+
+def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
+    """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
+    D, moves, second = distance.k[0].real, distance.spread, distance.sizes[2] + distance.e
+    steps = [x.real for x in distance.k[1 : 1 + m]]
+    out, rest = [NONE] * (1 + m), ZERO
+    for c in found:
+        x, twice = c.half * D, 2 * c.half
+        phase = acb(0, c.middle * D).exp() * twice
+        cell = phase * x.sinc()
+        out[0] += cell * c.a + phase * acb(0, bend(x) * c.turn)
+        for v in range(m):
+            out[1 + v] += cell * c.b[v]
+        if not moves.is_zero():  # e^{ipδ} = 1 + ipδ + R, |R| ≤ (pδ)²/2
+            far, a = abs(c.middle) + c.half, abs(c.a)
+            slope = abs(c.turn) + sum((abs(y) for y in c.b), ZERO)
+            for v in range(m):
+                out[1 + v] += cell * acb(0, steps[v] * c.a * c.middle)
+            rest += twice * moves * (a * c.half + slope * far)
+            rest += twice * ((a + slope) * (far * moves) ** 2 / 2 + a * far * second)
+    return out, rest
+
+
+# --- large q (section 6.2 over all parameters) ------------------------------------------------------------
+
+
+def absorption(track: Track) -> tuple[Any, Any]:
+    """W = −Im(N conj D) and |D|², polynomials in p, Ω (in the places of P and s) and the parameters."""
+    ring, parts = track.ring, []
+    for poly in (track.D, track.N):
+        real_part: dict[Any, Any] = {}
+        imag_part: dict[Any, Any] = {}
+        for (i, j, *e), c in poly.to_dict().items():  # c (ip)^i (iΩ)^j, i even
+            i, j = int(i), int(j)
+            x = c * (-1) ** ((i + j - j % 2) // 2)
+            (imag_part if j % 2 else real_part)[(i, j, *e)] = x
+        parts.append((ring.from_dict(real_part), ring.from_dict(imag_part)))
+    (a, b), (c, d) = parts
+    return c * b - d * a, a * a + b * b
+
+
+def terms(p: Any) -> Free:
+    return {tuple(map(int, e)): c for e, c in p.to_dict().items()}
+
+
+def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z, τ = q^{−1/m} and θ."""
+    top = max(k * e[0] + m * e[1] for e in t)
+    out: Free = {}
+    for (i, j, *e), c in t.items():
+        power: Free = {tuple(e): c}
+        for a in range(j + 1):
+            for own, x in power.items():
+                key = (i + a, top - k * i - m * j + (m - k) * a, *own)
+                out[key] = out.get(key, fmpq(0)) + x * comb(j, a)
+            power = times(power, {f: -y for f, y in v.items()})
+    return {e: c for e, c in out.items() if c != 0}, top
+
+
+def times(a: Free, b: Free) -> Free:
+    out: Free = {}
+    for d, x in a.items():
+        for e, y in b.items():
+            key = tuple(i + j for i, j in zip(d, e, strict=True))
+            out[key] = out.get(key, fmpq(0)) + x * y
+    return out
+
+
+def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
+    """f > 0 on a box of real variables (where x·y ≤ product_below, if given), by forms and bisection."""
+    coefficients, stack, number_ = balls(f), [(box, 0)], 0
+    while stack:
+        here, depth = stack.pop()
+        if product_below is not None and here[0][0] * here[1][0] > product_below:
+            continue
+        number_ += 1
+        value = Place.of(here, 1).value(coefficients)
+        if value.k[0].real > value.spread:
+            continue
+        require(number_ < BOXES / 4 and depth < 60, f"the theorem at large q: {name}")
+        moved = [float(abs(x)) for x in value.k[1 : 1 + value.m]]
+        for n, i, j in pairs(value.m):
+            moved[i - 1] += float(abs(value.k[n]))
+            moved[j - 1] += float(abs(value.k[n]))
+        size = [float(b - a) for a, b in here]
+        moved = [x if y > 0 else -1.0 for x, y in zip(moved, size, strict=True)]
+        stack += [(half, depth + 1) for half in halved(here, moved.index(max(moved)))]
+
+
+def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
+    """The envelope, and Q with −Im G > 0 for all q ≥ Q and all parameters: both checked."""
+    keys(content, "Q gamma blocks alpha omega bounds")
+    k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
+    Q, omega = dyadic(content["Q"], "Q"), dyadic(content["omega"], "omega")
+    alpha = integer(content["alpha"], 4, 64, "alpha")
+    blocks = [
+        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
+    ]
+    bounds = [[dyadic(x, "a bound") for x in items(one, 2, "a bound", 2)] for one in items(content["bounds"], 20, "")]
+    require(
+        0 <= k <= m and m > 0 and blocks and bounds and min(omega, Q) > 0, "the theorem's numbers are out of range"
+    )
+    require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
+    require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
+    require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
+    fastest = -least({e: -c for e, c in track.v.items()}, box)
+    require(fastest > 0, "the velocity is 0 throughout")
+    W, square = absorption(track)
+    w, d = terms(W), terms(square)
+    (block_w, top_w), (block_d, top_d) = in_block(w, track.v, k, m), in_block(d, track.v, k, m)
+    x = arb(Q)
+    growth, tau = x ** arb(fmpq(k, m)), above(x ** arb(fmpq(-1, m)))
+    between = ZERO
+    if len(sites) > 1:
+        between = 2 * arb.pi() / arb(min(least(minus(b, a), box) for a, b in pairwise(sites)))
+    require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
+    require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
+    for z1, z2, kappa in blocks:
+        difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
+        check_positive(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
+    iw, nw = max(e[0] for e in w), max(e[0] + e[1] for e in w)
+    id_, nd = max(e[0] for e in d), max(e[0] + e[1] for e in d)
+    require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
+    for p0, C in bounds:
+        near: Free = {}
+        far: Free = {}
+        for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
+            for (i, j, *e), c in source.items():
+                for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
+                    chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
+        give = "the giving part may exceed the envelope"
+        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
+        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+    turn = arb(Q / fastest)
+    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
+    require(known, "short waves are not bounded beyond Q")
+    C = known[-1]
+    absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), ZERO)
+    takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
+    gives = C * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
+    require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
+    require(
+        (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
+    )
+    return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
+
+
+def above(x: Any) -> Any:
+    """A rational number that is no less, with few digits."""
+    mantissa, exponent = x.upper().man_exp()
+    return fmpq(int(mantissa)) * spectra.power_of_2(int(exponent))
+
+
+# --- boxes of (q, parameters) -----------------------------------------------------------------------------
+
+
+@dataclass
+class Family:
+    """The problem over its ranges, in balls at 64 bits, and how many boxes have been looked at."""
+
+    track: Track
+    vehicle: Vehicle
+    box: Box
+    envelope: Envelope
+    waves: Waves
+    matrix: Matrix
+    sites: list[Free]
+    left: int = 0
+    pieces: int = 0
+
+    @cached_property
+    def speed(self) -> list[tuple[Exponents, Any]]:
+        return [((0, *e), arb(c)) for e, c in self.track.v.items()]
+
+    @cached_property
+    def middle(self) -> list[Any]:
+        return [(a + b) / 2 for a, b in self.box]
+
+    def scalar(self, place: Place, throughout: bool = False) -> Form:
+        """s over a box: 0 exactly where Δ̂ is. throughout: also outside the ranges."""
+        split = Split(self.waves, place, throughout)
+        return scalar(self.matrix(place, receptances(self.waves, split, self.middle)))
+
+    def prove(self, kind: str, box: Box) -> None:
+        """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
+        stack = [(box, 0)]
+        while stack:
+            here, depth = stack.pop()
+            self.pieces += 1
+            require(self.pieces < self.left, "the certificate asks for more work than this verifier does")
+            try:
+                if kind == "n":
+                    check_nonzero(self.scalar(Place.of(here)))
+                else:
+                    check_passive_box(self, here)
+            except Refused as error:
+                where = ", ".join(f"{float(arb(a)):.6g}…{float(arb(b)):.6g}" for a, b in here)
+                require(depth < DEPTH, f"the box of q and parameters {where}: {error}")
+                stack += [(half, depth + 1) for half in halved(here, self.axis(here, error))]
+
+    def axis(self, box: Box, error: Any) -> int:
+        """Along which variable to halve: where most is to be won, or the longest."""
+        whole = [float(box[0][1]) or 1.0, *(float(b - a) or 1.0 for a, b in self.box)]
+        share = [float(b - a) / w for (a, b), w in zip(box, whole, strict=True)]
+        got = getattr(error, "weights", [])
+        if len(got) == len(box) and all(x == x and x < 1e300 for x in got) and max(got) > 0:
+            got = [x if y > 0 else -1.0 for x, y in zip(got, share, strict=True)]
+            return got.index(max(got))
+        return share.index(max(share))
+
+
+def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box]]:
+    """The leaves of a tree in text: a digit halves along an axis, a letter is a leaf; low halves come first."""
+    require(isinstance(tree, str) and 0 < len(tree) <= MAX_NODES, "the tree is no text, or too long")
+    stack = [(box, 0)]
+    for mark in tree:
+        require(stack, "the tree goes on beyond its last leaf")
+        here, depth = stack.pop()
+        if mark in "npz":
+            yield mark, here
+            continue
+        require(mark in "0123456"[: len(box)] and depth < 200, "a mark of the tree is not known")
+        low, high = halved(here, int(mark))
+        stack += [(high, depth + 1), (low, depth + 1)]
+    require(not stack, "the tree ends before its last leaf")
+
+
+# --- crossings --------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Zero:
+    """The one real root over a room: its ends, balls (middle, radius) of q and of the parameter, its direction."""
+
+    room: Box
+    q: tuple[Any, Any]
+    x: tuple[Any, Any]
+    gained: int
+
+
+def read_ball(value: Any, name: str) -> tuple[Any, Any]:
+    keys(value, "middle exponent radius")
+    text = value["middle"]
+    require(
+        isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text), f"{name}: no hexadecimal mantissa"
+    )
+    e = integer(value["exponent"], -MAX_BITS, 1100, name)
+    r, f = items(value["radius"], 2, name, 2)
+    unit = spectra.power_of_2(integer(f, -MAX_BITS, 1100, name))
+    return int(text, 16) * spectra.power_of_2(e), integer(r, 1, 2**64, name) * unit
+
+
+def read_zero(value: Any, family: Family) -> Zero:
+    """A crossing: checked that its room holds one real root at most, and its balls one, which crosses."""
+    keys(value, "room q x")
+    room = tuple(tuple(dyadic(x, "room") for x in items(one, 2, "room", 2)) for one in items(value["room"], 2, "", 2))
+    q, x = read_ball(value["q"], "q"), read_ball(value["x"], "x")
+    require(all(a < b for a, b in room), "a room is empty")
+    for (middle, radius), (a, b) in zip((q, x), room, strict=True):
+        require(a < middle - radius and middle + radius < b, "a crossing is not inside its room")
+    at_zero = q[0] == 0
+    require(not at_zero or room[0][0] == -room[0][1], "a room round q = 0 is not symmetric")
+    require(at_zero or (q[0] > q[1] and room[0][0] >= 0), "a crossing may lie at q = 0")
+    check_alone(family, room, (q[0], x[0]), (q[1], x[1]))
+    digits = max(int((abs(m) / r + 1).numer()).bit_length() - int((abs(m) / r + 1).denom()).bit_length()
+                 for m, r in (q, x))  # fmt: skip
+    require(digits <= MAX_BITS, "a crossing has too many digits")
+    with spectra.precision(digits + 128):
+        waves = Waves(family.track, family.vehicle)
+        sharp = replaced(family, waves)
+        twice = [(m, 2 * r) for m, r in (q, x)]
+        g, vary, s = slopes(sharp, twice)
+        turn = (g[0].conjugate() * g[1]).imag
+        rest = abs(s.k[0]) + sum((abs(y) for y in s.k[3:]), ZERO) / 4 + s.e
+        require(not turn.contains(0), "a crossing is not proved transversal")
+        for y in (g[1], g[0]):
+            require(abs(y) * rest / abs(turn) < 0.5, "a crossing is not proved to lie in its balls")
+        slope_q, slope_x = (y + spectra.box(r) for y, r in zip(g, vary, strict=True))
+        drift = (-slope_x / slope_q).imag
+        require(not drift.contains(0), "a root may touch the real axis without crossing it")
+    return Zero((room[0], room[1]), q, x, (-1 if drift > 0 else 1) * (1 if at_zero else 2))
+
+
+def check_alone(family: Family, room: Box, at_: Sequence[Any], radius: Sequence[Any]) -> None:
+    """One real root at most over the room: over a core round the crossing, and none over the rest of the room."""
+    core = room
+    for _ in range(8):
+        inside = all(a < m - r and m + r < b for m, r, (a, b) in zip(at_, radius, core, strict=True))
+        require(inside, "a room may hold two crossings")
+        try:
+            g, vary, _ = slopes(family, [((a + b) / 2, b - a) for a, b in core])  # over a box of twice the size
+            turn = abs((g[0].conjugate() * g[1]).imag)
+            if abs(g[1]) * vary[0] + abs(g[0]) * vary[1] < turn:
+                break
+        except Refused:
+            pass
+        core = tuple(((a + m) / 2, (b + m) / 2) for m, (a, b) in zip(at_, core, strict=True))
+    else:
+        raise Refused("a room may hold two crossings")
+    ends = [(a, c, d, b) for (a, b), (c, d) in zip(room, core, strict=True)]
+    whole = ((fmpq(0), room[0][1]), *family.box)
+    for i, j in product(range(3), repeat=2):
+        sides = [(e[k], e[k + 1]) for e, k in zip(ends, (i, j), strict=True)]
+        part = tuple((max(a, c), min(b, d)) for (a, b), (c, d) in zip(sides, whole, strict=True))
+        if (i, j) != (1, 1) and all(a < b for a, b in part):
+            family.prove("n", part)
+
+
+def replaced(family: Family, waves: Waves) -> Family:
+    matrix = Matrix(family.vehicle, waves)
+    return Family(family.track, family.vehicle, family.box, family.envelope, waves, matrix, family.sites)
+
+
+def slopes(family: Family, sides: Sequence[tuple[Any, Any]]) -> tuple[list[Any], list[Any], Form]:
+    """Of s over boxes (middle, half): its slopes in u at 0, by how much they vary for |u_i| ≤ 1/2, and s."""
+    place = Place([arb(m) for m, _ in sides], [arb(r) for _, r in sides])
+    s = family.scalar(place, throughout=True)
+    a, mixed, b = (abs(x) for x in s.k[3:])
+    return s.k[1:3], [a + mixed / 2 + 2 * s.e, b + mixed / 2 + 2 * s.e], s
+
+
+# --- the certificate --------------------------------------------------------------------------------------
+
+
+def checked(content: dict[str, Any], most: int | None) -> str:
+    """The claim in words, if every step of the certificate holds."""
+    keys(content["equations"], "free track velocity vehicle")
+    names = items(content["equations"]["free"], MAX_PARAMETERS, "free")
+    require(names and all(isinstance(x, str) and re.fullmatch(r"[ -~]{1,60}", x) for x in names), "free: no names")
+    count = len(names)
+    box: Box = tuple(
+        (rational(a, "range"), rational(b, "range"))
+        for a, b in (items(one, 2, "range", 2) for one in items(content["range"], count, "range", count))
+    )
+    require(all(a < b for a, b in box), "a range is empty")
+    crossing = content["kind"] == "crossings"
+    require(not crossing or count == 1, "crossings are over one parameter")
+    track = read_track(content["equations"]["track"], content["equations"]["velocity"], count)
+    vehicle = read_vehicle(content["equations"]["vehicle"], content["basis"], count, box)
+    check_track(track, box)
+    check_decay(track)
+    at_, unstable = check_base(content, count, box)
+    middle = [(a + b) / 2 for a, b in box]
+    sites = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
+    sites.sort(key=lambda f: at(f, middle))
+    envelope, Q = read_tail(content["tail"], track, sites, box)
+    waves = Waves(track, vehicle)
+    family = Family(track, vehicle, box, envelope, waves, Matrix(vehicle, waves), sites)
+    values = items(content["zeros"], MAX_ZEROS, "zeros")
+    require(crossing or not values, "a root is real in a range that is to be stable")
+    X, ends = dyadic(content["X"], "X"), [dyadic(x, "beyond") for x in items(content["beyond"], MAX_CELLS, "beyond")]
+    require(0 < X <= Q, "X is not between 0 and Q")
+    ends = [X, *ends, Q]
+    require(all(a <= b for a, b in pairwise(ends)), "the cells beyond X are not in order")
+    require(isinstance(content["tree"], str), "the tree is no text")
+    family.left = EXTRA * (len(content["tree"]) + len(ends)) + PIECES
+    family.left = family.left if most is None else min(family.left, most)
+    zeros = [read_zero(value, family) for value in values]
+    for a, b in pairwise(ends):
+        if a < b:
+            family.prove("p", ((a, b), *box))
+    leaves = 0
+    for kind, here in walk(content["tree"], ((fmpq(0), X), *box)):
+        leaves += 1
+        if kind == "z":
+            inside = any(
+                all(a <= c and d <= b for (a, b), (c, d) in zip(zero.room, here, strict=True)) for zero in zeros
+            )
+            require(inside, "a leaf is not inside a room")
+            continue
+        require(kind == "n" or here[0][0] > 0, "a passive box begins at q = 0")
+        family.prove(kind, here)
+    said = crossings(content["claim"], zeros, box, at_, unstable) if crossing else stable(content["claim"], unstable)
+    return words(content, said, box, leaves, family.pieces)
+
+
+def check_base(content: Any, count: int, box: Box) -> tuple[list[Any], int]:
+    """The point of the base, and the number of roots with Im q < 0 there, by its own certificate."""
+    base = content["base"]
+    keys(base, "at spectrum")
+    x = [rational(y, "at") for y in items(base["at"], count, "at", count)]
+    require(all(a <= y <= b for y, (a, b) in zip(x, box, strict=True)), "the base lies outside the ranges")
+    raw = json.dumps(base["spectrum"], ensure_ascii=True).encode("ascii")
+    verdict = spectra.verify_bytes(raw)
+    require(verdict.valid, f"the spectrum at the base: {verdict.reason}")
+    spectrum = base["spectrum"]
+    require(spectrum["claim"]["region"]["kind"] in ("unstable", "below"), "the base does not count all of Im q < 0")
+    require(spectrum["basis"] == content["basis"], "the base has another basis")
+    ours, other = content["equations"], spectrum["equations"]
+    require(same(ours, other, x, count), "the base is of other equations")
+    return x, int(spectrum["claim"]["unstable"])
+
+
+def same(ours: Any, other: Any, x: Sequence[Any], count: int) -> bool:
+    """The equations with free parameters are those of the base at its point: entry by entry, exact."""
+
+    def value(f: Any, name: str) -> Any:
+        return at(free(f, count, name, -4), x)
+
+    def rows(name: str) -> bool:
+        a, b = ours["vehicle"][name], other["vehicle"][name]
+        return len(a) == len(b) and all(
+            len(p) == len(q) and all(value(f, name) == rational(g, name) for f, g in zip(p, q, strict=True))
+            for p, q in zip(a, b, strict=True)
+        )
+
+    def lines(name: str) -> bool:
+        a, b = ours["vehicle"][name], other["vehicle"][name]
+        return len(a) == len(b) and all(value(f, name) == rational(g, name) for f, g in zip(a, b, strict=True))
+
+    def entry(terms_: Any, numbers: bool) -> dict[Any, Any]:
+        out: dict[Any, Any] = {}
+        for i, j, c in terms_:
+            out[i, j] = out.get((i, j), fmpq(0)) + (rational(c, "") if numbers else value(c, ""))
+        return {key: c for key, c in out.items() if c != 0}
+
+    a, b = ours["track"], other["track"]
+    fits = a["loaded"] == b["loaded"] and len(a["matrix"]) == len(b["matrix"])
+    fits = fits and all(
+        entry(p, False) == entry(q, True)
+        for one, two in zip(a["matrix"], b["matrix"], strict=True)
+        for p, q in zip(one, two, strict=True)
+    )
+    fits = fits and value(ours["velocity"], "velocity") == rational(other["velocity"], "velocity")
+    return bool(fits and all(map(rows, "MCKB")) and lines("places") and lines("compliances"))
+
+
+def crossings(claim: Any, zeros: Sequence[Zero], box: Box, at_: Sequence[Any], unstable: int) -> list[str]:
+    """The claimed numbers of roots between the crossings in the range follow from the base."""
+    keys(claim, "counts directions")
+    low, high = box[0]
+    inside = []
+    for zero in zeros:
+        a, b = zero.x[0] - zero.x[1], zero.x[0] + zero.x[1]
+        require(b < low or a > high or (low < a and b < high), "a crossing lies at an end of the range")
+        if low < a and b < high:
+            inside.append(zero)
+    inside.sort(key=lambda zero: zero.x[0])
+    for one, other in pairwise(inside):
+        require(one.x[0] + one.x[1] < other.x[0] - other.x[1], "two crossings are not told apart")
+    require([zero.gained for zero in inside] == claim["directions"], "the crossings are not those of the claim")
+    counts = [integer(n, 0, 10_000, "counts") for n in items(claim["counts"], MAX_ZEROS + 1, "", len(inside) + 1)]
+    require(all(b - a == zero.gained for (a, b), zero in zip(pairwise(counts), inside, strict=True)),
+            "the counts do not fit the crossings")  # fmt: skip
+    before = 0
+    for zero in inside:
+        apart = zero.x[0] + zero.x[1] < at_[0] or at_[0] < zero.x[0] - zero.x[1]
+        require(apart, "the base lies at a crossing")
+        before += zero.x[0] < at_[0]
+    require(counts[before] == unstable, "the counts do not fit the number at the base")
+    said = [f"{len(inside)} crossing{'' if len(inside) == 1 else 's'} of the real axis; "
+            f"roots with Im q < 0 before, between and behind: {', '.join(map(str, counts))}"]  # fmt: skip
+    for zero in inside:
+        x, q = float(arb(zero.x[0])), float(arb(zero.q[0]))
+        said.append(f"  at {x:.15g} within {float(arb(zero.x[1])):.2g}, q = {q:.15g}"
+                    + ("" if q else " exactly") + f", {zero.gained:+d}")  # fmt: skip
+    return said
+
+
+def stable(claim: Any, unstable: int) -> list[str]:
+    keys(claim, "unstable")
+    require(integer(claim["unstable"], 0, 10_000, "unstable") == unstable, "the number at the base is another one")
+    return [f"{unstable} roots with Im q < 0 for all parameters in their ranges"]
+
+
+def words(content: Any, said: list[str], box: Box, leaves: int, pieces: int) -> str:
+    """What has been verified, of which equations."""
+    names = content["equations"]["free"]
+    ranges = ", ".join(f"{name} from {a} to {b}" for name, (a, b) in zip(names, box, strict=True))
+    equations = content["equations"]
+    said = [f"{said[0]}, for {ranges}", *said[1:]]
+    said.append(
+        f"proved in {leaves} boxes of frequency and parameters, {pieces} pieces looked at, of these equations"
+    )
+    said.append(f"  (terms [power of P = ∂/∂x, of s = ∂/∂t, coefficient]; powers of {', '.join(names)}):")
+    for row in equations["track"]["matrix"]:
+        said.append(f"  {listed(row)}")
+    said.append(f"  row {equations['track']['loaded'] + 1}: contacts; velocity {listed(equations['velocity'])}")
+    said += [f"  {name} = {listed(equations['vehicle'][name])}" for name in "MCKB"]
+    said.append(f"  contacts at {listed(equations['vehicle']['places'])}, "
+                f"compliances {listed(equations['vehicle']['compliances'])}")  # fmt: skip
+    return "\n".join(said)
+
+
+def listed(value: Any) -> str:
+    return "[" + ", ".join(map(listed, value)) + "]" if isinstance(value, list) else str(value)
+
+
+def main(paths: Sequence[str]) -> int:
+    """Prints what each file proves; 0 if all are valid."""
+    if not paths:
+        print("usage: verify_ranges.py FILE [FILE …]", file=sys.stderr)
+        return 1
+    verdicts = [(path, verify(path)) for path in paths]
+    for path, verdict in verdicts:
+        print(f"{path}: " + (f"valid: {verdict.claim}" if verdict.valid else f"INVALID: {verdict.reason}"))
+    return 0 if all(verdict.valid for _, verdict in verdicts) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

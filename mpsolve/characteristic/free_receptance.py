@@ -1,0 +1,124 @@
+"""The receptance of a family over boxes: residues where p-roots stay apart, circles where some of one side meet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
+from mpsolve.characteristic.circles import by_circles
+from mpsolve.characteristic.free_roots import Roots, roots_over
+from mpsolve.numbers.forms import Forms
+from mpsolve.numbers.jets import TINY
+from mpsolve.numbers.quadratic import Quadratic
+from mpsolve.problem.family import Family
+
+_TOGETHER = 0.3  # two roots of one side that are closer than this share of their distance to others may meet
+_FAINT = 2.0**-16  # of the strongest wave at the force: of which no more is said than a bound
+
+
+@dataclass(frozen=True)
+class Receptances:
+    """G at each distance as models of shape (boxes, distances), where it is bounded.
+
+    strain[v]: how far variable v moves p-roots, relative to the distance of the next one, and turns waves.
+    """
+
+    G: Quadratic
+    good: Any
+    strain: Any
+
+
+@dataclass(frozen=True)
+class FreeReceptance:
+    """G between the places of a family over boxes."""
+
+    family: Family
+
+    @cached_property
+    def track(self) -> FreeTrack:
+        return FreeTrack(self.family)
+
+    @cached_property
+    def distances(self) -> tuple[Forms, Any, Any]:
+        """(the different distances as forms, which are at least 0, for each pair of places the number of its own)."""
+        places, variables = self.family.places, self.track.variables
+        exact = sorted({a - b for a in places for b in places})
+        which = np.array([[exact.index(a - b) for b in places] for a in places])
+        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], variables)
+        return forms, np.arange(len(exact)) >= which[0, 0], which
+
+    def __call__(self, boxes: Boxes) -> Receptances:
+        """Over each box."""
+        with np.errstate(all="ignore"):
+            y, rho = boxes.variables
+            D, N = self.track.D(y, rho), self.track.N(y, rho)
+            forms, ahead, which = self.distances
+            xi = forms(y, rho)
+            z, low = self.track.nodes(D)
+            roots = roots_over(D, N, z, low, self.track.up)
+            strain = roots.strain.copy()
+            k = np.zeros((len(xi.k), boxes.count, len(ahead)), complex)
+            e = np.full((boxes.count, len(ahead)), np.inf)
+            sides = [(mask, upper) for mask, upper in ((ahead, True), (~ahead, False)) if mask.any()]
+            for mask, upper in sides:
+                own = (np.arange(z.shape[1]) < self.track.up) == upper
+                rows = np.flatnonzero(roots.good[:, own].all(1) & (low > 0))
+                part, turned = _residues(roots, rows, own, xi[rows][:, mask], self.distances[0].fixed)
+                strain[:, rows] += turned
+                _put(k, e, rows, mask, part if upper else -part)
+            good = np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
+            rest = np.flatnonzero(~good & may_meet(z, self.track.up))
+            if len(rest):
+                whole = self.track.split(boxes.take(rest))
+                inside = np.flatnonzero(whole.good)
+                strain[:, rest] = whole.strain
+                rows = rest[inside]
+                self._circled(whole.take(inside), N[rows], xi[rows], sides, rows, k, e)
+                good[rows] = np.isfinite(e[rows]).all(1) & np.isfinite(k[:, rows]).all((0, 2))
+            return Receptances(Quadratic(k, e, xi.m)[:, which], good, strain)
+
+    def _circled(
+        self, wave: Wave, N: Quadratic, xi: Quadratic, sides: list[tuple[Any, bool]], rows: Any, k: Any, e: Any
+    ) -> None:
+        if len(rows):
+            for mask, upper in sides:
+                _put(k, e, rows, mask, by_circles(wave, N, xi[:, mask], upper, self.distances[0].fixed))
+
+
+def _put(k: Any, e: Any, rows: Any, mask: Any, part: Quadratic) -> None:
+    at = np.ix_(rows, np.flatnonzero(mask))
+    k[:, at[0], at[1]], e[at] = part.k, part.e
+
+
+def _residues(roots: Roots, rows: Any, own: Any, xi: Quadratic, fixed: bool) -> tuple[Quadratic, Any]:
+    """(Σ e^{Pξ} N/D_P over the roots of one side, shape (boxes, distances), how each variable turns the waves)."""
+    if not own.any():
+        return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m), 0.0
+    P, weight = (f[rows][:, own][:, :, None] for f in (roots.P, roots.weight))
+    x = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m)
+    phase = P.times(xi.a[:, None, :]) if fixed else P * x
+    turned = (np.abs(phase.b) * np.exp(np.minimum(phase.a.real, 0.0))).max((2, 3))
+    return _grown(phase, weight).sum(-2), turned
+
+
+def _grown(phase: Quadratic, weight: Quadratic) -> Quadratic:
+    """weight e^phase; a wave that has all but died away is bounded only, however fast it turns."""
+    model = phase.exp() * weight
+    most = phase.a.real + phase.spread
+    bound = np.exp(np.minimum(most, 700.0)) * (1 + 1e-12) * weight.size + TINY
+    faint = (most < 0) & (bound < _FAINT * np.abs(weight.a).max(1, keepdims=True))
+    return Quadratic(np.where(faint, 0, model.k), np.where(faint, bound, model.e), model.m)
+
+
+def may_meet(z: Any, up: int) -> Any:
+    """Boxes with two roots of one side so close that they may meet, in floats."""
+    gap = np.abs(z[:, :, None] - z[:, None, :])
+    upper = np.arange(z.shape[1]) < up
+    same = (upper[:, None] == upper[None, :]) & ~np.eye(z.shape[1], dtype=bool)
+    other = np.where(upper[:, None] != upper[None, :], gap, np.inf).min(2)
+    near = gap < _TOGETHER * np.minimum(other[:, :, None], other[:, None, :])
+    return (near & same).any((1, 2))

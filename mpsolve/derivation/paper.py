@@ -1,0 +1,268 @@
+"""The model derived symbolically, from the equation of motion (1) to the residue forms of the kernel.
+
+Numbers are the paper's equations; (A1), (A2), ... are what the numerical code adds to them. The steps up to
+(36) are in `steps`, the residue forms of the kernel in `residues`; here they are put in order, and printed.
+
+    >>> steps = derivation(masses=2)
+    >>> [step.title for step in steps if step.number == "(18)"]
+    ['Dispersion function']
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+
+from mpsolve.derivation import paper_residues as rs
+from mpsolve.derivation import paper_steps as st
+from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
+from mpsolve.derivation.paper_steps import Step, eta_b, eta_N, eta_S, positions
+from mpsolve.errors import InputError
+
+__all__ = ["Step", "Formula", "derivation", "render", "dispersion", "characteristic", "kernel_resolvent"]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A sympy expression and the symbols in it, in the order in which `lambdify` takes them."""
+
+    expression: Expr
+    arguments: tuple[Expr, ...]
+
+    def lambdify(self, modules: str = "mpmath") -> Callable[..., Any]:
+        """The expression as a function of `arguments`, evaluated by `modules` as in sympy.lambdify."""
+        function: Callable[..., Any] = sp.lambdify(self.arguments, self.expression, modules)
+        return function
+
+
+def kernel_steps(kernel: Step) -> tuple[Step, ...]:
+    """(37)-(39) and the clean form of K_{,q}, by residues at simple p-roots."""
+    printed = rs.kernel_derivative_print()
+    above, below = rs.kernel_residues(UPPER), rs.kernel_residues(LOWER)
+    integral = rs.kernel_derivative_integral(kernel.statement)
+    slips = "The print has exp(i g d) for exp(i p g), D_{,pp}^2, D_{,ppp}^2 for (D^2)_{,pp}, (D^2)_{,ppp}."
+    by_q = "(21) differentiated by q under the integral sign."
+    upper = "(21) closed above: upper roots. The print has p for p_j in the exponent."
+    return (
+        Step("(A3)", "Partial fractions of 1/D", rs.partial_fractions(), "D monic in p: weights 1/D_{,p}(p_j)."),
+        Step("(A4)", "Sum of the weights", rs.weights_sum(), "1/D falls off as p^-4, so they add to 0."),
+        Step("(37)", "Kernel for xi >= 0", above, upper),
+        Step("(37), xi < 0", "Kernel for xi < 0", below, "(21) closed below: lower roots, sign reversed."),
+        Step("(38)", "Kernel's derivative", integral, by_q),
+        Step("(39)", "Kernel's derivative, xi >= 0", printed, f"Double poles of (38), h = D^2. {slips}"),
+        Step("(A5)", "Kernel's derivative by simple roots", rs.kernel_derivative(printed), "h = D^2 in (39)."),
+    )
+
+
+def shifted(D: Step) -> Step:
+    """(A6): coefficients of D in p; r = q - i eta_b, A = eta_N - eta_S + alpha^2, beta^2 = 1 - eta_b^2."""
+    quartic = D.statement.rhs.subs(q, r + I * eta_b).subs(eta_N, rs.A + eta_S - alpha**2)
+    _, cubic, *rest = sp.Poly(sp.expand(quartic), p).all_coeffs()
+    pairs = [
+        sp.Eq(c, sp.expand(e.subs(eta_b**2, 1 - beta**2))) for c, e in zip((rs.c2, rs.c1, rs.c0), rest, strict=True)
+    ]
+    note = f"q = r + i eta_b in (18): D = p^4 + c_2 p^2 + c_1 p + c_0; the coefficient of p^3 is {cubic}."
+    return Step("(A6)", "Coefficients of D", tuple(pairs), note)
+
+
+def real_wavenumber(D: Step) -> Step:
+    """(A7): the frequencies at which p is a root of D, the boundary of the sheet for real p."""
+    square, linear, constant = sp.Poly(D.statement.rhs, q).all_coeffs()
+    split = sp.sqrt(sp.factor_terms(sp.expand(linear**2 - 4 * square * constant)))
+    branches = (sp.expand_mul((-linear + side * split) / (2 * square)) for side in (1, -1))
+    note = "(18) = 0, quadratic in q; for real p the frequencies on the cuts."
+    return Step("(A7)", "Frequencies of a real wavenumber", tuple(sp.Eq(q, e) for e in branches), note)
+
+
+def damping_rescaling(D: Step) -> Step:
+    """(A8): damping rescales p, r, alpha and the axial force; K(xi) = beta^(-3/2) K_0(xi sqrt(beta))."""
+    quartic = D.statement.rhs.subs(q, r + I * eta_b).expand().subs(eta_b**2, 1 - beta**2)
+    root = sp.sqrt(beta)
+    scaled = {p: root * p, r: beta * r, alpha: root * alpha, eta_N: beta * eta_N, eta_S: beta * eta_S}
+    damped = sp.factor(sp.expand(quartic.subs(scaled, simultaneous=True)), beta)
+    note = "All scaled in (18): beta^2 times the undamped D; K = beta^(-3/2) K_0(xi sqrt(beta))."
+    return Step("(A8)", "Damping is a rescaling", sp.Eq(rs.D(root * p, beta * r + I * eta_b), damped), note)
+
+
+def cubic_steps(coefficients: Step) -> tuple[Step, ...]:
+    """(A9)-(A17): the kernel as one branch of the resolvent cubic."""
+    known = {eq.lhs: eq.rhs for eq in coefficients.statement}
+    factored = "(37) over the two roots of {}, where the other factor's values multiply to R."
+    return (
+        Step(
+            "(A9)", "Factors of D", rs.factor_conditions(), "D = (p^2 - s p + t)(p^2 + s p + t'), y = s^2, Im s > 0."
+        ),
+        Step("(A10)", "Resolvent cubic", rs.resolvent_cubic(), "g(y) = 0 from t t' = c_0 and (A9)."),
+        Step(
+            "(A11)",
+            "Resultant of the factors",
+            rs.resultant(),
+            "R = res(U, L): zero where an upper root meets a lower.",
+        ),
+        Step(
+            "(A12)", "R is the cubic's slope", rs.resultant_slope(), "g'(y), c_0 eliminated by (A10): equals (A11)."
+        ),
+        Step("(A13)", "Root splits", rs.root_splits(), "delta^2, delta'^2: a quarter of the factors' discriminants."),
+        Step("(A14)", "Kernel for xi >= 0 by the cubic", rs.kernel_factored(UPPER), factored.format("U")),
+        Step("(A15)", "Kernel for xi < 0 by the cubic", rs.kernel_factored(LOWER), factored.format("L")),
+        Step("(A16)", "Kernel at the load", rs.kernel_origin(), "xi = 0 in (A14)."),
+        Step("(A17)", "Coupling of two masses", rs.kernel_gap(), "(37) with C_j = 1/D_{,p}(p_j) and (A4)."),
+        Step("(A18)", "Uniformisation", rs.uniformisation(known), "(A10) is linear in r^2; y = 4 sigma^2, and (A6)."),
+    )
+
+
+# The whole derivation, and the formulas that the numerical code is compared with
+
+
+def _motion(masses: int) -> tuple[Step, ...]:
+    motion, load_, velocity, acceleration = (
+        st.equation_of_motion(),
+        st.loading(masses),
+        st.contact(1),
+        st.contact(2),
+    )
+    field = st.loading_field(load_, acceleration, masses)
+    fixed = st.governing(motion, field)
+    moving = st.moving_frame(fixed)
+    scale, beam, loads = st.scales(), st.beam_ratios(), st.load_ratios(masses)
+    final = st.dimensionless(moving, scale, beam, loads)
+    return motion, load_, velocity, acceleration, field, fixed, moving, scale, beam, loads, final
+
+
+@lru_cache(maxsize=1)
+def _any_masses(D: Step, kernel: Step) -> tuple[Step, ...]:
+    coefficients = shifted(D)
+    sheet = coefficients, real_wavenumber(D), damping_rescaling(D)
+    return (*kernel_steps(kernel), *sheet, *cubic_steps(coefficients))
+
+
+@lru_cache(maxsize=8)
+def derivation(masses: int = 2) -> tuple[Step, ...]:
+    """Every step for `masses` masses, in the order in which each follows from those before it."""
+    if masses < 1:
+        raise InputError("masses", f"{masses} given; the derivation needs one mass or more")
+    steps = _motion(masses)
+    rules = st.laplace_rules()
+    image = st.laplace(steps[-1], rules, masses)
+    direct, inverse = st.fourier_pair()
+    D, spectrum, kernel = st.dispersion_function(image), st.fourier(image), st.kernel_integral()
+    force, by_kernels = st.forces(spectrum, masses), st.displacement_image(spectrum, masses)
+    rows = st.at_masses(by_kernels, masses)
+    system = st.linear_system(rows, masses)
+    charact, solved = st.determinant(system), st.mass_displacements(system, masses)
+    general = st.displacement(by_kernels, solved, charact, masses)
+    equal = st.displacement_equal(general, force, masses)
+    residues = st.residue_sum(equal)
+    return (
+        *steps, rules, image, direct, spectrum, D, inverse, kernel, force, by_kernels, rows, system, charact,
+        st.normalised_determinant(system, masses), solved, general, equal,
+        *((st.equal_factors(system),) if masses == 2 else ()),
+        st.inversion(), *st.limiting_velocity(D), residues, st.harmonic_sum(residues, charact, masses),
+        *_any_masses(D, kernel),
+    )  # fmt: skip
+
+
+def _step(number: str, masses: int = 1) -> Step:
+    return next(step for step in derivation(masses) if step.number == number)
+
+
+def dispersion() -> Formula:
+    """D of (18) in (p, q, alpha, eta_b, eta_N, eta_S)."""
+    return Formula(_step("(18)").statement.rhs, (p, q, alpha, eta_b, eta_N, eta_S))
+
+
+def characteristic(masses: int = 2) -> Formula:
+    """det of (26) in (q, (eta_M1, ...), ((K_11, K_12, ...), ...)), K_ij = K(x_i - x_j, q).
+
+    The characteristic function of the numerical code is Delta = det/pi^masses, see (A1).
+    """
+    matrix = _step("(25)", masses).statement.lhs.args[0].as_mutable()
+    order = range(1, masses + 1)
+    rows = tuple(tuple(sp.Symbol(f"K_{i}{j}") for j in order) for i in order)
+    for i, here in enumerate(positions(masses)):
+        for j, there in enumerate(positions(masses)):
+            matrix[i, j] = matrix[i, j].subs(K(here - there, q), rows[i][j])
+    determinant_ = sp.expand(matrix.det(method="berkowitz"))
+    return Formula(determinant_, (q, st.numbered("eta_M", masses), rows))
+
+
+def kernel_resolvent() -> tuple[Formula, Formula]:
+    """K(xi >= 0) and K(xi < 0) in (xi, s, c_1, c_2), where y = s^2 solves the cubic (A10) and Im s > 0."""
+    ahead, behind = (Formula(rs.resolvent_form(half), (xi, rs.s, rs.c1, rs.c2)) for half in (UPPER, LOWER))
+    return ahead, behind
+
+
+def _statements(step: Step) -> tuple[Expr, ...]:
+    return step.statement if isinstance(step.statement, tuple) else (step.statement,)
+
+
+def _pieces(expression: Expr, write: Callable[[Expr], str], size: Callable[[str], int], limit: int) -> list[str]:
+    """A sum written in pieces of consecutive terms, each piece within `limit` where a single term is."""
+    pieces: list[list[Expr]] = []
+    terms = expression.as_ordered_terms() if isinstance(expression, sp.Add) else [expression]
+    for term in terms:
+        if pieces and size(write(sp.Add(*pieces[-1], term))) <= limit:
+            pieces[-1].append(term)
+        else:
+            pieces.append([term])
+    return [write(sp.Add(*piece)) if len(piece) > 1 else write(piece[0]) for piece in pieces]
+
+
+def _width(block: str) -> int:
+    return max(map(len, block.splitlines()))
+
+
+def _pretty(equation: Expr, width: int = 110) -> str:
+    """The equation; if wider than `width`, in several blocks."""
+
+    def write(expression: Expr) -> str:
+        return str(sp.pretty(expression, use_unicode=True, wrap_line=False))
+
+    if _width(write(equation)) <= width:
+        return write(equation)
+    left, right = (_pieces(side, write, _width, width) for side in equation.args)
+    sides = ("\n\n  +\n".join(textwrap.indent(block, "  ") for block in side) for side in (left, right))
+    return "\n\n  =\n".join(sides)
+
+
+def _text(step: Step) -> str:
+    body = "\n\n".join(_pretty(equation) for equation in _statements(step))
+    head = f"{step.number} {step.title}"
+    return f"{head}\n{'-' * len(head)}\n{textwrap.fill(step.note, 100)}\n\n{body}\n"
+
+
+def _latex_lines(equation: Expr, limit: int = 400) -> str:
+    """The rows of an align environment, each at most about `limit` characters of source where a term is."""
+    left, right = (_pieces(side, sp.latex, len, limit) for side in equation.args)
+    rows = [f"&{left[0]}", *(f"&\\quad + {piece}" for piece in left[1:])]
+    if len(left) == 1:
+        rows = [f"{left[0]} &= {right[0]}"]
+    else:
+        rows.append(f"&= {right[0]}")
+    return " \\\\\n".join(rows + [f"&\\quad + {piece}" for piece in right[1:]])
+
+
+def _latex(step: Step) -> str:
+    escaped = step.note
+    for old, new in (("_", r"\_"), ("^", r"\^{}"), ("{", r"\{"), ("}", r"\}")):
+        escaped = escaped.replace(old, new)
+    rows = " \\\\\n".join(_latex_lines(equation) for equation in _statements(step))
+    body = f"\\begin{{align*}}\n\\tag*{{{step.number}}}\n{rows}\n\\end{{align*}}\n"
+    return f"\\paragraph{{{step.title}.}} {escaped}\n{body}"
+
+
+def render(steps: Sequence[Step], style: str = "text") -> str:
+    """The steps as text, or as a complete LaTeX document (style "latex")."""
+    if style == "text":
+        return "\n".join(_text(step) for step in steps)
+    if style == "latex":
+        packages = ("[T1]{fontenc}", "[landscape,a3paper,margin=15mm]{geometry}", "{amsmath}")
+        preamble = "".join(f"\\usepackage{package}\n" for package in packages)
+        head = f"\\documentclass{{article}}\n{preamble}\\allowdisplaybreaks\n\\begin{{document}}\n"
+        return head + "\n".join(_latex(step) for step in steps) + "\\end{document}\n"
+    raise InputError("style", f'{style!r} given; use "text" or "latex"')

@@ -1,0 +1,191 @@
+"""The endless row over boxes of (q, parameters, θ), z = e^{iθ}: its receptance and its matrix as Taylor models.
+
+The sum over the row is one over p-roots (`lattice`). Where all roots are alone each is a model, and so is its term,
+as long as its wave does not fit the row, e^{Pd} ≠ z. Where some of one side may meet, Σ N/D times the row's factor is
+summed on circles, as in `characteristic.circles`: the factor's poles have Re P = 0, and the circles stay off them.
+The last variable is θ; the others are those of the family.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
+from mpsolve.characteristic.circles import NOISE, aliasing, circles_of, samples, summed
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.characteristic.free_receptance import Receptances, may_meet
+from mpsolve.characteristic.free_roots import Roots, roots_over
+from mpsolve.endless.lattice import first_force
+from mpsolve.numbers.jets import TINY, UP, U, exponential, nearest
+from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted
+from mpsolve.problem.family import Family
+
+Around = tuple[Quadratic, Quadratic]
+"""(z, 1/z) as models of shape (boxes,)."""
+
+
+@dataclass(frozen=True)
+class FreeRow:
+    """A family whose vehicle stands in a row: `step` is the distance to the next one, scaled as the family is."""
+
+    family: Family
+    step: Fraction
+
+    @cached_property
+    def places(self) -> tuple[Fraction, ...]:
+        """Of the contacts of one vehicle; they do not depend on the parameters."""
+        return tuple(place.at(self.family.ring.point) for place in self.family.places)
+
+    @cached_property
+    def distances(self) -> tuple[tuple[Fraction, ...], Any]:
+        """(the different distances, for each pair of places the number of its own)."""
+        exact = sorted({a - b for a in self.places for b in self.places})
+        return tuple(exact), np.array([[exact.index(a - b) for b in self.places] for a in self.places])
+
+
+@dataclass(frozen=True)
+class RowReceptance:
+    """Ĝ between the places of one vehicle over boxes (q̂, x̂, θ)."""
+
+    row: FreeRow
+
+    @cached_property
+    def track(self) -> FreeTrack:
+        return FreeTrack(self.row.family)
+
+    def __call__(self, boxes: Boxes) -> Receptances:
+        with np.errstate(all="ignore"):
+            own, m, (exact, which) = Boxes(boxes.m[:-1], boxes.r[:-1]), len(boxes.m), self.row.distances
+            y, rho = own.variables
+            D, N = self.track.D(y, rho), self.track.N(y, rho)
+            z, low = self.track.nodes(D)
+            roots = roots_over(D, N, z, low, self.track.up)
+            strain = np.concatenate([roots.strain, np.zeros((1, boxes.count))])
+            k = np.zeros((len(constant(0.0, 1, m).k), boxes.count, len(exact)), complex)
+            e = np.full((boxes.count, len(exact)), np.inf)
+            alone = np.flatnonzero(roots.good.all(1) & (low > 0))
+            if len(alone):
+                P, w = roots.P[alone], roots.weight[alone]
+                found = self._alone(P, w, _turns(boxes.take(alone)))
+                k[:, alone], e[alone] = found.k, found.e
+            strain += _moved(roots, self.track.up, boxes, nearest(self.row.step))
+            good = np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
+            rest = np.flatnonzero(~good & may_meet(z, self.track.up))
+            whole = self.track.split(own.take(rest))
+            rows = rest[whole.good]
+            if len(rows):
+                found = self._circled(whole.take(whole.good), N[rows], _turns(boxes.take(rows)))
+                k[:, rows], e[rows] = found.k, found.e
+                good[rows] = np.isfinite(found.e).all(1) & np.isfinite(found.k).all((0, 2))
+            return Receptances(Quadratic(k, e, m)[:, which], good, strain)
+
+    def _sides(self) -> list[tuple[bool, Any, list[tuple[Fraction, int]]]]:
+        """(whether they decay ahead, which roots, for each distance the first force of the series) of each side."""
+        own = np.arange(self.row.family.degree) < self.track.up
+        sides = [(True, own), (False, ~own)]
+        exact = self.row.distances[0]
+        return [
+            (ahead, mask, [first_force(a, self.row.step, ahead) for a in exact])
+            for ahead, mask in sides
+            if mask.any()
+        ]
+
+    def _alone(self, P: Quadratic, w: Quadratic, around: Around) -> Quadratic:
+        """Ĝ at each distance, shape (boxes, distances), from simple roots."""
+        (point, back), m = around, around[0].m
+        P, w = lifted(P, m), lifted(w, m)
+        columns: list[list[Quadratic]] = [[] for _ in self.row.distances[0]]
+        for ahead, mask, first in self._sides():
+            sign, own = (1.0 if ahead else -1.0), P[:, mask]
+            ratio = own.times(nearest(self.row.step) * sign).exp() * (back if ahead else point)[:, None]
+            heavy = w[:, mask].times(sign) * one_less(ratio).inverse()
+            for column, (xi, factor) in zip(columns, first, strict=True):
+                term = heavy if not xi else own.times(nearest(xi)).exp() * heavy
+                column.append(_turned(term.sum(-1), factor, around))
+        return joined([_total(column)[:, None] for column in columns], -1)
+
+    def _circled(self, wave: Wave, N: Quadratic, around: Around) -> Quadratic:
+        """The same from circles."""
+        boxes, columns = len(wave.z), [[] for _ in self.row.distances[0]]  # type: tuple[int, list[list[Quadratic]]]
+        for ahead, mask, first in self._sides():
+            xi = np.array([nearest(a) for a, _ in first])
+            circles = circles_of(wave, mask, np.full(boxes, np.abs(xi).max()), off_axis=True)
+            f, points = samples(wave, N, circles)
+            step = nearest(self.row.step) * (1.0 if ahead else -1.0)
+            f = lifted(f, around[0].m) * self._factor(points * step, around[1 if ahead else 0])
+            sums = summed(f if ahead else -f, points, np.broadcast_to(xi, (boxes, len(xi))))
+            depth = np.where(circles.active, np.abs(circles.centre.real) - circles.outer, np.inf).min(1)
+            most = np.where(depth > 0, 1 / -np.expm1(-depth * abs(step) * (1 - 16 * U)) * (1 + 64 * U), np.inf)
+            missed = aliasing(wave, N, circles, constant(xi, boxes, wave.D.m)) * most[:, None]
+            sums = Quadratic(sums.k, (sums.e + missed) * UP, sums.m)
+            for j, (_, factor) in enumerate(first):
+                columns[j].append(_turned(sums[:, j], factor, around))
+        return joined([_total(column)[:, None] for column in columns], -1)
+
+    @staticmethod
+    def _factor(exponent: Any, turn: Quadratic) -> Quadratic:
+        """1/(1 − e^{exponent}·turn) at points that are rounded."""
+        value, lost = exponential(exponent)
+        k = np.zeros((len(turn.k), *value.shape), complex)
+        k[0] = value
+        ratio = Quadratic(k, np.abs(value) * (lost + NOISE * (1 + np.abs(exponent))), turn.m)
+        return one_less(ratio * turn[:, None]).inverse()
+
+
+def _total(parts: list[Quadratic]) -> Quadratic:
+    return sum(parts[1:], parts[0])
+
+
+def _turns(boxes: Boxes) -> Around:
+    m = len(boxes.m)
+    k = np.zeros((len(constant(0.0, 1, m).k), boxes.count), complex)
+    k[0], k[m] = 1j * boxes.m[-1], 1j * boxes.r[-1]
+    angle = Quadratic(k, 4 * U * np.abs(boxes.m[-1]), m)
+    return angle.exp(), (-angle).exp()
+
+
+def _turned(term: Quadratic, factor: int, around: Around) -> Quadratic:
+    return term if not factor else term * around[0 if factor > 0 else 1]
+
+
+def one_less(ratio: Quadratic) -> Quadratic:
+    """1 − f."""
+    k = -ratio.k
+    k[0] = k[0] + 1
+    return Quadratic(k, (ratio.e + 4 * U * np.abs(k).sum(0)) * UP + TINY, ratio.m)
+
+
+def _moved(roots: Roots, up: int, boxes: Boxes, step: float) -> Any:
+    """In floats: how far each variable moves 1/(1 − e^{Pd}/z) relative to itself, at most, for any root."""
+    P = roots.P.a
+    ratio = np.exp(np.where(np.arange(P.shape[1]) < up, P, -P) * step)
+    ratio = ratio * np.exp(1j * np.where(np.arange(P.shape[1]) < up, -1, 1) * boxes.m[-1][:, None])
+    share = np.abs(ratio / (1 - ratio))
+    angle = np.broadcast_to(boxes.r[-1][:, None], share.shape)
+    moved = (np.concatenate([np.abs(roots.P.b) * step, angle[None]]) * share).max(2)
+    return np.where(np.isfinite(moved), moved, 0.0)
+
+
+@dataclass(frozen=True)
+class RowMatrix(FreeMatrix):
+    """A(q̂, x̂, θ) of one vehicle of a row whose spacing is `step`, scaled."""
+
+    step: Fraction = Fraction(0)
+
+    @cached_property
+    def receptance(self) -> RowReceptance:  # type: ignore[override]
+        return RowReceptance(FreeRow(self.family, self.step))
+
+    @property
+    def variables(self) -> int:
+        return 2 + len(self.family.paths)
+
+    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic]:
+        """S, B and h, which do not depend on θ."""
+        S, B, h = super().own(y[:-1], rho[:-1])
+        return lifted(S, len(y)), lifted(B, len(y)), lifted(h, len(y))

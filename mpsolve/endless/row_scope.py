@@ -1,0 +1,123 @@
+"""A row over a range of velocities: what is proved of it as a whole, and the judge of its boxes in (q̂, v̂, θ)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.boxes import Boxes
+from mpsolve.characteristic.free_receptance import Receptances
+from mpsolve.endless.boxes import ROUND
+from mpsolve.endless.free_row import RowMatrix
+from mpsolve.endless.row import Row
+from mpsolve.errors import PrecisionError
+from mpsolve.passivity.decay import edges, vanishes
+from mpsolve.passivity.far import far
+from mpsolve.problem.family import Family, family_of
+from mpsolve.proof.vanishing import Scalar, nonzero, scalar
+from mpsolve.ranges.judge import NONZERO, boxes_of
+from mpsolve.ranges.scope import Scope, scope_of
+
+_SLOWEST = -2  # G(0, s) must fall more slowly than s^−2 for real s → ∞
+
+
+@dataclass(frozen=True)
+class RowScope:
+    """family: one vehicle with v free; X: from this scaled frequency on every piece of the row takes energy."""
+
+    row: Row
+    family: Family
+    X: float
+
+    @cached_property
+    def matrix(self) -> RowMatrix:
+        return RowMatrix(self.family, self.row.spacing / Fraction(2) ** self.family.base.guide.length)
+
+    @cached_property
+    def ends(self) -> tuple[float, float]:
+        """Of v̂, rounded outward."""
+        own = Scope(self.family)
+        return float(own.low[0]), float(own.high[0])
+
+    def corners(self, top: float) -> tuple[Any, Any]:
+        """Of the box in (q̂, v̂, θ) up to v̂ = top."""
+        return np.array([0.0, self.ends[0], -ROUND]), np.array([self.X, top, ROUND])
+
+
+def row_scope(row: Row, low: Fraction, high: Fraction) -> RowScope:
+    """PrecisionError where no theorem says that roots stay bounded; InputError where a premise fails in the range."""
+    over = {"v": (low, high)}
+    two = scope_of(row.train(2), over)  # two vehicles have every gap of the row
+    if len(set(two.family.places)) < len(two.family.index):
+        raise PrecisionError("two contacts of a vehicle are at one place, which the theorem about rows leaves out")
+    family = family_of(row.problem, over)
+    _require_decay(family)
+    X = far(two.envelope)
+    if X is None:
+        raise PrecisionError("no frequency is found beyond which the contacts are passive for all these velocities")
+    factor = two.family.frequency_unit / family.frequency_unit
+    return RowScope(row, family, float(factor) * X * (1 + 2.0**-40))
+
+
+def _require_decay(family: Family) -> None:
+    """Section 6.7 of the specification, at both ends and in the middle."""
+    (low, high), point = family.box[0], family.ring.point[0]
+    shapes = set()
+    for x in (low, high, point):
+        guide = family.guide((x,))
+        found = edges(guide.D, guide.N)
+        shapes.add(tuple((edge.slope, edge.weight) for edge in found))
+        slow = max(edge.weight for edge in found) > _SLOWEST
+        if not slow or not vanishes(guide.D, guide.N, guide.v):
+            raise PrecisionError("it is not proved that no frequency comes from infinity as the velocity changes")
+    if len(shapes) > 1:
+        raise PrecisionError("short waves of the track change their kind within the range of velocities")
+
+
+@dataclass
+class RowJudge:
+    """Judges boxes (q̂, v̂, θ): NONZERO where no root is real. width: half of the whole."""
+
+    matrix: RowMatrix
+    width: Any
+
+    def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
+        boxes = boxes_of(low, high)
+        A, G = self.matrix(boxes)
+        s = scalar(A, G.good)
+        verdict = nonzero(s.s)
+        with np.errstate(all="ignore"):
+            amount = self._amount(s)
+            weight = verdict.weight + s.s.e * amount / amount.sum(0)
+        kind = np.where(s.good & verdict.nonzero, NONZERO, 0).astype(np.int8)
+        return kind, self._axis(boxes, G, s, weight)
+
+    def _amount(self, s: Scalar) -> Any:
+        """How much of the model comes from each variable."""
+        amount = np.abs(s.s.b)
+        n = 0
+        for i in range(s.s.m):
+            for j in range(i, s.s.m):
+                size = np.abs(s.s.c[n])
+                amount[i] += size
+                amount[j] += size
+                n += 1
+        return amount
+
+    def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, weight: Any) -> Any:
+        """What stands most against the test; where nothing is bounded, what moves p-roots and the sum most."""
+        with np.errstate(all="ignore"):
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, G.strain)
+            width = boxes.r / self.width[:, None]
+            share = weight / weight.max(0) + width * 1e-9
+            return np.where(np.isfinite(share), share, width).argmax(0).astype(np.int8)
+
+
+def judge_of(scope: RowScope) -> RowJudge:
+    """A judge over the whole scope."""
+    low, high = scope.corners(scope.ends[1])
+    return RowJudge(scope.matrix, (high - low) / 2)

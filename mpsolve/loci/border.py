@@ -1,0 +1,84 @@
+"""Where roots come into a region or leave it as the parameter grows: all events of its border, proved complete."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from mpsolve.loci.region import Region, Side
+from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.outcome import Reason
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import Covered
+from mpsolve.ranges.answer import outward
+from mpsolve.ranges.edge import REAL_AXIS, Edge
+from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.search import Search
+
+ON_AXIS = Side(REAL_AXIS, 0.0, 0.0, "the real axis")
+
+
+@dataclass(frozen=True)
+class Passing:
+    """A root on an edge, scaled: balls q̂ and x̂; gained: by how much the number on the side Im y < 0 grows."""
+
+    q: Any
+    x: Any
+    gained: int | None
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Floats that hold x̂ between them."""
+        return outward(self.x, up=False), outward(self.x, up=True)
+
+    @property
+    def disc(self) -> tuple[complex, float]:
+        """A disc that holds q̂."""
+        with precision(64):
+            middle = complex(self.q.mid())
+            away = (self.q - acb(middle.real, middle.imag)).abs_upper()
+            return middle, outward(arb(away), up=True)
+
+
+@dataclass(frozen=True)
+class Border:
+    """All passings of the edges that were looked at, by x̂; `reason` where the list may lack some."""
+
+    passings: tuple[Passing, ...]
+    covers: tuple[Covered, ...]
+    known: tuple[Any, ...]
+    reason: Reason | None
+
+
+def border_of(region: Region, sides: tuple[Side, ...], digits: int, budget: Effort, tell: Progress) -> Border:
+    """The passings of these sides."""
+    found: list[Passing] = []
+    covers, known, reason = [], [], None
+    for k, side in enumerate(sides):
+        search = Search(region.scope, digits, (side.edge, *region.corners(side)))
+
+        def share(stage: str, part: float, k: int = k) -> None:
+            tell(stage, (k + part) / len(sides))
+
+        cover = search.cover(budget, share)
+        covers.append(cover)
+        known += search.judge.known
+        reason = reason or cover.reason
+        found += [_passing(one, side.edge, digits) for one in search.found if _on_side(one, side)]
+    if reason is None and any(one.gained is None for one in found):
+        remedy = "ask for more digits"
+        reason = Reason("direction", "a root touches the border as far as can be told", {}, remedy)
+    found.sort(key=lambda one: float(one.x.mid()))
+    return Border(tuple(found), tuple(covers), tuple(known), reason)
+
+
+def _on_side(one: Scaled, side: Side) -> bool:
+    """Whether the zero is not proved to lie beyond the ends of the side."""
+    return side.edge.mirrored or not bool(one.q < side.low or one.q > side.high)
+
+
+def _passing(one: Scaled, edge: Edge, digits: int) -> Passing:
+    with precision(max(int(one.x.mid().bits()), 4 * digits) + 64):
+        sigma = edge.sigma(one.q)
+        return Passing(acb(sigma.imag, -sigma.real), one.x, one.gained)

@@ -1,0 +1,94 @@
+"""The chart of the page: how many roots grow over velocity and masses, with all on it that is proved."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from mpsolve.page.parts import Parts
+from mpsolve.page.picture import Picture
+from mpsolve.page.words import Speech, speech
+from mpsolve.pictures.chart import Sure, chart_picture
+from mpsolve.ranges.margin import Margin
+from mpsolve.ranges.onset import Kind
+
+
+def chart(parts: Parts) -> Picture | None:
+    """Proved regions where there are any, else computed counts."""
+    grid = _proved(parts) or _computed(parts)
+    if grid is None:
+        return None
+    speak = speech(parts)
+    scale, (mass, y_title) = 3.6 if speak.si else 1.0, _masses(parts, speak)
+    v, factors, counts = grid
+    sure = sure_of(parts, scale, mass)
+    svg = chart_picture(
+        v * scale, factors * mass, counts, "velocity, km/h" if speak.si else "velocity ratio α", y_title,
+        "How many roots grow, over velocity and masses", here=(float(parts.problem.v) * scale, mass), sure=sure,
+        open_words="a boundary, or open",
+    )  # fmt: skip
+    proved = chart_status(parts) == "proved"
+    how = "proved, with strips that hold the boundaries" if proved else "computed in floats; --prove-chart proves it"
+    outlined = " What is outlined is proved stable all over." if sure else ""
+    said = f"How many roots grow at each velocity and size of all masses: {how}.{outlined} The cross is this case."
+    return Picture("chart", svg, f"{said} Each vibration is a pair of roots, q and −q̄.")
+
+
+def chart_status(parts: Parts) -> str:
+    """Whether the regions on the chart are proved."""
+    return "computed" if _proved(parts) is None else "proved"
+
+
+def _proved(parts: Parts) -> tuple[Any, Any, Any] | None:
+    found = parts.proved_chart.value
+    if found is None or not found.share > 0:
+        return None
+    return _middles(found.x), _middles(found.y), np.maximum(found.counts, -1)
+
+
+def _computed(parts: Parts) -> tuple[Any, Any, Any] | None:
+    found = parts.chart.value
+    if found is None:
+        return None
+    over: dict[str, Any] = {path: np.asarray(values) for path, values in found.over.items()}
+    return over["v"][:, 0], over["scale.mass"][0], found.count
+
+
+def _middles(edges: Any) -> Any:
+    ends = np.array([float(x) for x in edges])
+    return (ends[1:] + ends[:-1]) / 2
+
+
+def sure_of(parts: Parts, scale: float, mass: float) -> list[Sure]:
+    """On the chart: the velocities and the masses through this case, and the box round it, that are proved stable."""
+    v, out = float(parts.problem.v) * scale, []
+    reach, margin, box = parts.reach.value, parts.mass.value, parts.box.value
+    if reach is not None and reach.kind in (Kind.STABLE, Kind.CROSSES):
+        end = reach.high if reach.value is None else _number(reach.value)
+        out.append(Sure((float(reach.low) * scale, float(end) * scale), (mass, mass)))
+    if margin is not None and margin.stable:
+        low, high = _ends(margin)
+        out.append(Sure((v, v), (low * mass, high * mass)))
+    if box is not None:
+        (a, b), (c, d) = ([float(x) for x in ends] for ends in (box["v"], box["scale.mass"]))
+        out.append(Sure((a * scale, b * scale), (c * mass, d * mass)))
+    return out
+
+
+def _ends(margin: Margin) -> tuple[float, float]:
+    low, high = margin.over
+    below = low if margin.below is None else margin.below
+    above = high if margin.above is None else margin.above
+    return _number(below), _number(above)
+
+
+def _number(x: Any) -> float:
+    return float(x.mid()) if hasattr(x, "mid") else float(x)
+
+
+def _masses(parts: Parts, speak: Speech) -> tuple[float, str]:
+    """The mass that the axis tells, and its title: of all bodies together."""
+    pencil = parts.problem.pencil
+    total = sum(float(pencil.M[k][k]) for k, name in enumerate(pencil.names) if "pitch" not in name)
+    return (total / 1000, "mass of all bodies, t") if speak.si else (1.0, "factor on all masses")

@@ -1,0 +1,120 @@
+"""The limits as rows of a table: what is asked, this case, where it becomes unstable, and what is to spare."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.spoken import rounded, spoken
+from mpsolve.page.budget import Part
+from mpsolve.page.limits import Reach, distance_path
+from mpsolve.page.parts import Parts
+from mpsolve.page.words import speech
+from mpsolve.problem.case import Case
+from mpsolve.ranges.margin import Margin
+from mpsolve.ranges.onset import Kind
+from mpsolve.vehicles.mass import Mass
+
+Say = Callable[[Any], str]
+
+
+@dataclass(frozen=True)
+class Row:
+    """status: "proved" or "open"."""
+
+    name: str
+    own: str
+    limit: str
+    spare: str
+    status: str
+
+
+def limit_rows(parts: Parts) -> list[Row]:
+    """Velocity, mass, and the distance where there is one."""
+    rows = [_velocity(parts), _mass(parts)]
+    return rows if parts.distance is None else [*rows, _distance(parts, parts.distance)]
+
+
+def _velocity(parts: Parts) -> Row:
+    speak, v = speech(parts), parts.problem.v
+    name, own, found = "velocity", speak.velocity(v), parts.reach.value
+    if found is None:
+        return _missing(name, own, parts.reach)
+    if found.kind is Kind.UNDECIDED:
+        return Row(name, own, f"undecided: {found.reason}", "", "open")
+    return told(name, _as_margin(found, v), speak.velocity)
+
+
+def _as_margin(found: Reach, v: Fraction) -> Margin:
+    over = (found.low, found.high)
+    if found.kind is Kind.STABLE or found.value is None:
+        inside = found.low <= v <= found.high or (not v and found.low < found.high)
+        return Margin("v", v, over, (found.kind is Kind.STABLE) if inside else None, reason=found.reason)
+    with precision(128):
+        below = found.value < rational_ball(v)
+    return Margin("v", v, over, not below, found.value if below else None, None if below else found.value)
+
+
+def _mass(parts: Parts) -> Row:
+    name, say = mass_named(parts)
+    own, found = say(Fraction(1)), parts.mass.value
+    return _missing(name, own, parts.mass) if found is None else told(name, found, say)
+
+
+def mass_named(parts: Parts) -> tuple[str, Say]:
+    """What a factor on all masses means: tonnes of all bodies, or a mass ratio."""
+    if isinstance(parts.given, Case):
+        etas = {eta.short() for eta in parts.given.eta_m}
+        if len(etas) == 1:
+            eta = Fraction(float(parts.given.eta_m[0])).limit_denominator(10**9)
+            return "mass ratio η_M of each", lambda x: rounded(x * eta.numerator / eta.denominator)
+        return "factor on all masses", _bare
+    pencil, placed = parts.problem.pencil, parts.problem.vehicles
+    total = sum((pencil.M[k][k] for k, name in enumerate(pencil.names) if "pitch" not in name), Fraction(0))
+    name = "mass of all bodies, changed alike"
+    if len({one.vehicle for one in placed}) == 1 and isinstance(placed[0].vehicle, Mass):
+        total, name = total / len(placed), "mass" if len(placed) == 1 else f"each of the {len(placed)} masses"
+    return name, lambda x: spoken(x * total.numerator / total.denominator, "kg")
+
+
+def _bare(x: Any) -> str:
+    return rounded(x)
+
+
+def _distance(parts: Parts, part: Part[Margin]) -> Row:
+    path = distance_path(parts.problem) or ""
+    say: Say = _bare
+    own = parts.problem.parameters[path]
+    name = "factor on all distances"
+    if path != "scale.gap":
+        name, say = ("distance" if path.startswith("gap") else "wheelbase"), speech(parts).length
+    return _missing(name, say(own), part) if part.value is None else told(name, part.value, say)
+
+
+def told(name: str, found: Margin, say: Say) -> Row:
+    """One margin in words."""
+    own, (low, high) = say(found.own), found.over
+    if found.stable is None:
+        return Row(name, own, f"undecided: {found.reason}", "", "open")
+    with precision(256):
+        here = rational_ball(found.own)
+        below = None if found.below is None else (say(found.below), say(here - found.below))
+        above = None if found.above is None else (say(found.above), say(found.above - here))
+    if below is None and above is None:
+        word = "stable" if found.stable else "unstable"
+        return Row(name, own, f"{word} all the way from {say(low)} to {say(high)}", "no limit there", "proved")
+    limits = [
+        f"{'unstable' if found.stable else 'stable'} {side} {one[0]}"
+        for side, one in (("below", below), ("above", above))
+        if one
+    ]
+    words = ("down to spare", "to spare") if found.stable else ("too much", "too little")
+    spare = [f"{one[1]} {word}" for one, word in ((below, words[0]), (above, words[1])) if one]
+    return Row(name, own, ", ".join(limits), ", ".join(spare), "proved")
+
+
+def _missing(name: str, own: str, part: Part[Any]) -> Row:
+    return Row(name, own, "not in time" if part.late else f"not available: {part.reason}", "", "open")

@@ -1,0 +1,34 @@
+"""Root loci: how fast the vibration of each line grows, over the parameter, and where one begins to."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mpsolve.loci.answer import FrequencyLines
+from mpsolve.pictures.axes import STYLE
+from mpsolve.pictures.lines import Curve, Mark, lines_picture
+from mpsolve.report.ranges_asked import Asked
+
+_ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" height="480" style="background:#fff;color:#000"'
+
+
+def loci_picture(found: FrequencyLines, asked: Asked) -> str:
+    """The SVG of the lines, as a file of its own: −Im q over the parameter in the unit that the user wrote."""
+    (over,) = asked.overs
+    factor = float(over.shown(1.0))
+    curves, marks = [], []
+    for k, line in enumerate(found.lines, 1):
+        ends = [(float(end.value.mid()), end.q) for end in line.ends if end.value is not None]
+        points = sorted([*ends, *zip(map(float, line.values), line.q, strict=True)], key=lambda point: point[0])
+        x = np.array([value * factor for value, _ in points])
+        curves.append(Curve(x, np.array([-float(q.imag.mid()) for _, q in points]), f"line {k}"))
+        marks += [Mark(float(one.value.mid()) * factor, over.told(one.value)) for one in line.crossings]
+    title = f"{over.path}, {over.unit}" if over.unit else over.path
+    rate = "growth −Im q, 1/s" if asked.si else "growth −Im q"
+    low, high = (float(x) * factor for x in next(iter(found.over.values())))
+    picture = lines_picture(
+        curves, title, rate, "How fast each vibration grows, proved at the points and continuous between them",
+        name="loci", x=(low, high), marks=marks, grows_above=0.0,
+    )  # fmt: skip
+    head, rest = picture.split(">", 1)
+    return f"{head}{_ALONE}><style>{STYLE}</style>{rest}\n"

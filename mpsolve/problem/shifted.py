@@ -1,0 +1,45 @@
+"""A family seen from another line: σ = σ′ + s, so that the real axis of q′ is the line Im q = −s.
+
+For s ≥ 0 it is a family of the same kind: masses, dampers and springs m, c, k become m, c + 2ms and k + cs + ms², in
+the track and in the vehicles, which therefore stay passive. So does any track that is passive at rest: for each real
+p, z N/D(z) is positive real in Re z > 0, so that N/D = a + ∫ dμ(ω)/(z² + ω²) with a, μ ≥ 0 (Herglotz), and each
+1/((z + s)² + ω²) is the receptance of a damped oscillator. For s < 0 nothing of this is claimed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from math import comb
+from typing import Any, cast
+
+from mpsolve.numbers.several import Several
+from mpsolve.problem.family import Family, FreePolynomial
+from mpsolve.tracks.waveguide import moving
+
+
+def shifted(family: Family, s: Fraction) -> Family:
+    """The same family as a function of σ̂ − s; s is scaled."""
+    if not s:
+        return family
+    D_rest, N_rest = (_moved(a, s) for a in (family.D_rest, family.N_rest))
+    K, C, M = family.S
+    n = range(len(M))
+    S = (
+        tuple(tuple(K[i][j] + C[i][j] * s + M[i][j] * s**2 for j in n) for i in n),
+        tuple(tuple(C[i][j] + M[i][j] * (2 * s) for j in n) for i in n),
+        M,
+    )
+    speed: Any = family.v
+    D, N = (cast(FreePolynomial, moving(cast(Any, a), speed)) for a in (D_rest, N_rest))
+    return replace(family, D_rest=D_rest, N_rest=N_rest, D=D, N=N, S=S)
+
+
+def _moved(polynomial: FreePolynomial, s: Fraction) -> FreePolynomial:
+    """Σ c P^i (σ + s)^j by powers of σ."""
+    out: dict[tuple[int, int], Several] = {}
+    for (i, j), c in polynomial.items():
+        for k in range(j + 1):
+            term = c * (comb(j, k) * s ** (j - k))
+            out[i, k] = out[i, k] + term if (i, k) in out else term
+    return {key: c for key, c in out.items() if c}

@@ -1,0 +1,119 @@
+"""TOML files: their text, their numbers as they are written, and their keys."""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from collections.abc import Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from mpsolve.errors import InputError
+
+MAX_BYTES = 1_000_000
+"""Largest file that is read; a case of a thousand masses takes a tenth of it."""
+
+
+class Written(str):
+    """A TOML float as it stands in the file, told apart from a TOML string."""
+
+    __slots__ = ()
+
+
+def name_of(file: Path) -> str:
+    """How messages call the file; "-" is standard input."""
+    return "standard input" if str(file) == "-" else str(file)
+
+
+def text_of(file: Path) -> str:
+    """Return the text of a regular UTF-8 file of at most `MAX_BYTES`, or of standard input for "-"."""
+    try:
+        content = _bytes(file)
+        return content.decode("utf-8-sig")
+    except OSError as error:
+        reason = f"cannot be read ({error.strerror}): give the path of a readable TOML file"
+    except UnicodeDecodeError as error:
+        reason = f"is not UTF-8 at byte {error.start}: save it as UTF-8 text"
+    raise InputError(name_of(file), reason)
+
+
+def _bytes(file: Path) -> bytes:
+    if str(file) == "-":
+        return _short_enough(_standard_input(), file)
+    if not file.is_file():
+        state = "does not exist"
+        if file.exists():
+            state = "is a directory" if file.is_dir() else "is not a regular file"
+        raise InputError(str(file), f"{state}: give the path of a TOML file")
+    with file.open("rb") as stream:
+        return _short_enough(stream.read(MAX_BYTES + 1), file)
+
+
+def _standard_input() -> bytes:
+    """What stands there, as often as it is asked for: a command may look twice at what kind of file it is."""
+    stream = sys.stdin.buffer
+    if not _seen or _seen[0] is not stream:
+        _seen[:] = [stream, stream.read(MAX_BYTES + 1)]
+    return bytes(_seen[1])
+
+
+_seen: list[Any] = []
+
+
+def _short_enough(content: bytes, file: Path) -> bytes:
+    if len(content) > MAX_BYTES:
+        raise InputError(name_of(file), f"is longer than {MAX_BYTES} bytes: give a file with one case")
+    return content
+
+
+def parsed(text: str, key: str) -> dict[str, Any]:
+    """The tables of a TOML text, floats as they are written; InputError under `key` for a text that is none."""
+    if text.lstrip().startswith("{"):
+        raise InputError(key, "is JSON, not TOML: a certificate is checked by mpsolve verify")
+    try:
+        return tomllib.loads(text, parse_float=Written)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(key, f"is not valid TOML ({error}): correct it there") from None
+    except ValueError:  # Python refuses to read integers beyond its own limit of digits
+        raise InputError(key, "has an integer with too many digits: give at most 400") from None
+    except RecursionError:
+        raise InputError(key, "is nested too deeply: lists in lists have no meaning here") from None
+
+
+_KINDS = {
+    "study": ("a study", "mpsolve study"),
+    "rows": ("a table", "mpsolve table"),
+    "columns": ("a table", "mpsolve table"),
+    "track": ("a problem", "mpsolve certify"),
+    "physical": ("a case", "mpsolve certify"),
+    "dimensionless": ("a case", "mpsolve certify"),
+}
+"""The key by which a kind of file is known, what it is, and the command for it."""
+
+
+def refuse_other_kind(content: Mapping[str, Any], known: Mapping[str, Any], file: Path) -> None:
+    """InputError that names the right command, where the tables are those of another kind of file.
+
+    known: the keys of the kind that is wanted.
+    """
+    for key, (kind_, command) in _KINDS.items():
+        if key in content and key not in known:
+            raise InputError(name_of(file), f"is {kind_}, as its [{key}] shows: use {command} {file}")
+
+
+def check_keys(table: Mapping[str, Any], known: Mapping[str, str], prefix: str) -> None:
+    """InputError under the first key of the table that is not known, with the nearest one that is."""
+    for name in table:
+        if name not in known:
+            lower = {candidate.lower(): candidate for candidate in known}
+            near = get_close_matches(name.lower(), lower, n=1, cutoff=0.5)
+            advice = f"did you mean {lower[near[0]]}?" if near else f"the keys here are {', '.join(known)}"
+            shown = name if name.isidentifier() and len(name) <= 40 else repr(name[:40])
+            raise InputError(f"{prefix}{shown}", f"is unknown: {advice}")
+
+
+def kind(value: object) -> str:
+    """Return the name that TOML has for the type of `value`."""
+    kinds = {bool: "a boolean", int: "a number", Written: "a number", str: "a text", list: "a list"}
+    return "a table" if isinstance(value, dict) else kinds.get(type(value), "a date or time")

@@ -1,0 +1,60 @@
+"""The first Ctrl-C ends work as a spent effort does, so that what is known is kept; a second one ends it at once."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import wraps
+from types import FrameType
+from typing import ParamSpec, TypeVar
+
+from mpsolve.errors import EffortError
+from mpsolve.outcome import Reason
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+class _Asked:
+    """Whether the work that is under way is to end."""
+
+    yes = False
+
+
+def end_if_asked() -> None:
+    """EffortError where Ctrl-C was pressed."""
+    if _Asked.yes:
+        raise EffortError(Reason("interrupted", "the work was interrupted", {}, "start it again for the rest"))
+
+
+@contextmanager
+def _listening() -> Iterator[None]:
+    """Only in the main thread, and where Ctrl-C means what Python makes of it."""
+    main = threading.current_thread() is threading.main_thread()
+    if not main or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield
+        return
+
+    def first(_number: int, _frame: FrameType | None) -> None:
+        _Asked.yes = True
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    signal.signal(signal.SIGINT, first)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        _Asked.yes = False
+
+
+def stoppable(verb: Callable[P, T]) -> Callable[P, T]:
+    """The same function, which the first Ctrl-C ends with what it has, if its effort is asked on the way."""
+
+    @wraps(verb)
+    def listening(*args: P.args, **kwargs: P.kwargs) -> T:
+        with _listening():
+            return verb(*args, **kwargs)
+
+    return listening

@@ -1,0 +1,216 @@
+"""Certificates of answers over ranges, as JSON (certs/SPEC2.md, section 10); all exact, in the problem's units.
+
+`CertificateError` where an answer cannot be written: the checker knows less than the proof uses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from mpsolve.certificate.format import FORMAT, Certificate, digest
+from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
+from mpsolve.errors import CertificateError
+from mpsolve.numbers.balls import arb
+from mpsolve.numbers.several import Several
+from mpsolve.passivity.far import FarNumbers, far_numbers
+from mpsolve.problem.family import Family
+from mpsolve.problem.free_equations import FreeEquations, free_equations
+from mpsolve.proof.subdivide import Tree
+from mpsolve.ranges.enclosed import Crossing
+from mpsolve.ranges.judge import KNOWN, NONZERO, PASSIVE
+from mpsolve.ranges.scope import Scope
+
+_MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z"}
+_RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
+_ROOM = 4  # by how much balls are wider in the file than they are known
+_POWERS = (1, 3)  # of 2: wavenumbers from which on short waves are bounded
+_OMEGA = 4.0  # where the charts of the envelope meet
+
+
+@dataclass(frozen=True)
+class Base:
+    """The certified spectrum at one point, in the problem's units."""
+
+    at: tuple[Fraction, ...]
+    spectrum: Any
+
+
+def crossings_certificate(
+    scope: Scope, tree: Tree, zeros: Sequence[tuple[Crossing, tuple[Any, Any]]], base: Base, claim: Mapping[str, Any]
+) -> Certificate:
+    """Of a complete list of crossings; zeros: each with its room, those outside of the range too."""
+    return _certificate("crossings", scope, tree, zeros, base, claim)
+
+
+def stable_certificate(scope: Scope, tree: Tree, base: Base) -> Certificate:
+    """Of a number of growing roots that is the same over a box of parameters."""
+    return _certificate("stable", scope, tree, (), base, {"unstable": int(base.spectrum.unstable)})
+
+
+def _certificate(
+    kind: str,
+    scope: Scope,
+    tree: Tree,
+    zeros: Sequence[tuple[Crossing, tuple[Any, Any]]],
+    base: Base,
+    claim: Mapping[str, Any],
+) -> Certificate:
+    family, spectrum = scope.family, base.spectrum
+    if len(tree.open) or spectrum.certificate is None:
+        raise CertificateError("an answer that is open has no certificate")
+    far = far_numbers(scope.envelope)
+    if far is None:
+        raise CertificateError("no frequency is found beyond which a checker can see passivity")
+    X = Fraction(scope.X) * family.frequency_unit
+    Q = max(Fraction(far.X) * family.frequency_unit, X)
+    content: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "kind": kind,
+        "equations": _equations(free_equations(family)),
+        "basis": basis_entry(family.base),
+        "range": [[str(a), str(b)] for a, b in family.over.values()],
+        "base": {"at": list(map(str, base.at)), "spectrum": spectrum.certificate.content},
+        "tail": _tail(scope, far, Q),
+        "X": dyadic(X),
+        "beyond": [dyadic(x) for x in _cells(X, Q)],
+        "tree": tree_text(tree),
+        "zeros": [_zero(zero, room, family) for zero, room in zeros],
+        "claim": dict(claim),
+    }
+    return Certificate(content | {"sha256": digest(content)})
+
+
+def tree_text(tree: Tree) -> str:
+    """Each node before its halves, the lower half first: the axis of a halving, or the kind of a leaf."""
+    out, stack = [], [0]
+    while stack:
+        n = stack.pop()
+        if tree.axis[n] < 0:
+            out.append(_MARKS[int(tree.kind[n])])
+            continue
+        out.append(str(int(tree.axis[n])))
+        first = int(tree.child[n])
+        stack += [first + 1, first]
+    return "".join(out)
+
+
+def _equations(free: FreeEquations) -> dict[str, Any]:
+    matrix = [
+        [[[i, j, _free(c)] for (i, j), c in sorted(entry.items()) if c] for entry in row] for row in free.matrix
+    ]
+    pencil = free.pencil
+    vehicle: dict[str, Any] = {
+        key: [list(map(_free, row)) for row in free.several(getattr(pencil, key))] for key in "MCKB"
+    }
+    places, h = free.several([pencil.places, pencil.h])
+    vehicle |= {"places": list(map(_free, places)), "compliances": list(map(_free, h))}
+    return {
+        "free": list(free.ring.names),
+        "track": {"matrix": matrix, "loaded": free.loaded},
+        "velocity": _free(free.v),
+        "vehicle": vehicle,
+    }
+
+
+def _free(c: Several) -> Any:
+    """A number as text, or [[e₁, …, "c"], …]."""
+    terms = sorted(c)
+    if not terms:
+        return "0"
+    if len(terms) == 1 and not any(terms[0][0]):
+        return str(terms[0][1])
+    return [[*powers, str(value)] for powers, value in terms]
+
+
+def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
+    """In the problem's units: p = p̂/L, q = q̂/T, N/D = 2^n N̂/D̂."""
+    family = scope.family
+    guide = family.base.guide
+    L, T = guide.length, guide.time
+    order = guide.g.numerator.bit_length() - guide.g.denominator.bit_length() + L
+    z = Fraction(2) ** _whole(T * far.gamma - L)
+    kappa = Fraction(2) ** _whole(order - T * far.e)
+    envelope, p = Fraction(2) ** (order - L * far.alpha), Fraction(2) ** -L
+    fastest = scope.envelope.fastest
+    bounds = {far.X / fastest * (1 - 2.0**-20): far.constant}
+    bounds |= {2.0**k: C * 1.1 for k in _POWERS if np.isfinite(C := scope.envelope.constant(k))}
+    return {
+        "Q": dyadic(Q),
+        "gamma": [far.gamma.numerator, far.gamma.denominator],
+        "blocks": [
+            [dyadic(_short(a) * z), dyadic(_short(b) * z), dyadic(_short(k) * kappa)] for a, b, k in far.blocks
+        ],
+        "alpha": far.alpha,
+        "omega": dyadic(Fraction(_OMEGA) * family.frequency_unit),
+        "bounds": [[dyadic(_short(p0) * p), dyadic(_short(C) * envelope)] for p0, C in sorted(bounds.items())],
+    }
+
+
+def _short(x: float) -> Fraction:
+    """With few digits."""
+    return Fraction(float(np.float32(x)))
+
+
+def _whole(x: Fraction) -> int:
+    if x.denominator != 1:
+        raise CertificateError("the scaling of the tail theorem is no power of two")
+    return int(x)
+
+
+def _cells(X: Fraction, Q: Fraction) -> list[Fraction]:
+    """Ends between X and Q."""
+    out = []
+    x = float(X) * _RATIO
+    while x < float(Q) / 1.05:
+        out.append(_short(x))
+        x *= _RATIO
+    return [x for x in out if X < x < Q]
+
+
+def _zero(zero: Crossing, room: tuple[Any, Any], family: Family) -> dict[str, Any]:
+    units = (family.frequency_unit, family.units[0])
+    sides = [
+        [dyadic(Fraction(float(end)) * unit) for end in ends]
+        for ends, unit in zip(zip(*room, strict=True), units, strict=True)
+    ]
+    x = ball_entry(zero.x, units[1])
+    if zero.q == 0:  # a ball of q that is to the room as that of x is
+        share = Fraction(float(room[1][0])) / Fraction(float(room[1][1] - room[0][1]))
+        radius = Fraction(x["radius"][0]) * Fraction(2) ** x["radius"][1] / units[1] * share * units[0]
+        return {"room": sides, "q": {"middle": "0x0", "exponent": 0, "radius": _radius(radius)}, "x": x}
+    return {"room": sides, "q": ball_entry(zero.q, units[0]), "x": x}
+
+
+def with_room(zero: Crossing) -> Crossing:
+    """With wider balls, so that a checker need not come as near; what is said is what the certificate states."""
+    return replace(zero, q=zero.q if zero.q == 0 else _wider(zero.q), x=_wider(zero.x))
+
+
+def _wider(ball: Any) -> Any:
+    middle, radius = ball.mid(), ball.rad() * _ROOM
+    return arb(middle, radius if radius > 0 else abs(middle) * arb(2) ** -64)
+
+
+def ball_entry(ball: Any, unit: Fraction) -> dict[str, Any]:
+    """A ball times a power of two."""
+    mantissa, exponent = ball.mid().man_exp()
+    radius, own = ball.rad().man_exp()
+    shift = unit.numerator.bit_length() - unit.denominator.bit_length()
+    return {
+        "middle": hex(int(mantissa)),
+        "exponent": int(exponent) + shift,
+        "radius": [int(radius), int(own) + shift],
+    }
+
+
+def _radius(x: Fraction) -> list[int]:
+    """[m, e] with m·2^e ≥ x and m of a few digits."""
+    e = x.numerator.bit_length() - x.denominator.bit_length() - 8
+    scaled = x / Fraction(2) ** e
+    return [-(-scaled.numerator // scaled.denominator), e]

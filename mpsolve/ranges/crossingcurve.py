@@ -1,0 +1,77 @@
+"""Crossings of the real axis over a second parameter as a curve: states are (q̂, x̂), x̂ the first one and its height.
+
+Along the zeros of f(q̂, x̂, ŷ) with q̂ real, q̂′f_q + x̂′f_x + f_y = 0 is two real equations for the two rates.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, cast
+
+from mpsolve.characteristic.free_proved import FreeProved
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, arb
+from mpsolve.numbers.reduction import Reduction
+from mpsolve.proof import planar
+from mpsolve.ranges.enclosed import InPlane
+
+_SIZE = 2.0**-4  # of the modulus: of the largest box that is tried
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """A family of two parameters at a ball of the second one, as one of the first alone."""
+
+    proved: FreeProved
+    y: Any
+
+    def matrices(self, sigma: Any, x: Any, slopes: bool = True) -> tuple[Any, list[Any]]:
+        """As `FreeProved.matrices`, of the first parameter."""
+        A, each = self.proved.matrices(sigma, [*x, self.y], slopes)
+        return A, each[:2]
+
+
+@dataclass(frozen=True)
+class CrossingCurve:
+    """Of a family of two parameters."""
+
+    proved: FreeProved
+
+    def _plane(self, state: tuple[Any, ...], y: Any, at: Any) -> InPlane:
+        """The scalar at y, reduced at an exact point of the curve."""
+        A = self.proved.matrices(acb(0, state[0]), [state[1], at], slopes=False)[0]
+        return InPlane(cast(FreeProved, Fixed(self.proved, y)), Reduction.of(A, near_root=True))
+
+    def _rates(self, reduction: Reduction, state: tuple[Any, ...], y: Any) -> tuple[Any, Any]:
+        A, (A_sigma, A_x, A_y) = self.proved.matrices(acb(0, state[0]), [state[1], y])
+        f_q = acb(0, 1) * reduction.scalar_slope(A, A_sigma)
+        f_x, f_y = (reduction.scalar_slope(A, slope) for slope in (A_x, A_y))
+        turn = (f_q.conjugate() * f_x).imag
+        if turn.contains(0):
+            raise PrecisionError("two crossings of the real axis may meet here")
+        return -(f_y * f_x.conjugate()).imag / (f_q * f_x.conjugate()).imag, -(f_q.conjugate() * f_y).imag / turn
+
+    def near(self, state: tuple[Any, ...], x: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        f = self._plane(tuple(arb(s.mid()) for s in state), x, x)
+        at = planar.polished(f, (float(state[0]), float(state[1])))
+        return at, tuple(arb(rate.mid()) for rate in self._rates(f.reduction, at, x))
+
+    def rise(self, rates: tuple[Any, ...]) -> Any:
+        return rates[1]
+
+    def enclosed(self, state: tuple[Any, ...], x: Any, goal: int) -> tuple[tuple[Any, ...], Any]:
+        f = self._plane(state, x, x)
+        zero = planar.isolated(f, planar.polished(f, (float(state[0]), float(state[1]))), _sizes(state))
+        balls = planar.sharpened(f, zero, goal)
+        return balls, self._rates(f.reduction, balls, x)[1]
+
+    def over(self, state: tuple[Any, ...], x: Any) -> tuple[Any, ...]:
+        middle = arb(x.mid())
+        f = self._plane(state, middle, middle)
+        over = InPlane(cast(FreeProved, Fixed(self.proved, x)), f.reduction)
+        zero = planar.isolated(over, planar.polished(f, (float(state[0]), float(state[1]))), _sizes(state))
+        return planar.settled(over, zero)
+
+
+def _sizes(state: tuple[Any, ...]) -> tuple[Any, Any]:
+    return abs(state[0]) * arb(_SIZE), abs(state[1]) * arb(_SIZE)

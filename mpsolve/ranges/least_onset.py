@@ -1,0 +1,252 @@
+"""The onset in one parameter at the worst value of a second one: below it all is stable, whatever the second is.
+
+Crossings of the real axis are the zeros of f(q, x, y) with q real. Let X be a little above x*. No crossing with x ≤ X
+lies anywhere in the ranges but in a hole, a box of (q, x, y): a tree of boxes says so. In the hole there is one
+crossing at most for each y, and it is followed for all its y: x falls, is convex, and rises along it (or at an end of
+the range of y rises from there). So the least x at which any crossing is found, for any y, is x*, where its slope
+changes sign or at the end; and below it the number of unstable roots is that at one point, which is certified.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ceil, log2
+from typing import Any
+
+import numpy as np
+
+from mpsolve.certificate.solve import certify_problem
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.balls import arb, precision, rational_ball
+from mpsolve.outcome import Reason
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import subdivide
+from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.crossingcurve import CrossingCurve
+from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
+from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
+from mpsolve.spectrum.candidates import Area, nearest_root, search
+from mpsolve.tracks.at_rest import lowest_cut
+
+_COLUMNS, _LEVELS = 9, 3  # values of the second and of the first parameter at which roots are looked for
+_DEPTH, _FAR = 1.0, 2.0  # scaled: where
+_STEPS = 12
+_WIDTHS = np.append(1.01, 2.0 ** -np.arange(1.0, 12.0))
+"""Of the range of the second parameter: half of the holes that are tried."""
+_LEAST = 2.0 ** -np.arange(4.0, 10.0, 2.0)  # scaled: half of them along the others, and as shares of the first half
+_PARTS = (8, 32, 128)
+_LIFT = 0.4  # of how far the crossing rises to the rim of the hole: the ceiling of the tree
+_SPREAD = 1.5
+_NEXT = "give shorter ranges"
+
+
+@dataclass(frozen=True)
+class Least:
+    """What is proved: value, worst, q: balls in the problem's units; where the worst value lies; None without one."""
+
+    value: Any | None
+    q: Any | None
+    worst: Any | None
+    where: str
+    proofs: tuple[Proof, ...]
+
+
+@dataclass
+class Question:
+    """Two ranges under proof; the family has the first parameter first."""
+
+    problem: Problem
+    over: Mapping[str, Interval]
+    scope: Scope
+    digits: int
+    budget: Effort
+    progress: Progress
+    check: bool
+    base: Any = None
+
+    def answer(self) -> Least:
+        """`OpenError` where it stays open; value None where no root grows anywhere."""
+        self.progress("search", 0.0)
+        found = self._found()
+        if found is None:
+            return self._none()
+        hole, curve = self._hole(found)
+        ceiling = self._ceiling(found, curve, hole)
+        self._require_stable(found)
+        low, high = self.scope.corners
+        high = high.copy()
+        high[1] = ceiling
+        judge = self.scope.judge()
+        judge.known.append(hole)
+        cover = subdivide(low, high, judge, self.budget, tell=lambda share: self.progress("boxes", 0.9 * share))
+        if cover.reason is not None:
+            raise OpenError(cover.reason)
+        lowest = self._sharp(found)
+        x = lowest.state[1]
+        if not all(curve.holds(state, y) for y, state in lowest.beside) or not x < arb(float(ceiling)):
+            raise OpenError(Reason("worst", "the least onset is not proved to lie where it was found", {}, _NEXT))
+        return self._in_units(lowest, found.where, self._proof(cover, (hole,)))
+
+    def _found(self) -> Candidate | None:
+        """The least crossing that floats lead to, with its place; None where none is seen."""
+        seeds = sorted(self._seeds())
+        if not seeds:
+            return None
+        x, q, y, step = seeds[0]
+        ends = tuple(rational_ball(a) for a in self.scope.family.box[1])
+        with precision(80):
+            return lowest_near(CrossingCurve(self.scope.proved), (arb(q), arb(x)), y, (ends[0], ends[1]), step)
+
+    def _seeds(self) -> list[tuple[float, float, float, float]]:
+        """(x̂, q̂, ŷ, how far the next ŷ is) of crossings that are met from roots that grow."""
+        out = []
+        (x0, x1), (y0, y1) = zip(self.scope.low, self.scope.high, strict=True)
+        columns = np.linspace(y0, y1, _COLUMNS)
+        area = Area(0.0, _FAR, -_DEPTH, _top(self.scope))
+        for y in columns.tolist():
+            for level in range(_LEVELS):
+                x = x1 - (x1 - x0) * level / _LEVELS
+                try:
+                    roots = search(self._reduced(x, y), area, np.zeros(0), 1)
+                except (InputError, PrecisionError):
+                    continue
+                roots = roots[roots.imag < 0]
+                met = [self._down(q, x, y, (x1 - x0) / 16) for q in roots.tolist()]
+                out += [(at, q, y, columns[1] - columns[0]) for at, q in filter(None, met) if x0 <= at <= x1]
+                if len(roots):
+                    break
+        return out
+
+    def _down(self, q: complex, x: float, y: float, step: float) -> tuple[float, float] | None:
+        """(x̂, q̂) where a root that grows becomes real as x̂ falls: by steps, then by false position and halving."""
+        low, high, grown = x, x, q.imag
+        while q.imag < 0:
+            high, grown, low = low, q.imag, low - step
+            moved = self._root(low, y, q) if low >= float(self.scope.low[0]) else None
+            if moved is None:
+                return None
+            q = moved
+        for k in range(_STEPS):
+            share = q.imag / (q.imag - grown) if k % 2 == 0 else 0.5
+            at = low + (high - low) * share
+            moved = self._root(at, y, q)
+            if moved is None or abs(moved.imag) < 1e-7 * abs(moved):
+                return None if moved is None else (at, moved.real)
+            if moved.imag < 0:
+                high, grown = at, moved.imag
+            else:
+                low, q = at, moved
+        return low, q.real
+
+    def _root(self, x: float, y: float, q: complex) -> complex | None:
+        try:
+            return nearest_root(self._reduced(x, y), q)
+        except (InputError, PrecisionError):
+            return None
+
+    def _reduced(self, x: float, y: float) -> Any:
+        box = self.scope.family.box
+        point = [min(max(Fraction(t), a), b) for t, (a, b) in zip((x, y), box, strict=True)]
+        return self.scope.family.reduced(point)
+
+    def _hole(self, found: Candidate) -> tuple[tuple[Any, Any], Ridge]:
+        """(the corners of a box in which one crossing at most is proved for each ŷ, the crossings in it)."""
+        y, whole = float(found.x), float(self.scope.high[1] - self.scope.low[1])
+        m = np.array([float(found.state[0]), float(found.state[1]), y])
+        sizes = []
+        for half in (_WIDTHS * whole).tolist():
+            at = [[abs(s - c) for s, c in zip(found.beside(sign * half), m, strict=False)] for sign in (-1, 1)]
+            for least in [*_LEAST.tolist(), *(_LEAST * half).tolist()]:
+                spread = np.maximum(_SPREAD * np.array(at).max(0), least)
+                sizes.append(np.array([*spread, half]) / HALF)
+        good = alone(self.scope.matrix, np.repeat(m[:, None], len(sizes), 1), np.array(sizes).T)
+        for n in np.flatnonzero(good):
+            half = sizes[n] * HALF * (1 - 2.0**-20)
+            curve = self._ridge(found, float(half[2]))
+            if curve is not None and curve.within(m, sizes[n]):
+                return (m - half, m + half), curve
+        raise OpenError(Reason("worst", "the least onset is not proved to be alone near where it lies", {}, _NEXT))
+
+    def _ridge(self, found: Candidate, half: float) -> Ridge | None:
+        """The crossings over all ŷ of the hole within the range, where they are proved to be lowest at one point."""
+        y = float(found.x)
+        ends = [rational_ball(a) for a in self.scope.family.box[1]]
+        low = arb(y - half) if arb(y - half) > ends[0] else ends[0]
+        high = arb(y + half) if arb(y + half) < ends[1] else ends[1]
+
+        def path(at: Any) -> list[Any]:
+            return [np.real(s) for s in found.beside(at - y)]
+
+        for parts in _PARTS:
+            inner = [arb(t) for t in np.linspace(float(low), float(high), parts + 1)[1:-1].tolist()]
+            got = ridge(self.scope.matrix, path, [low, *inner, high], 1.6)
+            if got is None:
+                continue
+            if {"inside": got.is_valley, "start": got.rises, "end": got.falls}[found.where]:
+                return got
+        return None
+
+    def _ceiling(self, found: Candidate, curve: Ridge, hole: tuple[Any, Any]) -> float:
+        """A float x̂ above the least crossing, which the crossings reach within the hole, about."""
+        y, least = float(found.x), float(found.state[1])
+        ends = [rational_ball(a) for a in self.scope.family.box[1]]
+        rises = [float(hole[1][1]) - least]
+        for edge, end in zip((curve.edges[0], curve.edges[-1]), ends, strict=True):
+            if not edge.overlaps(end):  # else there is nothing behind it
+                step = float(edge) - y
+                rises.append(abs(found.slope * step) + found.bend * step**2 / 2)
+        return min(least + _LIFT * max(min(rises), 0.0), float(self.scope.high[0]))
+
+    def _require_stable(self, found: Candidate | None) -> None:
+        """`OpenError` unless the certified number of unstable roots at a point below is 0."""
+        family = self.scope.family
+        (x0, x1), (y0, y1) = family.box
+        top = x1 if found is None else Fraction(float(found.state[1]))
+        point = [x0 + (top - x0) / 2, (y0 + y1) / 2]
+        short = [Fraction(np.float32(float(t)).item()) for t in point]
+        point = [s if a < s < b else t for s, t, a, b in zip(short, point, (x0, y0), (top, y1), strict=True)]
+        self.base = certify_problem(family.at(point), region="unstable", digits=15, check=self.check)
+        if self.base.stable is None:
+            raise OpenError(self.base.reason or Reason("base", "the roots at one point are not counted", {}, ""))
+        if self.base.unstable:
+            stated = "roots grow below the least crossing that was found"
+            raise OpenError(Reason("unstable", stated, {}, "give a range that begins where all is stable"))
+
+    def _none(self) -> Least:
+        """That nothing grows in the ranges."""
+        self._require_stable(None)
+        low, high = self.scope.corners
+        cover = subdivide(low, high, self.scope.judge(), self.budget)
+        if cover.reason is not None:
+            raise OpenError(cover.reason)
+        return Least(None, None, None, "", self._proof(cover, ()))
+
+    def _sharp(self, found: Candidate) -> Lowest:
+        goal = ceil(self.digits * log2(10)) + 16
+        curve = CrossingCurve(self.scope.proved)
+        if found.where == "inside":
+            return sharpened(curve, found, goal)
+        end = self.scope.family.box[1][found.where == "end"]
+        return at_end(curve, found, lambda: rational_ball(end), goal)
+
+    def _proof(self, cover: Any, known: tuple[Any, ...]) -> tuple[Proof, ...]:
+        family = self.scope.family
+        return (Proof(self.over, family.units, family.frequency_unit, self.scope.X, cover, known, self.base),)
+
+    def _in_units(self, lowest: Lowest, where: str, proofs: tuple[Proof, ...]) -> Least:
+        family = self.scope.family
+        with precision(ceil(self.digits * log2(10)) + 128):
+            first, second = map(rational_ball, family.units)
+            q, x = lowest.state
+            return Least(x * first, q * rational_ball(family.frequency_unit), lowest.x * second, where, proofs)
+
+
+def _top(scope: Scope) -> float:
+    """About the height of the lowest cut, scaled: roots are seen best from both sides of the real axis."""
+    base = scope.family.base
+    return float(lowest_cut(base.problem.track)[0] / base.frequency_unit)

@@ -1,0 +1,74 @@
+"""How far one parameter is from where stability changes: the nearest change below and above its value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.outcome import Reason
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.answer import Interval
+from mpsolve.ranges.onset import UnstableRanges, unstable_ranges
+
+
+@dataclass(frozen=True)
+class Margin:
+    """Where the problem's own value of one parameter stands among the stable and unstable parts of a range of it.
+
+    below, above: balls round the nearest values at which stability changes; None where there is none down to the
+    start, up to the end of the range. stable: at the own value and everywhere between these; None where that is open,
+    and then `reason` says why.
+    """
+
+    path: str
+    own: Fraction
+    over: Interval
+    stable: bool | None
+    below: Any | None = None
+    above: Any | None = None
+    reason: Reason | None = None
+
+
+def margin(
+    problem: Given, path: str, over: Interval, *, effort: Effort | None = None, progress: Progress | None = None
+) -> Margin:
+    """The margin of the parameter at `path`, proved over the whole range; InputError for one that cannot be."""
+    own = as_problem(problem).parameters[path]
+    return margin_in(unstable_ranges(problem, over={path: over}, effort=effort, progress=progress), own)
+
+
+def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
+    """Where `own` stands among the unstable parts of an answer."""
+    ((path, over),) = found.over.items()
+    if not found.proved:
+        return Margin(path, own, over, None, reason=found.reason)
+    with precision(256):
+        here = rational_ball(own)
+        parts = _joined(found, over)
+        inside = [(a, b) for a, b in parts if (a is None or a < here) and (b is None or here < b)]
+        below = [x for part in parts for x in part if x is not None and x < here]
+        above = [x for part in parts for x in part if x is not None and x > here]
+        clear = len(below) + len(above) == sum(x is not None for part in parts for x in part)
+        if not clear or not over[0] <= own <= over[1]:
+            stated = f"{path} is its own limit, or is outside of the range"
+            return Margin(path, own, over, None, reason=Reason("margin", stated, {}, "ask for more digits"))
+        low, high = (below[-1] if below else None), (above[0] if above else None)
+        return Margin(path, own, over, not inside, low, high)
+
+
+def _joined(found: UnstableRanges, over: Interval) -> list[tuple[Any | None, Any | None]]:
+    """The unstable parts in ascending order, neighbours joined; None for an end that is one of the range itself."""
+    low, high = map(rational_ball, over)
+    parts: list[tuple[Any | None, Any | None]] = []
+    for one in found.intervals:
+        start = None if one.q is None and one.start.overlaps(low) else one.start
+        end = None if one.end.overlaps(high) else one.end
+        if parts and start is not None and parts[-1][1] is not None and parts[-1][1].overlaps(start):
+            parts[-1] = (parts[-1][0], end)
+        else:
+            parts.append((start, end))
+    return parts

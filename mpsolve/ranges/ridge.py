@@ -1,0 +1,186 @@
+"""The crossings of the real axis round the least one over a second parameter: alone in a hole, and a valley in it.
+
+Over a box of (q, x, y) the reduced determinant s is a Taylor model in u, |u_i| ≤ 1 (see `branch`). In the half of the
+box s is injective in real (u₀, u₁) for each u₂: with J its slopes by u₀ and u₁ at the middle, |J⁻¹| times what they
+vary by has a norm below 1. So there is one crossing at most for each y. The interval Newton step in two real
+unknowns encloses it for all y of a part, and gives its rate x′ = du₁/du₂ by s₀u₀′ + s₁u₁′ + s₂ = 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.boxes import Boxes
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.balls import acb, arb, arb_mat, precision
+from mpsolve.numbers.jets import U
+from mpsolve.numbers.quadratic import Quadratic
+from mpsolve.proof.vanishing import scalar
+
+HALF = 0.49  # of a box: where crossings are alone
+_BITS = 64
+_SIDE = 0.4
+_SHARPER = 3
+_REGULAR = 0.9
+_TURNED = 1 + 2.0**-40  # more than the modulus of a float next to the unit circle
+_LEAST = 0.3  # of a box along ŷ: along the others, in scaled units
+
+
+def alone(matrix: FreeMatrix, middle: Any, size: Any) -> Any:
+    """Which boxes (columns) have one crossing at most for each y, in their halves."""
+    A, G = matrix(Boxes(middle, size))
+    reduced = scalar(A, G.good)
+    return reduced.good & one_for_each(reduced.s)
+
+
+def one_for_each(s: Quadratic) -> Any:
+    """Boxes (three variables) in whose half s is injective in the first two of them."""
+    with np.errstate(all="ignore"):
+        g0, g1, _ = s.b
+        c00, c01, c02, c11, c12, _ = np.abs(s.c)
+        vary = np.stack([c00 + c01 / 2 + c02 / 2 + 2 * s.e, c11 + c01 / 2 + c12 / 2 + 2 * s.e]) * (1 + 64 * U)
+        det = np.abs((g0.conj() * g1).imag) - 8 * U * np.abs(g0) * np.abs(g1)
+        worst = (np.abs(g1) * vary[0] + np.abs(g0) * vary[1]) / det * (1 + 64 * U)
+        return (det > 0) & np.isfinite(worst) & (worst < _REGULAR)
+
+
+@dataclass(frozen=True)
+class Ridge:
+    """The curve of crossings over y from one end to the other, in parts.
+
+    boxes: (low, high) of (q̂, x̂), in which a crossing is the only one; places: balls that hold it, for all y of a
+    part; rates: balls of x′ and x″.
+    """
+
+    edges: tuple[Any, ...]
+    boxes: tuple[tuple[Any, Any], ...]
+    places: tuple[tuple[Any, Any], ...]
+    rates: tuple[tuple[Any, Any], ...]
+
+    @property
+    def falls(self) -> bool:
+        """Whether x̂ falls throughout, proved."""
+        return all(bool(first < 0) for first, _ in self.rates)
+
+    @property
+    def rises(self) -> bool:
+        """Whether it rises throughout."""
+        return all(bool(first > 0) for first, _ in self.rates)
+
+    @property
+    def is_valley(self) -> bool:
+        """Whether it falls, then is convex, and then rises: lowest where its rate is 0, if there is such a point."""
+        first = next((k for k, (rate, _) in enumerate(self.rates) if not rate < 0), len(self.rates))
+        last = next((k for k in range(len(self.rates), 0, -1) if not self.rates[k - 1][0] > 0), 0)
+        return first < last and all(bool(bend > 0) for _, bend in self.rates[first:last])
+
+    def within(self, middle: Any, size: Any) -> bool:
+        """Whether all of it lies in the half of a box, in q̂ and x̂."""
+        with precision(_BITS):
+            return all(
+                bool(abs(ball - arb(float(m))) < arb(float(r)) / 2)
+                for place in self.places
+                for ball, m, r in zip(place, middle, size, strict=False)
+            )
+
+    def holds(self, state: tuple[Any, ...], y: Any) -> bool:
+        """Whether a crossing in balls at y in a ball is the one that is followed."""
+        with precision(_BITS + 64):
+            for (low, high), ends in zip(self.boxes, pairwise(self.edges), strict=True):
+                inside = all(
+                    bool(s > arb(float(a))) and bool(s < arb(float(b)))
+                    for s, a, b in zip(state, low, high, strict=True)
+                )
+                if inside and ends[0].union(ends[1]).contains(arb(y)):
+                    return True
+        return False
+
+
+def ridge(matrix: FreeMatrix, path: Callable[[Any], Any], edges: list[Any], slack: float) -> Ridge | None:
+    """The crossings followed over neighbouring intervals of ŷ; None where that is not proved. path: floats."""
+    y = np.array([float(edge) for edge in edges])
+    middles = (y[:-1] + y[1:]) / 2
+    here, before, behind = (np.array(path(at)) for at in (middles, y[:-1], y[1:]))
+    away, along = np.maximum(np.abs(before - here), np.abs(behind - here)), 1.05 * (y[1:] - y[:-1])
+    m = np.concatenate([here, middles[None]])
+    r = np.concatenate([np.maximum(slack * away / _SIDE, _LEAST * along), along[None]])
+    A, G = matrix(Boxes(m, r))
+    reduced = scalar(A, G.good)
+    if not (reduced.good & np.isfinite(reduced.s.e)).all():
+        return None
+    rates: list[tuple[Any, Any]] = []
+    places: list[tuple[Any, Any]] = []
+    with precision(_BITS):
+        for k, ends in enumerate(pairwise(edges)):
+            turned = acb(
+                complex(reduced.s.b[0, k].conjugate() / abs(reduced.s.b[0, k]))
+            )  # s₀ nearly real: less wrapping
+            model = _Model([acb(complex(c[k])) * turned for c in reduced.s.k], arb(float(reduced.s.e[k])) * _TURNED)
+            low, high = ((arb(end) - arb(m[2, k])) / arb(r[2, k]) for end in ends)
+            found = model.rates(low.union(high)) if abs(low) < 0.5 and abs(high) < 0.5 else None
+            if found is None:
+                return None
+            places.append((arb(m[0, k]) + found[0] * arb(r[0, k]), arb(m[1, k]) + found[1] * arb(r[1, k])))
+            rates.append(found[2:])
+    boxes = tuple((m[:2, k] - _SIDE * r[:2, k], m[:2, k] + _SIDE * r[:2, k]) for k in range(len(middles)))
+    return Ridge(tuple(edges), boxes, tuple(places), tuple(rates))
+
+
+@dataclass(frozen=True)
+class _Model:
+    """The coefficients of 1, u_i, u_i u_j (i ≤ j) and a bound of the rest."""
+
+    k: list[Any]
+    e: Any
+
+    def _rest(self, share: int) -> Any:
+        ball = arb(0, (self.e * share).upper())
+        return acb(ball, ball)
+
+    def value(self, u: Any, w: Any, t: Any) -> Any:
+        a, b0, b1, b2, c00, c01, c02, c11, c12, c22 = self.k
+        square = c00 * u * u + c01 * u * w + c02 * u * t + c11 * w * w + c12 * w * t + c22 * t * t
+        return a + b0 * u + b1 * w + b2 * t + square + self._rest(1)
+
+    def slopes(self, u: Any, w: Any, t: Any) -> tuple[Any, Any, Any]:
+        _, b0, b1, b2, c00, c01, c02, c11, c12, c22 = self.k
+        return (
+            b0 + 2 * c00 * u + c01 * w + c02 * t + self._rest(2),
+            b1 + c01 * u + 2 * c11 * w + c12 * t + self._rest(2),
+            b2 + c02 * u + c12 * w + 2 * c22 * t + self._rest(2),
+        )
+
+    def rates(self, t: Any) -> tuple[Any, Any, Any, Any] | None:
+        """(u₀, u₁, u₁′, u₁″) of the only crossing in the square, for all t in a ball; None where none is."""
+        u = w = arb(0, _SIDE)
+        for k in range(_SHARPER):
+            middle = (arb(u.mid()), arb(w.mid()))
+            s0, s1, _ = self.slopes(acb(u), acb(w), acb(t))
+            J = arb_mat([[s0.real, s1.real], [s0.imag, s1.imag]])
+            value = self.value(acb(middle[0]), acb(middle[1]), acb(t))
+            try:
+                step = J.solve(arb_mat([[value.real], [value.imag]]))
+            except ZeroDivisionError:
+                return None
+            image = (middle[0] - step[0, 0], middle[1] - step[1, 0])
+            if not k and not (u.contains_interior(image[0]) and w.contains_interior(image[1])):
+                return None
+            u, w = u.intersection(image[0]), w.intersection(image[1])
+        s0, s1, s2 = self.slopes(acb(u), acb(w), acb(t))
+        turn = (s0.conjugate() * s1).imag
+        if turn.contains(0):
+            return None
+        along, up = -(s2 * s1.conjugate()).imag / (s0 * s1.conjugate()).imag, -(s0.conjugate() * s2).imag / turn
+        return u, w, up, -(s0.conjugate() * self._second(along, up)).imag / turn
+
+    def _second(self, u: Any, w: Any) -> Any:
+        """The second derivative along (u, w, 1)."""
+        *_, c00, c01, c02, c11, c12, c22 = self.k
+        pure, mixed = self._rest(8), self._rest(4)
+        square = (2 * c00 + pure) * u * u + (2 * c11 + pure) * w * w + 2 * c22 + pure
+        return square + 2 * ((c01 + mixed) * u * w + (c02 + mixed) * u + (c12 + mixed) * w)

@@ -1,0 +1,92 @@
+"""A cover of boxes in (q, parameter) along an edge; the zeros that it meets are enclosed on the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import precision
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.ranges.edge import REAL_AXIS, Edge
+from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.enclosed import enclose
+from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.scope import Scope
+
+_NEXT_TO_ZERO = 2.0**-8  # of half an edge
+
+
+@dataclass
+class Search:
+    """The cover of a scope with one parameter; zeros that it meets are enclosed on the way.
+
+    side: the edge and the corners in (y, x̂) between which it is looked at, in place of the real axis.
+    """
+
+    scope: Scope
+    digits: int
+    side: tuple[Edge, Any, Any] | None = None
+
+    def __post_init__(self) -> None:
+        self.edge, self.low, self.high = self.side or (REAL_AXIS, *self.scope.corners)
+        self.judge: Judge = self._judge()
+        self.judge.found = self.enclose
+        self.found: list[Scaled] = []
+        self._failed: list[Any] = []
+
+    def cover(self, budget: Effort, progress: Progress) -> Covered:
+        """Of all between the corners."""
+        return subdivide(self.low, self.high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
+
+    def _judge(self) -> Judge:
+        if self.edge == REAL_AXIS:
+            return self.scope.judge()
+        width = (self.high - self.low) / 2
+        return Judge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
+
+    def enclose(self, point: Any, half: Any) -> bool:
+        """Enclose the zero near a float point; True where it was. Next to q = 0 it is first looked for there.
+
+        half: of the box that shows it: where this failed it is tried again from much smaller boxes only.
+        """
+        if any((np.abs(point - other) < 8 * half).all() for other in self._failed):
+            return False
+        y = abs(float(point[0])) if self.edge.mirrored else float(point[0])
+        seeds = [y]
+        if self.edge.mirrored and y < _NEXT_TO_ZERO * self.judge.width[0]:
+            seeds.insert(0, 0.0)
+        if any(self._enclosed((q, float(point[1]))) for q in seeds):
+            return True
+        self._failed.append(point)
+        return False
+
+    def _enclosed(self, seed: tuple[float, float]) -> bool:
+        size = 2 * self.judge.width * 2.0**-6
+        if seed[0] and self.edge.mirrored:
+            size = size * np.minimum(1.0, seed[0] / size[0])
+        try:
+            with precision(80):
+                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, self.edge)
+            at = np.array([float(zero.q.mid()), float(zero.x.mid())])
+            if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
+                return True
+            room = self.judge.room(at, size * 4)
+        except PrecisionError:
+            return False
+        if room is None or not _holds(room, zero):
+            return False
+        self.judge.known.append(room)
+        self.found.append(zero)
+        return True
+
+
+def _holds(room: tuple[Any, Any], zero: Scaled) -> bool:
+    return all(
+        bool(ball > low) and bool(ball < high)
+        for ball, low, high in zip((zero.q, zero.x), room[0].tolist(), room[1].tolist(), strict=True)
+    )

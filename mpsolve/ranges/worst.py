@@ -1,0 +1,109 @@
+"""Where in a range of one parameter the least stable root lies lowest: the global minimum of Im q, proved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from time import process_time
+from typing import Any
+
+from mpsolve.certificate.solve import checked_digits
+from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.outcome import Reason, Status
+from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.answer import Answer, Interval, Spent, outward, plain
+from mpsolve.ranges.lowest import NEXT, Question
+from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
+
+_BOXES = 400_000
+
+
+@dataclass(frozen=True)
+class Worst(Answer):
+    """The lowest root in a range of one parameter: the one that grows fastest, or decays most slowly.
+
+    value, q, growth: balls in the problem's units, growth = −Im q in 1/s; None where undecided. where: "inside" (a
+    stationary point), "start" or "end" of the range, "" where undecided. lower, upper: floats that hold `value`.
+
+    Where some root of the range grows, that is the minimum over all roots. Where none does, it is the minimum over
+    those below the lowest cut with |Re q| < reach, and no other root has Im q < 0.
+    """
+
+    digits: int = 15
+    value: Any | None = None
+    q: Any | None = None
+    where: str = ""
+    reach: Fraction | None = None
+
+    @property
+    def growth(self) -> Any | None:
+        """−Im q, the rate at which it grows: e^{growth t}."""
+        return None if self.q is None else -self.q.imag
+
+    @property
+    def lower(self) -> float | None:
+        """A float at or below `value`."""
+        return None if self.value is None else outward(self.value, up=False)
+
+    @property
+    def upper(self) -> float | None:
+        """A float at or above `value`."""
+        return None if self.value is None else outward(self.value, up=True)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
+        return super().to_dict() | {"growth": plain(self.growth)}
+
+    def rows(self) -> list[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping."""
+        if self.value is None or self.q is None:
+            return []
+        near = {"value": self.value, "re q": self.q.real, "im q": self.q.imag}
+        return [{name: float(ball.mid()) for name, ball in near.items()} | {"where": self.where}]
+
+
+def worst(
+    problem: Given,
+    *,
+    over: Mapping[str, Any],
+    digits: int = 15,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Worst:
+    """The value of one parameter in a closed range at which the least Im q over all roots is smallest: proved.
+
+    over: {path: (low, high)}, in the problem's units. check: have the standalone verifier pass the spectrum from
+    which the roots are counted. Raises InputError for a path that there is not and for ranges that cannot be.
+    """
+    given = as_problem(problem)
+    ranges = checked_over(given, over)
+    one_path(ranges)
+    with one_thread():
+        found = _worst(given, ranges, checked_digits(digits), effort, progress or silent, check)
+    return replace(found, problem=problem)
+
+
+def _worst(
+    problem: Problem, over: dict[str, Interval], digits: int, effort: Effort | None, progress: Progress, check: bool
+) -> Worst:
+    started = process_time()
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
+    question = Question(problem, over, scope_of(problem, over), digits, budget, progress, check)
+    reason, known = None, {}
+    try:
+        known = vars(question.answer())
+    except (OpenError, EffortError) as error:
+        reason = error.reason
+    except PrecisionError as error:
+        reason = Reason("lowest", str(error), {}, NEXT)
+    checked = question.base.cost.verification if question.base is not None else 0.0
+    cost = Spent(process_time() - started - checked, checked, budget.spent)
+    status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
+    return Worst(problem, over, status, reason, cost=cost, digits=digits, **known)

@@ -1,0 +1,141 @@
+"""Certificates: certs/SPEC2.md, certs/SPEC.md and certs/SPEC-ROOTS.md say what each key means.
+
+A file that fits is well formed, no more: only a verifier tells whether it proves anything.
+"""
+
+from __future__ import annotations
+
+from mpsolve.problem.schema import DRAFT
+from mpsolve.schemas import parts as p
+
+_FORM = "mpsolve certificate"
+_HASH: p.Schema = {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+_HEX: p.Schema = {"type": "string", "pattern": "^-?0x[0-9a-f]+$"}
+_EXACT: p.Schema = {"type": "string", "pattern": r"^(-?[0-9]+(/[0-9]+)?|-?root4\([0-9]+(/[0-9]+)?\))$"}
+_MATRIX = p.rows(p.rows(p.RATIONAL))
+_POINT: p.Schema = {"type": "array", "items": p.one_of(p.WHOLE, p.RATIONAL)}
+
+
+def certificate_schema() -> p.Schema:
+    """Version 2, of any track and vehicles."""
+    term: p.Schema = {"type": "array", "items": p.one_of(p.COUNT, p.RATIONAL)}
+    track = p.table({"matrix": p.rows(p.rows(p.rows(term))), "loaded": p.COUNT})
+    vehicle = p.table(
+        {**dict.fromkeys("MCKB", _MATRIX), "places": p.rows(p.RATIONAL), "compliances": p.rows(p.RATIONAL)}
+    )
+    special = p.rows(p.table({"piece": p.COUNT, "nodes": p.rows(_POINT)}))
+    path = p.table({"kind": {"enum": ["link", "turn", "passive"]}, "points": p.rows(_POINT)}, {"special": special})
+    root = {
+        "re": _HEX,
+        "im": _HEX,
+        "exponent": p.WHOLE,
+        "radius": p.DYADIC,
+        "multiplicity": {"type": "integer", "minimum": 1},
+        "pair": p.YES,
+    }
+    region = p.table(
+        {"kind": {"enum": ["unstable", "below", "disc", "below disc", "rectangle", "sheet"]}},
+        {
+            "height": p.RATIONAL,
+            "reach": p.RATIONAL,
+            "radius": p.RATIONAL,
+            "re": p.rows(p.RATIONAL),
+            "im": p.rows(p.RATIONAL),
+        },
+    )
+    keys: p.Schema = {
+        "kind": {"const": "spectrum"},
+        "equations": p.table({"track": track, "velocity": p.RATIONAL, "vehicle": vehicle}),
+        "basis": p.maybe(p.table({"matrix": _MATRIX, "neutral": p.COUNT, "unfelt": p.COUNT})),
+        "bits": {"type": "integer", "minimum": 53},
+        "start": p.DYADIC,
+        "paths": p.rows(path),
+        "theorem": p.maybe({"type": "object"}),
+        "claim": p.table({"region": region, "count": p.COUNT, "unstable": p.COUNT}),
+        "roots": p.rows(p.table(root)),
+        "sha256": _HASH,
+    }
+    return p.document("certificate", "Certificate of the frequencies of any problem", _FORM, 2, keys)
+
+
+def range_certificate_schema() -> p.Schema:
+    """Version 1, of a range of masses on the paper's beam, and of the frequencies in it."""
+    case = p.table(
+        {"alpha": _EXACT, "eta_b": _EXACT, "eta_m": p.rows(_EXACT), "positions": p.rows(_EXACT)},
+        {"eta_n": _EXACT, "eta_s": _EXACT},
+    )
+    root = {
+        "re": _HEX,
+        "im": _HEX,
+        "exponent": p.WHOLE,
+        "multiplicity": {"type": "integer", "minimum": 1},
+        "axis": {"enum": ["none", "real", "imaginary"]},
+    }
+    head: p.Schema = {"format": {"const": _FORM}, "version": {"const": 1}}
+    spectrum = p.table(
+        head
+        | {
+            "kind": {"const": "induced frequencies"},
+            "case": case,
+            "claim": p.table({"count": p.COUNT}, {"unstable": p.COUNT}),
+            "contour": {"type": "object"},
+            "roots": p.rows(p.table(root)),
+            "identity": p.rows(p.COUNT),
+            "sha256": _HASH,
+        }
+    )
+    crossing = p.table(
+        {"x": _HEX, "x_exponent": p.WHOLE, "t": _HEX, "t_exponent": p.WHOLE, "direction": p.WHOLE, "reach": p.DYADIC}
+    )
+    ranges = p.table(
+        head
+        | {
+            "kind": {"const": "crossings"},
+            "case": case,
+            "family": p.table({"parameter": p.TEXT, "start": p.TEXT, "end": p.TEXT}),
+            "height": p.TEXT,
+            "radius": p.DYADIC,
+            "crossings": p.rows(crossing),
+            "base": p.maybe(p.table({"t": p.TEXT, "certificate": spectrum})),
+            "claim": p.table({"counts": p.rows(p.COUNT)}),
+            "sha256": _HASH,
+        }
+    )
+    return {
+        "$schema": DRAFT,
+        "$id": "https://mpsolve.invalid/range-certificate/1",
+        "title": "Certificate of masses on the paper's beam",
+        "oneOf": [ranges, spectrum],
+    }
+
+
+def zeros_certificate_schema() -> p.Schema:
+    """Of the zeros of a function in a region, or on an interval."""
+    step: p.Schema = {"type": "array", "items": p.one_of(p.TEXT, p.WHOLE), "minItems": 1}
+    places = {"type": "array", "items": p.COUNT, "minItems": 2}
+    root = {"re": _HEX, "im": _HEX, "exponent": p.WHOLE, "radius": p.DYADIC, "multiplicity": p.COUNT}
+    head: p.Schema = {
+        "format": {"const": "mpsolve zeros"},
+        "version": {"const": 1},
+        "function": p.table({"steps": p.rows(step), "numerator": p.COUNT, "denominator": p.maybe(p.COUNT)}),
+        "claim": {"type": "object"},
+        "sha256": _HASH,
+    }
+    cut = p.table({"origin": p.rows(p.RATIONAL), "direction": p.rows(p.RATIONAL), "length": p.maybe(p.RATIONAL)})
+    region: p.Schema = {
+        "kind": {"const": "region"},
+        "region": {"type": "object"},
+        "counted": p.rows(p.rows(p.RATIONAL)),
+        "cuts": p.rows(cut),
+        "bits": {"type": "integer", "minimum": 53},
+        "breaks": p.rows(p.table({"exponent": p.COUNT, "places": places})),
+        "trees": p.rows(p.TEXT),
+        "roots": p.rows(p.table(root)),
+    }
+    interval: p.Schema = {"kind": {"const": "interval"}, "interval": p.rows(p.RATIONAL), "tiles": p.rows({})}
+    return {
+        "$schema": DRAFT,
+        "$id": "https://mpsolve.invalid/zeros-certificate/1",
+        "title": "Certificate of the zeros of a function",
+        "oneOf": [p.table(head | region), p.table(head | interval)],
+    }

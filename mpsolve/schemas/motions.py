@@ -1,0 +1,90 @@
+"""What goes to solvers: the motion, receptances, critical velocities, endless trains, zeros of functions."""
+
+from __future__ import annotations
+
+from mpsolve.schemas import parts as p
+
+
+def response_schema() -> p.Schema:
+    """Of `mpsolve response -o FILE.json`."""
+    column = {"name": p.TEXT, "unit": p.TEXT, "values": p.rows(p.REAL)}
+    keys: p.Schema = {"title": p.TEXT, "columns": p.rows(p.table(column)), "said": p.rows(p.TEXT)}
+    return p.document("response", "Motion of mpsolve response", "mpsolve response", 1, keys)
+
+
+def receptance_schema() -> p.Schema:
+    """Of `mpsolve receptance --json`."""
+    table = p.rows(p.rows(p.REAL))
+    keys: p.Schema = {
+        "title": p.TEXT,
+        "meaning": p.TEXT,
+        "track": p.by_name(p.TEXT),
+        "v": p.TEXT,
+        "xi": p.rows(p.REAL),
+        "omega": p.rows(p.REAL),
+        "G_re": table,
+        "G_im": table,
+    }
+    matrices = p.rows(table)
+    contacts = {"places": p.rows(p.REAL), **dict.fromkeys(("G_re", "G_im", "K_re", "K_im"), matrices)}
+    optional = {"contacts": p.table(contacts)}
+    return p.document("receptance", "Table of mpsolve receptance", "mpsolve receptance", 2, keys, optional)
+
+
+def critical_schema() -> p.Schema:
+    """Of `mpsolve critical --json`."""
+    one = {"v": p.TEXT, "exact": p.maybe(p.TEXT), "wavenumber": p.maybe(p.TEXT), "kind": p.TEXT, "name": p.TEXT}
+    keys: p.Schema = {
+        "omega": p.TEXT,
+        "range": p.rows(p.TEXT),
+        "status": p.STATUS,
+        "sentence": p.TEXT,
+        "always": p.rows(p.TEXT),
+        "undecided": p.rows(p.TEXT),
+        "velocities": p.rows(p.table(one)),
+    }
+    return p.document("critical", "Answer of mpsolve critical", "mpsolve critical velocities", 1, keys)
+
+
+def train_schema() -> p.Schema:
+    """Of `mpsolve train --json`."""
+    gain = p.table({"factor": p.REAL, "frequency": p.REAL})
+    peak = p.maybe(p.table({"low": p.REAL, "high": p.REAL, "frequency": p.REAL}))
+    train = {
+        "count": p.COUNT,
+        "status": p.STATUS,
+        "stable": p.maybe(p.YES),
+        "band": p.rows(p.TEXT),
+        "ahead": peak,
+        "back": peak,
+        "reason": p.maybe(p.REASON),
+    }
+    computed = {"ahead": gain, "back": gain, "separation": p.maybe(p.REAL), "long_trains_grow": p.maybe(p.YES)}
+    keys: p.Schema = {
+        "title": p.TEXT,
+        "velocity": p.TEXT,
+        "spacing": p.TEXT,
+        "status": p.STATUS,
+        "stable": p.maybe(p.YES),
+        "words": p.TEXT,
+        "motion": p.maybe(p.table({"q": p.TEXT, "kappa_d": p.REAL})),
+        "computed": p.table(computed),
+        "reason": p.maybe(p.REASON),
+    }
+    return p.document("train", "Answer of mpsolve train", "mpsolve train", 1, keys, {"train": p.table(train)})
+
+
+def roots_schema() -> p.Schema:
+    """Of `mpsolve roots --json`."""
+    keys: p.Schema = {
+        "function": p.TEXT,
+        "region": p.TEXT,
+        "status": p.STATUS,
+        "count": p.maybe(p.COUNT),
+        "zeros": p.rows(p.table({"z": p.TEXT, "multiplicity": p.COUNT, "real": p.YES})),
+        "reason": p.maybe(p.REASON),
+        "note": p.TEXT,
+        "assumed": p.rows(p.TEXT),
+        "digits": p.DIGITS,
+    }
+    return p.document("roots", "Answer of mpsolve roots", "mpsolve roots", 1, keys)

@@ -1,0 +1,84 @@
+"""Trains over ranges: processor seconds of onsets, of the convective threshold of a row, and of amplification.
+
+Beside them Δ and Δ_σ of 16 masses in balls, against the plain way: the same receptances, and the slope as a sum of 16
+determinants with one row each replaced by its slope. Goals: the onset of a coach on two layers at 15 digits under
+20 s, of 16 axles on the paper's beam under 60 s, Δ and Δ_σ in an eighth of the plain way's time.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from flint import acb, acb_mat
+from measure import seconds
+
+from mpsolve import Problem, amplification, onset, tracks, train_velocities, vehicles
+from mpsolve.characteristic.proved import Proved
+from mpsolve.numbers.balls import precision
+from mpsolve.problem.inputfile import read_problem
+from mpsolve.problem.reduced import reduce_problem
+
+BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+EXAMPLE = Path(__file__).parents[2] / "examples" / "train_8_coaches.toml"
+SIGMA, BITS, REPEATS = 0.01 + 0.2j, 128, 5
+
+
+def timed(work: Callable[[], Any]) -> tuple[Any, float]:
+    start = time.process_time()
+    return work(), time.process_time() - start
+
+
+def row(count: int, v: str) -> Problem:
+    return Problem(BEAM, vehicles.train(vehicles.Mass(40), count, "1.5"), v=v)
+
+
+def plain_slope(A: acb_mat, slope: acb_mat) -> Any:
+    """The derivative of det A, row by row."""
+    rows, moved, total = A.tolist(), slope.tolist(), acb(0)
+    for k in range(len(rows)):
+        total += acb_mat([moved[i] if i == k else rows[i] for i in range(len(rows))]).det()
+    return total
+
+
+def determinants(count: int = 16) -> float:
+    """How many times as long the plain way takes, at one point each."""
+    proved = Proved(reduce_problem(row(count, "0.5")))
+    with precision(BITS):
+        sigma = acb(SIGMA.real, SIGMA.imag)
+
+        def ours() -> Any:
+            return [proved.delta(sigma) for _ in range(REPEATS)]
+
+        def plain() -> Any:
+            out = []
+            for _ in range(REPEATS):
+                A, slope = proved.matrices(sigma)
+                out.append((A.det(), plain_slope(A, slope)))
+            return out
+
+        (mine, spent), (theirs, longer) = timed(ours), timed(plain)
+    assert mine[0][1].overlaps(theirs[0][1])
+    print(f"Δ, Δ_σ of {count} masses in balls  {seconds(spent / REPEATS)}   plain {seconds(longer / REPEATS)}")
+    return longer / spent
+
+
+def ranges() -> None:
+    train = read_problem(EXAMPLE).problem
+    coach = Problem(train.track, train.vehicles[:1], v=train.v)
+    asked: list[tuple[str, Callable[[], Any]]] = [
+        ("onset of a coach on two layers, 50 to 350 m/s", lambda: onset(coach, over={"v": (50, 350)}, check=False)),
+        ("onset of 16 masses, α 0.1 to 0.6", lambda: onset(row(16, "0.5"), over={"v": ("0.1", "0.6")}, check=False)),
+        ("convective threshold of the row, α 0 to 0.6", lambda: train_velocities(row(1, "0.5"), "1.5", (0, "0.6"))),
+        ("amplification of 16 masses, α = 0.4", lambda: amplification(row(16, "0.4"))),
+    ]
+    for name, work in asked:
+        found, spent = timed(work)
+        print(f"{name:46} {found.status.name:10} {seconds(spent)}", flush=True)
+
+
+if __name__ == "__main__":
+    determinants()
+    ranges()

@@ -1,0 +1,262 @@
+"""The verifier of ranges: files that hold, and files in which one thing was changed."""
+
+import copy
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import acb, arb, fmpq
+
+from mpsolve.certificate import verify_ranges as checker
+from mpsolve.certificate.check import verify
+from mpsolve.certificate.format import digest
+from mpsolve.certificate.verify_ranges import Form, Place, Refused, Split, number, receptances, verify_bytes
+from mpsolve.numbers.balls import precision
+
+FOLDER = Path(__file__).resolve().parents[2] / "certs" / "ranges"
+CROSSING, STABLE = (FOLDER / f"{name}.json" for name in ("crossing_over_velocity", "stable_over_damping"))
+Change = Callable[[dict[str, Any]], None]
+
+
+@pytest.fixture(scope="module")
+def content() -> dict[str, Any]:
+    return dict(json.loads(CROSSING.read_text("ascii")))
+
+
+def sealed(value: dict[str, Any]) -> bytes:
+    """With the digest that fits."""
+    rest = {key: one for key, one in value.items() if key != "sha256"}
+    return json.dumps(rest | {"sha256": digest(rest)}).encode("ascii")
+
+
+@pytest.mark.parametrize("path", [CROSSING, STABLE])
+def test_committed_certificates_hold(path: Path) -> None:
+    verdict = verify(path)
+    assert verdict.valid, verdict.reason
+    assert "roots with Im q < 0" in verdict.claim
+
+
+def test_it_runs_as_a_plain_script() -> None:
+    script = Path(checker.__file__)
+    ran = subprocess.run(
+        [sys.executable, "-I", str(script), str(STABLE)], capture_output=True, text=True, check=False
+    )
+    assert ran.returncode != 0  # isolated: verify2.py is not found
+    ran = subprocess.run([sys.executable, str(script), str(STABLE)], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert "valid: 0 roots" in ran.stdout
+
+
+def _drop_crossing(c: dict[str, Any]) -> None:
+    c["zeros"], c["claim"] = [], {"counts": [0], "directions": []}
+    c["tree"] = c["tree"].replace("z", "n")
+
+
+def _drop_from_claim(c: dict[str, Any]) -> None:
+    c["claim"] = {"counts": [0], "directions": []}
+
+
+def _turn(c: dict[str, Any]) -> None:
+    c["claim"] = {"counts": [0, 2], "directions": [-2]}
+
+
+def _raise_counts(c: dict[str, Any]) -> None:
+    c["claim"]["counts"] = [2, 4]
+
+
+def _cut_tree(c: dict[str, Any]) -> None:
+    c["tree"] = c["tree"][:-1]
+
+
+def _merge_leaves(c: dict[str, Any]) -> None:
+    """The whole box as one leaf: not within a bounded work, as a root is real in it."""
+    c["tree"] = "n"
+
+
+def _known_elsewhere(c: dict[str, Any]) -> None:
+    c["tree"] = c["tree"].replace("n", "z", 1)
+
+
+def _longer_range(c: dict[str, Any]) -> None:
+    c["range"] = [["170", "2000"]]
+
+
+def _end_at_crossing(c: dict[str, Any]) -> None:
+    c["range"] = [["170", "191.183147740034"]]
+
+
+def _shorter_range(c: dict[str, Any]) -> None:
+    """Then the crossing lies outside, and the claim names one too many."""
+    c["range"] = [["170", "185"]]
+
+
+def _other_mass(c: dict[str, Any]) -> None:
+    c["equations"]["vehicle"]["M"][0][0] = "10001"
+
+
+def _other_track(c: dict[str, Any]) -> None:
+    for term in c["equations"]["track"]["matrix"][0][0]:
+        if term[:2] == [0, 1]:
+            term[2] = "771"
+
+
+def _negative_damping(c: dict[str, Any]) -> None:
+    for where in (c, c["base"]["spectrum"]):
+        for term in where["equations"]["track"]["matrix"][0][0]:
+            if term[:2] == [0, 1]:
+                term[2] = "-770"
+    rest = {key: one for key, one in c["base"]["spectrum"].items() if key != "sha256"}
+    c["base"]["spectrum"] = rest | {"sha256": digest(rest)}
+
+
+def _other_base(c: dict[str, Any]) -> None:
+    c["base"]["at"] = ["171"]
+
+
+def _moved_ball(c: dict[str, Any]) -> None:
+    x = c["zeros"][0]["x"]
+    x["middle"] = hex(int(x["middle"], 16) + 10 * x["radius"][0] * 2 ** (x["radius"][1] - x["exponent"]))
+
+
+def _smaller_room(c: dict[str, Any]) -> None:
+    """Then leaves reach out of it."""
+    q, room = c["zeros"][0]["q"], c["zeros"][0]["room"]
+    middle = Fraction(int(q["middle"], 16)) * Fraction(2) ** q["exponent"]
+    room[0] = [[int(middle * 2**30) - 99, -30], [int(middle * 2**30) + 99, -30]]
+
+
+def _lower_X(c: dict[str, Any]) -> None:
+    """Passivity is asked of a frequency at which there is none."""
+    c["X"] = [1, 0]
+
+
+def _lower_Q(c: dict[str, Any]) -> None:
+    c["tail"]["Q"], c["beyond"] = c["X"], []
+
+
+def _more_taken(c: dict[str, Any]) -> None:
+    for block in c["tail"]["blocks"]:
+        block[2][1] += 6
+
+
+def _less_given(c: dict[str, Any]) -> None:
+    for one in c["tail"]["bounds"]:
+        one[1][1] -= 8
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        _drop_crossing, _drop_from_claim, _turn, _raise_counts, _cut_tree, _merge_leaves, _known_elsewhere,
+        _longer_range, _end_at_crossing, _shorter_range, _other_mass, _other_track, _negative_damping,
+        _other_base, _moved_ball, _smaller_room, _lower_X, _lower_Q, _more_taken, _less_given,
+    ],
+)  # fmt: skip
+def test_a_changed_file_is_refused(content: dict[str, Any], change: Change) -> None:
+    changed = copy.deepcopy(content)
+    change(changed)
+    assert changed != content
+    verdict = verify_bytes(sealed(changed), 1500)
+    assert not verdict.valid
+    assert not verdict.reason.startswith("malformed"), verdict.reason
+
+
+def test_an_unsealed_change_is_refused(content: dict[str, Any]) -> None:
+    assert "digest" in verify_bytes(json.dumps(content | {"tree": "n"}).encode()).reason
+
+
+@pytest.mark.parametrize(
+    "raw",
+    [b"", b"[]", b"{}", b'{"format": "mpsolve certificate", "version": 2, "kind": "stable"}', b"\xff", b"1" * 99],
+)
+def test_what_is_no_certificate_is_refused(raw: bytes) -> None:
+    assert not verify_bytes(raw).valid
+
+
+def test_a_stable_box_with_another_number_is_refused() -> None:
+    value = json.loads(STABLE.read_text("ascii"))
+    value["claim"]["unstable"] = 2
+    assert "number at the base" in verify_bytes(sealed(value)).reason
+
+
+def test_forms_hold_their_functions() -> None:
+    """Products, inverses and exponentials over a box of two variables, at its corners and inside, complex too."""
+    with precision(64):
+        place = Place([arb(2), arb(1)], [arb("0.1"), arb("0.2")], 1)
+        x, y = place.power(0, 1), place.power(1, 1)
+        made = ((x * y + x.scaled(3)).inverse() * (x * y).exp(), lambda a, b: (a * b).exp() / (a * b + 3 * a))
+        for form, function in (made, (x.inverse(), lambda a, _: 1 / a), (y.exp(), lambda _, b: b.exp())):
+            assert form.e < 0.5
+            for u, v in ((1, 1), (-1, 1), (0.5, -0.25), (1j, 0.6 - 0.8j), (0, 0)):
+                a, b = acb(2) + acb("0.1") * acb(u), acb(1) + acb("0.2") * acb(v)
+                assert abs(_model(form, (u, v)) - function(a, b)) <= form.e + arb(2) ** -50
+
+
+def _model(form: Form, u: tuple[complex, ...]) -> Any:
+    total = form.k[0]
+    for i, x in enumerate(u):
+        total = total + form.k[1 + i] * acb(x)
+    for n, i, j in checker.pairs(form.m):
+        total = total + form.k[n] * acb(u[i - 1]) * acb(u[j - 1])
+    return total
+
+
+@pytest.fixture(scope="module")
+def family(content: dict[str, Any]) -> checker.Family:
+    box = ((fmpq(170), fmpq(210)),)
+    track = checker.read_track(content["equations"]["track"], content["equations"]["velocity"], 1)
+    vehicle = checker.read_vehicle(content["equations"]["vehicle"], None, 1, box)
+    waves = checker.Waves(track, vehicle)
+    envelope = checker.Envelope(7, [(arb(1), arb("1e-5"))], arb(210))
+    matrix = checker.Matrix(vehicle, waves)
+    return checker.Family(track, vehicle, box, envelope, waves, matrix, vehicle.places)
+
+
+@pytest.mark.parametrize("half", [("0.5", 2), ("0.001", "0.01")])
+def test_receptances_over_boxes_hold_those_at_points(family: checker.Family, half: tuple[object, object]) -> None:
+    """Wide boxes by sums over circles, narrow ones by forms, against thin boxes at points of them."""
+    with precision(64):
+        r = [arb(str(x)) for x in half]
+        split = Split(family.waves, Place([arb(12), arb(180)], r), False)
+        wide = receptances(family.waves, split, family.middle)
+        for u in ((1, 1), (-1, 1), (0.3, -0.7)):
+            at = [m + x * s for m, x, s in zip((arb(12), arb(180)), u, r, strict=True)]
+            thin = receptances(family.waves, Split(family.waves, Place(at, [arb("1e-12")] * 2), False), family.middle)
+            for one, other in zip(wide, thin, strict=True):
+                assert abs(_model(one, u) - other.k[0]) <= one.e + abs(other.k[0]) * 1e-9
+                assert one.e < abs(one.k[0])
+
+
+def test_the_scalar_vanishes_where_the_determinant_does() -> None:
+    """[[1, x], [y, xy]] is singular everywhere; with a corner of 1 more it is not."""
+    with precision(64):
+        place = Place([arb(1), arb(2)], [arb("0.01"), arb("0.01")], 1)
+        x, y = place.power(0, 1), place.power(1, 1)
+        one = number(1, 2)
+        s = checker.scalar([[one, x], [y, x * y]])
+        assert s.size < s.e + arb("1e-3")
+        with pytest.raises(Refused):
+            checker.check_nonzero(s)
+        checker.check_nonzero(checker.scalar([[one, x], [y, x * y + one]]))
+
+
+def test_trees_are_read_to_their_last_leaf() -> None:
+    box = ((fmpq(0), fmpq(1)), (fmpq(0), fmpq(2)))
+    leaves = list(checker.walk("0n1pz", box))
+    assert [kind for kind, _ in leaves] == ["n", "p", "z"]
+    assert leaves[1][1] == ((fmpq(1, 2), fmpq(1)), (fmpq(0), fmpq(1)))
+    for bad in ("0n", "0nnn", "2nn", "x", ""):
+        with pytest.raises(Refused):
+            list(checker.walk(bad, box))
+
+
+def test_lower_bounds_over_boxes() -> None:
+    """x² − x on [0, 1] is at least −1/4; the least Bernstein coefficient is lower, and exact for a linear one."""
+    square = {(2,): fmpq(1), (1,): fmpq(-1)}
+    assert checker.least(square, ((fmpq(0), fmpq(1)),)) <= fmpq(-1, 4)
+    assert checker.least({(1, 1): fmpq(-1)}, ((fmpq(1), fmpq(2)), (fmpq(3), fmpq(4)))) == -8

@@ -1,0 +1,55 @@
+"""Passings of a border: each is a root on it, and the number that is counted changes there as they say."""
+
+from fractions import Fraction
+
+import pytest
+from free_cases import BEAM, PAIR
+
+from mpsolve import Problem, certify
+from mpsolve.loci.border import Border, border_of
+from mpsolve.loci.region import Region, region_of
+from mpsolve.numbers.balls import rational_ball
+from mpsolve.progress import silent
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.scope import scope_of
+
+PROBLEM = Problem(BEAM, PAIR, v="0.9")
+
+
+@pytest.fixture(scope="module")
+def region() -> Region:
+    scope = scope_of(PROBLEM, {"v": (Fraction("0.8"), Fraction("1.3"))})
+    return region_of(scope, ("below", "0.04"))
+
+
+@pytest.fixture(scope="module")
+def border(region: Region) -> Border:
+    return border_of(region, region.sides, 15, Effort(), silent)
+
+
+def test_counts_change_at_passings(region: Region, border: Border) -> None:
+    assert border.reason is None
+    assert len(border.passings) > 0
+    unit = region.scope.family.units[0]
+    for one in border.passings:
+        assert one.q.imag.overlaps(rational_ball(region.height))
+        before, after = (
+            certify(PROBLEM.changed("v", Fraction(x) * unit), region=("below", "0.04"), check=False).count
+            for x in (one.ends[0] - 1e-4, one.ends[1] + 1e-4)
+        )
+        assert before is not None
+        assert after is not None
+        assert after - before == one.gained
+
+
+def test_discs_hold_the_balls(border: Border) -> None:
+    for one in border.passings:
+        middle, radius = one.disc
+        assert abs(complex(one.q) - middle) <= radius < 1e-12
+        assert one.ends[0] <= float(one.x.mid()) <= one.ends[1]
+
+
+def test_a_spent_effort_is_a_reason(region: Region) -> None:
+    found = border_of(region, region.sides, 15, Effort(evaluations=50), silent)
+    assert found.reason is not None
+    assert found.reason.code == "effort"

@@ -1,0 +1,46 @@
+"""Candidates: the float roots of a problem, against numbers that others made, and how often each stands for."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.problem.reduced import reduce_problem
+from mpsolve.spectrum.candidates import Area, both, find_roots, nearest_root, search
+
+WIRE = Problem(tracks.String(T=27_000, m="1.07", k=500, c=2), vehicles.Mass("8.5"), v=100)
+ROOT = 15.641876611743 + 0.715988110564j
+"""An independent program has it."""
+REDUCED = reduce_problem(WIRE)
+UNIT = float(REDUCED.frequency_unit)
+AREA = Area(0.0, 40 / UNIT, -1 / UNIT, 0.9 / UNIT)
+
+
+def test_a_root_is_found_from_no_hints() -> None:
+    found = find_roots(REDUCED, (AREA,), 2, np.zeros(0, complex)) * UNIT
+    assert found.shape == (1,)
+    assert abs(found[0] - ROOT) < 1e-10
+
+
+def test_a_search_without_a_number_finds_it_too() -> None:
+    assert np.abs(search(REDUCED, AREA, ()) * UNIT - ROOT).min() < 1e-9
+
+
+def test_newton_leads_to_it_from_near_and_says_where_it_does_not_settle() -> None:
+    found = nearest_root(REDUCED, (ROOT + 0.3 - 0.1j) / UNIT)
+    assert found is not None
+    assert abs(found * UNIT - ROOT) < 1e-9
+
+
+def test_a_heavy_mass_is_found_next_to_zero() -> None:
+    """A mass of 10³⁰ kg on the wire at rest: q² = 2√(T k)/M, by hand, up to the damping."""
+    heavy = reduce_problem(Problem(tracks.String(T=27_000, m="1.07", k=500, c=2), vehicles.Mass("1e30"), v=0))
+    unit = float(heavy.frequency_unit)
+    q = (2 * np.sqrt(27_000 * 500) / 1e30) ** 0.5
+    found = find_roots(heavy, (Area(0.0, 2.0, -1.0, 0.01),), 2, np.zeros(0, complex)) * unit
+    assert np.abs(found.real / q - 1).min() < 1e-9
+
+
+def test_pairs_count_twice() -> None:
+    assert (both(1 + 1j), both(1e-12 + 1j)) == (2, 1)
+    assert AREA.holds(np.array([1.0, 41.0]) / UNIT, 0.0).tolist() == [True, False]
