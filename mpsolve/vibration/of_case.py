@@ -88,17 +88,24 @@ def _near(value: Any) -> Fraction:
 def _certified(case: Case, problem: Problem, spectrum: Any) -> Spectrum:
     """All induced frequencies of the sheet, or, where the cuts are no line, of what `certify` answers."""
     if spectrum is None:
-        try:
-            spectrum = certify(problem, region="sheet", check=False)
-        except InputError:
+        spectrum = _of_sheet(problem)
+        if spectrum is None:
             spectrum = certify(problem, check=False)
     if not isinstance(spectrum, Spectrum):
         raise InputError("spectrum", f"is of type {type(spectrum).__name__}: give certify(case)")
     if spectrum.problem not in (case, problem):
         raise InputError("spectrum", "is not that of this case: give certify(case)")
     if not spectrum.proved:
-        raise PrecisionError(f"the induced frequencies are undecided: {spectrum.reason}")
+        message = spectrum.reason.message if spectrum.reason else ""
+        raise PrecisionError(f"the induced frequencies are undecided: {message}; change a parameter a little")
     return spectrum
+
+
+def _of_sheet(problem: Problem) -> Spectrum | None:
+    try:
+        return certify(problem, region="sheet", check=False)
+    except InputError:  # the cuts are no line
+        return None
 
 
 def _told(case: Case, loads: tuple[Load, ...], motion: Vibration, own: int) -> Response:
