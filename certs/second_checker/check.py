@@ -15,7 +15,7 @@ from balls import UnclearError
 from counting import Walk, count
 from enclosures import Root, check_places, check_root
 from reading import NotCheckedError, Path, RefusedError, content, dyadic, keys, listed, need, rational, whole
-from sheet import count_sheet
+from sheet import check_passive, count_sheet
 from track import Track, Vehicle
 
 REGIONS = {
@@ -66,6 +66,10 @@ def check(raw: bytes) -> str:
         raise NotCheckedError(
             f"that there are no frequencies but those of the {len(roots)} balls (region {region['kind']!r})"
         )
+    if region["kind"] == "unstable" and file["theorem"] == {"half": "passive"}:
+        check_passive(track, vehicle, paths)
+        need(claimed[0] == 0, "nothing grows, and the claim says that something does")
+        return _claim(claimed, region, len(roots), 0)
     top = rational(region["im"][1]) if "im" in region else rational(region.get("height", "0"))
     track.check_premise(max(top, Fraction(0)))
     number = count(walk, region, paths, file["theorem"], dyadic(file["start"]))

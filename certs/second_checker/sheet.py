@@ -77,6 +77,14 @@ class Beam:
         return x.trimmed(out)
 
 
+def check_passive(track: Track, vehicle: Vehicle, paths: list[Path]) -> None:
+    """8.8: an undamped beam that is passive at all frequencies lets no passive vehicle grow."""
+    bare = copy.copy(vehicle)  # dampers of the vehicle do no harm here
+    bare.C = [[ZERO] * vehicle.bodies for _ in range(vehicle.bodies)]
+    beam = Beam(track, bare)
+    need(not paths and beam.eta == 0 and beam.passive_beyond(ZERO), "the beam is not passive at all frequencies")
+
+
 class Loop:
     """A polygon round one branch point."""
 

@@ -15,7 +15,7 @@ import numpy as np
 from induced import on_sheet
 from style import LIMIT, agree, greys, page, run
 
-from mpsolve import Case, certify, crossing_masses
+from mpsolve import Case, certify, onset
 
 ALPHA = 0.99
 ETA_M = 70.0
@@ -53,7 +53,8 @@ def check() -> None:
     assert near[1] < min(near[0], near[2])
     # 21.9 of Section 4.3 and 36.4 of conclusion (xii), which belong to d = 1.1, and to η_b = 0.1 and 0.05
     for eta_b, printed in (("0.1", 21.9), ("0.05", 36.4)):
-        mass = float(crossing_masses("0.99", eta_b, (0, "1.1"), digits=15)[0].eta)
+        pair = Case(alpha="0.99", eta_b=eta_b, eta_m=(1, 1), positions=(0, "1.1"))
+        mass = float(onset(pair, over={"eta_m": (1, 100)}).value)  # type: ignore[arg-type]
         agree(mass, printed, 0.05)
         below, above = lowest(float(eta_b), np.array([mass - 1e-6, mass + 1e-6]), 1.1)
         assert below > 0 > above

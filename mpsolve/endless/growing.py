@@ -14,6 +14,7 @@ from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import Balls, acb, acb_mat, arb, precision, rational_ball
+from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.proof.ladder import climb
 from mpsolve.proof.newton import isolated, polished
@@ -26,7 +27,7 @@ _BITS, _MOST = 106, 424
 
 
 @dataclass(frozen=True)
-class Growing:
+class Growing(Portable):
     """A proved motion e^{iqt} that changes by e^{iθ} from each vehicle to the next one ahead: q lies in the ball `q`.
 
     theta: κ times the spacing, exactly this float. q: in the problem's units, Im q < 0.

@@ -11,8 +11,6 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-import numpy as np
-
 from mpsolve.endless.axis import gains
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.convective import Covered, cover_row
@@ -20,6 +18,7 @@ from mpsolve.endless.growing import find_growing
 from mpsolve.endless.infinite_train import EVALUATIONS, InfiniteTrain, decide, long_trains_grow, reach_of
 from mpsolve.endless.row import Row, row_of
 from mpsolve.endless.row_scope import row_scope
+from mpsolve.endless.seek import first_where, threshold_of
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.model import rational, shown
@@ -34,8 +33,6 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _GRID = 13
-_HALVINGS = 18  # of the grid, for the limit
-_STEPS, _CLOSE = 40, 1e-13  # of the search for the threshold
 _ABOVE = (2.0**-28, 2.0**-20, 1e-4, 1e-3, 1e-2)  # how far above it a growing motion is enclosed, relative, about
 _ROOM = Fraction(65, 64)  # of the range of the family, over the threshold
 _BOXES = 1_000_000  # that the proof over the range may take unless effort says otherwise
@@ -102,10 +99,10 @@ def train_velocities(
     low = from_above_rest(row.problem, {"v": (low, high)})["v"][0]
     tell("looking", 0.0)
     grid = [low + (high - low) * k / (_GRID - 1) for k in range(_GRID)]
-    convective = _threshold(grid, lambda x: _factor(row, x))
+    convective = threshold_of(grid, lambda x: _factor(row, x))
     tell("limit", 0.3)
     after = [x for x in grid if convective is not None and x > convective]
-    limit = _first([low, *after], lambda x: _meets(row, x))
+    limit = first_where([low, *after], lambda x: _meets(row, x))
     known = TrainVelocities(low, high, Status.UNDECIDED, convective, limit)
     tell("proving", 0.5)
     if convective is not None and convective <= low:
@@ -212,43 +209,3 @@ def _meets(row: Row, v: Fraction) -> bool:
     """In floats: long trains grow by themselves."""
     here = row.at_velocity(v)
     return long_trains_grow(Bloch(here), reach_of(here))
-
-
-def _threshold(grid: list[Fraction], factor: Callable[[Fraction], float]) -> float | None:
-    """In floats: where the factor comes to 1 for the first time on the grid, by the rule of false position."""
-    before: tuple[Fraction, float] | None = None
-    for x in grid:
-        f = factor(x) - 1
-        if f > 0:
-            return float(x) if before is None else _sharpened(before, (x, f), factor)
-        before = (x, f)
-    return None
-
-
-def _sharpened(
-    low: tuple[Fraction, float], high: tuple[Fraction, float], factor: Callable[[Fraction], float]
-) -> float:
-    (a, fa), (b, fb) = ((float(x), f) for x, f in (low, high))
-    for k in range(_STEPS):
-        if b - a <= _CLOSE * b:
-            break
-        x = (a + b) / 2 if k % 3 == 2 else b - fb * (b - a) / (fb - fa)
-        f = factor(Fraction(x)) - 1
-        if abs(f) < _CLOSE:
-            return x
-        a, fa, b, fb = (a, fa, x, f) if f > 0 else (x, f, b, fb)
-    return (a + b) / 2
-
-
-def _first(grid: list[Fraction], test: Callable[[Fraction], bool]) -> float | None:
-    """Where the test begins to hold, to some nine digits, if it holds at a point of the grid and not at the first."""
-    at = next((k for k, x in enumerate(grid) if test(x)), None)
-    if at is None:
-        return None
-    if at == 0:
-        return float(grid[0])
-    low, high = grid[at - 1], grid[at]
-    for _ in range(_HALVINGS):
-        middle = Fraction(float((low + high) / 2))
-        low, high = (low, middle) if test(middle) else (middle, high)
-    return float(np.float64((low + high) / 2))

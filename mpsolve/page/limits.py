@@ -29,7 +29,8 @@ class Reach:
     """What is proved of velocities from `low` to `high`.
 
     kind: stable throughout, unstable from the start, or stable up to `value`, from which on a root grows; undecided
-    where nothing is proved. reason: why it is not known of higher velocities.
+    where nothing is proved. reason: why it is not known of higher velocities. certificate: of the last step that is
+    proved, where there is one.
     """
 
     kind: Kind
@@ -37,6 +38,7 @@ class Reach:
     high: Fraction
     value: Any | None = None
     reason: Reason | None = None
+    certificate: Any | None = None
 
 
 def reach_of(problem: Problem, seconds: float) -> Reach:
@@ -60,7 +62,7 @@ def reach_of(problem: Problem, seconds: float) -> Reach:
 def _step(problem: Problem, over: Interval, seconds: float) -> Reach:
     answer = onset(problem, over={"v": over}, digits=15, effort=Effort(seconds=seconds), check=False)
     low, high = answer.over["v"]
-    return Reach(answer.kind, low, high, answer.value, answer.reason)
+    return Reach(answer.kind, low, high, answer.value, answer.reason, getattr(answer, "certificate", None))
 
 
 def _joined(found: Reach, problem: Problem, over: Interval, seconds: float) -> Reach:

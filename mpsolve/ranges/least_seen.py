@@ -32,10 +32,12 @@ def least_seen(family: Family, low: float, high: float, area: Area) -> Seen | No
     roots: list[Any] = [np.zeros(0, complex)] * len(x)
     for k in range(0, len(x), _SEARCHED):
         roots[k] = _roots(family, x[k], ends, area, roots[k], 1)
-    order = [*range(1, len(x)), *range(len(x) - 2, -1, -1)]
-    for k in order:
-        beside = roots[k - 1] if k and order.index(k) == k - 1 else roots[min(k + 1, len(x) - 1)]
-        roots[k] = _roots(family, x[k], ends, area, _joined(roots[k], beside), 0)
+    for k in range(1, len(x)):  # followed from point to point, and back where one point has more than the next
+        if len(roots[k]) < len(roots[k - 1]):
+            roots[k] = _roots(family, x[k], ends, area, np.concatenate([roots[k], roots[k - 1]]), 0)
+    for k in range(len(x) - 2, -1, -1):
+        if len(roots[k]) < len(roots[k + 1]):
+            roots[k] = _roots(family, x[k], ends, area, np.concatenate([roots[k], roots[k + 1]]), 0)
     best = [(float(q.imag), float(x[k]), complex(q)) for k, row in enumerate(roots) for q in row]
     if not best:
         return None
@@ -51,7 +53,3 @@ def _roots(family: Family, x: float, ends: tuple[Fraction, Fraction], area: Area
         return search(family.reduced([at]), area, hints, levels)
     except (InputError, PrecisionError):
         return hints[:0]
-
-
-def _joined(one: Any, other: Any) -> Any:
-    return np.concatenate([one, other])

@@ -36,10 +36,12 @@ class Margin:
 def margin(
     problem: Given, path: str, over: Interval, *, effort: Effort | None = None, progress: Progress | None = None
 ) -> Margin:
-    """The margin of the parameter at `path`, proved over the whole range; InputError for one that cannot be."""
+    """The margin of the parameter at `path`, proved over the whole range; InputError for one that cannot be.
+
+    No certificate is asked for: the verifier would take as long again.
+    """
     own = as_problem(problem).parameters[path]
-    found = unstable_ranges(problem, over={path: over}, effort=effort, progress=progress, check=False)
-    return margin_in(found, own)
+    return margin_in(unstable_ranges(problem, over={path: over}, effort=effort, progress=progress, check=False), own)
 
 
 def margin_in(found: UnstableRanges, own: Fraction) -> Margin:

@@ -21,6 +21,7 @@ from mpsolve.ranges.answer import Answer, outward
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
+from mpsolve.ranges.undamped import NOTE, never_unstable
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
 """What an answer has from the crossings that it is read from: their certificate is its own."""
@@ -159,6 +160,7 @@ def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
         return Onset(problem, answer.over, Status.UNDECIDED, answer.reason, cost=answer.cost, digits=digits)
     known: dict[str, Any] = {"value": found.value, "q": found.q, "worst": found.worst, "where": found.where}
     known |= {"kind": Kind.STABLE if found.value is None else Kind.CROSSES, "proofs": found.proofs}
+    known |= {"note": "no certificate states an onset at the worst value of a second parameter yet"}
     return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
 
 
@@ -201,4 +203,6 @@ def _found(
     ranges = checked_over(given, over)
     one_path(ranges)
     with one_thread():
+        if never_unstable(given, ranges):  # its roots are real all over the range, so that crossings tell nothing
+            return Crossings(given, ranges, Status.UNVERIFIED, digits=checked_digits(digits), counts=(0,), note=NOTE)
         return find(given, ranges, checked_digits(digits), effort, progress or silent, check)

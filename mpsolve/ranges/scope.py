@@ -28,7 +28,6 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
-_OF_ONE, _OF_SEVERAL = 1, 5  # halvings of a cell of frequencies, for one parameter and for several
 
 
 class OpenError(PrecisionError):
@@ -81,8 +80,8 @@ class Scope:
             return self.reach
         # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
         one = len(self.family.paths) == len(self.family.places) == 1
-        halvings = _OF_ONE if len(self.family.paths) == 1 else _OF_SEVERAL
-        found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=halvings), "X", None)
+        # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
+        found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=0), "X", None)
         if found is None:
             message = "no frequency is found beyond which the contacts are passive for all these parameters"
             raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
@@ -136,6 +135,8 @@ def checked_over(problem: Problem, over: object) -> dict[str, Interval]:
             first, last = ends
         except (TypeError, ValueError):
             raise InputError(str(path), f"is {ends!r}: give a range (low, high)") from None
+        if last is None:
+            raise InputError(path, "has no upper end, and ranges without one are not proved: give an upper end")
         low, high = rational(first, path), rational(last, path)
         if not low < high:
             raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")

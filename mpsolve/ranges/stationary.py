@@ -16,6 +16,7 @@ State = tuple[Any, ...]
 """Numbers of a point of the curve."""
 _BITS = 80
 _STEPS = 40
+_MOST = 120  # steps that sharpen
 _NEAR = 2.0**-16  # of the range: how far off slopes are compared
 GUARD = 40
 
@@ -106,7 +107,7 @@ def sharpened(curve: Curve, found: Candidate, goal: int) -> Lowest:
     """
     x, state, bend = found.x, found.state, arb(found.bend)
     bits, before = _BITS, None
-    while True:
+    for _ in range(_MOST):
         with precision(bits + GUARD):
             state, first = curve.near(state, x)
             rise = curve.rise(first)
@@ -116,14 +117,15 @@ def sharpened(curve: Curve, found: Candidate, goal: int) -> Lowest:
             before = (x, rise)
             step = -rise / bend
             x, state = arb((x + step).mid()), _moved(state, first, step)
-            small = abs(step).upper() <= abs(x).upper() * arb(2) ** (-bits // 2)
-        if bits >= goal + GUARD and abs(step).upper() <= abs(x).upper() * arb(2) ** (-goal - 4):
+            size = abs(x).upper()
+            small = abs(step).upper() <= size * arb(2) ** (-bits // 2)
+        if not step.is_finite():
             break
+        if bits >= goal + GUARD and abs(step).upper() <= size * arb(2) ** (-goal - 4):
+            return _enclosed(curve, x, state, goal)
         if small:
             bits = min(2 * bits - 16, goal + GUARD)
-        if not step.is_finite():
-            raise PrecisionError("the lowest point could not be sharpened")
-    return _enclosed(curve, x, state, goal)
+    raise PrecisionError("the lowest point could not be sharpened")
 
 
 def _enclosed(curve: Curve, x: Any, state: State, goal: int) -> Lowest:

@@ -35,6 +35,7 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "roots": ("mpsolve roots --json", motions.roots_schema),
     "audit": ("mpsolve audit --json", pages.audit_schema),
     "certificate": ("certificates of any problem", certificates.certificate_schema),
+    "ranges-certificate": ("certificates over ranges of parameters", certificates.ranges_certificate_schema),
     "zeros-certificate": ("certificates of mpsolve roots", certificates.zeros_certificate_schema),
     "range-certificate": ("certificates of ranges on the paper's beam", certificates.range_certificate_schema),
 }

@@ -58,6 +58,30 @@ def certificate_schema() -> p.Schema:
     return p.document("certificate", "Certificate of the frequencies of any problem", _FORM, 2, keys)
 
 
+def ranges_certificate_schema() -> p.Schema:
+    """Version 2, over ranges of parameters of any problem: crossings of one, stability over several."""
+    ball = p.table({"middle": _HEX, "exponent": p.WHOLE, "radius": p.DYADIC})
+    zero = p.table({"room": p.rows(p.rows(p.DYADIC)), "q": ball, "x": ball})
+    claim = p.one_of(
+        p.table({"counts": p.rows(p.COUNT), "directions": p.rows(p.WHOLE)}), p.table({"unstable": p.COUNT})
+    )
+    keys: p.Schema = {
+        "kind": {"enum": ["crossings", "stable"]},
+        "equations": {"type": "object"},
+        "basis": p.maybe(p.table({"matrix": _MATRIX, "neutral": p.COUNT, "unfelt": p.COUNT})),
+        "range": p.rows(p.rows(p.RATIONAL)),
+        "base": p.table({"at": p.rows(p.RATIONAL), "spectrum": {"type": "object"}}),
+        "tail": {"type": "object"},
+        "X": p.DYADIC,
+        "beyond": p.rows(p.DYADIC),
+        "tree": p.TEXT,
+        "zeros": p.rows(zero),
+        "claim": claim,
+        "sha256": _HASH,
+    }
+    return p.document("ranges-certificate", "Certificate over ranges of parameters", _FORM, 2, keys)
+
+
 def range_certificate_schema() -> p.Schema:
     """Version 1, of a range of masses on the paper's beam, and of the frequencies in it."""
     case = p.table(

@@ -14,6 +14,7 @@ _COMMON: p.Schema = {
     "reason": p.maybe(p.REASON),
     "known": {"type": "object"},
     "cost": p.table({"seconds": p.SECONDS, "verification": p.SECONDS, "boxes": p.COUNT}),
+    "note": p.TEXT,
     "proved": p.YES,
 }
 _WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}

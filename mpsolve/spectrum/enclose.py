@@ -8,8 +8,6 @@ does so too.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -17,26 +15,23 @@ from typing import Any
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.numbers.balls import acb, arb, rational_ball
 from mpsolve.numbers.reduction import Reduction
-from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid
+from mpsolve.numbers.rootball import RootBall, Symmetry
+from mpsolve.proof.enclosing import Enclosed, Line, enclosed, root_ball
 from mpsolve.proof.ladder import climb
-from mpsolve.proof.newton import Isolated, isolated, polished, sharpened
+from mpsolve.proof.newton import polished
 
 BASE_BITS = 80
-_GUARD = 24
 _TRIED = 640
 """Bits at which a root that no box isolates is left to the search for clusters."""
-_NEAR_AXIS = 2.0**-30
 _APPROACH, _CLOSE = 3, 2.0**-16
 
 
-_ONTO: dict[Symmetry, Callable[[Any], Any] | None] = {
-    Symmetry.NONE: None,
-    Symmetry.IMAGINARY: lambda sigma: acb(sigma.real),
-    Symmetry.REAL: lambda sigma: acb(0, sigma.imag),
-}
-"""Onto the line on which a root lies by its symmetry."""
+_IMAGINARY = Line(Symmetry.IMAGINARY, lambda sigma: acb(sigma.real))
+"""Re q = 0, of all problems: their coefficients are real."""
+_REAL = Line(Symmetry.REAL, lambda sigma: acb(0, sigma.imag))
+"""Im q = 0, where nothing damps."""
 
 
 @dataclass(frozen=True)
@@ -59,11 +54,10 @@ class Scalar:
 
 @dataclass(frozen=True)
 class Box:
-    """A box of σ̂ that is proved to hold one root, with its sharper image, and the function that it is a root of."""
+    """A root that is proved to be alone in its box of σ̂, and the function that it is a root of."""
 
     function: Scalar
-    sigma: Isolated
-    symmetry: Symmetry
+    root: Enclosed
 
     @cached_property
     def unit(self) -> Fraction:
@@ -79,20 +73,8 @@ def isolate(proved: Proved, seed: complex, bits: int = BASE_BITS) -> Box:
 def _isolate(proved: Proved, seed: Any) -> Box:
     function, start = _function(proved, acb(seed))
     start = polished(function, start)
-    size = start.abs_upper()
-    if abs(float(start.imag.mid())) < _NEAR_AXIS * float(size):
-        try:
-            found = isolated(function, acb(start.real.mid()), size)
-            return Box(function, Isolated(found.box, acb(found.image.real)), Symmetry.IMAGINARY)
-        except PrecisionError:
-            pass
-    if proved.lossless and abs(float(start.real.mid())) < _NEAR_AXIS * float(size):
-        try:
-            found = isolated(function, acb(0, start.imag.mid()), size)
-            return Box(function, Isolated(found.box, acb(0, found.image.imag)), Symmetry.REAL)
-        except PrecisionError:
-            pass
-    return Box(function, isolated(function, start, size), Symmetry.NONE)
+    lines = (_IMAGINARY, _REAL) if proved.lossless else (_IMAGINARY,)
+    return Box(function, enclosed(function, start, start.abs_upper(), lines))
 
 
 def _function(proved: Proved, start: Any) -> tuple[Scalar, Any]:
@@ -112,13 +94,7 @@ def _function(proved: Proved, start: Any) -> tuple[Scalar, Any]:
 
 def refine(box: Box, digits: int) -> RootBall:
     """The root of `box` in a ball of relative radius below 10^−digits in the problem's own units."""
-    goal = math.ceil(digits * math.log2(10)) + 1
-    image = sharpened(box.function, box.sigma.image, goal + _GUARD, _ONTO[box.symmetry])
-    with precision(goal + 3 * _GUARD):
-        ball = on_grid(in_units(image, box.unit), goal, 1, box.symmetry)
-        if not (in_units(box.sigma.box, box.unit).contains(ball.q) and ball.q.contains(in_units(image, box.unit))):
-            raise PrecisionError(f"the root near {image.str(6)} could not be sharpened to {digits} digits")
-    return ball
+    return root_ball(box.function, box.root, digits, lambda sigma: in_units(sigma, box.unit))
 
 
 def enclose(proved: Proved, seed: complex, digits: int) -> RootBall:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,14 +12,14 @@ from mpsolve.numbers.balls import precision
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import SAMPLES, Taylor
 from mpsolve.proof import clusters
+from mpsolve.proof.enclosing import Enclosed, Line, enclosed, root_ball
 from mpsolve.proof.ladder import climb
-from mpsolve.proof.newton import Isolated, isolated, polished, real_part, sharpened
+from mpsolve.proof.newton import polished, real_part
 from mpsolve.proof.pellet import pellet
 from mpsolve.zeros.function import Function
 
 BITS, _MOST = 80, 640
-_GUARD = 24
-_REAL = 2.0**-30
+_AXIS = Line(Symmetry.REAL, real_part)
 _SMALL = 2.0**-64
 _OUTER = 2.0**-10
 
@@ -43,27 +42,14 @@ class Zeros:
 
     def single(self, seed: Any, bits: int, digits: int) -> RootBall:
         """The simple zero that Newton's method reaches from the seed; PrecisionError where none is proved."""
-        found, real = climb(lambda _: self._isolated(acb(seed)), bits, max(bits, _MOST))
-        goal = math.ceil(digits * math.log2(10)) + 1
-        image = sharpened(self.f, found.image, goal + _GUARD, real_part if real else None, arb(self.least))
-        with precision(goal + 3 * _GUARD):
-            ball = on_grid(image, goal, self.power, Symmetry.REAL if real else Symmetry.NONE, self.least)
-            if not (found.box.contains(ball.q) and ball.q.contains(image)):
-                raise PrecisionError(f"the zero near {complex(image):.6g} could not be sharpened to {digits} digits")
-        return ball
+        root = climb(lambda _: self._enclosed(acb(seed)), bits, max(bits, _MOST))
+        return root_ball(self.f, root, digits, multiplicity=self.power, least=self.least)
 
-    def _isolated(self, seed: Any) -> tuple[Isolated, bool]:
+    def _enclosed(self, seed: Any) -> Enclosed:
         start = self._polished(seed)
         size = start.abs_upper()
         size = size if size > self.size / 1024 else arb(self.size / 1024)
-        near_axis = abs(start.imag) < _REAL * size
-        if self.f.real and near_axis:
-            try:
-                found = isolated(self.f, acb(start.real), size)
-                return Isolated(found.box, acb(found.image.real)), True
-            except PrecisionError:
-                pass
-        return isolated(self.f, start, size), False
+        return enclosed(self.f, start, size, (_AXIS,) if self.f.real else ())
 
     def _polished(self, seed: Any) -> Any:
         """Where Newton's method stands still; a zero at 0 is met by its absolute size."""

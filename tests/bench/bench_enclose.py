@@ -45,7 +45,7 @@ def test_a_sharpened_root_costs_few_values(name: str) -> None:
         ball = refine(box, digits)
         sharpening = median(partial(refine, box, digits), repeats)
         with precision(math.ceil(digits * math.log2(10)) + 48):
-            middle = box.sigma.image.mid()
+            middle = box.root.found.image.mid()
             once = median(partial(box.function.value, middle), repeats)
         print(
             f"{digits:6} digits   refine {seconds(sharpening)}   one value {seconds(once)}   "

@@ -66,6 +66,22 @@ def test_certificates_of_the_repository_are_valid(name: str) -> None:
     assert line.startswith(f"valid: {path}: exactly {claim['count']} induced frequencies")
 
 
+def test_an_undamped_beam_that_is_passive_at_all_frequencies(tmp_path: Path) -> None:
+    undamped = Problem(EulerBernoulli(EI="1/4", m=1, k=1), [Mass(40)], v="9/10")
+    content = certify_problem(undamped, region="unstable", digits=15).certificate.content
+    code, (line,) = run(written(tmp_path, content))
+    assert (code, line.startswith("valid: ")) == (0, True)
+    faster = copy.deepcopy(content)
+    faster["equations"]["velocity"] = "11/10"
+    damped = copy.deepcopy(content)
+    damped["equations"]["track"]["matrix"][0][0].append([0, 1, "1/10"])
+    claimed = copy.deepcopy(content)
+    claimed["claim"]["count"] = 1
+    for k, false in enumerate((faster, damped, claimed)):
+        code, (line,) = run(written(tmp_path, false, f"{k}.json"))
+        assert (code, line.startswith("invalid: ")) == (1, True)
+
+
 def test_one_mass_on_a_beam(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     path.write_text(one_mass())

@@ -102,11 +102,17 @@ def test_seeds_fit(tmp_path: Path) -> None:
     assert errors(json.loads(file.read_text("utf-8")), schema_of("seeds")) == []
 
 
-@pytest.mark.parametrize("file", sorted((ROOT / "certs").glob("*.json")), ids=lambda file: file.stem)
+COMMITTED = sorted(file for place in (".", "ranges", "roots") for file in (ROOT / "certs" / place).glob("*.json"))
+
+
+@pytest.mark.parametrize("file", COMMITTED, ids=lambda file: file.stem)
 def test_committed_certificates_fit(file: Path) -> None:
     content = json.loads(file.read_text("utf-8"))
     name = "certificate" if content["version"] == 2 else "range-certificate"
+    if file.parent.name in ("ranges", "roots"):
+        name = {"ranges": "ranges-certificate", "roots": "zeros-certificate"}[file.parent.name]
     assert errors(content, schema_of(name)) == []
+    refused_mutants(content, schema_of(name))
 
 
 @pytest.mark.parametrize(
@@ -149,5 +155,15 @@ def test_names_and_versions() -> None:
 
 
 def test_no_schema_is_left_out() -> None:
-    others = {"study", "status", "seeds", "study-file", "table-file", "ratio-table-file", "input"}
+    others = {
+        "range-certificate",
+        "ranges-certificate",
+        "study",
+        "status",
+        "seeds",
+        "study-file",
+        "table-file",
+        "ratio-table-file",
+        "input",
+    }
     assert {*OUTPUTS, *others} == set(CATALOGUE)

@@ -131,8 +131,8 @@ def test_the_box_holds_the_ball() -> None:
     box = isolate(proved, sigma)
     ball = refine(box, 20)
     with precision(200):
-        assert in_units(box.sigma.box, box.unit).contains(ball.q)
-        assert box.sigma.box.contains_interior(box.sigma.image)
+        assert in_units(box.root.found.box, box.unit).contains(ball.q)
+        assert box.root.found.box.contains_interior(box.root.found.image)
         assert in_units(acb(1, 2), Fraction(4)) == acb(8, -4)
 
 

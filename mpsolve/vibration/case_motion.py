@@ -1,0 +1,77 @@
+"""What a computed motion is: its parts in arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.display import card
+from mpsolve.problem.case import Case
+from mpsolve.vehicles.load import Load
+
+
+@dataclass(frozen=True)
+class HarmonicPair:
+    """A pair q, −q̄ of induced frequencies and what it contributes, Re(amplitude(ξ) e^{iqτ}).
+
+    q: complex, Re q ≥ 0 (Re q = 0: a single frequency). amplitude: complex, shape (len(xi),). contribution: shape
+    (len(xi), len(tau)).
+    """
+
+    q: complex
+    multiplicity: int
+    amplitude: Any
+    contribution: Any
+
+
+def modulus(pairs: Sequence[tuple[complex, Any]], tau: Any) -> Any:
+    """|Σ amplitude e^{iqτ}|, shape (len(amplitude), len(tau))."""
+    return np.abs(sum(np.multiply.outer(np.asarray(a), np.exp(1j * q * tau)) for q, a in pairs))
+
+
+@dataclass(frozen=True)
+class Response:
+    """The motion from rest: w = steady + harmonic + transient, each of shape (len(xi), len(tau)); float64 results.
+
+    Displacements in units of w_st = χ/(2k) times the unit force of the loads, downward positive; τ and ξ of (10).
+    steady_harmonic: the part of `steady` at the frequencies of the forces. harmonic_pairs: `harmonic` by pairs of
+    induced frequencies. velocity, acceleration: of the contact points, shape (masses, len(tau)). contact_forces:
+    P_j(τ) − M_j ẅ of (2), same shape, in units of the unit force, compression positive. contact_loss: for each mass
+    the first time at which its contact force falls below zero, linear between the given times, or None; contact_note
+    says why it is not known, or only that it is earlier ("" if it is known). error: an estimate, relative to the
+    largest of the parts.
+    """
+
+    case: Case
+    loads: tuple[Load, ...]
+    xi: Any
+    tau: Any
+    steady: Any
+    steady_harmonic: Any
+    harmonic: Any
+    transient: Any
+    harmonic_pairs: tuple[HarmonicPair, ...]
+    velocity: Any
+    acceleration: Any
+    contact_forces: Any
+    contact_loss: tuple[float | None, ...]
+    contact_note: tuple[str, ...]
+    error: float
+
+    @property
+    def w(self) -> Any:
+        """steady + harmonic + transient, shape (len(xi), len(tau)), in units of w_st."""
+        return self.steady + self.harmonic + self.transient
+
+    @property
+    def envelope(self) -> Any:
+        """The bound of the unsteady harmonic part, Figures 3–8, shape (len(xi), len(tau))."""
+        pairs = [(pair.q, pair.amplitude) for pair in self.harmonic_pairs]
+        return modulus(pairs, self.tau) if pairs else np.zeros((len(self.xi), len(self.tau)))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return card(self)

@@ -1,0 +1,54 @@
+"""Random problems of every model: float counts on both sides of every proved boundary are what is claimed there.
+
+The counts are those of `frequencies`, which shares neither boxes nor models with the proofs.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from track_models import DAMPED
+
+from mpsolve import Effort, Problem, frequencies, vehicles
+from mpsolve.ranges.crossings import crossings
+
+# m/s up to which is asked, and kg of a typical mass; floating ice is left open by the proof
+MODELS = {
+    "string": (120, 10), "euler-bernoulli": (400, 3000), "rayleigh": (400, 3000), "timoshenko": (350, 3000),
+    "two-layer": (1200, 3000), "three-layer": (90, 3000), "slab": (700, 3000),
+}  # fmt: skip
+OFFSETS = (0.02, 0.5, 0.98)
+
+
+def problem_of(name: str, rng: np.random.Generator) -> Problem:
+    def between(low: float, high: float) -> Fraction:
+        return Fraction(round(float(rng.uniform(low, high)), 3))
+
+    top, mass = MODELS[name]
+    first = mass * between(0.3, 3)
+    contacts = [vehicles.Mass(first).at(0)]
+    if rng.uniform() < 0.7:
+        contacts.append(vehicles.Mass(first * between(0.6, 1.5)).at(between(1.5, 4)))
+    return Problem(DAMPED[name], contacts, v=top * between(0.4, 1))
+
+
+@pytest.mark.parametrize("path", ["v", "scale.mass"])
+@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("name", MODELS)
+def test_counts_on_both_sides_of_each_boundary(name: str, seed: int, path: str) -> None:
+    problem = problem_of(name, np.random.default_rng([seed, *name.encode()]))
+    top = MODELS[name][0]
+    over = (Fraction(top, 5), top) if path == "v" else ("0.2", 3)
+    found = crossings(problem, over={path: over}, check=False, effort=Effort(seconds=60))
+    assert found.counts is not None
+    low, high = found.over[path]
+    ends = [float(low), *(float(c.value) for c in found.crossings), float(high)]
+    points = [Fraction(a + share * (b - a)) for a, b in pairwise(ends) for share in OFFSETS]
+    seen = frequencies(problem, {path: points}, roots=False)
+    known = seen.status == "ok"
+    assert known.mean() > 0.6
+    claimed = np.repeat(found.counts, len(OFFSETS))
+    assert (seen.count[known] == claimed[known]).all()
