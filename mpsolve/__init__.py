@@ -18,13 +18,10 @@ if TYPE_CHECKING:
     from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
     from mpsolve.endless.velocities import TrainVelocities, train_velocities
     from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
+    from mpsolve.finite.beam.beam import BeamResponse, finite_beam
     from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
     from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
     from mpsolve.loci.lines import frequency_lines
-    from mpsolve.motion.beam import BeamResponse, finite_beam
-    from mpsolve.motion.solution import HarmonicSolution, Response
-    from mpsolve.motion.solve import harmonic_solution
-    from mpsolve.motion.study import deflection_shape
     from mpsolve.numbers.exact import Exact
     from mpsolve.outcome import Reason, Status
     from mpsolve.passivity.answer import PassivityVelocity
@@ -50,6 +47,8 @@ if TYPE_CHECKING:
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
+    from mpsolve.vibration.case_motion import Response
+    from mpsolve.vibration.case_studies import deflection_shape
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -137,8 +136,6 @@ __all__ = [
     "rail_roughness",
     "out_of_round",
     "Event",
-    "harmonic_solution",
-    "HarmonicSolution",
     "envelope",
     "superposition",
     "merged",
@@ -239,16 +236,14 @@ _HOME = {
     "rail_roughness": "vibration.roughness",
     "out_of_round": "vibration.roughness",
     "Event": "vibration.liftoff",
-    "Response": "motion.solution",
-    "harmonic_solution": "motion.solve",
-    "HarmonicSolution": "motion.solution",
+    "Response": "vibration.case_motion",
     "envelope": "vibration.studies",
     "superposition": "vibration.studies",
     "merged": "vibration.studies",
     "transient_importance": "vibration.studies",
-    "deflection_shape": "motion.study",
-    "finite_beam": "motion.beam",
-    "BeamResponse": "motion.beam",
+    "deflection_shape": "vibration.case_studies",
+    "finite_beam": "finite.beam.beam",
+    "BeamResponse": "finite.beam.beam",
     "finite_track": "finite.finite_track",
     "FiniteTrackMotion": "finite.finite_track",
     "study": "studies.run",

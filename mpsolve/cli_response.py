@@ -12,10 +12,10 @@ from mpsolve import cli_vibration
 from mpsolve.cli_tools import checked_output, one_sentence
 
 if TYPE_CHECKING:
-    from mpsolve.motion.scale import Scale
-    from mpsolve.motion.solution import Response
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
+    from mpsolve.vibration.case_motion import Response
+    from mpsolve.vibration.scale import Scale
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
 _END = click.option(
@@ -71,14 +71,14 @@ def response(
         _only_in_seconds(initial != "rest", "--initial")
         _only_in_seconds(animate is not None, "--animate")
         tau = _times(end, points)
-        from mpsolve.motion.solve import response as respond
+        from mpsolve.vibration.of_case import motion_of_case as respond
 
         places = None if xi is None else [x.strip() for x in xi.split(",")]
         found = respond(source.case, source.loads, places, tau)
         scale = _scale(source)
         if kind == ".json":
             from mpsolve.files import save_json
-            from mpsolve.motion.output import columns
+            from mpsolve.vibration.case_table import columns
 
             save_json(columns(found, scale), output, source.title, _summary(found, scale))
         else:
@@ -175,8 +175,8 @@ def _suffix(path: Path, known: tuple[str, ...]) -> str:
 
 
 def _scale(source: InputFile) -> Scale:
-    from mpsolve.motion.scale import Scale
     from mpsolve.problem.physical import PhysicalCase
+    from mpsolve.vibration.scale import Scale
 
     return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
 
@@ -188,11 +188,11 @@ def _unit(scale: Scale) -> str:
 def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.files import save_columns
-        from mpsolve.motion.output import columns
+        from mpsolve.vibration.case_table import columns
 
         save_columns(columns(found, scale), path)
     elif kind == ".npz":
-        from mpsolve.motion.output import save_arrays
+        from mpsolve.vibration.case_table import save_arrays
 
         save_arrays(found, path, scale)
     else:
@@ -202,10 +202,7 @@ def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> N
 
 
 def _summary(found: Response, scale: Scale) -> list[str]:
-    lines = [
-        f"units: {scale.said}.",
-        f"initial conditions met within {found.misfit:.1e} of the size of the parts (float64).",
-    ]
+    lines = [f"units: {scale.said}.", f"estimated error {found.error:.1e} of the size of the parts (float64)."]
     for pair in found.harmonic_pairs:
         size = abs(pair.amplitude[0]) * scale.length
         lines.append(f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {_unit(scale)} at ξ = {found.xi[0]:g}")
@@ -220,9 +217,9 @@ def _summary(found: Response, scale: Scale) -> list[str]:
 def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], list[str]]:
     """The curves by name, the complete solution first, and what is to be said of them."""
     from mpsolve.errors import InputError, PrecisionError
-    from mpsolve.motion.beam import finite_beam
-    from mpsolve.motion.solve import response as respond
-    from mpsolve.motion.study import merged, superposition
+    from mpsolve.finite.beam.beam import finite_beam
+    from mpsolve.vibration.case_studies import merged, superposition
+    from mpsolve.vibration.of_case import motion_of_case as respond
 
     given = source.case, source.loads
     whole = respond(*given, None, tau)
@@ -250,7 +247,7 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], 
 def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.files import save_columns
-        from mpsolve.motion.output import named, time_columns
+        from mpsolve.vibration.case_table import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
         save_columns(time_columns(tau, scale) | shown, path)

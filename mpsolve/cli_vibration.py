@@ -30,8 +30,8 @@ def seconds(text: str) -> float | None:
 
 def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str) -> list[str]:
     """Writes the motion; what is to be said of it."""
-    from mpsolve.vibration.response import vibrate
     from mpsolve.vibration.table import save_arrays, save_table
+    from mpsolve.vibration.vibrate import vibrate
 
     places = None if xi is None else [x.strip() for x in xi.split(",")]
     found = vibrate(source.problem, source.loads, times=times, places=places, initial=initial)
@@ -64,7 +64,7 @@ def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:
 
     from mpsolve.problem.reduced import scale_guide
     from mpsolve.report.figures_vibration import save_film
-    from mpsolve.vibration.response import vibrate
+    from mpsolve.vibration.vibrate import vibrate
 
     contacts = [float(x) for x in source.problem.pencil.places]
     around = max(_AROUND * 2.0 ** scale_guide(source.problem).length, 0.5 * (contacts[-1] - contacts[0]))
@@ -101,8 +101,8 @@ def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], 
     """The motion under the rear contact by different ways, the complete solution first, and what is to be said."""
     from mpsolve.errors import InputError, PrecisionError
     from mpsolve.finite.finite_track import finite_track
-    from mpsolve.vibration.response import vibrate
     from mpsolve.vibration.studies import merged, superposition
+    from mpsolve.vibration.vibrate import vibrate
 
     problem, loads = source.problem, source.loads
     rear = [problem.pencil.places[0]]

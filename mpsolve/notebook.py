@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
-from mpsolve.motion.solution import Response
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.report import spectrum_words as words
@@ -26,6 +25,7 @@ from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.stability.table import OnsetTable
 from mpsolve.stability.table_text import notes, proved_sentence
+from mpsolve.vibration.case_motion import Response
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -79,7 +79,7 @@ def response_card(response: Response) -> str:
         for k, (loss, note) in enumerate(zip(response.contact_loss, response.contact_note, strict=True), 1)
         if loss is not None
     ]
-    notes.append(f"Computed in float64, not proved; the initial conditions are missed by {response.misfit:.0e}.")
+    notes.append(f"Computed in float64, not proved; the estimated error is {response.error:.0e} of the largest part.")
     return rendered_template(
         _TEMPLATE,
         head=f"Response for τ from {response.tau.min():.6g} to {response.tau.max():.6g}"

@@ -8,7 +8,7 @@ import pytest
 
 import mpsolve
 from mpsolve import display, notebook
-from mpsolve.motion.solution import Response
+from mpsolve.vibration.case_motion import Response
 
 
 def test_every_result_that_shows_itself_has_a_card() -> None:

@@ -22,7 +22,7 @@ PACKAGE = "mpsolve"
 VERIFIER = "mpsolve.certificate.verify"
 VERIFIERS = {VERIFIER, "mpsolve.certificate.verify2", "mpsolve.certificate.verify_roots"}
 UPWARD = ("mpsolve.display", "mpsolve.notebook")
-FRONT_DOORS = {"mpsolve", "mpsolve.motion"}
+FRONT_DOORS = {"mpsolve"}
 DOORS_OF_COMMANDS = {"mpsolve.cli", "mpsolve.page.paper"}  # a command by its name; a printer that may be missing
 PRECISION = {"mpsolve.numbers.balls", *VERIFIERS}
 

@@ -17,7 +17,10 @@ from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.family import Family
 
 _TOGETHER = 0.3  # two roots of one side that are closer than this share of their distance to others may meet
-_FAINT = 2.0**-16  # of the strongest wave at the force: of which no more is said than a bound
+_FAINT = 2.0**-16  # of the strongest wave at the force: of which no more may be said than a bound
+_FOLLOWED = (
+    2.0**-6
+)  # of the bound: a model that leaves out less is kept, so that small boxes tell what long trains need
 
 
 @dataclass(frozen=True)
@@ -106,11 +109,11 @@ def _residues(roots: Roots, rows: Any, own: Any, xi: Quadratic, fixed: bool) -> 
 
 
 def _grown(phase: Quadratic, weight: Quadratic) -> Quadratic:
-    """weight e^phase; a wave that has all but died away is bounded only, however fast it turns."""
+    """weight e^phase; a wave that has all but died away is bounded only, where it turns too fast to be followed."""
     model = phase.exp() * weight
     most = phase.a.real + phase.spread
     bound = np.exp(np.minimum(most, 700.0)) * (1 + 1e-12) * weight.size + TINY
-    faint = (most < 0) & (bound < _FAINT * np.abs(weight.a).max(1, keepdims=True))
+    faint = (most < 0) & (bound < _FAINT * np.abs(weight.a).max(1, keepdims=True)) & ~(model.e < _FOLLOWED * bound)
     return Quadratic(np.where(faint, 0, model.k), np.where(faint, bound, model.e), model.m)
 
 

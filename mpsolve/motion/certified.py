@@ -5,7 +5,7 @@ from __future__ import annotations
 from mpsolve.certificate.on_sheet import AnySpectrum, sheet_of
 from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 
 def proved_spectrum(case: Case, spectrum: AnySpectrum | None, digits: int = 30) -> SheetSpectrum:

@@ -27,8 +27,6 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import require_cuts_on_line
-from mpsolve.model.load import Load, loads_of
-from mpsolve.model.parameters import Case, PhysicalCase
 from mpsolve.motion.certified import proved_spectrum
 from mpsolve.motion.rigorous_forces import Setting, setting
 from mpsolve.motion.rigorous_path import Guide, Route, float_track, guide, route
@@ -38,6 +36,10 @@ from mpsolve.motion.rigorous_sum import Samples, physical_start
 from mpsolve.motion.rigorous_tail import far_start, tail
 from mpsolve.motion.rigorous_waves import BallWave, induced, steady
 from mpsolve.numbers.exact import Exact, Number, exact_list
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
+from mpsolve.vehicles.load import Load
 
 acb, arb = flint.acb, flint.arb
 
@@ -127,10 +129,10 @@ class PreciseMotion:
 
 def precise_response(
     case: Case | PhysicalCase,
-    loads: Iterable[Load] | None,
-    xi: Iterable[Number] | Number | None,
-    tau: Iterable[Number] | Number,
-    digits: int,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    digits: int = 15,
     spectrum: AnySpectrum | None = None,
 ) -> PreciseMotion:
     """The middles of the balls of `enclose_response`; PrecisionError if a ball is wider than 10^−digits."""

@@ -8,9 +8,9 @@ from typing import Any
 
 from mpsolve.errors import known
 from mpsolve.fields import Field
-from mpsolve.model.load import Load
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.vehicles.load import Load
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,10 @@ import flint
 
 from mpsolve.discs import DiscField, Discs
 from mpsolve.fields import Ball
-from mpsolve.model.load import Load
-from mpsolve.model.parameters import Case
 from mpsolve.motion.forcing import Tone, image, tones
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
+from mpsolve.vehicles.load import Load
 
 acb, arb = flint.acb, flint.arb
 

@@ -24,7 +24,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.fields import Float64
 from mpsolve.model.branch import Track, track
 from mpsolve.model.limits import branch_points, limiting_frequency
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 
 acb, arb = flint.acb, flint.arb
 

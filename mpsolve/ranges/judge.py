@@ -116,7 +116,7 @@ class Judge:
             strain = np.where(bounded, s.strain, 0) + G.strain
             share = strain / strain.sum(0)
             weight = verdict.weight + s.s.e * np.where(np.isfinite(share), share, 0)
-            weight = np.where(s.good & np.isfinite(weight).all(0), weight, np.where(bounded, s.strain, G.strain))
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, strain)
             width = boxes.r / np.where(self.width > 0, self.width, np.inf)[:, None]
             usable = np.isfinite(weight).all(0) & (weight > 0).any(0)
             weight = np.where(usable, weight / weight.max(0), 1.0) * (width > 0) + width * 1e-9

@@ -21,6 +21,7 @@ from mpsolve.ranges.lowest import NEXT, Question
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 400_000
+NOTE = "no certificate states where something is lowest yet"
 
 
 @dataclass(frozen=True)
@@ -106,4 +107,5 @@ def _worst(
     checked = question.base.cost.verification if question.base is not None else 0.0
     cost = Spent(process_time() - started - checked, checked, budget.spent)
     status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
-    return Worst(problem, over, status, reason, cost=cost, digits=digits, **known)
+    note = NOTE if reason is None else ""
+    return Worst(problem, over, status, reason, cost=cost, note=note, digits=digits, **known)

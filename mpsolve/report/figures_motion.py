@@ -11,9 +11,9 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.files import write_whole
-from mpsolve.motion.scale import Scale
-from mpsolve.motion.solution import Response
 from mpsolve.report.figures import rendered, require_matplotlib
+from mpsolve.vibration.case_motion import Response
+from mpsolve.vibration.scale import Scale
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.motion.scale import Scale
-from mpsolve.motion.solution import Response
 from mpsolve.report.figures import COLOUR, Look
+from mpsolve.vibration.case_motion import Response
+from mpsolve.vibration.scale import Scale
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -16,10 +16,10 @@ import flint
 
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio, require_cuts_on_line
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
 from mpsolve.outcome import Status
+from mpsolve.problem.case import Case
 from mpsolve.stability.gapend import gap_ends
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.rimsearch import edge_zeros

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from mpsolve.model.branch import ALONG_ALPHA, ALONG_DAMPING, Motion, Track, track
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
 
 Parameter = Literal["alpha", "eta_b", "distance", "level", "mass"]
 

@@ -26,9 +26,9 @@ from mpsolve.dual import Dual
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
-from mpsolve.model.parameters import Case
 from mpsolve.model.scaled import SplitRoots, scaled_characteristic
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
 from mpsolve.stability.entire import EntireBalls
 from mpsolve.stability.search import Strip
 

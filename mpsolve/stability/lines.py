@@ -16,9 +16,9 @@ import flint
 from mpsolve.certificate.sheet import SheetSpectrum, certify_sheet
 from mpsolve.errors import InputError
 from mpsolve.fields import ball_arithmetic
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.rootball import RootBall
+from mpsolve.problem.case import Case
 from mpsolve.stability.cuts import CutPoint, CutPoints, cut_points
 from mpsolve.stability.masses import checked_digits
 from mpsolve.stability.tube import follow

@@ -13,9 +13,9 @@ from mpsolve.certificate.sheet import MAX_DIGITS, MIN_DIGITS
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.outcome import Status
+from mpsolve.problem.case import Case
 from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.passages import Passages, passing

@@ -15,7 +15,7 @@ from mpsolve.discs import DiscField
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.branch import Track, track
-from mpsolve.model.parameters import Case
+from mpsolve.problem.case import Case
 from mpsolve.sheet.far import far_radius
 from mpsolve.stability.exclude import inside
 from mpsolve.stability.holes import about, exact, holds, inward, outward

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from mpsolve.model.specs import label
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.specs import label
 from mpsolve.stability.search import Strip
 
 UNIT = (Exact.parse(0), Exact.parse(1))

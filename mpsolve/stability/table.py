@@ -14,12 +14,12 @@ from mpsolve.display import card
 from mpsolve.errors import CertificateError, InputError, PrecisionError, known
 from mpsolve.files import checked_suffix, write_whole
 from mpsolve.model import specs
-from mpsolve.model.parameters import Case
-from mpsolve.model.specs import Grid
 from mpsolve.numbers.decimals import fixed_digits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.packed import PackedBall, pack, unpack
 from mpsolve.parallel.pool import run_bunches
+from mpsolve.problem.case import Case
+from mpsolve.problem.specs import Grid
 from mpsolve.progress import Progress
 from mpsolve.stability.masses import crossings_search
 from mpsolve.stability.strips import UNIT, remark

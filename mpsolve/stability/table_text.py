@@ -9,8 +9,8 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.model.assumed import ASSUMED
-from mpsolve.model.specs import label
 from mpsolve.numbers.decimals import decimal
+from mpsolve.problem.specs import label
 
 if TYPE_CHECKING:
     from mpsolve.stability.table import Entry, OnsetTable

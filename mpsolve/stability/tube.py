@@ -19,9 +19,9 @@ from mpsolve.discs import DiscField, Discs, DualField
 from mpsolve.dual import Dual
 from mpsolve.model.boxes import RootDiscs, root_discs, root_slopes
 from mpsolve.model.branch import ALONG_ALPHA, ALONG_Q, Track, track
-from mpsolve.model.parameters import Case
 from mpsolve.model.scaled import SplitRoots, scaled_characteristic
 from mpsolve.numbers.exact import Exact
+from mpsolve.problem.case import Case
 
 acb, arb = flint.acb, flint.arb
 _ROUNDS = 400

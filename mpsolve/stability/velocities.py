@@ -15,10 +15,10 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.fields import ball_arithmetic
 from mpsolve.model.limits import critical_velocity_ratio
-from mpsolve.model.parameters import Case
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.ranges import checked_range
 from mpsolve.outcome import Status
+from mpsolve.problem.case import Case
 from mpsolve.progress import Progress
 from mpsolve.stability.family import Family
 from mpsolve.stability.guess import guess_first

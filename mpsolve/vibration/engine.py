@@ -26,6 +26,8 @@ GOOD = 1e-8
 """Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
 _FORCES = 1000.0
 _ROUNDED = 2e-10
+_CANCELS = 2.0**-50
+"""Of the largest part: what is lost where parts cancel, as next to a resonance."""
 _SLOW = 2.5
 """1/(√2 − 1): an error that falls as Ω^(−1/2), as that of a force soon after the start, is so much the change."""
 _LEAST = 24.0
@@ -80,6 +82,13 @@ class Solution:
         left = [mode for mode in self.modes if mode.sigma.real <= self.line.alpha]
         rest = rest - sum((mode.motion(times) for mode in left), zero)
         return Parts(static + self.held[:, None], waves, free, rest)
+
+    def rates(self, times: Any) -> Any:
+        """The rate of the sum at times t̂ ≥ 0, per unit of t̂, (channels, times); 0 at 0, where all is at rest."""
+        right: list[Any] = [mode for mode in self.modes if mode.sigma.real > self.line.alpha]
+        right += list(self.steady) if self.line.alpha < 0 else []
+        zero = np.zeros((self.image.channels, len(times)))
+        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in right), zero))
 
     def early(self, times: Any) -> Any:
         """The sum at times < 0, which is 0 but for errors, (channels, times)."""
@@ -183,11 +192,13 @@ class Engine:
     def _judged(self, solution: Solution, times: Any) -> tuple[Solution, _Verdict]:
         """With its error by channels."""
         line = solution.line
-        goal = self._goals(solution.parts(times).total)
+        parts = solution.parts(times)
+        goal = self._goals(parts.total)
+        largest = np.abs([parts.static, parts.forced, parts.free]).max((0, 2), initial=0.0)
         change = _SLOW * np.abs(line.change(times)).max(1, initial=0.0)
         before = np.abs(solution.early(_BEFORE / line.omega)).max(1)
         grown = math.exp(max(line.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
-        error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal
+        error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal + _CANCELS * largest
         worst = int(np.argmax(error / goal))
         early = float((before / goal).max())
         verdict = _Verdict(float(error[worst] / goal[worst]), float(change[worst] / max(error[worst], 1e-300)), early)

@@ -30,6 +30,10 @@ class Forced:
         """(channels, times)."""
         return (self.amplitude[:, None] * np.exp(1j * self.frequency * times)).real
 
+    def rate(self, times: Any) -> Any:
+        """d/dt of it."""
+        return (1j * self.frequency * self.amplitude[:, None] * np.exp(1j * self.frequency * times)).real
+
 
 def forced(image: Image, tone: Tone) -> Forced:
     """InputError where the frequency is an induced one, so that the motion has no bound."""

@@ -41,6 +41,12 @@ class Line:
         """(channels, times)."""
         return inverse(self.panels, lambda w: faded(w, self.omega), self.alpha, times)
 
+    def rate(self, times: Any) -> Any:
+        """d/dt of the motion, (channels, times)."""
+        sigma = self.alpha + 1j * self.panels.nodes
+        turned = Panels(self.panels.middle, self.panels.half, self.panels.values * sigma[..., None])
+        return inverse(turned, lambda w: faded(w, self.omega), self.alpha, times)
+
     def change(self, times: Any) -> Any:
         """How much half of Ω would change it: more than its error where the image has decayed as powers do."""
         return inverse(self.panels, lambda w: faded(w, self.omega) - faded(w, self.omega / 2), self.alpha, times)

@@ -29,7 +29,7 @@ from mpsolve.vibration.line import sampled_line
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.precise_image import PreciseImage, exact_terms, number
 from mpsolve.vibration.quadrature import Rule
-from mpsolve.vibration.response import checked_places
+from mpsolve.vibration.vibrate import checked_places
 
 MOST = 200
 _GUARD = 25

@@ -36,6 +36,11 @@ class Mode:
         twice = 2.0 if self.sigma.imag > 0 else 1.0
         return twice * (total * np.exp(self.sigma * times)).real
 
+    def rate(self, times: Any) -> Any:
+        """d/dt of it."""
+        later = np.concatenate([self.moments[1:], 0 * self.moments[:1]])
+        return Mode(self.sigma, self.multiplicity, self.sigma * self.moments + later).motion(times)
+
 
 @dataclass(frozen=True)
 class Pole:

@@ -1,142 +1,28 @@
-"""The public verb: the motion of any vehicles on any track from the time on at which loads act."""
+"""The public verb: the motion in time of a Problem, or of a case of the paper."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from fractions import Fraction
 from typing import Any
 
-import numpy as np
-
-from mpsolve.errors import InputError, PrecisionError
-from mpsolve.motion.solve import response as motion_of_case
-from mpsolve.numbers.float_list import float_list
-from mpsolve.numbers.model import rational
-from mpsolve.parallel.threads import one_thread
+from mpsolve.motion import enclosure
 from mpsolve.problem.case import Case
 from mpsolve.problem.physical import PhysicalCase
-from mpsolve.problem.problem import Problem
-from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.tracks.at_rest import Status, at_rest
-from mpsolve.vehicles.loads import Outer, outer_forces
-from mpsolve.vibration.engine import Engine, Parts, Solution
-from mpsolve.vibration.forcing import Irregularity, checked_irregularities, tones
-from mpsolve.vibration.image import Image
-from mpsolve.vibration.motion import Vibration, vibration
-from mpsolve.vibration.poles import certified, searched
-
-STARTS = ("rest", "steady")
+from mpsolve.vibration.of_case import motion_of_case
+from mpsolve.vibration.vibrate import vibrate
 
 
 def response(problem: Any, *arguments: Any, **options: Any) -> Any:
     """The motion in time: of a Problem by `vibrate`, of a Case or PhysicalCase by the paper's formulas.
 
     response(problem, loads=None, *, times, places=None, irregularities=None, initial="rest", spectrum=None) for a
-    Problem, see `vibrate`; response(case, loads=None, xi=None, tau=(0,), spectrum=None, digits=None, balls=False) for
-    the others, in the paper's units.
+    Problem, see `vibrate`; response(case, loads=None, xi=None, tau=(0,), spectrum=None) for the others, in the units
+    of the paper, see `motion_of_case`; of these with balls=True, or digits, in proved balls, or numbers right to so
+    many decimals, by the paper's own formulas.
     """
-    if isinstance(problem, (Case, PhysicalCase)):
-        return motion_of_case(problem, *arguments, **options)
-    return vibrate(problem, *arguments, **options)
-
-
-def vibrate(
-    problem: Problem,
-    loads: Any = None,
-    *,
-    times: Any,
-    places: Any = None,
-    irregularities: Iterable[Irregularity] | None = None,
-    initial: str = "rest",
-    spectrum: Spectrum | None = None,
-) -> Vibration:
-    """The motion of the vehicles and the rail under them; float64, with an error that is estimated and kept.
-
-    loads: one `Load` for each contact from rear to front, or a dict of Loads by names of coordinates, in units of the
-    problem (SI: N, rad/s); without them the weights act. irregularities: one `Irregularity` for each contact. times
-    ≥ 0. places: of the moving frame, by default the contacts. initial: "rest", where everything acts suddenly from
-    t = 0 on, or "steady", where constant loads have acted for ever and the rest sets in at t = 0. spectrum: of
-    `certify(problem)`, whose roots then are the induced frequencies; without it they are searched for in float64.
-
-    The error of deflections is below 1e-8 of the largest wherever `error` says so. InputError names the argument that
-    cannot be used, as loads at a frequency at which the vehicle moves by itself; PrecisionError where a root lies on
-    the path of integration.
-    """
-    solution, at = solved(problem, loads, times, places, irregularities, initial, spectrum)
-    with one_thread():
-        parts = _from_start(solution, at * solution.image.rate)
-    return vibration(problem, solution, at, parts)
-
-
-def solved(
-    problem: Problem,
-    loads: Any,
-    times: Any,
-    places: Any,
-    irregularities: Any,
-    initial: str,
-    spectrum: Spectrum | None,
-) -> tuple[Solution, Any]:
-    """The motion as a function of time, and the times."""
-    if not isinstance(problem, Problem):
-        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
-    resting = at_rest(problem.track)
-    if resting.status is Status.UNSTABLE:
-        raise InputError("track", f"is unstable without any force: {resting.sentence}; lower the axial force N")
-    if initial not in STARTS:
-        raise InputError("initial", f"is {initial!r}: give one of {', '.join(STARTS)}")
-    at = _times(times)
-    image = Image(problem, checked_places(problem, places))
-    outer = outer_forces(image.pencil, loads)
-    rough = checked_irregularities(irregularities, image.contacts)
-    acting, held = tones(image, outer, rough), tones(image, _only(outer, constant=True), ())[:0]
-    if initial == "steady":
-        held = tones(image, _only(outer, constant=True), ())
-        acting = tones(image, _only(outer, constant=False), rough)
-    with one_thread():
-        try:
-            poles = searched(problem) if spectrum is None else certified(image, spectrum)
-            return Engine(image, acting, held, poles).solve(at * image.rate), at
-        except np.linalg.LinAlgError:
-            stated = (
-                "the equations of the motion are singular, as those of a track without stiffness under constant loads"
-            )
-            raise PrecisionError(f"{stated}: change a parameter") from None
-
-
-def _only(outer: Outer, constant: bool) -> Outer:
-    zero = np.zeros_like(outer.constant)
-    return Outer(
-        outer.direction,
-        outer.constant if constant else zero,
-        zero if constant else outer.amplitude,
-        outer.frequency,
-        outer.phase,
-    )
-
-
-def _from_start(solution: Solution, times: Any) -> Parts:
-    """The parts; at t = 0 the transient part is what makes the sum right at once after the start."""
-    parts = solution.parts(times)
-    first = times == 0
-    if first.any():
-        transient = parts.transient.copy()
-        rest = (parts.static + parts.forced + parts.free)[:, first]
-        transient[:, first] = (solution.held + solution.first)[:, None] - rest
-        parts = Parts(parts.static, parts.forced, parts.free, transient)
-    return parts
-
-
-def _times(times: Any) -> Any:
-    at = float_list(times, "times")
-    if not at.size or np.any(at < 0):
-        raise InputError("times", "hold none, or one below 0, where nothing acts yet: give times from 0 on")
-    return at
-
-
-def checked_places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
-    """The places in exact numbers, the contacts where none are given."""
-    if places is None:
-        return problem.pencil.places
-    listed = [places] if isinstance(places, (str, int, float, Fraction)) else list(places)
-    return tuple(rational(x.item() if isinstance(x, np.generic) else x, "places") for x in listed)
+    if not isinstance(problem, (Case, PhysicalCase)):
+        return vibrate(problem, *arguments, **options)
+    balls, digits = options.pop("balls", False), options.pop("digits", None)
+    if balls or digits is not None:
+        compute: Any = enclosure.enclose_response if balls else enclosure.precise_response
+        return compute(problem, *arguments, **options, digits=15 if digits is None else digits)
+    return motion_of_case(problem, *arguments, **options)

@@ -12,14 +12,16 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.motion import study as paper
 from mpsolve.problem.case import Case
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
+from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.vehicle import Placed
+from mpsolve.vibration import case_studies as paper
 from mpsolve.vibration.motion import Vibration
-from mpsolve.vibration.response import vibrate
+from mpsolve.vibration.of_case import vibration_of_case
+from mpsolve.vibration.vibrate import vibrate
 
 _REAL = 1e-12
 """Im q below this part of |q| is a rounded 0."""
@@ -74,13 +76,19 @@ class Envelope:
     note: str
 
 
-def envelope(problem: Any, *arguments: Any, **options: Any) -> Any:
+def envelope(
+    problem: Any, loads: Any = None, xi: Any = None, tau: Any = (0,), spectrum: Spectrum | None = None
+) -> Envelope:
     """The envelope of the harmonic part, which the vibration at induced frequencies never exceeds.
 
-    problem: a Vibration, of whose first place it is; or a Case or PhysicalCase, as in Figures 3–8 of the paper.
+    problem: a Vibration, of whose first place it is; or a Case or PhysicalCase, at ξ, by default that of the rear
+    mass, as in Figures 3–8 of the paper, in w_st.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        return paper.envelope(problem, *arguments, **options)
+        problem = vibration_of_case(problem, loads, xi, tau, spectrum)
+        if xi is not None and len(problem.places) != 1:
+            stated = f"holds {len(problem.places)} positions"
+            raise InputError("xi", f"{stated}: the envelope is that of one, give one number")
     if not isinstance(problem, Vibration):
         raise InputError(
             "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"
@@ -112,13 +120,13 @@ class Importance:
     velocity: Any
 
 
-def transient_importance(problem: Any, *arguments: Any, **options: Any) -> Any:
+def transient_importance(problem: Any, loads: Any = None, spectrum: Spectrum | None = None) -> Importance:
     """Displacement and velocity of the steady and harmonic part alone at t = 0 (paper, Section 4.1).
 
-    problem: a Vibration, at its places; or a Case or PhysicalCase.
+    problem: a Vibration, at its places; or a Case or PhysicalCase, of each mass, in w_st.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        return paper.transient_importance(problem, *arguments, **options)
+        problem = vibration_of_case(problem, loads, None, (0,), spectrum)
     if not isinstance(problem, Vibration):
         raise InputError(
             "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from measure import median, seconds
 
-from mpsolve.motion.beam_march import Loading, march
-from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.newmark import newmark
+from mpsolve.finite.beam.march import Loading, march
+from mpsolve.finite.beam.modes import Beam
+from mpsolve.finite.beam.newmark import newmark
 
 NEEDS = "the comparison needs scipy: pip install scipy"
 LENGTH, START, MODES, TAU = 200.0, 40.0, 600, 100.0

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from mpsolve import Case, InputError, PhysicalCase, Problem, certify
+from mpsolve import Case, InputError, PhysicalCase, Problem, certify, response
 from mpsolve.certificate.on_sheet import sheet_of
 from mpsolve.certificate.sheet import certify_sheet
-from mpsolve.motion import response
 from mpsolve.tracks import String
 from mpsolve.vehicles import Mass
 

@@ -54,3 +54,14 @@ def test_a_wave_that_has_died_away_is_no_obstacle() -> None:
     found = FreeReceptance(family)(Boxes(np.array([[0.1], [400 / unit]]), np.array([[1e-3], [100 / unit]])))
     assert found.good.all()
     assert found.G.e[0, 0, 1] < 1e-20
+
+
+def test_what_is_left_out_of_faint_waves_falls_with_the_box() -> None:
+    # in a long train waves that are nearly dead decide: roots lie 1e-6 beside the axis
+    family = family_of(
+        Problem(BEAM, vehicles.train(vehicles.Mass(40), 12, "1.5"), v="0.5"),
+        {"v": (Fraction("0.4"), Fraction("0.6"))},
+    )
+    receptance, middle = FreeReceptance(family), np.array([[0.2], [0.5 / float(family.units[0])]])
+    wide, narrow = (receptance(Boxes(middle, np.full((2, 1), size))).G.e.max() for size in (4e-3, 5e-4))
+    assert narrow < wide / 300

@@ -3,9 +3,9 @@
 from fractions import Fraction
 
 import pytest
-from free_cases import BEAM, PAIR
+from free_cases import BEAM, LAYERS, PAIR
 
-from mpsolve import Problem, certify
+from mpsolve import Problem, certify, vehicles
 from mpsolve.loci.border import Border, border_of
 from mpsolve.loci.region import Region, region_of
 from mpsolve.numbers.balls import rational_ball
@@ -53,3 +53,12 @@ def test_a_spent_effort_is_a_reason(region: Region) -> None:
     found = border_of(region, region.sides, 15, Effort(evaluations=50), silent)
     assert found.reason is not None
     assert found.reason.code == "effort"
+
+
+def test_boxes_of_fast_waves_are_halved_along_the_velocity() -> None:
+    """Far out waves turn fast with the velocity and hardly with the height: few boxes cover the side of a region."""
+    layered = Problem(LAYERS, [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")], v=300)
+    region = region_of(scope_of(layered, {"v": (Fraction(100), Fraction(600))}))
+    found = border_of(region, region.sides[1:], 15, Effort(evaluations=4000), silent)
+    assert found.reason is None
+    assert found.passings == ()

@@ -1,15 +1,7 @@
 import numpy as np
 import pytest
 
-from mpsolve.numbers.wave_integrals import gauss, moments
 from mpsolve.numbers.wave_tables import Waves, wave_tables
-
-
-def test_moments_are_what_quadrature_has():
-    nodes, weights = gauss(40)
-    for z in (0.0, 0.3 - 2j, -5 + 1j):
-        known = [(weights * np.exp(z * nodes) * nodes**k).sum() for k in range(3)]
-        assert moments(np.array([z]), 2).ravel() == pytest.approx(known, rel=1e-10)
 
 
 def test_a_wave_decays_over_a_step_as_it_must():

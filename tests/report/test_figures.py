@@ -14,7 +14,6 @@ import pytest
 
 from mpsolve import Case, PhysicalCase, certify, frequency_lines
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.motion.solve import response
 from mpsolve.numbers.exact import Exact
 from mpsolve.problem.specs import ONE_MASS, Grid
 from mpsolve.report import figures_lines, figures_plane, figures_response
@@ -23,6 +22,7 @@ from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.vibration import vibrations
 from mpsolve.stability.table import Entry, OnsetTable
+from mpsolve.vibration.of_case import motion_of_case as response
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
 SPECTRUM = certify(CASE)
@@ -33,7 +33,7 @@ HREF = "{http://www.w3.org/1999/xlink}href"
 
 @pytest.fixture(scope="module")
 def motion() -> Any:
-    return response(CASE, tau=np.linspace(0, 200, 801), spectrum=SPECTRUM)
+    return response(CASE, tau=np.linspace(0, 200, 801))
 
 
 @pytest.fixture(scope="module")

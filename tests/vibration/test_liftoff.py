@@ -8,9 +8,9 @@ from track_models import DAMPED
 from vehicle_models import TYPICAL
 
 from mpsolve import Case, Load, Problem, response, vehicles
-from mpsolve.motion.solve import response as by_the_paper
 from mpsolve.problem.cases import as_problem
 from mpsolve.vibration.liftoff import first_lift_off, only
+from mpsolve.vibration.of_case import motion_of_case as by_the_paper
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
 LOADS = [Load(1), Load(1)]

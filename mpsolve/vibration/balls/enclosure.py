@@ -39,7 +39,7 @@ from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.poles import certified
 from mpsolve.vibration.precise_image import exact_terms
-from mpsolve.vibration.response import checked_places
+from mpsolve.vibration.vibrate import checked_places
 
 MOST = 100
 _GUARD = 15

@@ -4,7 +4,7 @@ import pytest
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.precise_image import exact_terms
-from mpsolve.vibration.response import checked_places
+from mpsolve.vibration.vibrate import checked_places
 
 
 @pytest.fixture(scope="session")

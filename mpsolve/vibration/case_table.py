@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.files import write_whole
-from mpsolve.motion.scale import Scale
-from mpsolve.motion.solution import Response
+from mpsolve.vibration.case_motion import Response
+from mpsolve.vibration.scale import Scale
 
 _PARTS = ("w", "steady", "harmonic", "transient")
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.display import card
-from mpsolve.model.load import Load
-from mpsolve.model.parameters import Case
-from mpsolve.motion.waves import modulus
+from mpsolve.problem.case import Case
+from mpsolve.vehicles.load import Load
 
 
 @dataclass(frozen=True)
@@ -27,26 +27,9 @@ class HarmonicPair:
     contribution: Any
 
 
-@dataclass(frozen=True)
-class HarmonicSolution:
-    """The steady and the unsteady harmonic part, (36), without the truly transient part; float64.
-
-    steady (with its part steady_harmonic at the frequencies of the forces) and harmonic: shape (len(xi), len(tau)),
-    in units of w_st = χ/(2k) times the unit force. velocity of the contact points and contact forces: shape (masses,
-    len(tau)), for masses at one position in common.
-    """
-
-    steady: Any
-    steady_harmonic: Any
-    harmonic: Any
-    harmonic_pairs: tuple[HarmonicPair, ...]
-    velocity: Any
-    force: Any
-
-    @property
-    def w(self) -> Any:
-        """steady + harmonic, shape (len(xi), len(tau))."""
-        return self.steady + self.harmonic
+def modulus(pairs: Sequence[tuple[complex, Any]], tau: Any) -> Any:
+    """|Σ amplitude e^{iqτ}|, shape (len(amplitude), len(tau))."""
+    return np.abs(sum(np.multiply.outer(np.asarray(a), np.exp(1j * q * tau)) for q, a in pairs))
 
 
 @dataclass(frozen=True)
@@ -58,8 +41,8 @@ class Response:
     induced frequencies. velocity, acceleration: of the contact points, shape (masses, len(tau)). contact_forces:
     P_j(τ) − M_j ẅ of (2), same shape, in units of the unit force, compression positive. contact_loss: for each mass
     the first time at which its contact force falls below zero, linear between the given times, or None; contact_note
-    says why it is not known, or only that it is earlier ("" if it is known). misfit: the largest displacement or
-    velocity at τ = 0, which must vanish, relative to the size of the parts: an estimate of the error.
+    says why it is not known, or only that it is earlier ("" if it is known). error: an estimate, relative to the
+    largest of the parts.
     """
 
     case: Case
@@ -76,7 +59,7 @@ class Response:
     contact_forces: Any
     contact_loss: tuple[float | None, ...]
     contact_note: tuple[str, ...]
-    misfit: float
+    error: float
 
     @property
     def w(self) -> Any:

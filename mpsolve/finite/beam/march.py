@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.motion.beam_modes import Beam
+from mpsolve.finite.beam.modes import Beam
 from mpsolve.numbers.wave_integrals import gauss, legendre_powers, moments
 from mpsolve.numbers.wave_tables import Waves, mirrored, nested, wave_tables
 

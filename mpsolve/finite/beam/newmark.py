@@ -10,12 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.model.load import Load, loads_of
-from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.motion.beam_figures import Problem
-from mpsolve.motion.beam_march import Loading
-from mpsolve.motion.beam_modes import Beam
+from mpsolve.finite.beam.figures import Problem
+from mpsolve.finite.beam.march import Loading
+from mpsolve.finite.beam.modes import Beam
 from mpsolve.numbers.exact import Number
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
+from mpsolve.vehicles.load import Load
 
 
 def coupled_beam(

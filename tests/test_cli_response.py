@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
-from mpsolve import Case, PhysicalCase, certify
+from mpsolve import Case, PhysicalCase, certify, merged, response, superposition
 from mpsolve.cli import cli
-from mpsolve.motion import merged, response, superposition
 from mpsolve.problem.casefile import read_case
 from mpsolve.vehicles.load import Load
 
@@ -60,7 +59,7 @@ def test_response_writes_tables_and_pictures(file: Path, tmp_path: Path) -> None
     arrays = tmp_path / "out.npz"
     assert run("response", file, "-o", arrays, "--to", "20", "--points", "5", "--xi", "0,0.5").exit_code == 0
     with np.load(arrays) as held:
-        assert np.allclose(held["w"][0], expected.w[0], rtol=0, atol=1e-12)
+        assert np.allclose(held["w"][0], expected.w[0], rtol=0, atol=1e-8)
         assert np.array_equal(held["xi"], [0, 0.5])
     pytest.importorskip("matplotlib")
     picture = tmp_path / "out.png"
@@ -149,13 +148,13 @@ def test_places_that_differ_in_their_last_digits_are_two_columns(file: Path, tmp
 
 def test_a_curve_that_cannot_be_computed_is_left_out_of_the_comparison(tmp_path: Path) -> None:
     """The force meets the induced frequency of the doubled mass, not one of the pair."""
-    doubled = certify(Case(alpha="0.5", eta_b=0, eta_m=140), digits=30).roots[-1].q.real.str(12, radius=False)
+    doubled = certify(Case(alpha="0.5", eta_b=0, eta_m=140), digits=30).roots[-1].q.real.str(20, radius=False)
     text = TEXT.replace("0.67", "0.5").replace("0.05", "0").replace("0.3", doubled)
     file, table = tmp_path / "case.toml", tmp_path / "out.csv"
     file.write_text(text, encoding="utf-8")
     result = run("compare", file, "-o", table, "--to", "20", "--points", "3")
     assert result.exit_code == 0, result.output
-    assert "one merged mass: left out, the frequency" in result.output
+    assert "one merged mass: left out, loads: act at" in result.output
     assert table.read_text("utf-8").startswith("tau,complete,steady and harmonic,superposition,finite beam")
 
 

@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.model.load import Load
-from mpsolve.model.parameters import Case
-from mpsolve.motion.beam_march import UNKNOWN, Loading, Motion, march
-from mpsolve.motion.beam_modes import Beam
-from mpsolve.motion.grid import checked_times
+from mpsolve.finite.beam.march import UNKNOWN, Loading, Motion, march
+from mpsolve.finite.beam.modes import Beam
 from mpsolve.numbers.float_list import float_list
+from mpsolve.numbers.grid import checked_times
 from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.case import Case
+from mpsolve.vehicles.load import Load
 
 LONGEST_STEP = 0.5
 FEWEST_STEPS = 8

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.model.load import Load
+from mpsolve.vehicles.load import Load
 
 _NOISE = 1e-6  # of the largest force: what float64 leaves of a contact force that is 0
 
@@ -16,24 +16,6 @@ def applied(load: Load, tau: Any) -> Any:
     """The force of the load at the times τ, P_j(τ) of (2); float64."""
     constant, amplitude, omega, phase = map(float, (load.constant, load.amplitude, load.frequency, load.phase))
     return constant + amplitude * np.sin(omega * tau + phase)
-
-
-def own_forces(
-    loads: Sequence[Load], eta_m: Sequence[float], group: Sequence[int], force: Any, tau: Any
-) -> tuple[Any, Any]:
-    """Contact forces and accelerations of the single masses, (n, t), from the common force of each position.
-
-    group: for each mass the number of its position, the row of `force`. At τ = 0 the beam gives way: no force yet.
-    """
-    contact, acceleration = np.empty((2, len(loads), len(tau)))
-    outer = np.array([applied(load, tau) for load in loads])
-    force = np.where(tau == 0, 0.0, force)
-    for j, k in enumerate(group):
-        together = [m for m, other in enumerate(group) if other == k]
-        # (2) in the units of (13): P − f = (η_M/2) w_ττ
-        acceleration[j] = 2 * (outer[together].sum(0) - force[k]) / sum(eta_m[m] for m in together)
-        contact[j] = force[k] if together == [j] else outer[j] - eta_m[j] / 2 * acceleration[j]
-    return contact, acceleration
 
 
 def contact_loss(loads: Sequence[Load], force: Any, tau: Any) -> tuple[tuple[float | None, str], ...]:

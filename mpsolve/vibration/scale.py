@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mpsolve.model.parameters import PhysicalCase
+from mpsolve.problem.physical import PhysicalCase
 
 
 @dataclass(frozen=True)

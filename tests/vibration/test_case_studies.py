@@ -7,11 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mpsolve import Case, InputError, certify
-from mpsolve.motion import (
+from mpsolve import (
+    Case,
+    InputError,
+    certify,
     deflection_shape,
     envelope,
-    harmonic_solution,
     merged,
     response,
     superposition,
@@ -25,7 +26,7 @@ DAMPED = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
 
 def test_the_envelope_bounds_the_vibration_and_is_reached() -> None:
     spectrum, tau = certify(UNDAMPED), np.linspace(0, 3000, 60_001)
-    found, moved = envelope(UNDAMPED, None, 0, tau, spectrum), harmonic_solution(UNDAMPED, None, 0, tau, spectrum)
+    found, moved = envelope(UNDAMPED, None, 0, tau, spectrum), response(UNDAMPED, None, 0, tau, spectrum)
     assert np.all(np.abs(moved.harmonic[0]) <= found.modulus + 1e-12)
     assert found.greatest is not None
     assert found.least is not None
@@ -69,7 +70,8 @@ def test_the_transient_part_makes_up_what_the_others_miss() -> None:
     found, whole = transient_importance(DAMPED), response(DAMPED, None, None, (0,))
     assert np.allclose(found.displacement, -whole.transient[:, 0], rtol=0, atol=1e-12)
     step = 1e-4
-    start = harmonic_solution(DAMPED, None, None, (0, step, 2 * step)).w
+    moved = response(DAMPED, None, None, (0, step, 2 * step))
+    start = moved.steady + moved.harmonic
     slope = (-3 * start[:, 0] + 4 * start[:, 1] - start[:, 2]) / (2 * step)
     assert np.allclose(found.velocity, slope, rtol=0, atol=1e-9)
 

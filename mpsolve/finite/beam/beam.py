@@ -6,10 +6,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mpsolve.model.load import Load, loads_of
-from mpsolve.model.parameters import Case, PhysicalCase
-from mpsolve.motion.beam_figures import Figures, Problem
+from mpsolve.finite.beam.figures import Figures, Problem
 from mpsolve.numbers.exact import Number
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
+from mpsolve.vehicles.load import Load
 
 
 @dataclass(frozen=True)

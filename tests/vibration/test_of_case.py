@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 from laplace import Inversion
 from oracle import Truth, cases
 
-from mpsolve import Case, InputError, MpsolveError, certify
+from mpsolve import Case, InputError, MpsolveError, certify, response
 from mpsolve.errors import PrecisionError
-from mpsolve.motion import harmonic_solution, response
 from mpsolve.numbers.exact import Exact
 from mpsolve.vehicles.load import Load
 
@@ -79,7 +78,8 @@ def test_the_sum_is_the_inverse_laplace_transform(case: Case) -> None:
     xi, times = (0, 1.5, -4, 0.6), (0.2, 5.0, 25.0)
     found = response(case, MIXED, xi, times)
     for w, tau in zip(found.w.T, times, strict=True):
-        assert np.allclose(w, Inversion(case, MIXED, growth=0.3)(xi, tau), rtol=0, atol=1e-11)
+        off = np.abs(w - Inversion(case, MIXED, growth=0.3)(xi, tau)).max()
+        assert off < min(found.error, 1e-8) * np.abs(found.w).max()
 
 
 def test_unequal_masses_at_three_places_and_far_positions() -> None:
@@ -175,17 +175,6 @@ def test_the_parts_are_what_they_are_called() -> None:
     assert np.allclose(shown, expected, atol=1e-12)
 
 
-def test_harmonic_solution_to_many_digits() -> None:
-    xi, tau = (0, "0.7"), (0, "2.5")
-    plain = harmonic_solution(DAMPED, MIXED, xi, tau)
-    fine, finer = (harmonic_solution(DAMPED, MIXED, xi, tau, digits=digits) for digits in (40, 60))
-    for name in ("steady", "steady_harmonic", "harmonic", "velocity", "force"):
-        assert np.allclose(getattr(plain, name), getattr(fine, name).astype(float), rtol=0, atol=1e-14)
-    assert max(abs(x) for x in (fine.w - finer.w).ravel()) < 1e-40
-    with pytest.raises(InputError, match="digits"):
-        harmonic_solution(DAMPED, MIXED, xi, tau, digits=3)
-
-
 def test_contact_is_lost_where_the_force_vanishes() -> None:
     tau = np.linspace(0, 100, 1001)
     found = response(DAMPED, None, None, tau)
@@ -212,8 +201,6 @@ def test_what_cannot_be_is_refused() -> None:
         response(DAMPED, None, (0, "here"), (1,), spectrum)
     with pytest.raises(InputError, match="spectrum"):
         response(UNDAMPED, None, None, (1,), spectrum)
-    with pytest.raises(InputError, match="eta_b"):
-        response(Case(alpha="0.5", eta_b="1.5", eta_m=10), None, None, (1,))
     with pytest.raises(InputError, match="spectrum: is of type int"):
         response(DAMPED, None, None, (1,), 3)  # type: ignore[call-overload]
     for size in ("1e350", "1e-350"):
@@ -226,14 +213,14 @@ def test_one_number_may_come_in_any_form() -> None:
     forms = ("0.5", 0.5, Fraction(1, 2), np.float64(0.5), np.array(0.5), np.array("0.5"), [0.5], (0.5,))
     values = [response(DAMPED, None, form, form, spectrum).w for form in forms]
     assert all(np.array_equal(value, values[0]) for value in values)
-    with pytest.raises(PrecisionError, match="change alpha"):
+    with pytest.raises(PrecisionError, match=r"undecided.*change a parameter"):
         response(Case(alpha=1, eta_b=0, eta_m=10), None, None, (1,))
 
 
 def test_a_force_near_an_induced_frequency_is_refused_and_farther_away_is_right() -> None:
     spectrum = certify(UNDAMPED)
     q = min(float(root.q.real.mid()) for root in spectrum.roots if root.q.real > 0)
-    with pytest.raises(PrecisionError, match="induced frequency"):
+    with pytest.raises(InputError, match="move by themselves"):
         response(UNDAMPED, (Load(1, 1, q), Load()), None, (1,), spectrum)
     loads = (Load(1, 1, q * (1 + 1e-4)), Load())
     found = response(UNDAMPED, loads, (0, 1.5), (30,), spectrum)
