@@ -217,7 +217,7 @@ SPECTRUM = [
     Mutation(
         "det: forces of bodies push the other way",
         "characteristic.determinant",
-        "Bordering.rows",
+        "Bordering._filled",
         "like - K.number(x)",
         "like + K.number(x)",
         "sprung",
