@@ -217,7 +217,7 @@ SPECTRUM = [
     Mutation(
         "det: forces of bodies push the other way",
         "characteristic.determinant",
-        "Bordering.rows",
+        "Bordering._filled",
         "like - K.number(x)",
         "like + K.number(x)",
         "sprung",
@@ -225,9 +225,9 @@ SPECTRUM = [
     Mutation(
         "det: direct contacts have the other sign",
         "characteristic.determinant",
-        "Bordering.rows",
-        "x - factor * G[k]",
-        "x + factor * G[k]",
+        "Bordering._filled",
+        "x - shared[kind][k]",
+        "x + shared[kind][k]",
         "joined",
     ),
 ]
