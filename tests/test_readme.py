@@ -65,7 +65,7 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
             digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
             assert value.str(60, radius=False).startswith(digits), expression
             balls += 1
-    assert (len(SHOWN), balls) == (29, 4)
+    assert (len(SHOWN), balls) == (30, 4)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
 
 
