@@ -139,6 +139,62 @@ def test_what_two_forces_put_in_on_average_is_the_form_of_the_page() -> None:
     assert form == pytest.approx((force * speed).sum(axis=0).mean(), rel=1e-9)
 
 
+def test_what_two_forces_put_in_is_the_sum_over_waves_of_the_page() -> None:
+    """The form in the receptances, and the integral with |F₁ + F₂ exp(−ipd)|²: F₁ behind, F₂ ahead by d."""
+    assert displayed(PASSIVITY, r"\frac{q}{4\pi}") == (
+        r"\frac{q}{4\pi}\int -\mathrm{Im}\Big(\frac{N}{D}\Big)\, \big| F_1 + F_2\, e^{-ipd} \big|^2\, dp ."
+    )
+    q, F = 16.608, np.array([0.3 - 0.9j, 1.0])
+    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=V)[:, 0]
+    G = np.array([[here, behind], [ahead, here]])
+    form = 0.5 * q * (F.conj() @ (-(G - G.conj().T) / 2j) @ F).real
+
+    def put_in(rear: complex, front: complex) -> float:
+        shaken = integral(lambda p: -(1 / dispersion(p, q)).imag * abs(rear + front * np.exp(-1j * p * GAP)) ** 2)
+        return q / (4 * np.pi) * shaken.real
+
+    assert form < 0  # this pair gains
+    assert put_in(*F) == pytest.approx(form, rel=1e-5)
+    assert put_in(*F[::-1]) > 0  # front and rear are not the same
+
+
+def test_the_rear_force_pushes_while_the_front_one_s_wave_lifts_the_rail() -> None:
+    q = growing().real
+    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=V)[:, 0]
+    G = np.array([[here, behind], [ahead, here]])
+    worst = np.linalg.eigh(-(G - G.conj().T) / 2j)[1][:, 0]
+    assert (1j * q * behind * worst[1] * worst[0].conj()).real < 0  # w counts downward: upward
+    assert "pushes down just while that wave lifts the rail" in PASSIVITY
+
+
+def test_a_damper_s_bill_is_shared_as_the_page_says() -> None:
+    """A wave w on the page's beam: the load's mean power along z, seen from the vehicle, and along x times v."""
+    assert "vertical force pays the share q/Ω" in PASSIVITY
+    assert "the share −vp/Ω" in PASSIVITY
+    q, wave, w = 16.608, 0.55, 0.7 - 0.2j
+    load, at_rest = dispersion(wave, q) * w, q - V * wave
+    burnt = 0.5 * 770 * at_rest**2 * abs(w) ** 2
+    vertical = 0.5 * (load.conjugate() * 1j * q * w).real
+    engine = -V * 0.5 * (load.conjugate() * 1j * wave * w).real
+    assert at_rest < 0
+    assert vertical < 0 < burnt < engine
+    assert vertical == pytest.approx(burnt * q / at_rest)
+    assert engine == pytest.approx(-burnt * V * wave / at_rest)
+
+
+def test_no_vibration_begins_to_grow_unless_the_track_takes_nothing() -> None:
+    """At an onset of two masses the power of their forces is zero beside what the worst and best pairs exchange."""
+    v = 191.1833
+    row = Problem(BEAM, [vehicles.Mass(MASS).at(0), vehicles.Mass(MASS).at("3.4")], v=v)
+    (root,) = [r for r in certify(row, region="unstable", digits=15, check=False).roots if r.q.real > 0]
+    q = float(root.q.real.mid())
+    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=v)[:, 0]
+    G = np.array([[here, behind], [ahead, here]])
+    taken = -(G - G.conj().T) / 2j
+    force = np.linalg.svd(np.eye(2) - q**2 * MASS * G)[2][-1].conj()
+    assert abs(force.conj() @ taken @ force) < 1e-3 * abs(np.linalg.eigvalsh(taken)).min()
+
+
 def test_cuts_are_where_the_page_says() -> None:
     """On a drawn cut q = vp + Ω, Ω a free wave at rest with real p: then D(p, q − vp) = 0."""
     assert displayed(PLANE, "q = vp") == r"q = vp + \Omega_k(p), \qquad p \text{ real},"
