@@ -3,36 +3,19 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
+from theory_pages import BEAM, COUNTING, GAP, MASS, MODEL, PAIR, PLANE, V, dispersion, displayed, growing, integral
 
-from mpsolve import Problem, certify, receptance, tracks, vehicles
+from mpsolve import certify, receptance, tracks
 from mpsolve.batch.view import look
 from mpsolve.derivation.tracks import Omega, derived, p, symbols_of
 
-THEORY = Path(__file__).parents[2] / "docs" / "theory"
-MODEL, PLANE, PASSIVITY, COUNTING = (
-    (THEORY / f"{name}.md").read_text("utf-8") for name in ("model", "plane", "passivity", "counting")
-)
-BEAM = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
-V, GAP, MASS = 250, 3.4, 10000
-PAIR = Problem(BEAM, [vehicles.Mass(MASS).at(0), vehicles.Mass(MASS).at("3.4")], v=V)
 OWN = symbols_of(tracks.EulerBernoulli)
 NAMES = {"EI": OWN.EI, "N_x": OWN.N, "m": OWN.m, "c": OWN.c, "k": OWN.k}
-
-
-def displayed(page: str, beginning: str) -> str:
-    """The displayed formula that begins so."""
-    (found,) = [
-        one.strip()
-        for one in re.findall(r"\$\$(.*?)\$\$", page, flags=re.DOTALL)
-        if one.strip().startswith(beginning)
-    ]
-    return found
 
 
 def polynomial(text: str) -> Any:
@@ -67,11 +50,6 @@ def test_the_vehicle_s_matrix_is_that_of_its_equation_of_motion() -> None:
     assert sp.expand(sp.simplify(motion / y) - sp.sympify("K + I*q*C - q**2*M", locals={"C": C})) == 0
 
 
-def growing() -> complex:
-    (root,) = [r for r in certify(PAIR, region="unstable", digits=15, check=False).roots if r.q.real > 0]
-    return complex(root.q)
-
-
 def bordered(q: complex, places: list[float]) -> Any:
     """[[S, −B], [Bᵀ, G + h]] of tight masses at these places, as the page shows it."""
     n = len(places)
@@ -96,16 +74,6 @@ def test_a_single_mass_obeys_the_short_formula() -> None:
     assert sp.expand(sp.Matrix([[-(q**2) * M, -1], [1, G]]).det() - (1 - q**2 * M * G)) == 0
 
 
-def integral(of: Any, reach: float = 200.0, points: int = 800_001) -> complex:
-    wave = np.linspace(-reach, reach, points)
-    return complex(np.trapezoid(of(wave), wave))
-
-
-def dispersion(wave: Any, q: float) -> Any:
-    at_rest = q - V * wave
-    return 6.4e6 * wave**4 - 60 * at_rest**2 + 770j * at_rest + 1e6
-
-
 @pytest.mark.parametrize("xi", [0.0, 2.0, -1.5])
 def test_the_receptance_is_the_integral_over_all_waves(xi: float) -> None:
     assert displayed(MODEL, r"G(\xi, q)").endswith(
@@ -113,86 +81,6 @@ def test_the_receptance_is_the_integral_over_all_waves(xi: float) -> None:
     )
     found = integral(lambda wave: np.exp(1j * wave * xi) / dispersion(wave, 20.0)) / (2 * np.pi)
     assert found == pytest.approx(complex(receptance(BEAM, xi, 20.0, v=V)[0, 0]), rel=1e-5)
-
-
-def test_what_one_force_gives_is_the_integral_of_the_waves() -> None:
-    assert displayed(PASSIVITY, r"-\mathrm{Im}\, G").endswith(
-        r"\frac{1}{2\pi}\int \frac{-\mathrm{Im}(N \bar D)}{|D|^2}\, dp ,"
-    )
-    found = integral(lambda wave: -np.conj(dispersion(wave, 20.0)).imag / abs(dispersion(wave, 20.0)) ** 2) / (
-        2 * np.pi
-    )
-    assert found.real == pytest.approx(-receptance(BEAM, 0, 20.0, v=V)[0, 0].imag, rel=1e-5)
-
-
-def test_what_two_forces_put_in_on_average_is_the_form_of_the_page() -> None:
-    shown = displayed(PASSIVITY, r"\tfrac12\,q")
-    assert r"F^* \Big(\!-\frac{G - G^*}{2i}\Big) F" in shown
-    assert r"\begin{pmatrix} G(0) & G(-d) \\ G(d) & G(0) \end{pmatrix}" in shown
-    q, F = 15.0, np.array([1.0, 0.4 - 0.8j])
-    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=V)[:, 0]
-    G = np.array([[here, behind], [ahead, here]])
-    form = 0.5 * q * (F.conj() @ (-(G - G.conj().T) / 2j) @ F).real
-    t = np.arange(4096) / 4096 * 2 * np.pi / q
-    force = (F[:, None] * np.exp(1j * q * t)).real
-    speed = (1j * q * (G @ F)[:, None] * np.exp(1j * q * t)).real
-    assert form == pytest.approx((force * speed).sum(axis=0).mean(), rel=1e-9)
-
-
-def test_what_two_forces_put_in_is_the_sum_over_waves_of_the_page() -> None:
-    """The form in the receptances, and the integral with |F₁ + F₂ exp(−ipd)|²: F₁ behind, F₂ ahead by d."""
-    assert displayed(PASSIVITY, r"\frac{q}{4\pi}") == (
-        r"\frac{q}{4\pi}\int -\mathrm{Im}\Big(\frac{N}{D}\Big)\, \big| F_1 + F_2\, e^{-ipd} \big|^2\, dp ."
-    )
-    q, F = 16.608, np.array([0.3 - 0.9j, 1.0])
-    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=V)[:, 0]
-    G = np.array([[here, behind], [ahead, here]])
-    form = 0.5 * q * (F.conj() @ (-(G - G.conj().T) / 2j) @ F).real
-
-    def put_in(rear: complex, front: complex) -> float:
-        shaken = integral(lambda p: -(1 / dispersion(p, q)).imag * abs(rear + front * np.exp(-1j * p * GAP)) ** 2)
-        return q / (4 * np.pi) * shaken.real
-
-    assert form < 0  # this pair gains
-    assert put_in(*F) == pytest.approx(form, rel=1e-5)
-    assert put_in(*F[::-1]) > 0  # front and rear are not the same
-
-
-def test_the_rear_force_pushes_while_the_front_one_s_wave_lifts_the_rail() -> None:
-    q = growing().real
-    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=V)[:, 0]
-    G = np.array([[here, behind], [ahead, here]])
-    worst = np.linalg.eigh(-(G - G.conj().T) / 2j)[1][:, 0]
-    assert (1j * q * behind * worst[1] * worst[0].conj()).real < 0  # w counts downward: upward
-    assert "pushes down just while that wave lifts the rail" in PASSIVITY
-
-
-def test_a_damper_s_bill_is_shared_as_the_page_says() -> None:
-    """A wave w on the page's beam: the load's mean power along z, seen from the vehicle, and along x times v."""
-    assert "vertical force pays the share q/Ω" in PASSIVITY
-    assert "the share −vp/Ω" in PASSIVITY
-    q, wave, w = 16.608, 0.55, 0.7 - 0.2j
-    load, at_rest = dispersion(wave, q) * w, q - V * wave
-    burnt = 0.5 * 770 * at_rest**2 * abs(w) ** 2
-    vertical = 0.5 * (load.conjugate() * 1j * q * w).real
-    engine = -V * 0.5 * (load.conjugate() * 1j * wave * w).real
-    assert at_rest < 0
-    assert vertical < 0 < burnt < engine
-    assert vertical == pytest.approx(burnt * q / at_rest)
-    assert engine == pytest.approx(-burnt * V * wave / at_rest)
-
-
-def test_no_vibration_begins_to_grow_unless_the_track_takes_nothing() -> None:
-    """At an onset of two masses the power of their forces is zero beside what the worst and best pairs exchange."""
-    v = 191.1833
-    row = Problem(BEAM, [vehicles.Mass(MASS).at(0), vehicles.Mass(MASS).at("3.4")], v=v)
-    (root,) = [r for r in certify(row, region="unstable", digits=15, check=False).roots if r.q.real > 0]
-    q = float(root.q.real.mid())
-    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=v)[:, 0]
-    G = np.array([[here, behind], [ahead, here]])
-    taken = -(G - G.conj().T) / 2j
-    force = np.linalg.svd(np.eye(2) - q**2 * MASS * G)[2][-1].conj()
-    assert abs(force.conj() @ taken @ force) < 1e-3 * abs(np.linalg.eigvalsh(taken)).min()
 
 
 def test_cuts_are_where_the_page_says() -> None:
