@@ -21,7 +21,11 @@ from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
 @click.option("--pdf", type=click.Path(path_type=Path), metavar="FILE", help="The page as a PDF, too.")
 @click.option("--digits", type=int, default=20, show_default=True, help="Certified digits of the roots, 15 to 10000.")
 @click.option("--effort", type=float, default=60.0, show_default=True, metavar="SECONDS", help="Time for all parts.")
-@click.option("--prove-chart", is_flag=True, help="Prove the chart of velocity and mass, in the time that is left.")
+@click.option(
+    "--prove-chart/--computed-chart",
+    default=True,
+    help="The chart of velocity and mass: proved, or counted in floats.",
+)
 def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effort: float, prove_chart: bool) -> None:
     """Write a page about the problem in FILE: verdict, margins, vibrations, motion, what is proved, certificates.
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.page.parts import Parts
+from mpsolve.page.parts import Parts, worth_drawing
 from mpsolve.page.picture import Picture
 from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import Sure, chart_picture
@@ -29,7 +29,7 @@ def chart(parts: Parts) -> Picture | None:
         open_words="a boundary, or open",
     )  # fmt: skip
     proved = chart_status(parts) == "proved"
-    how = "proved, with strips that hold the boundaries" if proved else "computed in floats; --prove-chart proves it"
+    how = "proved, with strips that hold the boundaries" if proved else "computed in floats"
     outlined = " What is outlined is proved stable all over." if sure else ""
     said = f"How many roots grow at each velocity and size of all masses: {how}.{outlined} The cross is this case."
     return Picture("chart", svg, f"{said} Each vibration is a pair of roots, q and −q̄.")
@@ -42,7 +42,7 @@ def chart_status(parts: Parts) -> str:
 
 def _proved(parts: Parts) -> tuple[Any, Any, Any] | None:
     found = parts.proved_chart.value
-    if found is None or not found.share > 0:
+    if found is None or not worth_drawing(found):
         return None
     return _middles(found.x), _middles(found.y), np.maximum(found.counts, -1)
 

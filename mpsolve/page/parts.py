@@ -25,7 +25,8 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.waves.critical import CriticalVelocities
 
-LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 6
+LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 7
+_WORTH = Fraction(1, 2)  # of the proved chart that must be decided, or counts in floats are drawn
 NOT_ASKED: Part[Any] = Part("more", reason="it was not asked for")
 
 
@@ -69,9 +70,12 @@ def gather(
     seconds: float,
     tell: Callable[[str, float], None],
     loads: Any = None,
-    prove_chart: bool = False,
+    prove_chart: bool = True,
 ) -> Parts:
-    """All parts that fit into the budget; the roots come first and always. prove_chart: with what is left then."""
+    """All parts that fit into the budget; the roots come first and always.
+
+    prove_chart: with what is left at the end; counts in floats take its place where too much of it stays open.
+    """
     problem, budget = as_problem(given), Budget(seconds, tell)
     tell("roots", 0.0)
     spectrum = certify(given, digits=digits, effort=Effort(seconds=max(seconds / 2, 5.0)))
@@ -80,14 +84,15 @@ def gather(
     reach = budget.part("onset", lambda left: reach_of(problem, left), share=0.5, least=0.2)
     response = budget.part("response", lambda _: response_of(problem, spectrum, loads), share=0.7, least=0.5)
     lines = budget.part("frequency lines", lambda _: lines_of(problem, top), least=0.5)
-    chart = budget.part("chart", lambda _: chart_of(problem, top), least=1.0)
     mass = budget.part("limit of the mass", lambda left: mass_margin(problem, left), share=0.4, least=0.2)
-    parts = Parts(given, problem, title, top, spectrum, reach, response, lines, critical, chart, mass, loads=loads)
+    parts = Parts(
+        given, problem, title, top, spectrum, reach, response, lines, critical, NOT_ASKED, mass, loads=loads
+    )
     return _last(parts, budget, prove_chart)
 
 
 def _last(parts: Parts, budget: Budget, prove_chart: bool) -> Parts:
-    """With what comes last: the limit of the distance, the region of stability, and the proved chart if asked for."""
+    """With what comes last: the limit of the distance, the region of stability, and the chart."""
     problem, path = parts.problem, distance_path(parts.problem)
     if path is not None:
         make = lambda left: distance_margin(problem, path, left)  # noqa: E731
@@ -97,8 +102,15 @@ def _last(parts: Parts, budget: Budget, prove_chart: bool) -> Parts:
         parts = replace(parts, box=budget.part("region of stability", make_box, share=0.5, least=0.2))
     if prove_chart:
         make_chart = lambda left: proved_chart_of(problem, left)  # noqa: E731
-        parts = replace(parts, proved_chart=budget.part("proved chart", make_chart, least=3.0))
-    return parts
+        parts = replace(parts, proved_chart=budget.part("proved chart", make_chart, share=0.7, least=2.0))
+    if worth_drawing(parts.proved_chart.value):
+        return parts
+    return replace(parts, chart=budget.part("chart", lambda _: chart_of(problem, parts.top), least=1.0))
+
+
+def worth_drawing(chart: Chart | None) -> bool:
+    """Whether enough of a proved chart is decided."""
+    return chart is not None and chart.share >= _WORTH
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:

@@ -31,7 +31,7 @@ from mpsolve.spectrum.regions import HalfPlane
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
-_FINER = 4  # more halvings of the frequency than of a parameter, before a cell counts as open
+_FINER = 6  # more halvings of the frequency than of a parameter, before a cell counts as open
 _MOST_PARTS = 60
 BOUNDARY = -1
 OPEN = -2

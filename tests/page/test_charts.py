@@ -7,14 +7,15 @@ from dataclasses import replace
 import pytest
 
 from mpsolve import read_problem
+from mpsolve.page.budget import Part
 from mpsolve.page.charts import chart, chart_status, sure_of
-from mpsolve.page.parts import NOT_ASKED, Parts, gather
+from mpsolve.page.parts import NOT_ASKED, Parts, chart_of, gather
 
 
 @pytest.fixture(scope="module")
 def parts() -> Parts:
     source = read_problem("examples/rail_60e1.toml")
-    return gather(source.given, "", digits=15, seconds=15, tell=lambda *_: None, prove_chart=True)
+    return gather(source.given, "", digits=15, seconds=15, tell=lambda *_: None)
 
 
 def test_lines_and_a_box_through_the_case(parts: Parts) -> None:
@@ -31,7 +32,9 @@ def test_a_proved_chart_and_a_computed_one(parts: Parts) -> None:
     drawn = chart(parts)
     assert drawn is not None
     assert "proved, with strips" in drawn.caption
-    floats = replace(parts, proved_chart=NOT_ASKED)
+    assert parts.chart is NOT_ASKED
+    counted = Part("chart", chart_of(parts.problem, parts.top))
+    floats = replace(parts, proved_chart=NOT_ASKED, chart=counted)
     assert chart_status(floats) == "computed"
     drawn = chart(floats)
     assert drawn is not None

@@ -17,11 +17,15 @@ PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=100)
 BOGIE = read_problem("examples/two_layer_bogie.toml").problem
 
 
-def test_the_first_step_is_known_where_the_next_is_open() -> None:
-    found = reach_of(BOGIE, 12.0)
-    assert (found.kind, found.high) == (Kind.STABLE, 200)
-    assert found.reason is not None
+def test_further_steps_find_where_a_bogie_on_layers_becomes_unstable() -> None:
+    """From almost 0 through twice its own velocity to the waves, by two steps; certified beside the end."""
+    found = reach_of(BOGIE, 60.0)
+    assert found.kind is Kind.CROSSES, found.reason
+    assert (found.high, found.reason) == (1600, None)
     assert 0 < found.low < 1
+    value = found.value.mid()
+    for v, count in ((float(value) - 1, 0), (float(value) + 1, 2)):
+        assert certify(BOGIE.changed("v", v), region="unstable", digits=15).unstable == count
 
 
 def test_a_step_that_fails_leaves_what_was_known(monkeypatch: pytest.MonkeyPatch) -> None:
