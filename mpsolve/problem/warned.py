@@ -17,6 +17,7 @@ from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.plausible import implausible
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.floating_ice import FloatingIce
 from mpsolve.tracks.waveguide import Track
@@ -46,7 +47,10 @@ def warned(given: Given, frequencies: Sequence[float] = ()) -> tuple[Reason, ...
     if isinstance(track, Track):
         found += _overdamped(problem)
         if getattr(track, "m", None) != 1:
-            found += [*_bending(track), *_velocity(problem), *_too_high(track, frequencies)]
+            bending = [*_bending(track)]
+            found += bending
+            found += [one for one in implausible(problem) if not (bending and "EI" in one.numbers)]
+            found += [*_velocity(problem), *_too_high(track, frequencies)]
     return tuple(found)
 
 
@@ -128,7 +132,8 @@ def _damper(model: Any, name: str, key: str, spring: str, carried: Fraction) -> 
     unit = _described(model)[key].unit
     times = rounded(float(c) / (2 * sqrt(float(k * carried))), 2)
     stated = f"{name} is {beside(c, unit)}, {times} times the critical damping 2√({spring} · mass)"
-    yield Reason("overdamped", stated, {key: str(c), "times": times}, "check it and its unit, if that is not meant")
+    meant = f"either {key} is too large or {spring} too small: check both and their units, if that is not meant"
+    yield Reason("overdamped", stated, {key: str(c), "times": times}, meant)
 
 
 def _too_high(track: Any, frequencies: Sequence[float]) -> Iterator[Reason]:

@@ -66,6 +66,7 @@ def test_more_than_critical_damping() -> None:
     assert said.code == "overdamped"
     assert said.numbers["times"] == "7.7"
     assert "track.c is 120000 N s/m² (120 kN s/m²), 7.7 times the critical damping" in said.message
+    assert "either c is too large or k too small" in said.remedy
     quarter = vehicles.Oscillator(wheel=900, body=10_000, k=10**6, c=300_000)
     assert codes(Problem(tracks.EulerBernoulli(**RAIL), quarter, v=1)) == ["overdamped"]
     assert codes(Case(alpha="0.5", eta_b="1.1", eta_m=[1])) == ["overdamped"]
