@@ -53,7 +53,10 @@ _COMMON = ("km/h", "kN/mm", "kN/m", "MN/m", "MN/m²", "kN m²", "N s/m²", "kN s
 _MOST = 8  # of an exponent
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans({"μ": "µ", "⋅": "·", "−": "-", "\u00a0": " ", "\u202f": " "})
-_NUMBER = re.compile(r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)")
+_NUMBER = re.compile(
+    r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+(?![0-9_.])|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)"
+)
+_UNDER = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*([^0-9.\s].*)")
 _SYMBOL = re.compile(r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
 _JOINED = re.compile(r"([GMk]?N)(mm|m|s)(?![A-Za-z])")  # kNm², Ns/m
 _COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*")
@@ -82,6 +85,9 @@ def measured(value: Any, unit: str, key: str, told: str = "") -> Any:
     number, given = split(value)
     if not given:
         return number
+    if re.match(r"/\s*[0-9.]", given):
+        stated = "a ratio has two whole numbers: write it so, or with the distance in brackets, as 145 kg/(0.6 m)"
+        _refuse(value, key, f"but {stated}")
     return Exact.parse(number, key).as_fraction() * _ratio(value, given, unit, key, told)
 
 
@@ -106,10 +112,22 @@ def _factor(unit: str) -> Factor:
     size, powers = (Fraction(1), (0, 0, 0)) if above.strip() == "1" and below else _product(above, False)
     for part in below:
         bracketed = part.strip().startswith("(") and part.strip().endswith(")")
-        number, dimension = _product(part.strip(" ()") if bracketed else part, not bracketed)
+        number, dimension = _bracket(part.strip(" ()")) if bracketed else _product(part, True)
         size /= number
         powers = _sum(powers, dimension, -1)
     return size, powers
+
+
+def _bracket(text: str) -> Factor:
+    """What stands in brackets under a stroke: units, with a number before them where there is one, as (0.6 m)."""
+    parts = _UNDER.fullmatch(text)
+    if parts is None:
+        return _product(text, False)
+    number = Fraction(parts[1])
+    if not number:
+        raise ValueError("divides by zero")
+    size, dimension = _product(parts[2], False)
+    return number * size, dimension
 
 
 def _product(text: str, alone: bool) -> Factor:
@@ -121,6 +139,8 @@ def _product(text: str, alone: bool) -> Factor:
         raise ValueError("has a stroke with nothing on one side")
     if alone and len(words) > 1:
         raise ValueError(f"leaves open what stands under the stroke: write /({' '.join(words)})")
+    if alone and re.match(r"[0-9.]", words[0]):
+        raise ValueError(f"divides by {words[0]}, a number alone: write the distance as /(0.6 m), with its unit")
     size, powers = Fraction(1), (0, 0, 0)
     for word in words:
         parts = _SYMBOL.fullmatch(word)

@@ -69,7 +69,8 @@ def implausible(problem: Problem) -> Iterator[Reason]:
 def _vehicle(vehicle: Any, owner: str) -> Iterator[Reason]:
     if vehicle.name in _VEHICLES:
         yield from _outside(vehicle, owner, _VEHICLES[vehicle.name])
-        for key, quantity in quantities(type(vehicle)).items():
+        kind: type[Model] = type(vehicle)
+        for key, quantity in quantities(kind).items():
             if isinstance(quantity, Part):
                 yield from _vehicle(getattr(vehicle, key), f"{owner}{key}.")
 
