@@ -12,6 +12,8 @@ from mpsolve.page.parts import Parts
 from mpsolve.problem.case import Case
 from mpsolve.ranges.onset import Kind
 from mpsolve.spectrum.spectrum import Root
+from mpsolve.waves.critical import Kind as Kinds
+from mpsolve.waves.slow import SLOW_WAVES, slow_waves
 
 
 @dataclass(frozen=True)
@@ -127,12 +129,18 @@ def contact_card(parts: Parts) -> Card:
 
 
 def wave_card(parts: Parts) -> Card | None:
-    """The least velocity at which a constant force is followed by a wave."""
+    """The least velocity at which two waves merge under a constant force."""
     part, speak = parts.critical, speech(parts)
     if part.value is None or not len(part.value):
         return None
     first = part.value.velocities[0]
-    said = "There a constant force without any mass is followed by a free wave of the track, without damping."
+    merge = first.kind in (Kinds.MINIMUM, Kinds.MAXIMUM, Kinds.STATIONARY)
+    where = (
+        "Two waves merge there, where phase and group velocity are equal" if merge else f"There: {first.kind.value}"
+    )
+    said = f"{where}; without damping the deflection under a constant force grows without bound."
+    if slow_waves(parts.problem.track):
+        said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"
     return Card("What is the critical velocity of a force?", speak.velocity(first.value), said, status)
 
