@@ -135,10 +135,10 @@ def wave_card(parts: Parts) -> Card | None:
         return None
     first = part.value.velocities[0]
     merge = first.kind in (Kinds.MINIMUM, Kinds.MAXIMUM, Kinds.STATIONARY)
-    where = (
-        "Two waves merge there, where phase and group velocity are equal" if merge else f"There: {first.kind.value}"
-    )
-    said = f"{where}; without damping the deflection under a constant force grows without bound."
+    said = f"There: {first.kind.value}."
+    if merge:
+        said = "Two waves merge there, where phase and group velocity are equal. "
+        said += "Without damping the deflection under a constant force grows without bound."
     if slow_waves(parts.problem.track):
         said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"

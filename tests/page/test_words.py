@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, Problem, certify, response, tracks, vehicles
+from mpsolve import Case, Problem, certify, critical_velocities, response, tracks, vehicles
 from mpsolve.outcome import Reason
 from mpsolve.page.budget import Part
 from mpsolve.page.limits import Reach
 from mpsolve.page.parts import Parts
-from mpsolve.page.words import contact_card, growth_card, speech, velocity_card
+from mpsolve.page.words import contact_card, growth_card, speech, velocity_card, wave_card
 from mpsolve.ranges.onset import Kind
 from mpsolve.vibration.liftoff import Event
 
@@ -89,3 +89,17 @@ def test_the_papers_ratios_have_no_units() -> None:
     said = speech(replace(parts(), given=case))
     assert said.velocity(Fraction(2, 3)) == "α = 0.6667"
     assert speech(parts()).velocity(Fraction(70)) == "252 km/h"
+
+
+def test_slow_waves_are_named_on_layers_only() -> None:
+    layers = tracks.TwoLayer(
+        EI="6.4e6", m=60, k_pad="3e8", c_pad="3e4", m_sleeper=250, k_ballast="1e8", c_ballast="8e4"
+    )
+    on_layers = Problem(layers, vehicles.Mass(900).at(0), v=70)
+    for problem, slow in ((PAIR, False), (on_layers, True)):
+        found = critical_velocities(problem.track)
+        card = wave_card(replace(parts(), problem=problem, critical=Part("critical velocities", found)))
+        assert card is not None
+        assert ("shorter and slower waves" in card.sentence) is slow
+        assert "Two waves merge there" in card.sentence
+        assert "followed by a free wave" not in card.sentence
