@@ -50,6 +50,8 @@ _WHOLE: dict[str, Factor] = {
 _PREFIXES = {"G": 9, "M": 6, "k": 3, "d": -1, "c": -2, "m": -3, "µ": -6, "u": -6, "n": -9}
 _CYCLES = {"Hz": "2π rad/s", "kHz": "2000π rad/s", "rpm": "2π/60 rad/s", "°": "π/180 rad", "deg": "π/180 rad"}
 _COMMON = ("km/h", "kN/mm", "kN/m", "MN/m", "MN/m²", "kN m²", "N s/m²", "kN s/m", "kg/m", "mm", "km", "kN", "t", "kg")
+_WRITTEN = {"kmh": "km/h", "kmph": "km/h", "kmhr": "km/h", "mps": "m/s", "kgm": "kg/m"}
+"""What people write without a stroke, in lower case."""
 _MOST = 8  # of an exponent
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans({"μ": "µ", "⋅": "·", "−": "-", "\u00a0": " ", "\u202f": " "})
@@ -171,6 +173,8 @@ def _symbol(name: str) -> Factor:
 
 def _near(name: str) -> str:
     """A unit that is meant, as far as one can tell; upper and lower case count."""
+    if name.lower() in _WRITTEN:
+        return f": did you mean {_WRITTEN[name.lower()]}?"
     names = [*_WHOLE, *(p + b for p in ("", *_PREFIXES) for b in _PREFIXED)]
     same = [known for known in names if known.lower() == name.lower()]
     near = same or get_close_matches(name, names, n=1, cutoff=0.7)
@@ -189,6 +193,8 @@ def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
     if dimension != wanted:
         kind = unit_of(dimension) or "a bare number"
         other = f"whose unit is {kind}, but the {told or 'value'} is in {unit}: give it in {unit} or its like"
+        if _sum(dimension, (0, 1, 0), -1) == wanted and any(layer in told for layer in _LAYERS):
+            other += f"; what one rail seat has is divided by the distance of the sleepers, as {text.strip()}/(0.6 m)"
         _refuse(text, key, other if unit else f"but the {told or 'value'} has no unit: leave the unit out")
     return size / own
 
@@ -197,6 +203,8 @@ _DERIVED = (
     ("N", (1, 1, -2)), ("m/s", (0, 1, -1)), ("N/m", (1, 0, -2)), ("N/m²", (1, -1, -2)), ("N m²", (1, 3, -2)),
     ("N m", (1, 2, -2)), ("N s/m", (1, 0, -1)), ("N s/m²", (1, -1, -1)), ("N s/m³", (1, -2, -1)),
 )  # fmt: skip
+_LAYERS = ("pads", "sleepers", "ballast", "ground")
+"""What is known at rail seats, and is given per metre of track."""
 _POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 

@@ -21,6 +21,7 @@ from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
@@ -53,7 +54,7 @@ def page_html(parts: Parts, stem: str) -> str:
         mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
         cards=cards(parts),
         limits=limit_rows(parts),
-        warnings=[str(one) for one in parts.spectrum.warnings],
+        warnings=[str(one) for one in (*titled(parts.given, parts.title), *spectrum.warnings)],
         late=parts.late,
         drawing=figures.drawing(parts),
         tables=tables(parts),

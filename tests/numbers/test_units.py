@@ -66,6 +66,8 @@ def test_values_are_exact(text: str, unit: str, value: Fraction | int | None) ->
         ("30 °", "rad", "π/180 rad"),
         ("35 KN/mm", "N/m", "'KN', which is no unit: did you mean kN"),
         ("5 Kg", "kg", "did you mean kg"),
+        ("100 kmh", "m/s", "did you mean km/h"),
+        ("100 KMH", "m/s", "did you mean km/h"),
         ("5 foo", "m", "'foo', which is no unit: units are km/h"),
         ("5 N/m s", "N s/m", "leaves open what stands under the stroke: write /\\(m s\\)"),
         ("5 N/", "N/m", "stroke with nothing"),
@@ -91,6 +93,13 @@ def test_refusals_quote_the_text(text: str, unit: str, said: str) -> None:
         in_unit(text, unit, "track.EI", "bending stiffness")
     assert caught.value.key == "track.EI"
     assert text in str(caught.value)
+
+
+def test_what_a_rail_seat_has_is_divided_by_the_distance() -> None:
+    with pytest.raises(InputError, match=r"divided by the distance of the sleepers, as 120 kN/mm/\(0.6 m\)"):
+        in_unit("120 kN/mm", "N/m²", "track.k_pad", "stiffness of the pads")
+    with pytest.raises(InputError, match=r"give it in kg/m or its like$"):
+        in_unit("60 kg", "kg/m", "track.m", "mass of the rail")
 
 
 def test_every_declared_unit_is_known() -> None:
