@@ -52,7 +52,8 @@ if TYPE_CHECKING:
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
-    from mpsolve.vibration.precise import PreciseVibration, response_mp
+    from mpsolve.vibration.precise import response_mp
+    from mpsolve.vibration.precise_motion import PreciseVibration
     from mpsolve.vibration.response import response
     from mpsolve.vibration.roughness import out_of_round, rail_roughness
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
@@ -229,7 +230,7 @@ _HOME = {
     "response": "vibration.response",
     "Vibration": "vibration.motion",
     "response_mp": "vibration.precise",
-    "PreciseVibration": "vibration.precise",
+    "PreciseVibration": "vibration.precise_motion",
     "response_balls": "vibration.balls.enclosure",
     "ProvedVibration": "vibration.balls.enclosure",
     "Irregularity": "vibration.forcing",

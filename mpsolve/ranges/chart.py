@@ -26,7 +26,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
-from mpsolve.ranges.scope import OpenError, Scope, checked_over, scope_of
+from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.spectrum.regions import HalfPlane
 
 _BOXES = 1_000_000
@@ -93,11 +93,12 @@ def stability_chart(
     """The exact number of growing roots over two parameters, as proved regions and thin strips between them.
 
     over: {path: (low, high)} of two parameters, in the problem's units. depth: of 2^depth cells along each of them.
+    A range from v = 0 begins a little above it where the equations lose waves at rest, as `.over` says.
     The answer is proved where every region is decided; strips round the boundaries are part of it. There is no
     certificate. InputError for paths and ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = from_above_rest(given, checked_over(given, over))
     if len(ranges) != 2:
         raise InputError("over", f"has {len(ranges)} ranges, but a chart is over two parameters")
     if not 2 <= depth <= 10:

@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.outcome import Reason
 from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
@@ -59,7 +60,7 @@ class Solution:
     """A motion at any time: forced parts, modes, and the line; held: a constant motion that was there before.
 
     first: what acts at once after t = 0, as on a wheel without mass. error: by channels, what panels, fading and
-    causality leave open.
+    causality leave open. reason: why no better one was worked for, where effort ran out.
     """
 
     image: Image
@@ -69,6 +70,7 @@ class Solution:
     line: Line
     first: Any
     error: Any
+    reason: Reason | None = None
 
     def parts(self, times: Any) -> Parts:
         """At times t̂ > 0."""
@@ -142,9 +144,14 @@ class Engine:
             raise InputError("times", f"{stated}: end earlier")
         alpha = self.line(last)
         found, excess, causal = self._along(alpha, times)
-        if alpha < 0 and not causal:
-            other, worse, _ = self._along(self._above(last), times)
-            found, excess = (found, excess) if excess <= worse else (other, worse)
+        if alpha < 0 and not causal and found.reason is None:
+            try:
+                other, worse, _ = self._along(self._above(last), times)
+                found, excess = (found, excess) if excess <= worse else (other, worse)
+            except EffortError as error:
+                found = replace(found, reason=error.reason)
+        if not excess < _HOPELESS and found.reason is not None:
+            raise EffortError(found.reason)
         if not excess < _HOPELESS:
             stated = f"the motion is off by {excess * GOOD:.1e} of itself, as a root is missing or growth is too fast"
             raise PrecisionError(f"{stated}: end earlier, or give spectrum=certify(problem)")
@@ -175,9 +182,13 @@ class Engine:
         while True:
             solution = Solution(self.image, held, steady, taken, line, self._first(), held)
             solution, verdict = self._judged(solution, some)
+            causal = verdict.early <= max(1.0, verdict.excess / 10)
             if verdict.excess <= 1 or verdict.felt < 0.2 or not line.settled or line.omega > _FARTHEST:
-                return solution, verdict.excess, verdict.early <= max(1.0, verdict.excess / 10)
-            line = extended(self.transformed, line)
+                return solution, verdict.excess, causal
+            try:
+                line = extended(self.transformed, line)
+            except EffortError as error:
+                return replace(solution, reason=error.reason), verdict.excess, causal
 
     def _first(self) -> Any:
         """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""

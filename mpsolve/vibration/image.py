@@ -7,7 +7,7 @@ in the units of the problem.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
@@ -17,6 +17,7 @@ import numpy as np
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Guide, track_guide
+from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import Pencil
 
@@ -29,10 +30,12 @@ class Image:
     """A problem, and the exact places where its rail is watched.
 
     Channels are all coordinates of the vehicles, the contact forces from rear to front, the rail at the places.
+    effort counts the σ̂ at which the equations are set up.
     """
 
     problem: Problem
     places: tuple[Fraction, ...]
+    effort: Effort | None = field(default=None, compare=False, repr=False)
 
     @cached_property
     def pencil(self) -> Pencil:
@@ -117,6 +120,8 @@ class Image:
 
     def matrices(self, sigma: Any) -> tuple[Any, Any]:
         """A(σ̂) of scaled bodies and contact forces, and Ĝ from the places to the contacts."""
+        if self.effort is not None:
+            self.effort.spend(len(sigma))
         S, B, h, _, _ = self._scaled
         _, among, seen = self._distances
         n, m = self.size, self.contacts

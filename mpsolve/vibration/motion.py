@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.errors import EffortError
+from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.vibration.engine import Parts, Solution
 from mpsolve.vibration.liftoff import Event, first_lift_off
@@ -44,7 +46,8 @@ class Vibration:
     times (t,). places (p,). rail (p, t): deflections under places of the moving frame, the sum of `steady` (with its
     part `steady_harmonic` at the frequencies of loads and irregularities), `harmonic` (at induced frequencies) and
     `transient`. vehicle: for each coordinate by name (t,). contact_force (n, t): from rear to front, compression
-    positive, with the static part. induced: the harmonic part by frequencies.
+    positive, with the static part. induced: the harmonic part by frequencies. reason: why less is known than was
+    asked for, where effort ran out: `error` tells of the motion as it is, and what is not known is NaN.
     """
 
     problem: Problem
@@ -64,9 +67,17 @@ class Vibration:
     def lift_off(self) -> Event | None:
         """When a contact force first comes to 0, up to the last time; None where none does.
 
-        It is found on the motion itself and does not depend on the times asked for, but for the last one.
+        It is found on the motion itself and does not depend on the times asked for, but for the last one. EffortError
+        where no motion is known, as the effort ran out.
         """
+        if self.reason is not None and not np.isfinite(self.error.contact_force):
+            raise EffortError(self.reason)
         return first_lift_off(self.solution, float(np.max(self.times, initial=0.0)))
+
+    @property
+    def reason(self) -> Reason | None:
+        """None where all was worked for that was asked for."""
+        return self.solution.reason
 
     @property
     def within(self) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
+from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.spectrum.unfelt import unfelt_frequencies
@@ -69,11 +70,14 @@ def certified(image: Image, spectrum: Spectrum) -> Poles:
     return Poles(_right_of(poles, max(floor, cut)), max(floor, cut), cut, reduced.neutral, whole)
 
 
+def searched(problem: Problem, effort: Effort | None = None) -> Poles:
+    """The roots that Newton's method finds, as many as the argument of Δ counts; kept for the next call."""
+    return _searched(Image(problem, (), effort))
+
+
 @lru_cache(maxsize=32)
-def searched(problem: Problem) -> Poles:
-    """The roots that Newton's method finds, as many as the argument of Δ counts."""
-    image = Image(problem, ())
-    reduced = reduce_problem(problem)
+def _searched(image: Image) -> Poles:
+    reduced = reduce_problem(image.problem)
     cut = lowest(image)
     floor = _SHARE * cut if cut else _AXIS
     reach = _REACH * max(1.0, natural(image))

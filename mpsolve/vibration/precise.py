@@ -8,18 +8,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from mpsolve.certificate.certify import certify
-from mpsolve.errors import InputError
+from mpsolve.errors import EffortError, InputError
 from mpsolve.numbers.model import rational
 from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.engine import Engine
@@ -28,6 +29,7 @@ from mpsolve.vibration.image import Image
 from mpsolve.vibration.line import sampled_line
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.precise_image import PreciseImage, exact_terms, number
+from mpsolve.vibration.precise_motion import PreciseVibration, unknown_precise
 from mpsolve.vibration.quadrature import Rule
 from mpsolve.vibration.vibrate import checked_places
 
@@ -38,25 +40,6 @@ _FURTHER = 1.5
 """So much further than needed the line is followed: what the rest changes is the error that is told."""
 
 
-@dataclass(frozen=True)
-class PreciseVibration:
-    """The motion from rest in arrays of mpmath numbers (dtype object), in the units of the problem; not proved.
-
-    rail (places, times), the sum of steady, harmonic and transient; vehicle by coordinates; contact_force (n, times).
-    error: of the rail and of the forces, relative to the largest of each, by causality and a lower Ω; an estimate.
-    """
-
-    times: Any
-    places: tuple[Fraction, ...]
-    rail: Any
-    steady: Any
-    harmonic: Any
-    transient: Any
-    vehicle: dict[str, Any]
-    contact_force: Any
-    error: tuple[float, float]
-
-
 def response_mp(
     problem: Problem,
     loads: Any = None,
@@ -65,38 +48,65 @@ def response_mp(
     digits: int,
     places: Any = None,
     spectrum: Spectrum | None = None,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
 ) -> PreciseVibration:
     """The motion from rest to `digits` digits (15 to 200) of the largest deflection, in mpmath; a minute at 20.
 
     problem, loads, places: as for `response`. times > 0, exact numbers: the smallest one sets the work. spectrum: of
     `certify(problem, digits=digits + 25)` at least; without it that is computed. InputError for what cannot be used.
+    effort: where it is spent nothing is known, and `reason` says so; evaluations are those of the equations at one σ,
+    those of `certify` are counted by themselves. progress hears of frequencies, residues and integral.
     """
     if isinstance(digits, bool) or not isinstance(digits, int) or not 15 <= digits <= MOST:
         raise InputError("digits", f"is {digits!r}: give a whole number from 15 to {MOST}")
     exact = [rational(t, "times") for t in times]
     if not exact or min(exact) <= 0:
         raise InputError("times", "hold none, or one that is not above 0: give times above 0")
+    work, said = begun(effort), progress or silent
     image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
     K = Multiprecision(digits + _GUARD)
     precise = PreciseImage(K.mp, image, exact_terms(image.pencil, loads), digits + _GUARD)
-    found = certify(problem, digits=digits + _GUARD, check=False) if spectrum is None else spectrum
-    poles = certified(image, found)
-    at = [K.number(t) * precise.rate for t in exact]
-    engine = Engine(image, tones(image, outer, ()), (), poles)
-    alpha = engine.line(float(max(at)))
-    work = _Work(precise, poles, found, digits, alpha)
-    omega = max(_FURTHER * 4 * digits * math.log(10) / float(min(at)), _LEAST, 8 * natural(image), 5 * work.fastest)
-    with one_thread():
-        line = sampled_line(engine.transformed, alpha, omega)
-    return work.motion(at, exact, line.panels.middle, line.panels.half, omega)
+    try:
+        found = _certified(problem, digits + _GUARD, effort, said) if spectrum is None else spectrum
+        poles = certified(image, found)
+        at = [K.number(t) * precise.rate for t in exact]
+        engine = Engine(image, tones(image, outer, ()), (), poles)
+        alpha = engine.line(float(max(at)))
+        made = _Work(precise, poles, found, digits, alpha, work, said)
+        far = 4 * digits * math.log(10) / float(min(at))
+        omega = max(_FURTHER * far, _LEAST, 8 * natural(image), 5 * made.fastest)
+        with one_thread():
+            line = sampled_line(engine.transformed, alpha, omega)
+        return made.motion(at, exact, line.panels.middle, line.panels.half, omega)
+    except EffortError as error:
+        return unknown_precise(image, K.mp, exact, error.reason)
+
+
+def _certified(problem: Problem, digits: int, effort: Effort | None, said: Progress) -> Spectrum:
+    """The roots; EffortError where the effort is spent on them."""
+    said("frequencies", 0.0)
+    found = certify(problem, digits=digits, check=False, effort=effort)
+    if found.reason is not None and found.reason.code in ("effort", "interrupted"):
+        raise EffortError(found.reason)
+    return found
 
 
 class _Work:
     """One motion in the making; everything scaled."""
 
-    def __init__(self, image: PreciseImage, poles: Poles, spectrum: Spectrum, digits: int, alpha: float) -> None:
-        self.image, self.mp, self.digits = image, image.mp, digits
+    def __init__(
+        self,
+        image: PreciseImage,
+        poles: Poles,
+        spectrum: Spectrum,
+        digits: int,
+        alpha: float,
+        effort: Effort,
+        said: Progress,
+    ) -> None:
+        self.image, self.mp, self.digits, self.effort, self.said = image, image.mp, digits, effort, said
         self.alpha = self.mp.mpf(alpha)
         rate = image.rate
         balls = [(number(self.mp, root.q), root.multiplicity) for root in spectrum.roots if root.q.real >= 0]
@@ -113,8 +123,12 @@ class _Work:
     def motion(self, at: list[Any], exact: list[Fraction], middle: Any, half: Any, omega: float) -> PreciseVibration:
         """Everything at the times `at`."""
         mp, image = self.mp, self.image.image
-        panels = [self._panel(mp.mpf(float(a)), mp.mpf(float(b))) for a, b in zip(middle, half, strict=True)]
+        self.said("residues", 0.0)
         steady, modes = self._steady(), self._modes()
+        panels = []
+        for k, (a, b) in enumerate(zip(middle, half, strict=True)):
+            self.said("integral", k / len(middle))
+            panels.append(self._panel(mp.mpf(float(a)), mp.mpf(float(b))))
         early = [-mp.mpf(x) * 4 * self.digits * math.log(10) / omega for x in (1.0, 1.7)]
         wide, narrow = (self._along(panels, mp.mpf(x), [*at, *early]) for x in (omega, omega / _FURTHER))
         kept = [self._sum(steady, t) for t in [*at, *early]]
@@ -147,7 +161,11 @@ class _Work:
     def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], list[list[Any]]]:
         """Middle, half, nodes of ω, values there."""
         nodes = [middle + half * x for x in self.rule.nodes]
-        return middle, half, nodes, [self.image(self.mp.mpc(self.alpha, w)) for w in nodes]
+        return middle, half, nodes, [self._value(self.mp.mpc(self.alpha, w)) for w in nodes]
+
+    def _value(self, sigma: Any) -> list[Any]:
+        self.effort.spend(1)
+        return self.image(sigma)
 
     def _along(self, panels: list[Any], omega: Any, times: list[Any]) -> list[list[Any]]:
         """(1/π) Re ∫ χ û e^{σt} dω for each time: rows of channels."""
@@ -155,6 +173,7 @@ class _Work:
         width = omega / (2 * mp.sqrt(self.digits * mp.log(10)))
         out = [list(self.zero) for _ in times]
         for middle, half, nodes, values in panels:
+            self.effort.spend(0)
             share = [mp.erfc((w - omega / 2) / width) / 2 for w in nodes]
             if max(share) < mp.mpf(10) ** (-self.digits - _GUARD):
                 continue
@@ -187,7 +206,7 @@ class _Work:
         radius = mp.mpf("0.3") * min([gap for gap in gaps if gap > abs(middle) * mp.mpf(10) ** -self.digits] + [room])
         count = 2 * (self.digits + _GUARD) + 8
         turns = [radius * mp.expjpi(mp.mpf(2 * k + 1) / count) for k in range(count)]
-        values = [self.image(middle + turn) for turn in turns]
+        values = [self._value(middle + turn) for turn in turns]
         return middle, [
             [
                 mp.fdot([turn ** (m + 1) for turn in turns], [row[c] for row in values]) / count

@@ -14,10 +14,10 @@ from mpsolve.vibration.vibrate import vibrate
 def response(problem: Any, *arguments: Any, **options: Any) -> Any:
     """The motion in time: of a Problem by `vibrate`, of a Case or PhysicalCase by the paper's formulas.
 
-    response(problem, loads=None, *, times, places=None, irregularities=None, initial="rest", spectrum=None) for a
-    Problem, see `vibrate`; response(case, loads=None, xi=None, tau=(0,), spectrum=None) for the others, in the units
-    of the paper, see `motion_of_case`; of these with balls=True, or digits, in proved balls, or numbers right to so
-    many decimals, by the paper's own formulas.
+    response(problem, loads=None, *, times, places=None, irregularities=None, initial="rest", spectrum=None,
+    effort=None, progress=None) for a Problem, see `vibrate`; response(case, loads=None, xi=None, tau=(0,),
+    spectrum=None) for the others, in the units of the paper, see `motion_of_case`; of these with balls=True, or
+    digits, in proved balls, or numbers right to so many decimals, by the paper's own formulas.
     """
     if not isinstance(problem, (Case, PhysicalCase)):
         return vibrate(problem, *arguments, **options)

@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.float_list import float_list
 from mpsolve.numbers.model import rational
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.vehicles.loads import Outer, outer_forces
 from mpsolve.vibration.engine import Engine, Parts, Solution
-from mpsolve.vibration.forcing import Irregularity, checked_irregularities, tones
+from mpsolve.vibration.forcing import Irregularity, Tone, checked_irregularities, tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import Vibration, vibration
 from mpsolve.vibration.poles import certified, searched
+from mpsolve.vibration.unknown import unknown_parts, unknown_solution
 
 STARTS = ("rest", "steady")
+_CHUNK = 4096
+"""Times that are read off together; for the first ones the effort is not asked."""
 
 
 def vibrate(
@@ -34,6 +40,8 @@ def vibrate(
     irregularities: Iterable[Irregularity] | None = None,
     initial: str = "rest",
     spectrum: Spectrum | None = None,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
 ) -> Vibration:
     """The motion of the vehicles and the rail under them; float64, with an error that is estimated and kept.
 
@@ -43,26 +51,38 @@ def vibrate(
     t = 0 on, or "steady", where constant loads have acted for ever and the rest sets in at t = 0. spectrum: of
     `certify(problem)`, whose roots then are the induced frequencies; without it they are searched for in float64.
 
+    effort: an evaluation is one set-up of the equations. Where it is spent `reason` says so: the motion is the best
+    so far with its own `error`, times that were not reached are NaN, and all are where none was found.
+    progress hears of the stages frequencies, integral and times.
+
     The error of deflections is below 1e-8 of the largest wherever `error` says so. InputError names the argument that
     cannot be used, as loads at a frequency at which the vehicle moves by itself; PrecisionError where a root lies on
     the path of integration.
     """
-    solution, at = solved(problem, loads, times, places, irregularities, initial, spectrum)
+    work, said = begun(effort), progress or silent
+    image, acting, held, at = _checked(problem, loads, times, places, irregularities, initial)
+    own = replace(image, effort=work)
     with one_thread():
-        parts = _from_start(solution, at * solution.image.rate)
+        try:
+            said("frequencies", 0.0)
+            poles = searched(problem, work) if spectrum is None else certified(image, spectrum)
+            said("integral", 0.0)
+            solution = Engine(own, acting, held, poles).solve(at * image.rate)
+            solution, parts = _read_off(replace(solution, image=image), at * image.rate, work, said)
+        except EffortError as error:
+            solution, parts = unknown_solution(image, error.reason), unknown_parts(image, at)
+        except np.linalg.LinAlgError:
+            stated = (
+                "the equations of the motion are singular, as those of a track without stiffness under constant loads"
+            )
+            raise PrecisionError(f"{stated}: change a parameter") from None
     return vibration(problem, solution, at, parts)
 
 
-def solved(
-    problem: Problem,
-    loads: Any,
-    times: Any,
-    places: Any,
-    irregularities: Any,
-    initial: str,
-    spectrum: Spectrum | None,
-) -> tuple[Solution, Any]:
-    """The motion as a function of time, and the times."""
+def _checked(
+    problem: Problem, loads: Any, times: Any, places: Any, irregularities: Any, initial: str
+) -> tuple[Image, tuple[Tone, ...], tuple[Tone, ...], Any]:
+    """What is watched, what acts from t = 0 on, what has acted for ever, and the times."""
     if not isinstance(problem, Problem):
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
     resting = at_rest(problem.track)
@@ -74,19 +94,10 @@ def solved(
     image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
     rough = checked_irregularities(irregularities, image.contacts)
-    acting, held = tones(image, outer, rough), tones(image, _only(outer, constant=True), ())[:0]
-    if initial == "steady":
-        held = tones(image, _only(outer, constant=True), ())
-        acting = tones(image, _only(outer, constant=False), rough)
-    with one_thread():
-        try:
-            poles = searched(problem) if spectrum is None else certified(image, spectrum)
-            return Engine(image, acting, held, poles).solve(at * image.rate), at
-        except np.linalg.LinAlgError:
-            stated = (
-                "the equations of the motion are singular, as those of a track without stiffness under constant loads"
-            )
-            raise PrecisionError(f"{stated}: change a parameter") from None
+    if initial == "rest":
+        return image, tones(image, outer, rough), (), at
+    held = tones(image, _only(outer, constant=True), ())
+    return image, tones(image, _only(outer, constant=False), rough), held, at
 
 
 def _only(outer: Outer, constant: bool) -> Outer:
@@ -98,6 +109,21 @@ def _only(outer: Outer, constant: bool) -> Outer:
         outer.frequency,
         outer.phase,
     )
+
+
+def _read_off(solution: Solution, times: Any, work: Effort, said: Progress) -> tuple[Solution, Parts]:
+    """The parts at these times; NaN from where the effort is spent, which the solution then tells."""
+    table = np.full((4, solution.image.channels, len(times)), np.nan)
+    for k in range(0, len(times), _CHUNK):
+        try:
+            if k:
+                work.spend(0)
+        except EffortError as error:
+            return replace(solution, reason=error.reason), Parts(*table)
+        one = _from_start(solution, times[k : k + _CHUNK])
+        table[..., k : k + _CHUNK] = one.static, one.forced, one.free, one.transient
+        said("times", min(1.0, (k + _CHUNK) / len(times)))
+    return solution, Parts(*table)
 
 
 def _from_start(solution: Solution, times: Any) -> Parts:

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from mpsolve.errors import EffortError, InputError
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 
 
 def test_evaluations_are_counted() -> None:
@@ -55,3 +55,11 @@ def test_limits_that_are_none(given: dict[str, Any], key: str) -> None:
     with pytest.raises(InputError) as caught:
         Effort(**given)
     assert caught.value.key == key
+
+
+def test_work_begins_with_nothing_spent() -> None:
+    given = Effort(evaluations=2)
+    given.spend(2)
+    assert (begun(given).spent, begun(given).evaluations, begun(None)) == (0, 2, Effort())
+    with pytest.raises(InputError, match="effort: is of type float"):
+        begun(3.0)  # type: ignore[arg-type]

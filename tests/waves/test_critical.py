@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import pickle
+import re
 from fractions import Fraction
+from pathlib import Path
 from time import process_time
 from typing import Any
 
@@ -265,3 +267,22 @@ def test_a_track_that_buckles_has_none() -> None:
         critical_velocities(EulerBernoulli(EI=1, m=1, k=1, N=3))
     with pytest.raises(InputError, match="track"):
         critical_velocities(3)  # type: ignore[arg-type]
+
+
+def test_the_page_of_the_site() -> None:
+    """Its code runs; every dot of the picture lies on a curve, and damping leaves a finite deflection."""
+    pytest.importorskip("matplotlib").use("Agg")
+    text = (Path(__file__).parents[2] / "docs/how-to/critical-velocities.md").read_text("utf-8")
+    names: dict[str, Any] = {}
+    for cell in re.findall(r"```{code-cell} ipython3\n(?::tags: [^\n]*\n)?(.*?)```", text, flags=re.DOTALL):
+        exec(cell, names)
+    labels = [line.get_label() for ax in names["axes"].flat for line in ax.lines]
+    assert sum("shear waves" in str(label) for label in labels) == 1
+    for track, listed in names["found"].values():
+        assert len(listed) > 1
+        for one in listed:
+            if one.wavenumber is not None:
+                near = dispersion(undamped(track), [float(one.wavenumber)]).real - float(one.frequency)
+                assert abs(near).min() < 1e-9 * abs(float(one.frequency))
+        assert np.isfinite(names["curves"](track, listed, 1.0)[3]).all()
+    names["plt"].close("all")

@@ -27,7 +27,7 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.spectrum.unfelt import unfelt_frequencies
@@ -96,7 +96,7 @@ def response_balls(
     exact = tuple(rational(t, "times") for t in times)
     if not exact or min(exact) <= 0:
         raise InputError("times", "hold none, or one that is not above 0: give times above 0")
-    work, said = (effort or Effort()).anew(), progress or silent
+    work, said = begun(effort), progress or silent
     image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
     K = Multiprecision(digits + _GUARD)
