@@ -21,6 +21,7 @@ train of it, whose rearmost one stands there. Masses are per modelled rail.
 
 _ONE_RAIL = """\
 Rail tracks: everything for one rail and per metre of it: half a sleeper, one pad, half a wheelset, half a bogie.
+Some damping must be above 0; only masses on the paper's beam are decided without any.
 """
 _RAILS = ("euler-bernoulli", "rayleigh", "timoshenko", "two-layer", "three-layer", "slab")
 
