@@ -84,7 +84,8 @@ def _outside(model: Model, owner: str, bands: Mapping[str, Band]) -> Iterator[Re
         name = f"track.{key}" if owner == "track" else f"{owner}{key}"
         known = f"{spoken(low, quantity.unit, 2)} to {spoken(high, quantity.unit, 2)}"
         stated = f"{name} is {beside(value, quantity.unit)}, but any {quantity.meaning} known here is {known}"
-        yield Reason("value-unlikely", stated, {key: str(value)}, _meant(key, value, quantity.unit, bands[key]))
+        path = name if owner == "track" else key
+        yield Reason("value-unlikely", stated, {path: str(value)}, _meant(key, value, quantity.unit, bands[key]))
 
 
 def _meant(key: str, value: Fraction, unit: str, band: Band) -> str:

@@ -51,7 +51,7 @@ def warned(given: Given, frequencies: Sequence[float] = ()) -> tuple[Reason, ...
         if getattr(track, "m", None) != 1:
             bending = [*_bending(track)]
             found += bending
-            found += [one for one in implausible(problem) if not (bending and "EI" in one.numbers)]
+            found += [one for one in implausible(problem) if not (bending and "track.EI" in one.numbers)]
             found += [*_velocity(problem), *_too_high(track, frequencies)]
     return tuple(found)
 

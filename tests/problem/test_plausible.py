@@ -13,6 +13,7 @@ from mpsolve.presets.catalogue import names
 from mpsolve.presets.written import input_file
 from mpsolve.problem.plausible import implausible
 from mpsolve.problem.warned import warned
+from mpsolve.report.ranges_asked import asked
 
 TRACK: dict[str, Any] = {
     "EI": "6.4e6", "m": 60, "k_pad": "3e8", "c_pad": "3e4", "m_sleeper": 250, "k_ballast": "1e8", "c_ballast": "8e4",
@@ -26,14 +27,14 @@ def problem(track: dict[str, Any], bogie: dict[str, Any]) -> Problem:
 
 
 def keys(given: Problem) -> list[str]:
-    return [key for reason in implausible(given) for key in reason.numbers]
+    return [key.removeprefix("track.") for reason in implausible(given) for key in reason.numbers]
 
 
 def test_numbers_in_kilonewtons_millimetres_and_tonnes() -> None:
     assert keys(problem({}, {})) == []
     wrong = problem({"k_pad": 200, "k_ballast": 50}, {"wheel": "0.65", "frame": 1, "wheelbase": 1800, "k": 1200})
     assert keys(wrong) == ["k_pad", "k_ballast", "wheel", "frame", "wheelbase", "k"]
-    assert {"k_pad", "k_ballast"} <= {key for reason in warned(wrong) for key in reason.numbers}
+    assert {"track.k_pad", "track.k_ballast"} <= {key for reason in warned(wrong) for key in reason.numbers}
 
 
 def test_masses_in_tonnes_and_layers_a_thousand_times_too_soft() -> None:
@@ -54,6 +55,14 @@ def test_masses_in_tonnes_and_layers_a_thousand_times_too_soft() -> None:
 def test_the_sentence_names_the_key_and_what_is_meant(track: Any, bogie: Any, said: str) -> None:
     (reason,) = implausible(problem(track, bogie))
     assert said in str(reason)
+
+
+def test_a_parameter_that_is_left_free_is_not_doubted() -> None:
+    """A range over it says what is meant."""
+    wrong = problem({"k_pad": 200}, {})
+    for path, doubted in (("v=10..20", True), ("track.k_pad=1e8..2e8", False)):
+        codes = [reason.code for reason in asked(wrong, "", [path]).warnings]
+        assert ("value-unlikely" in codes) is doubted
 
 
 def test_the_bogie_under_a_coach_is_looked_at() -> None:
