@@ -947,7 +947,7 @@ class Split:
         return point, value * slope.inverse()
 
     def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
-        """(middle, radii, nodes inside) of circles; the second radius is theirs. Close roots of one side share one."""
+        """(middle, radii, nodes inside) of circles; the second radius is theirs. Roots that are close share one."""
         own, z = list(self.sides[side]), [complex(x) for x in self.z]
         others = [k for k in range(self.n) if k not in own]
         far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
