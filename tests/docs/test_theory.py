@@ -3,36 +3,19 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
+from theory_pages import BEAM, COUNTING, GAP, MASS, MODEL, PAIR, PLANE, V, dispersion, displayed, growing, integral
 
-from mpsolve import Problem, certify, receptance, tracks, vehicles
+from mpsolve import certify, receptance, tracks
 from mpsolve.batch.view import look
 from mpsolve.derivation.tracks import Omega, derived, p, symbols_of
 
-THEORY = Path(__file__).parents[2] / "docs" / "theory"
-MODEL, PLANE, PASSIVITY, COUNTING = (
-    (THEORY / f"{name}.md").read_text("utf-8") for name in ("model", "plane", "passivity", "counting")
-)
-BEAM = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
-V, GAP, MASS = 250, 3.4, 10000
-PAIR = Problem(BEAM, [vehicles.Mass(MASS).at(0), vehicles.Mass(MASS).at("3.4")], v=V)
 OWN = symbols_of(tracks.EulerBernoulli)
 NAMES = {"EI": OWN.EI, "N_x": OWN.N, "m": OWN.m, "c": OWN.c, "k": OWN.k}
-
-
-def displayed(page: str, beginning: str) -> str:
-    """The displayed formula that begins so."""
-    (found,) = [
-        one.strip()
-        for one in re.findall(r"\$\$(.*?)\$\$", page, flags=re.DOTALL)
-        if one.strip().startswith(beginning)
-    ]
-    return found
 
 
 def polynomial(text: str) -> Any:
@@ -67,11 +50,6 @@ def test_the_vehicle_s_matrix_is_that_of_its_equation_of_motion() -> None:
     assert sp.expand(sp.simplify(motion / y) - sp.sympify("K + I*q*C - q**2*M", locals={"C": C})) == 0
 
 
-def growing() -> complex:
-    (root,) = [r for r in certify(PAIR, region="unstable", digits=15, check=False).roots if r.q.real > 0]
-    return complex(root.q)
-
-
 def bordered(q: complex, places: list[float]) -> Any:
     """[[S, −B], [Bᵀ, G + h]] of tight masses at these places, as the page shows it."""
     n = len(places)
@@ -96,16 +74,6 @@ def test_a_single_mass_obeys_the_short_formula() -> None:
     assert sp.expand(sp.Matrix([[-(q**2) * M, -1], [1, G]]).det() - (1 - q**2 * M * G)) == 0
 
 
-def integral(of: Any, reach: float = 200.0, points: int = 800_001) -> complex:
-    wave = np.linspace(-reach, reach, points)
-    return complex(np.trapezoid(of(wave), wave))
-
-
-def dispersion(wave: Any, q: float) -> Any:
-    at_rest = q - V * wave
-    return 6.4e6 * wave**4 - 60 * at_rest**2 + 770j * at_rest + 1e6
-
-
 @pytest.mark.parametrize("xi", [0.0, 2.0, -1.5])
 def test_the_receptance_is_the_integral_over_all_waves(xi: float) -> None:
     assert displayed(MODEL, r"G(\xi, q)").endswith(
@@ -113,30 +81,6 @@ def test_the_receptance_is_the_integral_over_all_waves(xi: float) -> None:
     )
     found = integral(lambda wave: np.exp(1j * wave * xi) / dispersion(wave, 20.0)) / (2 * np.pi)
     assert found == pytest.approx(complex(receptance(BEAM, xi, 20.0, v=V)[0, 0]), rel=1e-5)
-
-
-def test_what_one_force_gives_is_the_integral_of_the_waves() -> None:
-    assert displayed(PASSIVITY, r"-\mathrm{Im}\, G").endswith(
-        r"\frac{1}{2\pi}\int \frac{-\mathrm{Im}(N \bar D)}{|D|^2}\, dp ,"
-    )
-    found = integral(lambda wave: -np.conj(dispersion(wave, 20.0)).imag / abs(dispersion(wave, 20.0)) ** 2) / (
-        2 * np.pi
-    )
-    assert found.real == pytest.approx(-receptance(BEAM, 0, 20.0, v=V)[0, 0].imag, rel=1e-5)
-
-
-def test_what_two_forces_put_in_on_average_is_the_form_of_the_page() -> None:
-    shown = displayed(PASSIVITY, r"\tfrac12\,q")
-    assert r"F^* \Big(\!-\frac{G - G^*}{2i}\Big) F" in shown
-    assert r"\begin{pmatrix} G(0) & G(-d) \\ G(d) & G(0) \end{pmatrix}" in shown
-    q, F = 15.0, np.array([1.0, 0.4 - 0.8j])
-    behind, here, ahead = receptance(BEAM, [-GAP, 0, GAP], q, v=V)[:, 0]
-    G = np.array([[here, behind], [ahead, here]])
-    form = 0.5 * q * (F.conj() @ (-(G - G.conj().T) / 2j) @ F).real
-    t = np.arange(4096) / 4096 * 2 * np.pi / q
-    force = (F[:, None] * np.exp(1j * q * t)).real
-    speed = (1j * q * (G @ F)[:, None] * np.exp(1j * q * t)).real
-    assert form == pytest.approx((force * speed).sum(axis=0).mean(), rel=1e-9)
 
 
 def test_cuts_are_where_the_page_says() -> None:
