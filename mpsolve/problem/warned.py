@@ -47,12 +47,12 @@ def warned(given: Given, frequencies: Sequence[float] = ()) -> tuple[Reason, ...
     found = list(_at_one_place(problem))
     track = problem.track
     if isinstance(track, Track):
-        found += _overdamped(problem)
         if getattr(track, "m", None) != 1:
             bending = [*_bending(track)]
             found += bending
             found += [one for one in implausible(problem) if not (bending and "track.EI" in one.numbers)]
             found += [*_velocity(problem), *_too_high(track, frequencies)]
+        found += _overdamped(problem)
     return tuple(found)
 
 
