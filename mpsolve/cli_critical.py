@@ -32,6 +32,7 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
     with one_sentence():
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.waves.critical import critical_velocities
+        from mpsolve.waves.slow import SLOW_WAVES, slow_waves
 
         source = read_problem(file)
         if output is not None:
@@ -47,6 +48,8 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
                 where = "" if one.wavenumber is None else f", wavenumber {float(one.wavenumber.mid()):.8g} rad/m"
                 kmh = 3.6 * float(one.value.mid())
                 click.echo(f"v = {one.value.str(15)} m/s = {kmh:.6g} km/h: {one.kind.value}{name}{where}")
+            if not found.omega and slow_waves(track):
+                click.echo(SLOW_WAVES)
             for sentence in found.always:
                 click.echo(sentence)
             click.echo(found.sentence)

@@ -53,9 +53,10 @@ def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | 
 
 def warnings(source: ProblemFile) -> list[str]:
     """What looks like a mistake in the file."""
-    from mpsolve.problem.warned import warned
+    from mpsolve.problem.warned import titled, warned
 
-    return [f"Warning: {reason}." for reason in warned(source.problem)]
+    found = (*titled(source.problem, source.title), *warned(source.problem))
+    return [f"Warning: {reason}." for reason in found]
 
 
 def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:

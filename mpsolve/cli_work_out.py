@@ -28,11 +28,18 @@ def _show(*found: Worked) -> None:
 
 
 @work_out.command("per-metre")
-@click.option("--k", required=True, help='Stiffness of a pad at one rail seat, such as "180 kN/mm".')
+@click.option("--k", help='Stiffness at one rail seat, such as "180 kN/mm".')
 @click.option("--spacing", required=True, help='Distance of the sleepers, such as "0.6 m".')
-@click.option("--c", default="0", help='Damping of a pad at one rail seat, such as "18 kN s/m".')
+@click.option("--c", default="0", help='Damping at one rail seat, such as "18 kN s/m".')
 @click.option("--m", default="0", help="Mass on a rail seat: half a sleeper, such as 150 kg.")
-def per_metre(k: str, spacing: str, c: str, m: str) -> None:
+@click.option(
+    "--layer",
+    type=click.Choice(["pads", "sleepers", "ballast", "ground"]),
+    default="pads",
+    show_default=True,
+    help="Which layer it is; it names the keys.",
+)
+def per_metre(k: str | None, spacing: str, c: str, m: str, layer: str) -> None:
     """A layer per metre of track, from its rail seats.
 
     Example: mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m" --m "150 kg"
@@ -40,7 +47,7 @@ def per_metre(k: str, spacing: str, c: str, m: str) -> None:
     with one_sentence():
         from mpsolve.engineering import per_metre as found
 
-        _show(*found(k, spacing, c, m))
+        _show(*found(k, spacing, c, m, layer))
 
 
 @work_out.command()

@@ -20,6 +20,14 @@ MASS = nonnegative("kg", "mass at one rail seat")
 LOSS = nonnegative("", "loss factor")
 FREQUENCY = positive("Hz", "frequency")
 EXPANSION = positive("1/K", "thermal expansion")
+LAYERS = {
+    "pads": ("k_pad", "c_pad", "m_sleeper"),
+    "sleepers": ("k_pad", "c_pad", "m_sleeper"),
+    "ballast": ("k_ballast", "c_ballast", "m_ballast"),
+    "ground": ("k_ground", "c_ground", ""),
+}
+"""The keys of stiffness, damping and mass of each layer."""
+_HALF_SLEEPER = 200  # kg; half a concrete sleeper has some 150
 WARMER = real("K", "temperature above the neutral one")
 
 
@@ -38,7 +46,8 @@ class Worked:
         """The line for the input file, "" where the value is for none."""
         value, unit = in_spoken(self.value, self.unit)
         shown = decimal(value) if isinstance(self.value, Fraction) else rounded(value, 6)
-        return f'{self.key} = "{shown} {unit}"' if self.key else ""
+        beside_it = f"  # {rounded(value)} {unit}" if "/" in shown else ""
+        return f'{self.key} = "{shown} {unit}"{beside_it}' if self.key else ""
 
     @property
     def text(self) -> str:
@@ -47,28 +56,45 @@ class Worked:
         return "".join(f"{part}\n" for part in parts if part)
 
 
-def per_metre(stiffness: object, spacing: object, damping: object = 0, mass: object = 0) -> tuple[Worked, ...]:
+def per_metre(
+    stiffness: object, spacing: object, damping: object = 0, mass: object = 0, layer: str = "pads"
+) -> tuple[Worked, ...]:
     """Stiffness, damping and mass of rail seats as those of a layer, per metre of track: each over the spacing.
+
+    stiffness: None where only a damping or a mass is asked for. layer: "pads" or "sleepers" (pads on sleepers),
+    "ballast" (with the ballast that moves), "ground"; it names the keys.
 
     >>> per_metre("180 kN/mm", "0.6 m")[0].value
     Fraction(300000000, 1)
     """
+    if layer not in LAYERS:
+        raise InputError("layer", f"is {layer!r}: give one of {', '.join(LAYERS)}")
     gap = _given(spacing, SPACING, "spacing")
     assumes = (
         "For one rail, if the values are those of one rail seat. A model of both rails takes twice as much. "
         "The layer has no single sleepers: it holds below the pinned-pinned frequency of the rail."
     )
+    spring, damper, moved = LAYERS[layer]
     rows = (
-        ("k_pad", stiffness, STIFFNESS, "N/m²"),
-        ("c_pad", damping, DAMPING, "N s/m²"),
-        ("m_sleeper", mass, MASS, "kg/m"),
+        (spring, stiffness, STIFFNESS, "N/m²", "k"),
+        (damper, damping, DAMPING, "N s/m²", "c"),
+        (moved, mass, MASS, "kg/m", "m"),
     )
     out = []
-    for key, value, quantity, unit in rows:
-        number = _given(value, quantity, {"k_pad": "k", "c_pad": "c", "m_sleeper": "m"}[key])
-        if number or key == "k_pad":
+    for key, value, quantity, unit, name in rows:
+        if value is None:
+            continue
+        number = _given(value, quantity, name)
+        if number and not key:
+            raise InputError(name, f"has no place in the layer {layer}: leave it out")
+        if number:
             formula = f"{spoken(number, quantity.unit)} / {spoken(gap, 'm')}"
-            out.append(Worked(key, number / gap, unit, formula, assumes))
+            said = assumes
+            if key == "m_sleeper" and number > _HALF_SLEEPER:
+                said = f"Is {spoken(number, 'kg')} the whole sleeper? One rail carries half of it. {assumes}"
+            out.append(Worked(key, number / gap, unit, formula, said))
+    if not out:
+        raise InputError("k", "is missing, and so are c and m: give one of them")
     return tuple(out)
 
 

@@ -218,7 +218,12 @@ def test_a_problem_that_is_the_papers_beam_has_its_whole_sheet(run: Run) -> None
         encoding="utf-8",
     )
     one, other = (run("certify", name, "--json", "-o", "out.json").stdout for name in ("beam.toml", RAIL))
-    assert json.loads(one)["roots"] == json.loads(other)["roots"]
+    same = [  # the bodies have the names of the file, and last digits of a ball depend on its way
+        [(root["re"]["value"][:22], root["im"]["value"][:22], root["multiplicity"]) for root in json.loads(x)["roots"]]
+        for x in (one, other)
+    ]
+    assert same[0] == same[1]
+    assert len(same[0]) == 4
     assert json.loads(one)["region"]["kind"] == "sheet"
     assert verify("out.json").valid
     assert "v_cr" in run("certify", "beam.toml").stdout
@@ -241,7 +246,7 @@ def test_an_effort_that_is_none(run: Run, seconds: str) -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="interrupts are sent otherwise there")
 def test_an_interruption_is_one_line_and_writes_nothing(tmp_path: Path) -> None:
-    """Seven masses to 3000 digits take long; the interrupt comes while they are worked on."""
+    """Seven masses to 3000 digits take long; two interrupts come while they are worked on."""
     text = PLAIN.read_text(encoding="utf-8")
     slow = text.replace("[70, 70]", "[70, 65, 60, 55, 50, 45, 40]").replace("[0, 1.5]", "[0, 1, 2, 3, 4, 5, 6]")
     assert slow.count("[") == text.count("[")
@@ -252,7 +257,9 @@ def test_an_interruption_is_one_line_and_writes_nothing(tmp_path: Path) -> None:
         cwd=tmp_path, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
     time.sleep(4)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(signal.SIGINT)  # asks for an end
+    time.sleep(0.3)
+    process.send_signal(signal.SIGINT)  # does not wait for it
     out, err = process.communicate(timeout=60)
     assert (process.returncode, out) == (130, "")
     assert err == "mpsolve: interrupted\n"

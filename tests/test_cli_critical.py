@@ -20,6 +20,7 @@ def run(*arguments: object) -> Result:
 
 def test_text_and_json_say_the_same() -> None:
     known = critical_velocities(read_problem(BOGIE).problem.track, 500)
+    assert "slower waves of this track follow a constant force at any velocity" in run("critical", BOGIE).output
     text, data = run("critical", BOGIE, "--omega", 500), run("critical", BOGIE, "--omega", 500, "--json")
     assert (text.exit_code, data.exit_code) == (0, 0), text.output
     assert len(known) == 4

@@ -26,3 +26,10 @@ def test_a_mistake_is_one_sentence() -> None:
     result = CliRunner().invoke(cli, ["work-out", "per-metre", "--k", "180 kN/mm", "--spacing", "0.6 kg"])
     assert result.exit_code == 2
     assert result.stderr.startswith("mpsolve: spacing: is '0.6 kg', whose unit is kg")
+
+
+def test_half_a_sleeper_alone() -> None:
+    words = ["work-out", "per-metre", "--m", "145kg", "--spacing", "0.6m", "--layer", "sleepers"]
+    result = CliRunner().invoke(cli, words)
+    assert result.exit_code == 0, result.output
+    assert 'm_sleeper = "725/3 kg/m"  # 241.7 kg/m' in result.output

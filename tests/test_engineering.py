@@ -21,6 +21,23 @@ def test_rail_seats_per_metre() -> None:
     assert len(per_metre(1, 1)) == 1
 
 
+def test_a_layer_names_its_keys_and_a_whole_sleeper_is_asked_about() -> None:
+    assert [one.key for one in per_metre("60 kN/mm", 1, 100, 300, layer="ballast")] == [
+        "k_ballast", "c_ballast", "m_ballast",
+    ]  # fmt: skip
+    (half,) = per_metre(None, "0.6 m", mass="145 kg", layer="sleepers")
+    assert half.line == 'm_sleeper = "725/3 kg/m"  # 241.7 kg/m'
+    assert "whole sleeper" not in half.assumes
+    (whole,) = per_metre(None, "0.6 m", mass="290 kg")
+    assert whole.assumes.startswith("Is 290 kg the whole sleeper? One rail carries half of it.")
+    with pytest.raises(InputError, match="k: is missing, and so are c and m"):
+        per_metre(None, 1)
+    with pytest.raises(InputError, match="m: has no place in the layer ground"):
+        per_metre(1, 1, 0, 5, layer="ground")
+    with pytest.raises(InputError, match="layer: is 'rail': give one of pads"):
+        per_metre(1, 1, layer="rail")
+
+
 def test_series() -> None:
     assert foundation("180 kN/mm", "60 kN/mm", "0.6 m").value == Fraction(45 * 10**6 * 10, 6)
 
@@ -52,7 +69,7 @@ def test_pinned_pinned_is_a_half_wave_of_the_beam() -> None:
 
 @pytest.mark.parametrize("found", [*per_metre(7, "1/3"), viscous(1e8, 0.1, 30), rail_damping(0.01, 1000)])
 def test_the_line_says_the_value(found: Worked) -> None:
-    text = found.line.split(" = ")[1].strip('"')
+    text = found.line.split(" = ")[1].split("  #")[0].strip('"')
     assert float(in_unit(text, found.unit, found.key)) == pytest.approx(float(found.value), rel=1e-5)
 
 

@@ -946,8 +946,8 @@ class Split:
             value = value * point + f
         return point, value * slope.inverse()
 
-    def circles(self, side: int) -> list[tuple[Any, list[Any]]]:
-        """(middle, radii) of circles, the second radius is theirs; roots of one side that are close share one."""
+    def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
+        """(middle, radii, nodes inside) of circles; the second radius is theirs. Roots that are close share one."""
         own, z = list(self.sides[side]), [complex(x) for x in self.z]
         others = [k for k in range(self.n) if k not in own]
         far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
@@ -965,8 +965,15 @@ class Split:
             inner = size + 0.08 * (radius - size)
             if not inner < 0.9 * radius < 0.75 * outer:
                 raise Wide("p-roots come too near to others over a box", self.strain())
-            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)]))
+            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)], g))
         return out
+
+    def require_inside(self, middle: Any, radii: list[Any], inside: list[int]) -> None:
+        """The nodes of the circle lie in the inner one, all others outside the outer one: in balls."""
+        for k, z in enumerate(self.z):
+            away = abs(middle - z)
+            if not (away < radii[0] if k in inside else away > radii[2]):
+                raise Wide("p-roots come too near to others over a box", self.strain())
 
     def rest(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
         """Bounds of what G at each distance departs from its Taylor polynomial of second order (section 10.4): of
@@ -974,7 +981,8 @@ class Split:
         m, out = self.m, [ZERO] * len(distances)
         D = [acb_poly([f.k[i] for f in self.D]) for i in range(1, len(self.D[0].k))]
         lost, lead = arb_poly([f.e for f in self.D]), abs(self.D[-1].k[0])
-        for middle, radii in self.circles(side):
+        for middle, radii, inside in self.circles(side):
+            self.require_inside(middle, radii, inside)
             radius = radii[1]
             far = abs(middle) + radius
             above = of_polynomial(N, far)
@@ -1407,7 +1415,7 @@ def cells(waves: Waves, place: Place, low: Any, speed: Any, ends: Sequence[float
         if takes:
             plain = least_W / (over * over) if least_W > 0 else ZERO
         elif under > 0:
-            plain = least_W / (under * under) if least_W < 0 else ZERO
+            plain = ZERO if least_W >= 0 else -((-least_W).upper()) / (under * under)
         if cell is None or (plain is not None and not lower > plain):
             if plain is None:
                 break
@@ -1679,7 +1687,9 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
     growth, tau = x ** arb(fmpq(k, m)), above(x ** arb(fmpq(-1, m)))
     between = ZERO
     if len(sites) > 1:
-        between = 2 * arb.pi() / arb(min(least(minus(b, a), box) for a, b in pairwise(sites)))
+        gap = min(least(minus(b, a), box) for a, b in pairwise(sites))  # a lower bound, which may be negative
+        require(gap > 0, "the theorem at large q: no least distance of two contacts is seen over the range")
+        between = 2 * arb.pi() / arb(gap)
     require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
     for z1, z2, kappa in blocks:
@@ -2022,7 +2032,8 @@ def crossings(claim: Any, zeros: Sequence[Zero], box: Box, at_: Sequence[Any], u
     inside.sort(key=lambda zero: zero.x[0])
     for one, other in pairwise(inside):
         require(one.x[0] + one.x[1] < other.x[0] - other.x[1], "two crossings are not told apart")
-    require([zero.gained for zero in inside] == claim["directions"], "the crossings are not those of the claim")
+    told = [integer(n, -2, 2, "directions") for n in items(claim["directions"], MAX_ZEROS, "", len(inside))]
+    require([zero.gained for zero in inside] == told, "the crossings are not those of the claim")
     counts = [integer(n, 0, 10_000, "counts") for n in items(claim["counts"], MAX_ZEROS + 1, "", len(inside) + 1)]
     require(all(b - a == zero.gained for (a, b), zero in zip(pairwise(counts), inside, strict=True)),
             "the counts do not fit the crossings")  # fmt: skip

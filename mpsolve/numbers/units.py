@@ -50,10 +50,15 @@ _WHOLE: dict[str, Factor] = {
 _PREFIXES = {"G": 9, "M": 6, "k": 3, "d": -1, "c": -2, "m": -3, "µ": -6, "u": -6, "n": -9}
 _CYCLES = {"Hz": "2π rad/s", "kHz": "2000π rad/s", "rpm": "2π/60 rad/s", "°": "π/180 rad", "deg": "π/180 rad"}
 _COMMON = ("km/h", "kN/mm", "kN/m", "MN/m", "MN/m²", "kN m²", "N s/m²", "kN s/m", "kg/m", "mm", "km", "kN", "t", "kg")
+_WRITTEN = {"kmh": "km/h", "kmph": "km/h", "kmhr": "km/h", "mps": "m/s", "kgm": "kg/m"}
+"""What people write without a stroke, in lower case."""
 _MOST = 8  # of an exponent
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans({"μ": "µ", "⋅": "·", "−": "-", "\u00a0": " ", "\u202f": " "})
-_NUMBER = re.compile(r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)")
+_NUMBER = re.compile(
+    r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+(?![0-9_.])|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)"
+)
+_UNDER = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*([^0-9.\s].*)")
 _SYMBOL = re.compile(r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
 _JOINED = re.compile(r"([GMk]?N)(mm|m|s)(?![A-Za-z])")  # kNm², Ns/m
 _COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*")
@@ -82,6 +87,9 @@ def measured(value: Any, unit: str, key: str, told: str = "") -> Any:
     number, given = split(value)
     if not given:
         return number
+    if re.match(r"/\s*[0-9.]", given):
+        stated = "a ratio has two whole numbers: write it so, or with the distance in brackets, as 145 kg/(0.6 m)"
+        _refuse(value, key, f"but {stated}")
     return Exact.parse(number, key).as_fraction() * _ratio(value, given, unit, key, told)
 
 
@@ -106,10 +114,22 @@ def _factor(unit: str) -> Factor:
     size, powers = (Fraction(1), (0, 0, 0)) if above.strip() == "1" and below else _product(above, False)
     for part in below:
         bracketed = part.strip().startswith("(") and part.strip().endswith(")")
-        number, dimension = _product(part.strip(" ()") if bracketed else part, not bracketed)
+        number, dimension = _bracket(part.strip(" ()")) if bracketed else _product(part, True)
         size /= number
         powers = _sum(powers, dimension, -1)
     return size, powers
+
+
+def _bracket(text: str) -> Factor:
+    """What stands in brackets under a stroke: units, with a number before them where there is one, as (0.6 m)."""
+    parts = _UNDER.fullmatch(text)
+    if parts is None:
+        return _product(text, False)
+    number = Fraction(parts[1])
+    if not number:
+        raise ValueError("divides by zero")
+    size, dimension = _product(parts[2], False)
+    return number * size, dimension
 
 
 def _product(text: str, alone: bool) -> Factor:
@@ -121,6 +141,8 @@ def _product(text: str, alone: bool) -> Factor:
         raise ValueError("has a stroke with nothing on one side")
     if alone and len(words) > 1:
         raise ValueError(f"leaves open what stands under the stroke: write /({' '.join(words)})")
+    if alone and re.match(r"[0-9.]", words[0]):
+        raise ValueError(f"divides by {words[0]}, a number alone: write the distance as /(0.6 m), with its unit")
     size, powers = Fraction(1), (0, 0, 0)
     for word in words:
         parts = _SYMBOL.fullmatch(word)
@@ -151,6 +173,8 @@ def _symbol(name: str) -> Factor:
 
 def _near(name: str) -> str:
     """A unit that is meant, as far as one can tell; upper and lower case count."""
+    if name.lower() in _WRITTEN:
+        return f": did you mean {_WRITTEN[name.lower()]}?"
     names = [*_WHOLE, *(p + b for p in ("", *_PREFIXES) for b in _PREFIXED)]
     same = [known for known in names if known.lower() == name.lower()]
     near = same or get_close_matches(name, names, n=1, cutoff=0.7)
@@ -169,6 +193,8 @@ def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
     if dimension != wanted:
         kind = unit_of(dimension) or "a bare number"
         other = f"whose unit is {kind}, but the {told or 'value'} is in {unit}: give it in {unit} or its like"
+        if _sum(dimension, (0, 1, 0), -1) == wanted and any(layer in told for layer in _LAYERS):
+            other += f"; what one rail seat has is divided by the distance of the sleepers, as {text.strip()}/(0.6 m)"
         _refuse(text, key, other if unit else f"but the {told or 'value'} has no unit: leave the unit out")
     return size / own
 
@@ -177,6 +203,8 @@ _DERIVED = (
     ("N", (1, 1, -2)), ("m/s", (0, 1, -1)), ("N/m", (1, 0, -2)), ("N/m²", (1, -1, -2)), ("N m²", (1, 3, -2)),
     ("N m", (1, 2, -2)), ("N s/m", (1, 0, -1)), ("N s/m²", (1, -1, -1)), ("N s/m³", (1, -2, -1)),
 )  # fmt: skip
+_LAYERS = ("pads", "sleepers", "ballast", "ground")
+"""What is known at rail seats, and is given per metre of track."""
 _POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 

@@ -10,7 +10,7 @@ from mpsolve.batch.view import look
 from mpsolve.errors import MpsolveError
 from mpsolve.page.parts import Parts
 from mpsolve.page.picture import Picture
-from mpsolve.page.words import speech
+from mpsolve.page.words import contact_names, speech
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
 from mpsolve.pictures.model import model_picture
 from mpsolve.pictures.plane import plane_picture
@@ -39,8 +39,8 @@ def plane(parts: Parts) -> Picture:
     depth = max([height / 4, *(-1.3 * q.imag).tolist()])
     unit = "rad/s" if speech(parts).si else "√(k/m)"
     said = (
-        "Each mark is a certified root q: a circle decays, a square grows. Grey dashes are the branch cuts of the "
-        "track, computed."
+        "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
+        "right, q and −q̄, and is one line of the table. Grey dashes are the branch cuts of the track, computed."
     )
     return Picture("plane", plane_picture(q, view.cuts, width, depth, height, name="plane", unit=unit), said)
 
@@ -96,7 +96,11 @@ def lines(parts: Parts) -> list[Picture]:
         hertz, x_title, f"frequency, {swings}", "Frequency of each vibration over the velocity",
         name="frequency", marks=marks,
     )  # fmt: skip
-    said = "How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities."
+    said = (
+        "How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities. "
+        "The letters name the curves of these two pictures. The numbered vibrations of the table are among them at "
+        "“this case”; the other curves lie above the cuts there, or appear at other velocities."
+    )
     return [Picture("growth", grown, said), Picture("frequency", swung, "The frequencies of the same vibrations.")]
 
 
@@ -149,7 +153,8 @@ def motion(parts: Parts) -> list[Picture]:
     up_to = _until(t, end)
     many = len(rail) > 4
     shown = range(0, len(rail), max(1, len(rail) // 4))
-    names = {k: f"contact {k + 1}" for k in shown}
+    own = contact_names(parts.problem)
+    names = {k: own[k] for k in shown}
     mm, kn = (1000.0, 1e-3) if speak.si else (1.0, 1.0)
     units = ("mm", "kN", "s") if speak.si else ("unit lengths", "unit forces", "τ")
     marks = [] if end is None else [Mark(end, "lift-off")]

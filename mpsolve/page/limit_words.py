@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -16,6 +16,7 @@ from mpsolve.page.words import speech
 from mpsolve.problem.case import Case
 from mpsolve.ranges.margin import Margin
 from mpsolve.ranges.onset import Kind
+from mpsolve.report.remedies import on_command_line
 from mpsolve.vehicles.mass import Mass
 
 Say = Callable[[Any], str]
@@ -35,7 +36,9 @@ class Row:
 def limit_rows(parts: Parts) -> list[Row]:
     """Velocity, mass, and the distance where there is one."""
     rows = [_velocity(parts), _mass(parts)]
-    return rows if parts.distance is None else [*rows, _distance(parts, parts.distance)]
+    if parts.distance is not None:
+        rows.append(_distance(parts, parts.distance))
+    return [replace(row, limit=on_command_line(row.limit)) for row in rows]
 
 
 def _velocity(parts: Parts) -> Row:

@@ -15,11 +15,14 @@ from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.page import charts, figures
 from mpsolve.page.limit_words import limit_rows
 from mpsolve.page.parts import Parts
+from mpsolve.page.plain import plain, scope
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.warned import titled
+from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
 from mpsolve.spectrum.spectrum import Root, Spectrum
@@ -47,11 +50,11 @@ def page_html(parts: Parts, stem: str) -> str:
         style=STYLE,
         title=parts.title or stem,
         word=word,
-        sentence=rest[:1].upper() + rest[1:],
+        sentence=on_command_line(rest[:1].upper() + rest[1:]),
         mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
         cards=cards(parts),
         limits=limit_rows(parts),
-        warnings=[str(one) for one in parts.spectrum.warnings],
+        warnings=[str(one) for one in (*titled(parts.given, parts.title), *spectrum.warnings)],
         late=parts.late,
         drawing=figures.drawing(parts),
         tables=tables(parts),
@@ -63,15 +66,17 @@ def page_html(parts: Parts, stem: str) -> str:
         shape=None if shape is None else shape[0],
         amplitudes=[] if shape is None else shape[1],
         lines=figures.lines(parts),
-        lines_reason=parts.lines.reason,
+        lines_reason=on_command_line(parts.lines.reason),
         chart=charts.chart(parts),
         chart_status=charts.chart_status(parts),
-        chart_reason=parts.chart.reason,
+        chart_reason=on_command_line(parts.chart.reason),
         motion=figures.motion(parts),
-        motion_reason=parts.response.reason,
+        motion_reason=on_command_line(parts.response.reason),
         critical=_critical(parts, speak),
         critical_status=_critical_status(parts),
-        critical_reason=parts.critical.reason,
+        critical_reason=on_command_line(parts.critical.reason),
+        plain=plain(parts),
+        scope=scope(parts),
         proved=proved(spectrum),
         verified=verified(spectrum).split("\n"),
         also=[card for card in cards(parts) if card.status == "proved"],

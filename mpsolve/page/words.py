@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
+
+import numpy as np
 
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.page.budget import Part
 from mpsolve.page.parts import Parts
 from mpsolve.problem.case import Case
+from mpsolve.problem.problem import Problem
 from mpsolve.ranges.onset import Kind
+from mpsolve.report.remedies import on_command_line
 from mpsolve.spectrum.spectrum import Root
+from mpsolve.waves.critical import Kind as Kinds
+from mpsolve.waves.slow import SLOW_WAVES, slow_waves
 
 
 @dataclass(frozen=True)
@@ -53,7 +59,7 @@ def speech(parts: Parts) -> Speech:
 def cards(parts: Parts) -> list[Card]:
     """Velocity, growth, contact, waves."""
     said = [velocity_card(parts), growth_card(parts), contact_card(parts), wave_card(parts)]
-    return [one for one in said if one is not None]
+    return [replace(one, sentence=on_command_line(one.sentence)) for one in said if one is not None]
 
 
 def velocity_card(parts: Parts) -> Card:
@@ -80,10 +86,13 @@ def velocity_card(parts: Parts) -> Card:
         shift = value - rational_ball(v)
         where = speak.velocity(value)
         if shift > 0:
-            said = f"{here} That leaves {speak.velocity(shift)}, {rounded(100 * shift / value, 3)} % of it."
+            part_of = rounded(100 * rational_ball(v) / value, 3)
+            said = f"{here} That leaves {speak.velocity(shift)}: it runs at {part_of} % of the limit."
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
-        said = f"{said} Looked at from {speak.velocity(found.low)} on." if found.low else said
+        if found.low:
+            tiny = 1000 * rational_ball(found.low) < value
+            said = f"{said} Looked at from {'practically zero' if tiny else speak.velocity(found.low)} on."
         return Card(question, f"stable below {where}", said, "proved")
 
 
@@ -113,26 +122,58 @@ def contact_card(parts: Parts) -> Card:
     if motion is None:
         return missing(question, part)
     event = motion.lift_off
-    loads = "its weight" if parts.loads is None else "the loads of the file"
     if event is None:
         end = speak.time(float(motion.times[-1]))
-        return Card(question, "no", f"Not within {end} after {loads} is put on the track at once.", "computed")
+        loads = "the weight of the vehicle" if parts.loads is None else "the load of the file"
+        said = f"Not within {end}{_why_so_long(parts)} after {loads} is put on the track at once."
+        return Card(question, "no", f"{said}{_most(motion, speak)}", "computed")
+    name = contact_names(parts.problem)[event.contact - 1]
+    own = "" if name.startswith("contact") else f" ({name})"
+    said = f"Contact {event.contact}, counted from the rear{own}, lifts off then"
     when = f"after {speak.time(event.time)}"
-    return Card(
-        question,
-        when,
-        f"Contact {event.contact}, counted from the rear, lifts off then; the model says nothing of what follows.",
-        "computed",
-    )
+    return Card(question, when, f"{said}; the model says nothing of what follows.", "computed")
+
+
+def _why_so_long(parts: Parts) -> str:
+    """Why the motion is looked at for this time."""
+    roots = parts.spectrum.roots
+    swings = any(float(root.frequency.mid()) > 0 for root in roots)
+    grows = any(float(root.growth.mid()) > 0 for root in roots)
+    return " (eight periods of the slowest vibration)" if swings and not grows else ""
+
+
+def _most(motion: Any, speak: Speech) -> str:
+    """The largest deflection and contact force of the motion, in SI."""
+    if not speak.si:
+        return ""
+    sinks, presses = float(np.nanmax(motion.rail)), float(np.nanmax(motion.contact_force))
+    said = f" Meanwhile the rail sinks by at most {spoken(1000 * sinks, '', 3)} mm"
+    return f"{said}, and one contact presses with at most {spoken(presses, 'N', 3)}."
+
+
+def contact_names(problem: Problem) -> list[str]:
+    """The body that is alone over each contact, from rear to front; "contact 3" where there is no such one."""
+    pencil, out = problem.pencil, []
+    for j in range(pencil.contacts):
+        on = [i for i in range(pencil.size) if pencil.B[i][j]]
+        alone = len(on) == 1 and sum(map(bool, pencil.B[on[0]])) == 1
+        out.append(pencil.names[on[0]] if alone else f"contact {j + 1}")
+    return out
 
 
 def wave_card(parts: Parts) -> Card | None:
-    """The least velocity at which a constant force is followed by a wave."""
+    """The least velocity at which two waves merge under a constant force."""
     part, speak = parts.critical, speech(parts)
     if part.value is None or not len(part.value):
         return None
     first = part.value.velocities[0]
-    said = "There a constant force without any mass is followed by a free wave of the track, without damping."
+    merge = first.kind in (Kinds.MINIMUM, Kinds.MAXIMUM, Kinds.STATIONARY)
+    said = f"There: {first.kind.value}."
+    if merge:
+        said = "Two waves merge there, where phase and group velocity are equal. "
+        said += "Without damping the deflection under a constant force grows without bound."
+    if slow_waves(parts.problem.track):
+        said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"
     return Card("What is the critical velocity of a force?", speak.velocity(first.value), said, status)
 

@@ -9,6 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, Literal
 
+from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.problem.toml import parsed
 
@@ -48,6 +49,10 @@ def preset(kind: Kind, name: str) -> Preset:
     """The preset of that name; InputError names the nearest one."""
     known = names(kind)
     if name not in known:
+        models = {model.name for model in (tracks if kind == "track" else vehicles).CATALOGUE}
+        if name.lower() in models:
+            stated = f"is {name!r}, which is a model, not a preset: see mpsolve models {name.lower()}"
+            raise InputError(kind, f"{stated}, or take one of the presets {', '.join(known)}")
         near = get_close_matches(name.lower(), known, n=1, cutoff=0.5)
         advice = f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}"
         raise InputError(kind, f"is {name[:40]!r}, which is unknown: {advice}")

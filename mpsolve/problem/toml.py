@@ -108,9 +108,15 @@ def check_keys(table: Mapping[str, Any], known: Mapping[str, str], prefix: str) 
         if name not in known:
             lower = {candidate.lower(): candidate for candidate in known}
             near = get_close_matches(name.lower(), lower, n=1, cutoff=0.5)
+            if "spacing" in name.lower() and prefix.startswith("track"):
+                stated = "is unknown: values are per metre of track, so divide them by the distance of the sleepers"
+                raise InputError(f"{prefix}{_shown(name)}", f'{stated} first, as m_sleeper = "145 kg/(0.6 m)"')
             advice = f"did you mean {lower[near[0]]}?" if near else f"the keys here are {', '.join(known)}"
-            shown = name if name.isidentifier() and len(name) <= 40 else repr(name[:40])
-            raise InputError(f"{prefix}{shown}", f"is unknown: {advice}")
+            raise InputError(f"{prefix}{_shown(name)}", f"is unknown: {advice}")
+
+
+def _shown(name: str) -> str:
+    return name if name.isidentifier() and len(name) <= 40 else repr(name[:40])
 
 
 def kind(value: object) -> str:

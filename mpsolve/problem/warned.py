@@ -6,6 +6,7 @@ numbers, what to do.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -17,6 +18,7 @@ from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.plausible import implausible
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.floating_ice import FloatingIce
 from mpsolve.tracks.waveguide import Track
@@ -29,6 +31,7 @@ _THINNEST, _THICKEST = 5e-4, 3.0  # radii of gyration in m
 _FASTEST, _ON_ICE = 150, 40  # m/s
 _SHEARLESS = 0.2  # p times the radius of gyration up to which a beam without shear is right to some per cent
 _SPACING = 0.6  # m, of sleepers
+_IN_TITLE = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(?:km/h|kmh|kph)")
 _SMEARED = ("two-layer", "three-layer", "slab")
 
 
@@ -44,10 +47,27 @@ def warned(given: Given, frequencies: Sequence[float] = ()) -> tuple[Reason, ...
     found = list(_at_one_place(problem))
     track = problem.track
     if isinstance(track, Track):
-        found += _overdamped(problem)
         if getattr(track, "m", None) != 1:
-            found += [*_bending(track), *_velocity(problem), *_too_high(track, frequencies)]
+            bending = [*_bending(track)]
+            found += bending
+            found += [one for one in implausible(problem) if not (bending and "track.EI" in one.numbers)]
+            found += [*_velocity(problem), *_too_high(track, frequencies)]
+        found += _overdamped(problem)
     return tuple(found)
+
+
+def titled(given: Given, title: str) -> tuple[Reason, ...]:
+    """A title that says the number of v in km/h, where v is in m/s; empty where it says nothing of the kind."""
+    if isinstance(given, Case):
+        return ()
+    v = as_problem(given).v
+    said = [Fraction(number) for number in _IN_TITLE.findall(title)]
+    if not v or v not in said or v * Fraction(18, 5) in said:
+        return ()
+    stated = f"v is {rounded(v)} m/s, which is {spoken(v, 'm/s')}, but the title says {rounded(v)} km/h"
+    return (
+        Reason("velocity-unlike-title", stated, {"v": str(v)}, f'write v = "{rounded(v)} km/h", if that is meant'),
+    )
 
 
 def _of_ratios(case: Case) -> Iterator[Reason]:
@@ -128,7 +148,8 @@ def _damper(model: Any, name: str, key: str, spring: str, carried: Fraction) -> 
     unit = _described(model)[key].unit
     times = rounded(float(c) / (2 * sqrt(float(k * carried))), 2)
     stated = f"{name} is {beside(c, unit)}, {times} times the critical damping 2√({spring} · mass)"
-    yield Reason("overdamped", stated, {key: str(c), "times": times}, "check it and its unit, if that is not meant")
+    meant = f"either {key} is too large or {spring} too small: check both and their units, if that is not meant"
+    yield Reason("overdamped", stated, {key: str(c), "times": times}, meant)
 
 
 def _too_high(track: Any, frequencies: Sequence[float]) -> Iterator[Reason]:

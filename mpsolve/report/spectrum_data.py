@@ -13,6 +13,7 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, quantities
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.warned import titled
 from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, vibration
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle
@@ -67,7 +68,7 @@ def spectrum_data(
         "status": spectrum.status.value,
         "reason": None if spectrum.reason is None else spectrum.reason.data(),
         "known": dict(spectrum.known),
-        "warnings": [warning.data() for warning in spectrum.warnings],
+        "warnings": [one.data() for one in (*titled(spectrum.problem, title), *spectrum.warnings)],
         "stable": spectrum.stable,
         "region": region_data(spectrum.region),
         "digits": spectrum.digits,

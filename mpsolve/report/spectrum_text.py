@@ -16,6 +16,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.warned import titled
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
 from mpsolve.report.rows import beam_rows, ratio_rows, root_rows, shown
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
@@ -33,7 +34,7 @@ def spectrum_document(
     """The report as blocks; certificate: the path where it was saved."""
     stated, motions = verdict(spectrum), vibrations(spectrum)
     blocks: list[Line | Section] = [Line(title, "bold")] if title else []
-    blocks += [Line(stated, _COLOUR.get(re.split(r"[ :]", stated)[0], "bold")), *warnings_of(spectrum)]
+    blocks += [Line(stated, _COLOUR.get(re.split(r"[ :]", stated)[0], "bold")), *warnings_of(spectrum, title)]
     if motions:
         blocks.append(Section("Vibrations", _motions(motions, spectrum)))
     if spectrum.unfelt:
@@ -55,9 +56,10 @@ def spectrum_document(
     return Document(tuple(blocks))
 
 
-def warnings_of(spectrum: Spectrum) -> Iterator[Line]:
+def warnings_of(spectrum: Spectrum, title: str = "") -> Iterator[Line]:
     """A sentence for each warning."""
-    return (Line(f"Warning: {warning}.", "yellow") for warning in spectrum.warnings)
+    found = (*titled(spectrum.problem, title), *spectrum.warnings)
+    return (Line(f"Warning: {warning}.", "yellow") for warning in found)
 
 
 def cost_words(spectrum: Spectrum) -> str:

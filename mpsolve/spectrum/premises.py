@@ -16,6 +16,7 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.regions import Below, Rectangle, Region
 from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
 from mpsolve.tracks.passive import passivity
+from mpsolve.tracks.undamped import damping_wanted
 
 
 def require_premises(reduced: Reduced, region: Region) -> None:
@@ -30,7 +31,8 @@ def _require_track(reduced: Reduced) -> None:
     if rest.status is Status.UNSTABLE:
         raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
     if rest.status is Status.UNDAMPED:
-        raise InputError("track", "has vibrations without damping, which is not decided here: give it some damping")
+        advice = damping_wanted(reduced.problem.track)
+        raise InputError("track", f"has vibrations without damping, which is not decided here: {advice}")
 
 
 def _require_no_cut(reduced: Reduced, region: Region) -> None:

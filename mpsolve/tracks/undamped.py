@@ -49,6 +49,23 @@ def dissipates(quantity: Quantity) -> bool:
     return "s" in quantity.unit.replace("/", " ").split()
 
 
+_TYPICAL = {"c_pad": "30 kN s/m²", "c_ballast": "80 kN s/m²", "c_ground": "50 kN s/m²"}
+"""Damping of ballasted track, for one rail."""
+
+
+def damping_wanted(track: Track | Waveguide) -> str:
+    """Which damping may be given to the track, and what is typical of it."""
+    keys = (
+        [name for name, one in quantities(type(track)).items() if dissipates(one)] if isinstance(track, Track) else []
+    )
+    if not keys:
+        return "give it some damping"
+    rail = hasattr(track, "EI")
+    shown = [f"{key} ({_TYPICAL[key]} is typical)" if rail and key in _TYPICAL else key for key in keys]
+    worked = ", or work one out with mpsolve work-out damping" if rail else ""
+    return f"give a value above 0 to {' or '.join(shown)}{worked}"
+
+
 def is_reciprocal(guide: Waveguide) -> bool:
     """Whether a_ij(P, s) = a_ji(−P, s)."""
     n = len(guide.matrix)

@@ -36,7 +36,11 @@ class Bogie(AnyVehicle, frozen=True):
         if self.body is None and (self.k2 or self.c2):
             raise InputError("body", "is missing for the secondary suspension k2, c2: give its mass")
         if self.body is not None and not (self.k2 or self.c2):
-            raise InputError("k2", "and c2 are both 0, so nothing carries the body: give a spring or a damper")
+            raise InputError(
+                "k2",
+                "and c2 are both 0, so nothing carries the body: give a spring or a damper, "
+                "or add its mass to the frame's",
+            )
 
     @property
     def pencil(self) -> Pencil:

@@ -24,7 +24,11 @@ class Oscillator(AnyVehicle, frozen=True):
 
     def check(self) -> None:
         if not (self.k or self.c):
-            raise InputError("k", "and c are both 0, so nothing carries the body: give a spring or a damper")
+            raise InputError(
+                "k",
+                "and c are both 0, so nothing carries the body: give a spring or a damper, "
+                "or add its mass to the wheel's",
+            )
 
     @property
     def pencil(self) -> Pencil:

@@ -52,9 +52,11 @@ _MOST_DIGITS = 4000
 class Kind(Enum):
     """What happens at a critical velocity."""
 
-    MINIMUM = "minimum of the phase velocity"  # ω = 0
-    MAXIMUM = "maximum of the phase velocity"  # ω = 0
-    STATIONARY = "stationary point of the phase velocity, neither minimum nor maximum by its second derivative"
+    MINIMUM = "two waves of a branch merge at its least phase velocity, where it is the group velocity"  # ω = 0
+    MAXIMUM = "two waves of a branch merge at its greatest phase velocity, where it is the group velocity"  # ω = 0
+    STATIONARY = (
+        "waves of a branch merge where phase and group velocity are equal, at neither a minimum nor a maximum"
+    )
     TOUCHING = "the group velocity of a wave"  # ω ≠ 0
     MEETING = "two branches meet on the line of the force"
     LONG_WAVES = "speed of infinitely long waves"  # a multiple root at p = 0

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from flint import acb, arb, fmpq
 
+from mpsolve import Problem, certify, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
 from mpsolve.certificate.check import verify
 from mpsolve.certificate.format import digest
@@ -20,6 +21,7 @@ from mpsolve.numbers.balls import precision
 
 FOLDER = Path(__file__).resolve().parents[2] / "certs" / "ranges"
 CROSSING, STABLE = (FOLDER / f"{name}.json" for name in ("crossing_over_velocity", "stable_over_damping"))
+RAIL = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 Change = Callable[[dict[str, Any]], None]
 
 
@@ -178,6 +180,31 @@ def test_what_is_no_certificate_is_refused(raw: bytes) -> None:
     assert not verify_bytes(raw).valid
 
 
+def test_a_distance_whose_bound_is_negative_proves_nothing(content: dict[str, Any]) -> None:
+    """The gap 17/5 + (v − 195)²/100 is ≥ 3.4 m, but its lower bound over the range is below 0, and roots do cross."""
+    content = copy.deepcopy(content)
+    gap = lambda v: Fraction(17, 5) + Fraction((v - 195) ** 2, 100)  # noqa: E731
+    pair = lambda v: Problem(RAIL, [vehicles.Mass("10e3").at(0), vehicles.Mass("10e3").at(gap(v))], v=v)  # noqa: E731
+    base = certify(pair(181), region="unstable")
+    assert (base.unstable, certify(pair(195), region="unstable").unstable) == (0, 2)
+    content["equations"]["vehicle"]["places"] = ["0", [[0, str(gap(0))], [1, "-39/10"], [2, "1/100"]]]
+    content["base"] = {"at": ["181"], "spectrum": json.loads(base.certificate.text)}
+    content |= {"X": [4, 0], "beyond": [], "tree": "n", "zeros": [], "claim": {"counts": [0], "directions": []}}
+    content["tail"] = {
+        "Q": [4, 0], "gamma": [1, 2], "blocks": [[[-9, -10], [9, -10], [1, -40]]], "alpha": 4, "omega": [1, 10],
+        "bounds": [[[1, -6], [1, 10]]],
+    }  # fmt: skip
+    verdict = checker.verify_bytes(sealed(content))
+    assert not verdict.valid
+    assert "least distance" in verdict.reason
+
+
+def test_a_direction_is_a_number(content: dict[str, Any]) -> None:
+    content = copy.deepcopy(content)
+    content["claim"]["directions"] = ["2"]
+    assert not checker.verify_bytes(sealed(content)).valid
+
+
 def test_a_stable_box_with_another_number_is_refused() -> None:
     value = json.loads(STABLE.read_text("ascii"))
     value["claim"]["unstable"] = 2
@@ -230,6 +257,17 @@ def test_receptances_over_boxes_hold_those_at_points(family: checker.Family, hal
             for one, other in zip(wide, thin, strict=True):
                 assert abs(_model(one, u) - other.k[0]) <= one.e + abs(other.k[0]) * 1e-9
                 assert one.e < abs(one.k[0])
+
+
+def test_a_circle_with_another_node_in_it_is_not_taken(family: checker.Family) -> None:
+    with precision(64):
+        split = Split(family.waves, Place([arb(12), arb(180)], [arb("0.5"), arb(2)]), False)
+        middle, radii, inside = split.circles(0)[0]
+        split.require_inside(middle, radii, inside)
+        with pytest.raises(checker.Wide):
+            split.require_inside(middle, radii, [])
+        with pytest.raises(checker.Wide):
+            split.require_inside(middle, [radii[0], radii[1], radii[2] * 1e6], inside)
 
 
 def test_the_scalar_vanishes_where_the_determinant_does() -> None:

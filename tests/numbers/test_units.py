@@ -42,6 +42,10 @@ from mpsolve.vehicles import CATALOGUE as VEHICLES
         ("50 mrad/s", "rad/s", None),
         ("0.1", "m/s", Fraction(1, 10)),
         (" 7 ", "kg", 7),
+        ("145 kg/(0.6 m)", "kg/m", Fraction(725, 3)),
+        ("120 kN/mm/(0.6 m)", "N/m²", 200_000_000),
+        ("145 kg/(600mm)", "kg/m", Fraction(725, 3)),
+        ("3 N s/(.5 m s)", "N/m", 6),
     ],
 )
 def test_values_are_exact(text: str, unit: str, value: Fraction | int | None) -> None:
@@ -62,9 +66,18 @@ def test_values_are_exact(text: str, unit: str, value: Fraction | int | None) ->
         ("30 °", "rad", "π/180 rad"),
         ("35 KN/mm", "N/m", "'KN', which is no unit: did you mean kN"),
         ("5 Kg", "kg", "did you mean kg"),
+        ("100 kmh", "m/s", "did you mean km/h"),
+        ("100 KMH", "m/s", "did you mean km/h"),
         ("5 foo", "m", "'foo', which is no unit: units are km/h"),
         ("5 N/m s", "N s/m", "leaves open what stands under the stroke: write /\\(m s\\)"),
         ("5 N/", "N/m", "stroke with nothing"),
+        ("290 kg / 0.6 m", "kg/m", r"write /\(0.6 m\)"),
+        ("145/0.6 kg/m", "kg/m", r"but a ratio has two whole numbers: .* as 145 kg/\(0.6 m\)"),
+        ("145/0.6", "kg/m", "but a ratio has two whole numbers"),
+        ("145 kg/0.6", "kg/m", "divides by 0.6, a number alone"),
+        ("145 kg/(0 m)", "kg/m", "divides by zero"),
+        ("145 kg/(1.5)", "kg", "'1.5', which is no unit"),
+        ("145 kg/(0.6 m 2)", "kg/m", "'2', which is no unit"),
         ("5 m^99", "m", "exponent 99"),
         ("12,5 t", "kg", "comma"),
         ("12,500", "kg", "comma"),
@@ -80,6 +93,13 @@ def test_refusals_quote_the_text(text: str, unit: str, said: str) -> None:
         in_unit(text, unit, "track.EI", "bending stiffness")
     assert caught.value.key == "track.EI"
     assert text in str(caught.value)
+
+
+def test_what_a_rail_seat_has_is_divided_by_the_distance() -> None:
+    with pytest.raises(InputError, match=r"divided by the distance of the sleepers, as 120 kN/mm/\(0.6 m\)"):
+        in_unit("120 kN/mm", "N/m²", "track.k_pad", "stiffness of the pads")
+    with pytest.raises(InputError, match=r"give it in kg/m or its like$"):
+        in_unit("60 kg", "kg/m", "track.m", "mass of the rail")
 
 
 def test_every_declared_unit_is_known() -> None:

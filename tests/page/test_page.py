@@ -88,3 +88,4 @@ def test_what_looks_like_a_mistake_stands_on_the_first_screen() -> None:
     said = page_html(gather(problem, "", digits=15, seconds=0.01, tell=lambda *_: None), "x")
     first = said[: said.index('<section id="model"')]
     assert "Check the input: v is 250 m/s, which is 900 km/h" in html.unescape(first)
+    assert first.index("Check the input") < first.index('<p class="word">')

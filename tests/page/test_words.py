@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, Problem, certify, response, tracks, vehicles
+from mpsolve import Case, Problem, certify, critical_velocities, response, tracks, vehicles
 from mpsolve.outcome import Reason
 from mpsolve.page.budget import Part
 from mpsolve.page.limits import Reach
 from mpsolve.page.parts import Parts
-from mpsolve.page.words import contact_card, growth_card, speech, velocity_card
+from mpsolve.page.words import cards, contact_card, contact_names, growth_card, speech, velocity_card, wave_card
 from mpsolve.ranges.onset import Kind
 from mpsolve.vibration.liftoff import Event
 
@@ -41,7 +41,7 @@ def test_too_fast_and_slow_enough() -> None:
     assert card.figure == "stable below 687.6 km/h"
     assert "212.4 km/h above it" in card.sentence
     slow = velocity_card(parts(PAIR.changed("v", 150), reach=crossing))
-    assert "leaves 147.6 km/h" in slow.sentence
+    assert "leaves 147.6 km/h: it runs at 78.5 % of the limit" in slow.sentence
 
 
 @pytest.mark.parametrize(
@@ -89,3 +89,47 @@ def test_the_papers_ratios_have_no_units() -> None:
     said = speech(replace(parts(), given=case))
     assert said.velocity(Fraction(2, 3)) == "α = 0.6667"
     assert speech(parts()).velocity(Fraction(70)) == "252 km/h"
+
+
+def test_slow_waves_are_named_on_layers_only() -> None:
+    layers = tracks.TwoLayer(
+        EI="6.4e6", m=60, k_pad="3e8", c_pad="3e4", m_sleeper=250, k_ballast="1e8", c_ballast="8e4"
+    )
+    on_layers = Problem(layers, vehicles.Mass(900).at(0), v=70)
+    for problem, slow in ((PAIR, False), (on_layers, True)):
+        found = critical_velocities(problem.track)
+        card = wave_card(replace(parts(), problem=problem, critical=Part("critical velocities", found)))
+        assert card is not None
+        assert ("shorter and slower waves" in card.sentence) is slow
+        assert "Two waves merge there" in card.sentence
+        assert "followed by a free wave" not in card.sentence
+
+
+def test_advice_is_that_of_the_command() -> None:
+    late = Reason("effort", "time is up", {}, "allow more effort, with effort=Effort(seconds=…)")
+    first = cards(parts(reach=reach("undecided", reason=late)))[0]
+    assert "allow more with --effort SECONDS" in first.sentence
+    assert "Effort(" not in first.sentence
+
+
+def test_no_lift_off_says_how_long_and_how_much() -> None:
+    slow = PAIR.changed("v", 100)
+    motion = SimpleNamespace(
+        lift_off=None, times=[0.0, 2.0], rail=np.array([[0.0, 0.0031]]), contact_force=np.array([[0.0, 98100.0]])
+    )
+    swings = certify(slow, region=("below", 5), digits=15)
+    said = contact_card(parts(slow, response=Part("response", motion), spectrum=swings)).sentence
+    assert said.startswith("Not within 2 s (eight periods of the slowest vibration) after the weight of the vehicle")
+    assert said.endswith("Meanwhile the rail sinks by at most 3.1 mm, and one contact presses with at most 98.1 kN.")
+
+
+def test_contacts_are_called_by_the_wheels_over_them() -> None:
+    bogie = vehicles.Bogie(wheel=900, frame=2000, inertia=1500, wheelbase=2, k=10**6)
+    assert contact_names(Problem(TRACK, bogie.at(0), v=10)) == ["rear wheel", "front wheel"]
+
+
+def test_a_range_from_almost_zero() -> None:
+    found = Reach(Kind.CROSSES, Fraction(1, 20), Fraction(400), arb(191))
+    assert velocity_card(parts(reach=Part("onset", found))).sentence.endswith("Looked at from practically zero on.")
+    found = Reach(Kind.CROSSES, Fraction(10), Fraction(400), arb(191))
+    assert velocity_card(parts(reach=Part("onset", found))).sentence.endswith("Looked at from 36 km/h on.")

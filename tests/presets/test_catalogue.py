@@ -52,3 +52,12 @@ def test_a_name_that_there_is_not() -> None:
         preset("track", "balasted")
     with pytest.raises(InputError, match="there are manchester"):
         preset("vehicle", "xyz")
+
+
+def test_a_model_is_no_preset() -> None:
+    with pytest.raises(
+        InputError, match="vehicle: is 'bogie', which is a model, not a preset: see mpsolve models bogie"
+    ):
+        preset("vehicle", "bogie")
+    with pytest.raises(InputError, match="track: is 'two-layer', which is a model"):
+        preset("track", "two-layer")

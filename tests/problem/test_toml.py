@@ -64,3 +64,10 @@ def test_kinds_are_named_as_toml_names_them() -> None:
     values = [True, 1, Written("1.0"), "1.0", [], {}, datetime.date(2020, 1, 1)]
     names = ["a boolean", "a number", "a number", "a text", "a list", "a table", "a date or time"]
     assert [kind(value) for value in values] == names
+
+
+def test_a_distance_of_the_sleepers_leads_to_values_per_metre() -> None:
+    with pytest.raises(InputError, match=r"track\.sleeper_spacing: is unknown: values are per metre of track, so"):
+        check_keys({"sleeper_spacing": "0.6"}, {"m_sleeper": "mass"}, "track.")
+    with pytest.raises(InputError, match=r"did you mean spacing\?"):
+        check_keys({"spacings": "20"}, {"spacing": "distance"}, "vehicle[1].")

@@ -11,7 +11,7 @@ import pytest
 from mpsolve import Case, Problem, read_problem, tracks, vehicles
 from mpsolve.presets.catalogue import names
 from mpsolve.presets.written import input_file
-from mpsolve.problem.warned import warned
+from mpsolve.problem.warned import titled, warned
 
 RAIL: dict[str, Any] = {"EI": "6.4e6", "m": 60, "k": "1e6", "c": 770}
 PAIR = [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")]
@@ -61,11 +61,22 @@ def test_kilometres_an_hour() -> None:
     assert not warned(Problem(tracks.EulerBernoulli(**RAIL), PAIR, v="250 km/h"))
 
 
+def test_a_title_in_kilometres_an_hour() -> None:
+    (said,) = titled(changed(), "Bogie at 100 km/h")
+    assert str(said) == (
+        'v is 100 m/s, which is 360 km/h, but the title says 100 km/h: write v = "100 km/h", if that is meant'
+    )
+    assert not titled(changed(), "A bogie, at 100 m/s (360 km/h)")
+    assert not titled(changed(), "100 wheels")
+    assert not titled(Case(alpha=1, eta_b="0.1", eta_m=[1]), "1 km/h")
+
+
 def test_more_than_critical_damping() -> None:
     (said,) = warned(changed(c="1.2e5"))
     assert said.code == "overdamped"
     assert said.numbers["times"] == "7.7"
     assert "track.c is 120000 N s/m² (120 kN s/m²), 7.7 times the critical damping" in said.message
+    assert "either c is too large or k too small" in said.remedy
     quarter = vehicles.Oscillator(wheel=900, body=10_000, k=10**6, c=300_000)
     assert codes(Problem(tracks.EulerBernoulli(**RAIL), quarter, v=1)) == ["overdamped"]
     assert codes(Case(alpha="0.5", eta_b="1.1", eta_m=[1])) == ["overdamped"]

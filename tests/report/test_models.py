@@ -19,7 +19,7 @@ MODELS = [*tracks.CATALOGUE, *vehicles.CATALOGUE]
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: model.name)
 def test_every_parameter_is_shown(model: type) -> None:
     text = listing(model.name)
-    assert text in listing()
+    assert text.split("\nRail tracks:")[0] in listing()
     assert model.drawing.rstrip("\n") in text
     for name, quantity in quantities(model).items():
         (line,) = re.findall(rf"^  {name} .*(?:must be given|left out).*$", text, flags=re.MULTILINE)
@@ -41,6 +41,14 @@ def test_what_is_said_of_bounds() -> None:
     assert re.search(r"k_pad +N/m² +stiffness of the pads +must be given, above 0", text)
     assert re.search(r"N +N +axial force in the rail, compression positive +0 if left out\n", text)
     assert re.search(r"g +m/s² +acceleration of gravity +9.80665 if left out, above 0", listing("floating-ice"))
+
+
+def test_rails_are_told_to_be_one() -> None:
+    said = "everything for one rail and per metre of it: half a sleeper"
+    assert said in listing()
+    assert [model.name for model in MODELS if said in listing(model.name)] == [
+        model.name for model in tracks.CATALOGUE if model.name not in ("string", "floating-ice")
+    ]
 
 
 def test_the_command() -> None:

@@ -9,7 +9,7 @@ import pytest
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import quantities
 from mpsolve.tracks import CATALOGUE, FloatingIce, TwoLayer, Waveguide
-from mpsolve.tracks.undamped import dissipates, is_reciprocal, undamped
+from mpsolve.tracks.undamped import damping_wanted, dissipates, is_reciprocal, undamped
 
 LAYERS = {"EI": 4, "m": 1, "k_pad": 3, "m_sleeper": 2, "k_ballast": 5}
 ICE = {"B": 100, "h": 1, "rho_ice": 9, "rho_water": 10, "depth": 2}
@@ -49,3 +49,11 @@ def test_an_own_track_is_undamped_too() -> None:
     p, omega = symbols("p Omega")
     own = Waveguide([[2 * p**4 + 1 + I * omega / 10 - omega**2]])
     assert undamped(own).dispersion == {(4, 0): Fraction(2), (0, 0): Fraction(1), (0, 2): Fraction(1)}
+
+
+def test_which_damping_is_wanted() -> None:
+    said = damping_wanted(TwoLayer(**LAYERS))
+    assert said.startswith("give a value above 0 to c_pad (30 kN s/m² is typical) or c_ballast (80 kN s/m²")
+    assert "mpsolve work-out damping" in said
+    assert damping_wanted(FloatingIce(**ICE)) == "give a value above 0 to c or eta"
+    assert damping_wanted(undamped(TwoLayer(**LAYERS))) == "give it some damping"

@@ -105,7 +105,7 @@ TWO = {"M": [[1, 0], [0, 1]], "C": [[0, 0], [0, 0]], "K": [[1, -1], [-1, 1]], "B
         (vehicles.Oscillator, {"wheel": 1, "body": 1}, "k", "carries the body"),
         (vehicles.Oscillator, {"wheel": 1, "body": 1, "k": 1, "k_contact": 0}, "k_contact", "above 0"),
         (vehicles.Bogie, BOGIE | {"k": 0, "c": 0}, "k", "carries the frame"),
-        (vehicles.Bogie, BOGIE | {"body": 1}, "k2", "carries the body"),
+        (vehicles.Bogie, BOGIE | {"body": 1}, "k2", "carries the body: .*, or add its mass to the frame's"),
         (vehicles.Bogie, BOGIE | {"k2": 1}, "body", "missing"),
         (vehicles.Coach, {"body": 1, "inertia": 1, "bogie": 5, "pivots": 1, "k2": 1}, "bogie", "of type int"),
         (vehicles.Coach, {"body": 1, "inertia": 1, "bogie": TYPICAL["bogie"], "pivots": 1, "k2": 1}, "bogie", "own"),
