@@ -8,6 +8,7 @@ finite radius about a middle that is not finite, and never nan: `np.isfinite(z.r
 
 from __future__ import annotations
 
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -152,7 +153,7 @@ def _disc(m: Any, r: Any) -> Discs:
 def _modulus(z: Any) -> Any:
     """An upper bound of |z| that is within a few roundings."""
     if isinstance(z, (int, float, complex)):
-        return abs(z) * _UP + _SMALL
+        return hypot(z.real, z.imag) * _UP + _SMALL  # ∞ where abs would raise an error
     x, y = z.real, z.imag
     return np.sqrt(x * x + y * y) * _UP + _SMALL
 

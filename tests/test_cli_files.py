@@ -86,6 +86,7 @@ FROM_STANDARD_INPUT = {
     "robust - --over v=0..80m/s": "rail_60e1",
     "chart - --over v=0..100km/h --over scale.mass=0.5..2 --depth 2": "rail_60e1",
     "worst - --over gap[0]=1..2": "dimensionless",
+    "lines - --over v=0.4..0.5 --points 3": "dimensionless",
     "train -": "endless_train",
     "critical -": "rail_60e1",
     "receptance - --omega 1,2,3": "rail_60e1",

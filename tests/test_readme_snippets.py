@@ -63,7 +63,7 @@ def test_every_option_that_readme_shows_is_one() -> None:
         if isinstance(command, Group):
             command = command.get_command(context, words[0])
             assert command is not None, line
-        known = {name for p in command.params if isinstance(p, Option) for name in p.opts}
+        known = {name for p in command.params if isinstance(p, Option) for name in (*p.opts, *p.secondary_opts)}
         shown = set(re.findall(r"(?<=\s)(--?[a-z][\w-]*)", " " + line[1].split("  #")[0]))
         assert shown <= known | {"--help"}, line
 

@@ -88,11 +88,10 @@ def test_a_proof_that_no_verifier_reads_says_so_and_what_to_ask_for() -> None:
     case = two("0.5", "0.05", 70, "1.5", eta_n="-1e6")
     found = certify(case, region="sheet", digits=15)
     assert found.reason is not None
-    assert (found.status, found.reason.code, found.reason.remedy) == (
-        Status.UNDECIDED,
-        "pieces",
-        'ask for "unstable"',
-    )
+    assert found.status is Status.UNDECIDED
+    assert found.reason.code in ("pieces", "verifier")  # too many pieces, or some that the verifier does not follow
+    assert 'ask for "unstable"' in found.reason.remedy
+    assert proved(case, "unstable").count == 0
 
 
 def test_a_rectangle_up_to_the_cut_and_one_that_is_large() -> None:

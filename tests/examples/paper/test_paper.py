@@ -33,11 +33,17 @@ def test_every_conclusion_has_a_claim() -> None:
 
 
 def test_stored_certificates_are_those_of_the_claims(report) -> None:
-    """What the sample proves now is what certs/paper/ holds, and it is valid."""
+    """What the sample proves now is what certs/paper/ holds: the claims and roots; pieces of a path may be others."""
     assert report.complete
     assert len(report.certificates) > 8
-    stored = {json.loads(path.read_text("ascii"))["sha256"] for path in STORED.glob("*.json")}
-    assert all(certificate.content["sha256"] in stored for certificate in report.certificates.values())
+    stored = {said(json.loads(path.read_text("ascii"))) for path in STORED.glob("*.json")}
+    assert all(said(certificate.content) in stored for certificate in report.certificates.values())
+
+
+def said(content: dict) -> str:
+    """What a certificate says of which equations."""
+    told = {key: content.get(key) for key in ("kind", "equations", "case", "basis", "claim", "roots")}
+    return json.dumps(told, sort_keys=True)
 
 
 def test_certificates_are_valid(report, tmp_path: Path) -> None:
