@@ -28,7 +28,10 @@ def load(monkeypatch: pytest.MonkeyPatch) -> Any:
     return importlib.import_module
 
 
-@pytest.mark.parametrize("name", FINDINGS)
+SLOW = {"rows_of_masses"}  # rows and the endless train are proved in test_examples.py, too
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in FINDINGS])
 def test_its_numbers_are_right_and_drawn(
     name: str, load: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
