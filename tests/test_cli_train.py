@@ -39,6 +39,7 @@ def test_one_vehicle_needs_a_distance(words: list[str], tmp_path: Path) -> None:
     assert "spacing" in done.output
 
 
+@pytest.mark.slow
 def test_eight_coaches_are_answered_within_their_time() -> None:
     done = CliRunner().invoke(cli, ["train", str(EXAMPLES / "train_8_coaches.toml"), "--effort", "4"])
     assert done.exit_code in (0, 1)
