@@ -46,7 +46,8 @@ class Path:
 
     def left(self, omega: float) -> float:
         """A lower bound of Re σ on the path at heights up to ω."""
-        return self.alpha - self.delta * (math.sqrt(omega) - self.start) * (1 + 1e-12) - 1e-12
+        gone = arb(0).max(arb(omega).sqrt() - self.start)
+        return math.nextafter(float((arb(self.alpha) - gone * self.delta).lower()), -math.inf)
 
 
 def prove_strip(image: BallImage, path: Path, top: float, effort: Effort) -> int:
@@ -54,7 +55,8 @@ def prove_strip(image: BallImage, path: Path, top: float, effort: Effort) -> int
 
     Each row of cells begins at the line, where the upper p-roots are known; PrecisionError where no cells prove it.
     """
-    low, size, count = path.start**2, _SIZE * path.start**2, 0
+    low = math.nextafter(path.start**2, 0.0)  # at or below the corner
+    size, count = _SIZE * low, 0
     while low < top:
         high = low + size
         found = _row(image, path, low, high, effort)

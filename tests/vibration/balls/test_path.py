@@ -24,3 +24,16 @@ def test_the_strip_of_one_mass_is_proved(balls):
         assert prove_strip(image, Path(-0.02, 2.0, 1.0), 100.0, Effort()) > 10
         with pytest.raises(EffortError):
             prove_strip(image, Path(-0.02, 2.0, 1.0), 100.0, Effort(evaluations=3))
+
+
+def test_the_left_end_is_a_bound_at_every_height() -> None:
+    """Below the corner the path is the line itself; above it no float is rounded to the wrong side."""
+    for alpha, start, delta in ((0.1, 1.1, 0.3), (1e6, 0.7, 1e-3)):
+        path = Path(alpha, start, delta)
+        assert path.left(start**2 / 2) <= alpha
+        for omega in (1.3, 7.7, 123.4):
+            left = path.left(omega)
+            with precision(200):
+                truth = path.lifted(arb(omega).sqrt()).real
+                assert arb(left) <= truth
+            assert left > float(truth) - 1e-14 * (1 + abs(alpha))
