@@ -16,7 +16,7 @@ import json
 import re
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -56,21 +56,30 @@ class Verdict:
 
 def verify(path: Any) -> Verdict:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
-    try:
-        with open(path, "rb") as file:
-            raw = file.read(MAX_BYTES + 1)
-        return verify_bytes(raw)
-    except OSError as error:
-        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+    return of_file(path, verify_bytes)
 
 
 def verify_bytes(raw: bytes) -> Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold."""
+    return judged(raw, lambda: spectrum(opened(raw)))
+
+
+def of_file(path: Any, judge: Callable[[bytes], Verdict], most: int = MAX_BYTES) -> Verdict:
+    """The verdict on what a file of up to `most` bytes holds."""
     try:
-        require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
-        content = opened(raw)
+        with open(path, "rb") as file:
+            raw = file.read(most + 1)
+        return judge(raw)
+    except OSError as error:
+        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+
+
+def judged(raw: bytes, claim: Callable[[], str], most: int = MAX_BYTES) -> Verdict:
+    """Valid with what `claim` says, unless it raises."""
+    try:
+        require(len(raw) <= most, f"the file is larger than {most} bytes")
         with precision(64):
-            return Verdict(True, "", spectrum(content))
+            return Verdict(True, "", claim())
     except Refused as error:
         return Verdict(False, str(error))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
@@ -102,7 +111,10 @@ def precision(bits: int) -> Iterator[None]:
 # --- reading: numbers, objects ----------------------------------------------------------------------------
 
 
-def opened(raw: bytes) -> dict[str, Any]:
+KEYS = "format version kind sha256 equations basis bits start paths theorem claim roots"
+
+
+def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) -> dict[str, Any]:
     """The file's object without its digest, which fits, with format, version, kind and keys checked."""
 
     def no_number(text: str) -> Any:
@@ -117,8 +129,7 @@ def opened(raw: bytes) -> dict[str, Any]:
     require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
     version = read.get("version")
     require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
-    require(read.get("kind") == "spectrum", "the kind is not known to this verifier")
-    names = "format version kind sha256 equations basis bits start paths theorem claim roots"
+    require(read.get("kind") in kinds, "the kind is not known to this verifier")
     keys(read, names)
     rest = {key: value for key, value in read.items() if key != "sha256"}
     canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
@@ -2283,12 +2294,12 @@ def listed(value: Any) -> str:
     return "[" + ", ".join(map(listed, value)) + "]" if isinstance(value, list) else str(value)
 
 
-def main(paths: Sequence[str]) -> int:
+def main(paths: Sequence[str], check: Callable[[Any], Verdict] = verify, name: str = "verify2.py") -> int:
     """Prints what each file proves; 0 if all are valid."""
     if not paths:
-        print("usage: verify2.py FILE [FILE …]", file=sys.stderr)
+        print(f"usage: {name} FILE [FILE …]", file=sys.stderr)
         return 1
-    verdicts = [(path, verify(path)) for path in paths]
+    verdicts = [(path, check(path)) for path in paths]
     for path, verdict in verdicts:
         print(f"{path}: " + (f"valid: {verdict.claim}" if verdict.valid else f"INVALID: {verdict.reason}"))
     return 0 if all(verdict.valid for _, verdict in verdicts) else 1

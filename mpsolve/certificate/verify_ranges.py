@@ -13,7 +13,6 @@ wide for them is halved, so and so often. Throughout P = ip, σ = iq, s = σ −
 
 from __future__ import annotations
 
-import hashlib
 import json
 import re
 import sys
@@ -33,10 +32,11 @@ else:
     import verify2 as spectra  # type: ignore[import-not-found,no-redef]
 
 Refused, Verdict = spectra.Refused, spectra.Verdict
-require, keys, items, integer, rational, dyadic = (
-    spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic,
+require, keys, items, integer, rational, dyadic, listed = (
+    spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic, spectra.listed,
 )  # fmt: skip
 
+KEYS = "format version kind sha256 equations basis range base tail X beyond tree zeros claim"
 MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
 MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 24, 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
@@ -59,52 +59,14 @@ Box = tuple[tuple[Any, Any], ...]  # exact ends of q and of the parameters, or o
 
 def verify(path: Any) -> Any:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
-    try:
-        with open(path, "rb") as file:
-            raw = file.read(MAX_BYTES + 1)
-        return verify_bytes(raw)
-    except OSError as error:
-        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+    return spectra.of_file(path, verify_bytes, MAX_BYTES)
 
 
 def verify_bytes(raw: bytes, most: int | None = None) -> Any:
     """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it
     may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
-    try:
-        require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
-        content = opened(raw)
-        with spectra.precision(BITS):
-            return Verdict(True, "", checked(content, most))
-    except Refused as error:
-        return Verdict(False, str(error))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        return Verdict(False, f"no certificate, which is JSON in ASCII ({error})"[:200])
-    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
-        return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
-
-
-def opened(raw: bytes) -> dict[str, Any]:
-    """The file's object without its digest, which fits, with format, version, kind and keys checked."""
-
-    def no_number(text: str) -> Any:
-        raise Refused(f"{text[:40]} is not an exact number: numbers are integers, or text")
-
-    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
-        return dict(pairs)
-
-    read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
-    require(isinstance(read, dict), "the file holds no JSON object")
-    require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
-    version = read.get("version")
-    require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
-    require(read.get("kind") in ("crossings", "stable"), "the kind is not known to this verifier")
-    keys(read, "format version kind sha256 equations basis range base tail X beyond tree zeros claim")
-    rest = {key: value for key, value in read.items() if key != "sha256"}
-    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
-    require(digest == read["sha256"], "the digest does not fit the content")
-    return rest
+    claim = lambda: checked(spectra.opened(raw, ("crossings", "stable"), KEYS), most)  # noqa: E731
+    return spectra.judged(raw, claim, MAX_BYTES)
 
 
 # --- polynomials in the parameters, exact -----------------------------------------------------------------
@@ -2077,20 +2039,5 @@ def words(content: Any, said: list[str], box: Box, leaves: int, pieces: int) -> 
     return "\n".join(said)
 
 
-def listed(value: Any) -> str:
-    return "[" + ", ".join(map(listed, value)) + "]" if isinstance(value, list) else str(value)
-
-
-def main(paths: Sequence[str]) -> int:
-    """Prints what each file proves; 0 if all are valid."""
-    if not paths:
-        print("usage: verify_ranges.py FILE [FILE …]", file=sys.stderr)
-        return 1
-    verdicts = [(path, verify(path)) for path in paths]
-    for path, verdict in verdicts:
-        print(f"{path}: " + (f"valid: {verdict.claim}" if verdict.valid else f"INVALID: {verdict.reason}"))
-    return 0 if all(verdict.valid for _, verdict in verdicts) else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(spectra.main(sys.argv[1:], verify, "verify_ranges.py"))

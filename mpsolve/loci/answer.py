@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.numbers.packed import Portable
-from mpsolve.ranges.answer import Answer, outward
+from mpsolve.ranges.answer import Answer, AtValue
 from mpsolve.ranges.crossings import Crossing
 from mpsolve.spectrum.regions import Below, HalfPlane
 
@@ -44,22 +44,12 @@ class FrequencyLine(Portable):
 
 
 @dataclass(frozen=True)
-class Event(Portable):
+class Event(AtValue, Portable):
     """At the parameter `value` a root q comes into the region (gained > 0) or leaves it (gained < 0), with −q̄."""
 
     value: Any
     q: Any
     gained: int
-
-    @property
-    def lower(self) -> float:
-        """A float at or below `value`."""
-        return outward(self.value, up=False)
-
-    @property
-    def upper(self) -> float:
-        """A float at or above `value`."""
-        return outward(self.value, up=True)
 
 
 @dataclass(frozen=True)

@@ -100,6 +100,38 @@ def outward(ball: Any, up: bool) -> float:
         return x
 
 
+class AtValue:
+    """What stands at a ball `value`: floats that hold it between them."""
+
+    value: Any
+
+    @property
+    def lower(self) -> float:
+        """A float at or below `value`."""
+        return outward(self.value, up=False)
+
+    @property
+    def upper(self) -> float:
+        """A float at or above `value`."""
+        return outward(self.value, up=True)
+
+
+class Valued:
+    """The same of what may have none: None."""
+
+    value: Any
+
+    @property
+    def lower(self) -> float | None:
+        """A float at or below `value`."""
+        return None if self.value is None else outward(self.value, up=False)
+
+    @property
+    def upper(self) -> float | None:
+        """A float at or above `value`."""
+        return None if self.value is None else outward(self.value, up=True)
+
+
 def shown_digits(ball: Any) -> str:
     """The decimals of a ball that are sure, one digit of them within 1."""
     with precision(max(int(ball.mid().bits()), 53) + 32):

@@ -19,7 +19,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, outward, within
+from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
@@ -30,7 +30,7 @@ _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
 
 @dataclass(frozen=True)
-class Crossing(Portable):
+class Crossing(AtValue, Portable):
     """A root q that is real at the parameter `value`: two balls in the problem's units.
 
     lower, upper: floats that hold `value` between them. direction: by how much the number of unstable roots grows
@@ -40,16 +40,6 @@ class Crossing(Portable):
     value: Any
     q: Any
     direction: int | None
-
-    @property
-    def lower(self) -> float:
-        """A float at or below `value`."""
-        return outward(self.value, up=False)
-
-    @property
-    def upper(self) -> float:
-        """A float at or above `value`."""
-        return outward(self.value, up=True)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, outward
+from mpsolve.ranges.answer import Answer, Valued, outward
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
@@ -74,7 +74,7 @@ class UnstableRanges(Answer):
 
 
 @dataclass(frozen=True)
-class Onset(Answer):
+class Onset(Valued, Answer):
     """The least value of a range from which on some root grows.
 
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
@@ -90,16 +90,6 @@ class Onset(Answer):
     q: Any | None = None
     worst: Any | None = None
     where: str = ""
-
-    @property
-    def lower(self) -> float | None:
-        """A float at or below `value`."""
-        return None if self.value is None else outward(self.value, up=False)
-
-    @property
-    def upper(self) -> float | None:
-        """A float at or above `value`."""
-        return None if self.value is None else outward(self.value, up=True)
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""

@@ -16,7 +16,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, Interval, Spent, outward, plain
+from mpsolve.ranges.answer import Answer, Interval, Spent, Valued, plain
 from mpsolve.ranges.lowest import NEXT, Question
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
@@ -25,7 +25,7 @@ NOTE = "no certificate states where something is lowest yet"
 
 
 @dataclass(frozen=True)
-class Worst(Answer):
+class Worst(Valued, Answer):
     """The lowest root in a range of one parameter: the one that grows fastest, or decays most slowly.
 
     value, q, growth: balls in the problem's units, growth = −Im q in 1/s; None where undecided. where: "inside" (a
@@ -45,16 +45,6 @@ class Worst(Answer):
     def growth(self) -> Any | None:
         """−Im q, the rate at which it grows: e^{growth t}."""
         return None if self.q is None else -self.q.imag
-
-    @property
-    def lower(self) -> float | None:
-        """A float at or below `value`."""
-        return None if self.value is None else outward(self.value, up=False)
-
-    @property
-    def upper(self) -> float | None:
-        """A float at or above `value`."""
-        return None if self.value is None else outward(self.value, up=True)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON: exact numbers as texts, with decimals beside them."""
