@@ -214,27 +214,33 @@ def _roots(D: Table, s: Splittings) -> tuple[_Roots, Any]:
     E = (np.abs(c) + lost) / slope[:, :, None, None] * UP
     E[:, :, 1, 0] = lost[:, :, 1, 0] / slope * UP
     by_e = np.einsum("bkij,bj->bki", E, powers) * UP
-    order = np.arange(c.shape[2])
-    base = by_e[:, :, 0] + 1e-250
-    eps = 1.5 * base
-    done = np.zeros(eps.shape, bool)
-    for _ in range(6):
-        terms = by_e * order * powers_up_to(eps, len(order))
-        image = (base + terms.sum(2)) * UP
-        done |= image < 0.999 * eps  # e → e − D/c₁₀ maps the disc into itself and contracts
-        eps = np.where(done, eps, 1.6 * image)
-        if done.all():
-            break
-    done &= slope > 0
-    away = np.abs(s.z[:, :, None] - s.z[:, None, :]) * (1 - 8 * U) - eps[:, :, None]
-    other = np.zeros((s.z.shape[1],) * 2, bool)
-    other[: s.up, s.up :] = True
-    other[s.up :, : s.up] = True
-    reach = np.where(other, s.tight[:, None, :] / np.where(other, away, 1), 0).sum(2) * UP
-    own = np.where(other, away > 0, True).all(2) & (reach < 1)  # no root of the other factor in the disc
-    apart = (away > eps[:, None, :]) | other | np.eye(len(other), dtype=bool)
-    own &= apart.all(2)
-    return _Roots(c, lost, eps, powers), (done & own).all(1)
+    eps, alone = _told_apart(s)
+    for _ in range(3):  # the root z + u, |u| ≤ eps, has u = −(the rest of D)/c₁₀
+        image = (by_e * powers_up_to(eps, c.shape[2])).sum(2) * UP + TINY
+        eps = np.where(image < eps, image, eps)
+    return _Roots(c, lost, eps, powers), alone & (slope > 0).all(1)
+
+
+def _told_apart(s: Splittings) -> tuple[Any, Any]:
+    """Radii of discs round the nodes, those of one side disjoint, each with one root of its factor; and where so.
+
+    On |P − z_k| = e the factor is U₀/(P − z_k) times (P − z_k)(1 + Σ_{j≠k} a_j/(P − z_j)) + a_k. So there is one root
+    within if |a_k| < e(1 − Σ|a_j|/(|z_j − z_k| − e)) (Rouché).
+    """
+    size, n = np.abs(s.z[:, :, None] - s.z[:, None, :]) * (1 - 8 * U), s.z.shape[1]
+    other = np.eye(n, dtype=bool)
+    other[: s.up, s.up :] = other[s.up :, : s.up] = True
+    size = np.where(other, np.inf, size)
+    eps, done = 3 * s.tight, np.zeros(s.tight.shape, bool)
+    for widening in (1.02, 1.1, 1.5, 3.0):
+        e = widening * s.tight + TINY
+        gap = size - e[:, :, None]
+        g = np.where(other, 0, s.tight[:, None, :] / gap).sum(2) * (1 + 4 * n * U)
+        one = (gap > 0).all(2) & (g < 1) & (s.tight < e * (1 - g) * (1 - 8 * U))
+        eps = np.where(done, eps, e)
+        done |= one
+    apart = (size * (1 - 8 * U) > eps[:, :, None] + eps[:, None, :]).all((1, 2))
+    return eps, done.all(1) & apart
 
 
 def _weights(N: Table, s: Splittings, roots: _Roots) -> tuple[Jet, Jet]:
