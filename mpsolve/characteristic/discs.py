@@ -213,13 +213,8 @@ class Roots:
 
 
 def isolated(D: Table, z: Any, T: Any, error: Any, r: Any) -> Roots:
-    """Discs round the nodes with one root each; T, error: D in time."""
-    c, lost = D.at(z, T, error)
-    powers = powers_up_to(r, c.shape[3])
-    slope = np.abs(c[:, :, 1, 0]) - lost[:, :, 1, 0]
-    E = (np.abs(c) + lost) / slope[:, :, None, None] * UP
-    E[:, :, 1, 0] = lost[:, :, 1, 0] / slope * UP
-    by_e = np.einsum("bkij,bj->bki", E, powers) * UP
+    """Discs round the nodes with one root of D each; T, error: D in time."""
+    c, lost, powers, by_e, slope = _round_nodes(D, z, T, error, r)
     order = np.arange(c.shape[2])
     base = by_e[:, :, 0] + 1e-250
     eps = 1.5 * base
@@ -234,22 +229,47 @@ def isolated(D: Table, z: Any, T: Any, error: Any, r: Any) -> Roots:
     return Roots(c, lost, eps, powers, r, done & (slope > 0))
 
 
-def told_apart(D: Table, s: Splittings) -> tuple[Roots, Any]:
-    """The roots of a splitting, and whether all of them are told apart.
+def _round_nodes(D: Table, z: Any, T: Any, error: Any, r: Any) -> tuple[Any, Any, Any, Any, Any]:
+    """D at P = z + e, its error, powers of r; Σ_j |c_ij| r^j/|c₁₀| but for c₁₀ itself; a lower bound of |c₁₀|."""
+    c, lost = D.at(z, T, error)
+    powers = powers_up_to(r, c.shape[3])
+    slope = np.abs(c[:, :, 1, 0]) - lost[:, :, 1, 0]
+    E = (np.abs(c) + lost) / slope[:, :, None, None] * UP
+    E[:, :, 1, 0] = lost[:, :, 1, 0] / slope * UP
+    return c, lost, powers, np.einsum("bkij,bj->bki", E, powers) * UP, slope
 
-    The discs of one side are disjoint, and the other factor has no root in them, so they hold all roots of the side.
+
+def told_apart(D: Table, s: Splittings) -> tuple[Roots, Any]:
+    """The roots of a splitting, and whether all of them are told apart."""
+    c, lost, powers, by_e, slope = _round_nodes(D, s.z, s.T, s.error, s.r)
+    eps, alone = _sides_told_apart(s)
+    for _ in range(3):  # the root z + u, |u| ≤ eps, has u = −(the rest of D)/c₁₀
+        image = (by_e * powers_up_to(eps, c.shape[2])).sum(2) * UP + TINY
+        eps = np.where(image < eps, image, eps)
+    good = alone & (slope > 0).all(1)
+    return Roots(c, lost, eps, powers, s.r, good[:, None] & (eps >= 0)), good
+
+
+def _sides_told_apart(s: Splittings) -> tuple[Any, Any]:
+    """Radii of discs round the nodes, those of one side disjoint, each with one root of its factor; and where so.
+
+    On |P − z_k| = e the factor is U₀/(P − z_k) times (P − z_k)(1 + Σ_{j≠k} a_j/(P − z_j)) + a_k. So there is one root
+    within if |a_k| < e(1 − Σ|a_j|/(|z_j − z_k| − e)) (Rouché).
     """
-    roots = isolated(D, s.z, s.T, s.error, s.r)
-    eps = roots.eps
-    away = np.abs(s.z[:, :, None] - s.z[:, None, :]) * (1 - 8 * U) - eps[:, :, None]
-    other = np.zeros((s.z.shape[1],) * 2, bool)
-    other[: s.up, s.up :] = True
-    other[s.up :, : s.up] = True
-    reach = np.where(other, s.tight[:, None, :] / np.where(other, away, 1), 0).sum(2) * UP
-    own = np.where(other, away > 0, True).all(2) & (reach < 1)  # no root of the other factor in the disc
-    apart = (away > eps[:, None, :]) | other | np.eye(len(other), dtype=bool)
-    own &= apart.all(2)
-    return roots, (roots.done & own).all(1)
+    size, n = np.abs(s.z[:, :, None] - s.z[:, None, :]) * (1 - 8 * U), s.z.shape[1]
+    other = np.eye(n, dtype=bool)
+    other[: s.up, s.up :] = other[s.up :, : s.up] = True
+    size = np.where(other, np.inf, size)
+    eps, done = 3 * s.tight, np.zeros(s.tight.shape, bool)
+    for widening in (1.02, 1.1, 1.5, 3.0):
+        e = widening * s.tight + TINY
+        gap = size - e[:, :, None]
+        g = np.where(other, 0, s.tight[:, None, :] / gap).sum(2) * (1 + 4 * n * U)
+        one = (gap > 0).all(2) & (g < 1) & (s.tight < e * (1 - g) * (1 - 8 * U))
+        eps = np.where(done, eps, e)
+        done |= one
+    apart = (size * (1 - 8 * U) > eps[:, :, None] + eps[:, None, :]).all((1, 2))
+    return eps, done.all(1) & apart
 
 
 def weights(N: Table, m: Any, z: Any, roots: Roots) -> tuple[Jet, Jet]:

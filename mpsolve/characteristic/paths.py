@@ -30,6 +30,7 @@ from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.cover import cover, halved, midpoints
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.even import evened
+from mpsolve.proof.joined import joined
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 Kind = Literal["link", "turn", "passive"]
@@ -101,6 +102,8 @@ class Paths:
         found = cover(points, self._test(kind), effort, middle=_between(arc))
         if kind == "turn" and arc is None and len(found) > max(_FEW, len(points)):
             found = cover(self._evened(found, effort), self._test(kind), effort)
+        elif arc is None:
+            found = joined(found, self._test(kind), effort, kind == "link")
         return Path(kind, found, arc)
 
     def _evened(self, points: Any, effort: Effort) -> Any:
