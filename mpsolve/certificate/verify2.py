@@ -863,6 +863,7 @@ class Origin:
             apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
             require(apart, "p-roots are not told apart next to q = 0")
             out += found
+        require(len(out) == self.kinds[1][0].degree, "a p-root is at infinity next to q = 0")
         reach = [(abs(z) + e) * r for kind, _, z, e in out if not kind]
         away = all(abs(z) - e > x for kind, _, z, e in out if kind for x in reach)
         require(away, "p-roots are not told apart next to q = 0")
