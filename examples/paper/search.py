@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
+from mpsolve import Crossings
+from mpsolve import crossings as proved_crossings
 from mpsolve.claims import Claim
 from mpsolve.claims.values import grid, places, rounds_to
 from mpsolve.errors import PrecisionError
 from mpsolve.fields import Float64
 from mpsolve.model.branch import track
 from mpsolve.model.characteristic import kernel_matrix
-from mpsolve.stability.masses import CrossingMasses, crossing_masses
 
 from .cases import pair
 
@@ -21,12 +23,18 @@ _FREQUENCIES = np.geomspace(0.02, 2, 800)
 
 
 @lru_cache(maxsize=64)
-def crossings(alpha: str, eta_b: str, d: str) -> CrossingMasses:
-    """All crossing masses, proved. PrecisionError if they are not."""
-    found = crossing_masses(alpha, eta_b, (0, d), digits=15)
+def crossings(alpha: str, eta_b: str, d: str) -> Crossings:
+    """All crossings of two equal masses, η_M from 0.001 to 10⁶, proved. PrecisionError if they are not."""
+    found = proved_crossings(pair(alpha, eta_b, "1", d), over={"scale.mass": ("0.001", "1e6")}, digits=15)
     if not found.proved:
-        raise PrecisionError(found.reason)
+        raise PrecisionError(str(found.reason))
     return found
+
+
+def limiting(alpha: str, eta_b: str, d: str) -> Any:
+    """The least of the crossing masses, None where there is none."""
+    found = crossings(alpha, eta_b, d).crossings
+    return found[0].value if found else None
 
 
 def exchanged(claim: Claim, search: list[tuple[str, str]]) -> tuple[str, ...]:
@@ -49,8 +57,8 @@ def reproductions(alpha: str, printed: str, dampings: tuple[str, ...]) -> list[t
         for d in _TRIED:
             guess = _limit_guess(alpha, eta_b, d)
             if guess is not None and abs(guess - float(printed)) < 1.2 * half:
-                found = crossings(alpha, eta_b, d)
-                if len(found) and rounds_to(found[0].eta, printed):
+                found = limiting(alpha, eta_b, d)
+                if found is not None and rounds_to(found, printed):
                     hits.append((eta_b, d))
     return hits
 
