@@ -37,7 +37,8 @@ def input_file(
     if number < 1:
         raise InputError("count", f"is {number}: give a whole number from 1")
     gap = spacing or above.spacing
-    in_unit(gap, "m", "spacing", "distance of the vehicles")
+    if in_unit(gap, "m", "spacing", "distance of the vehicles") <= 0:
+        raise InputError("spacing", f"is {gap}: give a distance above 0")
     lines = [
         *_comment("Values are exact. They may have other units of the same kind, or none: then they are in SI. "
                   f"Everything is for {_OF[below.on]}."),
