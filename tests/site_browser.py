@@ -1,8 +1,8 @@
 """The built site in a real browser, page by page from its files.
 
 `python tests/site_browser.py docs/_build` exits with 1 if a page has console errors, asks for anything outside its
-folder, is wider than a phone, skips a heading, or has main text with too little contrast, or if the keyboard does not reach
-search, menu and text. It exits with 0 and says so where no browser is installed.
+folder, is wider than a phone, skips a heading, or has main text with too little contrast, or if the keyboard does not
+reach search, menu and text. It exits with 0 and says so where no browser is installed.
 """
 
 from __future__ import annotations

@@ -23,7 +23,8 @@ LOADS = (
 )  # what a browser fetches or sends to
 NO_REQUEST = {"canonical", "alternate", "license", "author", "next", "prev", "search", "index", "help"}
 EMPTY = re.compile(
-    r"(?<![\^_])\{(?:[a-z_]{4,}|[a-z_]+[\[:][^}]*)\}|\b(?:TODO|FIXME|TBD|lorem ipsum|coming soon)\b", re.IGNORECASE
+    r"(?<![\^_])\{(?:[a-z_]{4,}|[a-z_]+\[[^}]*|[a-z]+:[a-z]+)\}|\b(?:TODO|FIXME|TBD|lorem ipsum|coming soon)\b",
+    re.IGNORECASE,
 )
 IN_STYLES = re.compile(r"""(?:url\(\s*|@import\s+)["']?([^"')\s;]+)""", re.IGNORECASE)
 
