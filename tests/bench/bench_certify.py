@@ -2,7 +2,7 @@
 
 cxroots gets Δ and Δ_q on numpy arrays as the search for candidates has them, and its Romberg integration. Its default
 evaluates one point at a time and takes longer: `bench_certify.py quad` compares with that. The rectangles are
-symmetric about the imaginary axis and keep off the cuts. One repetition of cxroots a case: it takes seconds to minutes.
+symmetric about the imaginary axis and keep off the cuts. One repetition of cxroots a case: seconds to minutes.
 """
 
 from __future__ import annotations
