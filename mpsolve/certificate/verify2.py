@@ -1340,7 +1340,8 @@ class Walker:
             total += turned
             if k == back:
                 self.marks[b], part = mark, total
-        about = first.split.nodes.split(abs(first.split.nodes.local.m) * 2.0**-30)  # of one pair at the point itself
+        small = arb(loop.radius / loop.centre) / 64  # beside the way to the branch point
+        about = first.split.nodes.split(abs(first.split.nodes.local.m) * small)  # of one pair at the point itself
         same = about.links(first.split) and about.links(mark.split)
         require(same, "a loop does not come back to the splitting that it began with")
         return total, part
