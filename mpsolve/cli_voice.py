@@ -123,7 +123,7 @@ def _name(parameter: click.Parameter) -> str:
     return max(parameter.opts, key=len)
 
 
-def _wanted(kind: click.ParamType, words: str) -> str:
+def _wanted(kind: click.ParamType[object], words: str) -> str:
     if isinstance(kind, click.Choice):
         return f"give one of {', '.join(map(str, kind.choices))}"
     if isinstance(kind, click.IntRange):
