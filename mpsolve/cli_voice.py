@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from difflib import get_close_matches
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -123,7 +123,7 @@ def _name(parameter: click.Parameter) -> str:
     return max(parameter.opts, key=len)
 
 
-def _wanted(kind: click.ParamType[object], words: str) -> str:
+def _wanted(kind: Any, words: str) -> str:
     if isinstance(kind, click.Choice):
         return f"give one of {', '.join(map(str, kind.choices))}"
     if isinstance(kind, click.IntRange):

@@ -101,7 +101,7 @@ CHARACTERISTIC = [
     Mutation(
         "waves behind a load have the other sign",
         "characteristic.discs",
-        "receptances",
+        "summed",
         "behind, -1.0)",
         "behind, 1.0)",
     ),

@@ -20,7 +20,7 @@ def _busy(seconds: float) -> None:
     while process_time() < end:
         try:
             sum(range(1000))
-        except Exception:  # noqa: BLE001  what a step may catch does not keep it going
+        except Exception:  # noqa: BLE001 — what a step may catch does not keep it going
             continue
 
 
