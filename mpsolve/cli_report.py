@@ -60,6 +60,7 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
                 seconds=seconds,
                 tell=tell or (lambda _stage, _fraction: None),
                 loads=source.loads,
+                sources=source.sources,
                 prove_chart=prove_chart,
             )
             write_whole(path, page_html(parts, source.path.stem))

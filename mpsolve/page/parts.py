@@ -58,6 +58,7 @@ class Parts:
     box: Part[Any] = NOT_ASKED
     proved_chart: Part[Any] = NOT_ASKED
     loads: Any = None
+    sources: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> str:
@@ -80,6 +81,7 @@ def gather(
     seconds: float,
     tell: Callable[[str, float], None],
     loads: Any = None,
+    sources: tuple[str, ...] = (),
     prove_chart: bool = True,
 ) -> Parts:
     """All parts that fit into the budget; the roots come first.
@@ -110,6 +112,7 @@ def gather(
         mass,
         shape=shape,
         loads=loads,
+        sources=sources,
     )
     return _last(parts, budget, prove_chart)
 

@@ -45,7 +45,8 @@ def test_a_damped_beam(v: str, masses: int, count: int, unstable: int) -> None:
 def test_a_loop_much_smaller_than_its_place_is_verified() -> None:
     """Strong tension: the two p-roots that meet at the tip of the cut are 10⁹ times smaller than the others."""
     beam = tracks.EulerBernoulli(**PAPER, c="0.4", kp="1e5")
-    found = certify_problem(Problem(beam, vehicles.Mass(40), v="0.7"), region="sheet", digits=15)
+    pair = [vehicles.Mass(40).at(0), vehicles.Mass(40).at("0.02")]
+    found = certify_problem(Problem(beam, pair, v="0.7"), region="sheet", digits=15)
     assert (found.status, found.count) == (Status.PROVED, 2)
 
 
