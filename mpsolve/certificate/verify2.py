@@ -1315,8 +1315,9 @@ class Walker:
             total += turned
             if k == back:
                 self.marks[b], part = mark, total
-        local = self.waves.near(at_q(first.q))  # a small disc round the point: of one pair at the point itself
-        about = Nodes([acb(x) for x in first.z], self.up, local).split(abs(local.m) * 2.0**-30)
+        local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point
+        small = abs(local.m) * arb(loop.radius / loop.centre) / 64
+        about = Nodes([acb(x) for x in first.z], self.up, local).split(small)
         same = about.links(first.split) and about.links(mark.split)
         require(same, "a loop does not come back to the splitting that it began with")
         return total, part
