@@ -590,11 +590,11 @@ def refine(content, digits):
             sigma = v2.at_q(root.z)
             for _ in range(bits.bit_length()):
                 local = waves.near(sigma)
-                z = sorted(v2.roots_of(local), key=lambda p: bool(p.real > 0))
+                z = sorted(v2.roots_near(local), key=lambda p: bool(p.real > 0))
                 thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
-                G = v2.kernels(waves, thin, arb(0), 2)
-                A = [bordered.coefficient(k, sigma, G) for k in range(2)]
-                sigma = (sigma - v2.determinant_series(A, 0) / v2.determinant_series(A, 1)).mid()
+                G = v2.kernels(waves, thin, arb(0))
+                first, slope, _ = v2.block(bordered.over(sigma, arb(0), G), arb(0), 1)
+                sigma = (sigma - first[0, 0] / slope[0, 0]).mid()
                 if not root.pair and root.z[0] == 0:
                     sigma = acb(sigma.real)
             q = sigma / acb(0, 1)

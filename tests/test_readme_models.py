@@ -15,6 +15,13 @@ ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
 
 
+def test_the_models_of_readme(capsys: pytest.CaptureFixture[str]) -> None:
+    _, code = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)
+    exec(code, {})
+    (said,) = re.findall(r"\.stable\)  # (\w+)", code)
+    assert capsys.readouterr().out == f"{said}\n"
+
+
 def test_the_own_track() -> None:
     section = (ROOT / "docs/how-to/own-track.md").read_text("utf-8")
     code = re.findall(r"```{code-cell} ipython3\n(.*?)```", section, flags=re.DOTALL)[0]

@@ -25,6 +25,7 @@ from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.verified import verified
+from mpsolve.ranges.without_end import endless
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -68,20 +69,20 @@ def crossings(
 ) -> Crossings:
     """Every value of one parameter in a closed range at which a root is real: isolated, to `digits` digits.
 
-    over: {path: (low, high)}, in the problem's units. The answer is proved where the list is complete and the numbers
-    of unstable roots between its entries are known; else `Status.UNDECIDED` with a reason, and what was found.
+    over: {path: (low, high)}, in the problem's units; a factor of all masses may have the high None: without end.
+    The answer is proved where the list is complete and the numbers of unstable roots between its entries are known;
+    else `Status.UNDECIDED` with a reason, and what was found.
     check: have the standalone verifier pass the certificate of the whole answer; without it the answer has none.
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(given, over, endless=True)
     one_path(ranges)
     with one_thread():
         found = find(given, ranges, checked_digits(digits), effort, progress or silent, check)
     return replace(found, problem=problem)
 
 
-@stoppable
 def find(
     problem: Problem,
     over: Mapping[str, Interval],
@@ -90,7 +91,25 @@ def find(
     progress: Progress,
     check: bool,
 ) -> Crossings:
-    """`crossings` of checked arguments."""
+    """`crossings` of checked arguments; the upper end may be None."""
+    if next(iter(over.values()))[1] is not None:
+        return _within(problem, over, digits, effort, progress, check)
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    part = lambda ranges: _within(problem, ranges, digits, budget, progress, check)  # noqa: E731
+    reasoned = lambda why: Crossings(problem, over, Status.UNDECIDED, why, digits=digits)  # noqa: E731
+    found: Crossings = endless(problem, over, part, reasoned, budget, progress)
+    return found
+
+
+@stoppable
+def _within(
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
+) -> Crossings:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     over = from_above_rest(problem, over)

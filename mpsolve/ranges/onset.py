@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -40,7 +41,8 @@ class Kind(Enum):
 class Unstable(Portable):
     """Between two neighbouring crossings or ends of the range `roots` roots grow; q: the frequency at the start.
 
-    start, end: balls; an end of the range itself is exact, and then q is None at the start.
+    start, end: balls; an end of the range itself is exact, and then q is None at the start. end is None where the
+    range has no upper end, and then `upper` is ∞.
     """
 
     start: Any
@@ -56,7 +58,7 @@ class Unstable(Portable):
     @property
     def upper(self) -> float:
         """A float at or above `end`."""
-        return outward(self.end, up=True)
+        return math.inf if self.end is None else outward(self.end, up=True)
 
 
 @dataclass(frozen=True)
@@ -163,7 +165,7 @@ def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
         (_exact(low, found.digits), None),
         *((c.value, c.q) for c in found.crossings),
     ]
-    ends = [*(c.value for c in found.crossings), _exact(high, found.digits)]
+    ends = [*(c.value for c in found.crossings), None if high is None else _exact(high, found.digits)]
     return tuple(
         Unstable(start, end, q, number)
         for (start, q), end, number in zip(starts, ends, found.counts, strict=True)
@@ -190,7 +192,7 @@ def _found(
     check: bool,
 ) -> Crossings:
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(given, over, endless=True)
     one_path(ranges)
     with one_thread():
         if never_unstable(given, ranges):  # its roots are real all over the range, so that crossings tell nothing
