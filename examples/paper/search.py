@@ -9,14 +9,13 @@ import numpy as np
 
 from mpsolve import Crossings
 from mpsolve import crossings as proved_crossings
+from mpsolve.characteristic.floats import Receptance
 from mpsolve.claims import Claim
 from mpsolve.claims.values import grid, places, rounds_to
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import Float64
-from mpsolve.model.branch import track
-from mpsolve.model.characteristic import kernel_matrix
 
 from .cases import pair
+from .kernels import reduced_beam
 
 _TRIED = grid("0.5:0.05:2")  # distances of the search
 _FREQUENCIES = np.geomspace(0.02, 2, 800)
@@ -67,11 +66,15 @@ def reproductions(alpha: str, printed: str, dampings: tuple[str, ...]) -> list[t
 def _limit_guess(alpha: str, eta_b: str, d: str) -> float | None:
     """The least crossing mass in float64: where an eigenvalue λ of [K_ij] is real and positive, η = π/(2q²λ)."""
     q = _FREQUENCIES
-    rows = kernel_matrix(track(pair(alpha, eta_b, "1", d), Float64()), q)
-    root = np.sqrt(rows[0][1] * rows[1][0] + 0j)
+    reduced, factor = reduced_beam(pair(alpha, eta_b, "1", d))
+    apart = reduced.places[1] - reduced.places[0]
+    sigma = 1j * q / float(reduced.frequency_unit)
+    G, _ = Receptance(reduced.guide)(sigma, [0 * apart, apart, -apart], slope=False)
+    contact, ahead, behind = (np.pi * float(factor) * one for one in G)
+    root = np.sqrt(ahead * behind + 0j)
     root = root * np.cumprod(np.concatenate([[1.0], np.where((root[1:] * root[:-1].conj()).real < 0, -1.0, 1.0)]))
     least = None
-    for value in (rows[0][0] + root, rows[0][0] - root):
+    for value in (contact + root, contact - root):
         turns = np.flatnonzero((value.imag[1:] * value.imag[:-1] < 0) & (value.real[1:] > 0))
         for k in turns:
             t = value.imag[k] / (value.imag[k] - value.imag[k + 1])
