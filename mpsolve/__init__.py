@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from mpsolve.ranges.table import Table, stability_table
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
-    from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
@@ -114,7 +113,6 @@ __all__ = [
     "FrequencyLines",
     "FrequencyLine",
     "LineEnd",
-    "onset_table",
     "stability_chart",
     "Onset",
     "Unstable",
@@ -214,7 +212,6 @@ _HOME = {
     "FrequencyLines": "loci.answer",
     "FrequencyLine": "loci.answer",
     "LineEnd": "loci.answer",
-    "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",
     "Unstable": "ranges.onset",
