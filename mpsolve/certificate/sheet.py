@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
-from mpsolve.certificate import verify
-from mpsolve.certificate.format import Certificate, make_certificate
-from mpsolve.errors import InputError, PrecisionError, known
+from mpsolve.certificate.format import Certificate
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.case import Case
@@ -22,6 +21,7 @@ from mpsolve.spectrum.regions import Rectangle
 MAX_DIGITS = 10_000
 MIN_DIGITS = 15
 _MORE_DIGITS = (2, 4, 8)  # times what was asked for, where a sign of Im q is open
+_MOST_ROOTS = 100_000
 _ROUNDS = 4  # of looking for roots that the count has and the enclosures lack
 
 
@@ -31,8 +31,8 @@ class SheetSpectrum:
 
     roots: disjoint balls `root.q` (flint.acb), each with exactly `root.multiplicity` roots, relative radius
     below 10^−digits, sorted by (Re q, Im q). count: number of roots in the region with multiplicity.
-    unstable: how many of them have Im q < 0. status: `PROVED` if the certificate also passed the standalone
-    verifier, `UNVERIFIED` if that was left out (check=False). When undecided, `reason` says why and what helps, and
+    unstable: how many of them have Im q < 0. status: `UNVERIFIED`, as no certificate is made.
+    When undecided, `reason` says why and what helps, and
     `why` has the same in parts; `count` is then the proved number if there is one, and None otherwise.
     """
 
@@ -69,14 +69,12 @@ def certify_sheet(
     region: Region = "sheet",
     max_pieces: int = 100_000,
     progress: Progress | None = None,
-    check: bool = True,
 ) -> SheetSpectrum:
     """Every root of Δ, eq. (26), in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
     digits: certified digits of each root relative to |q|, 15 to 10,000. region: "sheet" (the whole physical
     sheet), "unstable" (Im q < 0) or a `Rectangle`. max_pieces bounds the effort of the count, by default to about
-    a minute. progress is called with a stage and a fraction from 0 to 1. check: run the standalone verifier on the
-    certificate before "proved" is returned (half as long again); without it the status is "proved, not verified".
+    a minute. progress is called with a stage and a fraction from 0 to 1.
     Raises InputError for a region that has no meaning.
 
     >>> from mpsolve import Case, certify
@@ -89,28 +87,19 @@ def certify_sheet(
         raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
     region = checked_region(case, region)
     tell = progress or silent
-    found = _found(case, region, digits, max_pieces, tell)
-    if not (check and found.proved):
-        return found
-    checked = _checked(found, tell)
-    if checked.proved:
-        return checked
-    again = _found(case, region, digits, max_pieces, tell, strict=True)
-    return _checked(again, tell) if again.proved else again
+    return _found(case, region, digits, max_pieces, tell)
 
 
-def _found(
-    case: Case, region: Region, digits: int, max_pieces: int, tell: Progress, strict: bool = False
-) -> SheetSpectrum:
+def _found(case: Case, region: Region, digits: int, max_pieces: int, tell: Progress) -> SheetSpectrum:
     """What is proved before the verifier is asked of the whole."""
     try:
-        count = count_roots(case, region, max_pieces, tell, strict=strict)
+        count = count_roots(case, region, max_pieces, tell)
     except PrecisionError as error:
         return _undecided(case, region, digits, error.reason)
     found = _explain(case, region, digits, count, tell)
     if region == "unstable" and not found.proved and count.contour == "edge" and case.eta_b > 0:
         with suppress(PrecisionError):  # roots elsewhere do not matter: those with Im q < 0 are counted by themselves
-            line = count_roots(case, region, max_pieces, tell, line=True, strict=strict)
+            line = count_roots(case, region, max_pieces, tell, line=True)
             found = _explain(case, region, digits, line, tell)
     return found
 
@@ -119,26 +108,10 @@ def _undecided(case: Case, region: Region, digits: int, why: Reason, count: int 
     return SheetSpectrum(case, region, digits, Status.UNDECIDED, str(why), count, None, (), why=why)
 
 
-def _checked(found: SheetSpectrum, tell: Progress) -> SheetSpectrum:
-    """The same, proved, if the standalone verifier accepts the certificate as it would stand in a file."""
-    tell("verifying", 0.0)
-    certificate = known(found.certificate, "the certificate")
-    verdict = verify.judge(certificate.text.encode("ascii"))
-    if verdict.valid:
-        return replace(found, status=Status.PROVED, verified=verdict.claim)
-    why = Reason(
-        "not-verified",
-        f"the verifier does not confirm the certificate ({verdict.reason})",
-        {"digits": str(found.digits)},
-        "ask for more digits, or change a parameter a little",
-    )
-    return replace(found, status=Status.UNDECIDED, reason=str(why), why=why, count=None, unstable=None)
-
-
 def _explain(case: Case, region: Region, digits: int, count: Count, tell: Progress) -> SheetSpectrum:
     """Looks for the counted roots, with more effort each round, and encloses them."""
-    if count.total > verify.MAX_ROOTS:
-        why = reasons.too_many(case, region, count.total, verify.MAX_ROOTS)
+    if count.total > _MOST_ROOTS:
+        why = reasons.too_many(case, region, count.total, _MOST_ROOTS)
         total = count.total if _counts_region(region, count) else None
         return _undecided(case, region, digits, why, total)
     roots: tuple[RootBall, ...] = ()
@@ -182,7 +155,6 @@ def _counts_region(region: Region, count: Count) -> bool:
 
 def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple[RootBall, ...]) -> SheetSpectrum:
     signs = [_below(root) for root in roots]
-    certificate = make_certificate(case, count, roots)
     if any(sign is None for sign in signs):
         why = Reason(
             "sign-open",
@@ -191,7 +163,7 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
             "ask for more digits",
         )
         total = count.total if _counts_region(region, count) else None
-        rest = total, None, roots, count.radius, certificate
+        rest = total, None, roots, count.radius
         return SheetSpectrum(case, region, digits, Status.UNDECIDED, str(why), *rest, why=why)
     unstable = tuple(root for root, sign in zip(roots, signs, strict=True) if sign)
     number = sum(root.multiplicity for root in unstable)
@@ -207,8 +179,7 @@ def _verdict(case: Case, region: Region, digits: int, count: Count, roots: tuple
         number,
         roots,
         count.radius,
-        certificate,
-        count.evaluations,
+        evaluations=count.evaluations,
     )
 
 

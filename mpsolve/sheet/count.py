@@ -7,7 +7,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from mpsolve.certificate import verify
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.fields import Float64, ball_arithmetic
 from mpsolve.model.branch import Track, track
@@ -15,7 +14,7 @@ from mpsolve.model.limits import critical_velocity_ratio, limiting_frequency
 from mpsolve.problem.case import Case
 from mpsolve.progress import Progress
 from mpsolve.sheet import reasons
-from mpsolve.sheet.contour import Accept, Path
+from mpsolve.sheet.contour import Path
 from mpsolve.sheet.far import far_radius
 from mpsolve.sheet.region import Region
 from mpsolve.sheet.rest import resting_start
@@ -42,42 +41,39 @@ class Count:
         return sum(path.evaluations for path in self.paths)
 
 
-def count_roots(
-    case: Case, region: Region, limit: int, tell: Progress, line: bool = False, strict: bool = False
-) -> Count:
+def count_roots(case: Case, region: Region, limit: int, tell: Progress, line: bool = False) -> Count:
     """The proved count for the region; `PrecisionError` with reason and remedy when it is undecided.
 
     The unstable region is counted on the whole sheet, where that is possible, since the edge of the cut takes
-    fewer pieces than the real line; else, or if `line` is asked for, on the line. strict: the verifier is asked of
-    each piece as it stands too, for half as much time again (see `_checker`).
+    fewer pieces than the real line; else, or if `line` is asked for, on the line.
     """
     tell("counting", 0.0)
     if isinstance(region, Rectangle):
-        return _in_rectangle(case, region, limit, strict)
+        return _in_rectangle(case, region, limit)
     if region == "sheet":
         try:
-            return _on_edge(case, limit, tell, strict)
+            return _on_edge(case, limit, tell)
         except PrecisionError as error:
             raise type(error)(reasons.on_sheet(case, error.reason)) from None
     if case.cuts_on_line and not line:
         try:
-            return _on_edge(case, limit, tell, strict)
+            return _on_edge(case, limit, tell)
         except PrecisionError as error:
             if not case.eta_b:
                 raise type(error)(reasons.on_sheet(case, error.reason)) from None
     with ball_arithmetic(BITS) as field:
         model = track(case, field)
         radius = far_radius(model)
-        total, path = count_unstable(model, radius, limit, _meter(tell, radius), _checker(case, "line", strict))
+        total, path = count_unstable(model, radius, limit, _meter(tell, radius))
     return Count(total, "line", radius, None, (path,))
 
 
-def _in_rectangle(case: Case, box: Rectangle, limit: int, strict: bool) -> Count:
+def _in_rectangle(case: Case, box: Rectangle, limit: int) -> Count:
     with ball_arithmetic(BITS) as field:
         model = track(case, field)
         _check_reach(model, box, limit)
         try:
-            total, paths = count_rectangle(model, box, limit, _checker(case, "rectangle", strict))
+            total, paths = count_rectangle(model, box, limit)
         except EffortError:
             raise
         except PrecisionError as error:
@@ -105,21 +101,20 @@ def _check_reach(model: Track, box: Rectangle, limit: int) -> None:
         raise EffortError(reasons.rectangle_too_large(reach, radius))
 
 
-def _on_edge(case: Case, limit: int, tell: Progress, strict: bool) -> Count:
+def _on_edge(case: Case, limit: int, tell: Progress) -> Count:
     joined = cuts_are_joined(case)
     last: PrecisionError | None = None
     for bits in (BITS, 4 * BITS):
         with ball_arithmetic(bits) as field:
             model = track(case, field)
             radius = far_radius(model)
-            checker = _checker(case, "edge", strict)
             single = len(model.eta_m) == 1
             at_rest = not case.alpha and (single or not case.axial)
             from_disc = at_rest and not single
             starts = [resting_start(model)] if from_disc else [0.0] if joined else _gap_points(case)
             for start in starts:
                 try:
-                    total, path = count_sheet(model, start, radius, limit, _meter(tell, radius), checker, at_rest)
+                    total, path = count_sheet(model, start, radius, limit, _meter(tell, radius), None, at_rest)
                 except EffortError:
                     raise  # more bits, or another start, would take as many pieces again
                 except PrecisionError as error:
@@ -127,15 +122,6 @@ def _on_edge(case: Case, limit: int, tell: Progress, strict: bool) -> Count:
                 else:
                     return Count(total, "edge", radius, start, (path,), bits)
     raise last or PrecisionError("the gap between the cuts is too narrow to enter: take alpha further from alpha_C")
-
-
-def _checker(case: Case, kind: str, strict: bool) -> Accept:
-    """Pieces are cut until the verifier's own enclosures confirm them a little wider, so nearly always as they are.
-
-    Not always: enclosures are no monotone functions. A strict checker asks of both.
-    """
-    confirms = verify.confirms(verify.numbers(verify.problem(case.as_dict())), kind)
-    return lambda piece, wider: confirms(wider) and (not strict or confirms(piece))
 
 
 def _meter(tell: Progress, radius: float) -> Callable[[float], None]:
