@@ -296,5 +296,5 @@ def test_trees_are_read_to_their_last_leaf() -> None:
 def test_lower_bounds_over_boxes() -> None:
     """x² − x on [0, 1] is at least −1/4; the least Bernstein coefficient is lower, and exact for a linear one."""
     square = {(2,): fmpq(1), (1,): fmpq(-1)}
-    assert checker.least(square, ((fmpq(0), fmpq(1)),)) <= fmpq(-1, 4)
-    assert checker.least({(1, 1): fmpq(-1)}, ((fmpq(1), fmpq(2)), (fmpq(3), fmpq(4)))) == -8
+    assert checker.spectra.least(square, ((fmpq(0), fmpq(1)),)) <= fmpq(-1, 4)
+    assert checker.spectra.least({(1, 1): fmpq(-1)}, ((fmpq(1), fmpq(2)), (fmpq(3), fmpq(4)))) == -8
