@@ -19,7 +19,7 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
 from math import comb
 from typing import Any
@@ -895,16 +895,22 @@ def check_sides(split: Split) -> None:
 
 def kernels(waves: Waves, split: Split, r: Any) -> list[Bent]:
     """G = ± Σ N e^{Pξ}/D_P for each gap over |t| ≤ r, over the roots of its side, each alone in a disc."""
+    nodes, roots = split.nodes, []
+    for side, here in enumerate(nodes.side):
+        if any((gap < 0) == (side == 1) for gap in waves.gaps):
+            found = zip(here, split.isolated(here), strict=True)
+            roots += [(side, *bent_root(nodes.local, nodes.z[k], e, r)) for k, e in found]
+    return summed(waves, roots, r)
+
+
+def summed(waves: Waves, roots: Sequence[tuple[int, Bent, Bent]], r: Any) -> list[Bent]:
+    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side."""
     out: list[Bent] = [NOTHING] * len(waves.xi)
-    for side, here in enumerate(split.nodes.side):
-        chosen = [(g, xi) for g, xi in enumerate(waves.xi) if (waves.gaps[g] < 0) == (side == 1)]
-        if not chosen:
-            continue
-        for k, e in zip(here, split.isolated(here), strict=True):
-            wave, weight = bent_root(split, k, e, r)
-            weight = (-weight[0], -weight[1], weight[2]) if side else weight
-            ride = riding(wave, weight, r)
-            for g, xi in chosen:
+    for side, wave, weight in roots:
+        weight = (-weight[0], -weight[1], weight[2]) if side else weight
+        ride = riding(wave, weight, r)
+        for g, xi in enumerate(waves.xi):
+            if (waves.gaps[g] < 0) == (side == 1):
                 a, b, rest = ride(xi)
                 x, y, lost = out[g]
                 out[g] = x + a, y + b, rest + lost
@@ -973,10 +979,9 @@ def bent_polynomial(c: Rows, sizes: Rows, root: Bent, e: Any, r: Any) -> Bent:
     return c[0][0] + slope * root[0], slope * root[1] + time, rest
 
 
-def bent_root(split: Split, k: int, e: Any, r: Any) -> tuple[Bent, Bent]:
-    """The one root in the disc of radius e round node k, and N/D_P there."""
-    nodes, local = split.nodes, split.nodes.local
-    n, rows, z = local.degree + 1, local.n.nrows(), nodes.z[k]
+def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
+    """The one root in the disc of radius e round z, and N/D_P there."""
+    n, rows = local.degree + 1, local.n.nrows()
     c, above = (shift(z, n, n) * local.d).tolist(), (shift(z, rows, rows) * local.n).tolist()
     sizes, sizes_above = ([[abs(x) for x in row] for row in part] for part in (c, above))
     require(not c[1][0].contains(0), "a p-root may be double on a piece")
@@ -991,11 +996,92 @@ def bent_root(split: Split, k: int, e: Any, r: Any) -> tuple[Bent, Bent]:
     return (z + root[0], root[1], root[2]), weight
 
 
+class Origin:
+    """Waves next to q = 0 where k of them come to P = 0 there: P = ζσ, E(ζ, σ) = D(ζσ, σ)/σ^k = 0 (SPEC2, 4.8)."""
+
+    def __init__(self, waves: Waves) -> None:
+        k, low = (min(i + j for i, j in t) for t in (waves.track.d, waves.track.n))
+        self.waves, self.power = waves, low + 1 - k
+        stated = "waves come to P = 0 at q = 0, where the receptance is not bounded"
+        require((k, 0) in waves.track.d and self.power >= 0, stated)
+        lowered = [table({(i, i + j - f): c for (i, j), c in t.items()})
+                   for t, f in ((waves.track.d, k), (waves.track.n, low))]  # fmt: skip
+        at = waves.near(acb(0))
+        slow = acb_poly([lowered[0][i, 0].mid() for i in range(k + 1)])
+        fast = acb_poly([at.d[i, 0].mid() for i in range(k, at.degree + 1)])
+        self.kinds = [(Local(acb(0), *lowered), slow.roots()), (at, fast.roots())]
+
+    def roots(self, r: Any) -> list[tuple[int, int, Any, Any]]:
+        """(kind, side, z, e): over |σ| ≤ r each ζ, or P, alone in a disc |ζ − z| ≤ e off the imaginary axis."""
+        out: list[tuple[int, int, Any, Any]] = []
+        for kind, (local, roots) in enumerate(self.kinds):
+            found = []
+            for z in (x.mid() for x in roots):
+                n = local.degree + 1
+                e = alone((shift(z, n, n) * local.d).tolist(), r)
+                require(abs(z.real) > e, "a p-root may be real next to q = 0")
+                found.append((kind, int(z.real > 0), z, e))
+            apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
+            require(apart, "p-roots are not told apart next to q = 0")
+            out += found
+        require(len(out) == self.kinds[1][0].degree, "a p-root is at infinity next to q = 0")
+        reach = [(abs(z) + e) * r for kind, _, z, e in out if not kind]
+        away = all(abs(z) - e > x for kind, _, z, e in out if kind for x in reach)
+        require(away, "p-roots are not told apart next to q = 0")
+        return out
+
+    def kernels(self, r: Any) -> list[Bent]:
+        """For each gap G over |σ| ≤ r."""
+        out, sigma = [], (acb(0), acb(1), arb(0))
+        for kind, side, z, e in self.roots(r):
+            wave, weight = bent_root(self.kinds[kind][0], z, e, r)
+            if not kind:
+                wave = bent_product(sigma, wave, r)
+                for _ in range(self.power):
+                    weight = bent_product(sigma, weight, r)
+            out.append((side, wave, weight))
+        return summed(self.waves, out, r)
+
+    def nodes(self, sigma: complex) -> list[complex]:
+        """Floats near the p-roots, those of U first."""
+        found = sorted(self.roots(arb(0)), key=lambda one: one[1])
+        return [complex(z) * (1 if kind else sigma) for kind, _, z, _ in found]
+
+    def links(self, thin: Split, r: Any) -> bool:
+        """Whether the pair of a thin splitting, at a σ with |σ| ≤ r, has the roots of both sides here."""
+        nodes, sigma, found = thin.nodes, thin.nodes.local.m, self.roots(r)
+        if sum(not side for _, side, _, _ in found) != nodes.up:
+            return False
+        for other, side in enumerate(nodes.side):
+            radii = thin.isolated(side)
+            mine = [(z + box(e)) * (1 if kind else sigma) for kind, s, z, e in found if s != other]
+            if not all(abs(p - nodes.z[k]) > e for p in mine for k, e in zip(side, radii, strict=True)):
+                return False
+        return True
+
+
+def alone(c: list[list[Any]], r: Any) -> Any:
+    """A radius e: for |t| ≤ r exactly one u with |u| < e solves Σ c_ij u^i t^j = 0, by Rouché against c₁₀u."""
+    sizes, slope = [], abs(c[1][0])
+    for i, row in enumerate(c):
+        powers = [abs(x) * r**j for j, x in enumerate(row) if (i, j) != (1, 0)]
+        sizes.append(sum(powers, arb(0)))
+    require(slope > 0, "p-roots meet next to q = 0")
+    e = (sizes[0] / slope * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
+    for _ in range(12):
+        image = sum((x * e**i for i, x in enumerate(sizes)), arb(0)) / slope
+        if image < e:
+            return e
+        e = (image * 1.6).upper()
+    raise Refused("p-roots are not told apart next to q = 0: the piece is too long")
+
+
 def kernels_beside(split: Split, r: Any, waves: Waves, pole: Any) -> tuple[list[Bent], Bent]:
     """For each gap e^{pole·ξ}·H(ξ), and g, with G = e^{pole·ξ}(g + H): only g is large where P = pole is double."""
     out, g = [NOTHING] * len(waves.xi), NOTHING
     for side, here in enumerate(split.nodes.side):
-        each = [bent_root(split, k, e, r) for k, e in zip(here, split.isolated(here), strict=True)]
+        nodes = split.nodes
+        each = [bent_root(nodes.local, nodes.z[k], e, r) for k, e in zip(here, split.isolated(here), strict=True)]
         for (p, b, e), weight in each:
             g = bent_sum(g, weight) if not side else g
             for i, xi in enumerate(waves.xi):
@@ -1223,11 +1309,14 @@ def greatest_first(a: list[list[Any]]) -> list[int]:
 
 @dataclass
 class Mark:
-    """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed."""
+    """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
+
+    split: None at q = 0 where waves come to P = 0 there.
+    """
 
     q: Point
     z: list[complex]
-    split: Split
+    split: Any
     matrix: Any = None
 
 
@@ -1295,8 +1384,9 @@ class Walker:
             total += turned
             if k == back:
                 self.marks[b], part = mark, total
-        local = self.waves.near(at_q(first.q))  # a small disc round the point: of one pair at the point itself
-        about = Nodes([acb(x) for x in first.z], self.up, local).split(abs(local.m) * 2.0**-30)
+        local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point
+        small = abs(local.m) * arb(loop.radius / loop.centre) / 64
+        about = Nodes([acb(x) for x in first.z], self.up, local).split(small)
         same = about.links(first.split) and about.links(mark.split)
         require(same, "a loop does not come back to the splitting that it began with")
         return total, part
@@ -1308,6 +1398,8 @@ class Walker:
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
         a = mark.q
         require(a != b, "two points of a path are the same")
+        if self.origin is not None and (0, 0) in (a, b):
+            return self.piece_at_origin(self.origin, kind, mark, b)
         m = at_q(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
         half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
@@ -1331,6 +1423,25 @@ class Walker:
             self.passive(m, half, r, G)
             return end, arb(0)
         return end, self.turn(mark, end, m, r, G)
+
+    @cached_property
+    def origin(self) -> Origin | None:
+        """What stands for a splitting at q = 0 where D has no terms of first order."""
+        return Origin(self.waves) if min(i + j for i, j in self.waves.track.d) > 1 else None
+
+    def piece_at_origin(self, origin: Origin, kind: str, mark: Mark, b: Point) -> tuple[Mark, Any]:
+        """From a mark to b, one of them q = 0: the disc round 0 that holds the other."""
+        require(kind != "passive", "a passive piece ends at q = 0, where waves come to P = 0")
+        out, other = (b != (0, 0)), at_q(b if b != (0, 0) else mark.q)
+        r = (abs(other) * arb(1 + 2.0**-12)).upper()
+        end = self.mark(b, origin.nodes(complex(other))) if out else Mark(b, mark.z, None)
+        require(origin.links((end if out else mark).split, r), "the splitting does not join on to q = 0")
+        if kind == "link":
+            return end, arb(0)
+        for one in (mark, end):
+            if one.split is None and one.matrix is None:
+                one.matrix = self.bordered.value(acb(0), [a + box(e) for a, _, e in origin.kernels(arb(0))])
+        return end, self.turn(mark, end, acb(0), r, origin.kernels(r))
 
     def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
         """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
@@ -2001,7 +2112,10 @@ def far_waves(local: Local, r: Any) -> list[Any]:
         before = now
         if i < len(steps):
             continue
-        waves, weights = zip(*(bent_root(split, j, d, arb(e)) for j, d in enumerate(radii)), strict=True)
+        waves, weights = zip(
+            *(bent_root(split.nodes.local, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)),
+            strict=True,
+        )
         ahead, near_ahead, near_behind, behind = (
             weights[j] if j < 2 else (-weights[j][0], -weights[j][1], weights[j][2]) for j in range(4)
         )

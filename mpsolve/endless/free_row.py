@@ -25,6 +25,7 @@ from mpsolve.numbers.jets import TINY, UP, U, exponential, nearest
 from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted
 from mpsolve.problem.family import Family
 
+_LOOSE = 2.0**-8  # of the sum: where roots that nearly meet leave out more, circles may leave out less
 Around = tuple[Quadratic, Quadratic]
 """(z, 1/z) as models of shape (boxes,)."""
 
@@ -74,14 +75,16 @@ class RowReceptance:
                 found = self._alone(P, w, _turns(boxes.take(alone)))
                 k[:, alone], e[alone] = found.k, found.e
             strain += _moved(roots, self.track.up, boxes, nearest(self.row.step))
-            good = np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
-            rest = np.flatnonzero(~good & may_meet(z, self.track.up))
+            loose = ~(e <= _LOOSE * np.abs(k[0])).all(1)
+            rest = np.flatnonzero(loose & may_meet(z, self.track.up))
             whole = self.track.split(own.take(rest))
             rows = rest[whole.good]
+            strain[:-1, rows] = whole.strain[:, whole.good]  # roots that are taken together may meet
             if len(rows):
                 found = self._circled(whole.take(whole.good), N[rows], _turns(boxes.take(rows)))
-                k[:, rows], e[rows] = found.k, found.e
-                good[rows] = np.isfinite(found.e).all(1) & np.isfinite(found.k).all((0, 2))
+                better = found.e.max(1) < e[rows].max(1)
+                k[:, rows[better]], e[rows[better]] = found.k[:, better], found.e[better]
+            good = np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
             return Receptances(Quadratic(k, e, m)[:, which], good, strain)
 
     def _sides(self) -> list[tuple[bool, Any, list[tuple[Fraction, int]]]]:
@@ -185,7 +188,7 @@ class RowMatrix(FreeMatrix):
     def variables(self) -> int:
         return 2 + len(self.family.paths)
 
-    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic]:
-        """S, B and h, which do not depend on θ."""
-        S, B, h = super().own(y[:-1], rho[:-1])
-        return lifted(S, len(y)), lifted(B, len(y)), lifted(h, len(y))
+    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic, Quadratic]:
+        """S, B twice and h, which do not depend on θ."""
+        S, push, B, h = super().own(y[:-1], rho[:-1])
+        return lifted(S, len(y)), lifted(push, len(y)), lifted(B, len(y)), lifted(h, len(y))
