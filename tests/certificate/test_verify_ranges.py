@@ -122,7 +122,8 @@ def _other_base(c: dict[str, Any]) -> None:
 
 def _moved_ball(c: dict[str, Any]) -> None:
     x = c["zeros"][0]["x"]
-    x["middle"] = hex(int(x["middle"], 16) + 10 * x["radius"][0] * 2 ** (x["radius"][1] - x["exponent"]))
+    away = 10 * x["radius"][0] * Fraction(2) ** (x["radius"][1] - x["exponent"])
+    x["middle"] = hex(int(x["middle"], 16) + int(away) + 1)
 
 
 def _smaller_room(c: dict[str, Any]) -> None:
