@@ -87,9 +87,9 @@ def test_a_table_that_cannot_be_written_is_printed(run: Run, monkeypatch: pytest
     [
         (["table", "one.toml"], "one.toml"),
         (["table", "none.toml", "-o", "one.csv"], "none.toml"),
-        (["table", "table.toml", "-o", "a.txt"], "output"),
-        (["table", "table.toml", "--workers", "0"], "workers"),
-        (["table", "table.toml", "--certificates", "one.toml"], "certificates"),
+        (["table", "table.toml", "-o", "a.txt"], "--output"),
+        (["table", "table.toml", "--workers", "0"], "--workers"),
+        (["table", "table.toml", "--certificates", "one.toml"], "--certificates"),
     ],
 )
 def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[object], key: str) -> None:

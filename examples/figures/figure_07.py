@@ -12,13 +12,9 @@ from typing import Any
 
 import numpy as np
 from induced import LAST, end_of_line, on_sheet
+from kernels import kernels
 from style import agree, greys, page, run
 from vibration import checked_vibration, pair_of_masses
-
-from mpsolve.fields import Float64
-from mpsolve.model.branch import Track, pairing
-from mpsolve.model.characteristic import characteristic_rate
-from mpsolve.motion.transform import contact_kernels, numerators, system
 
 ETA_M = 40
 DISTANCES = ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5")
@@ -40,14 +36,16 @@ def amplitudes(d: str, alpha: Any) -> Any:
     q = np.full((len(alpha), 2), np.nan)
     both = found.count == 4
     q[both] = half[both, :2]
-    model = Track(Float64(), alpha[:, None], 0.0, 0.0, (ETA_M, ETA_M), (0.0, float(d)), True)
+    K, rate = kernels(alpha[:, None], 0.0, float(d), q, slope=True)
+    contact, behind, ahead = K[..., 0, 0], K[..., 0, 1], K[..., 1, 0]
+    a, a_q = 2 * ETA_M * q * q / np.pi, 4 * ETA_M * q / np.pi
+    first, first_q = 1 - a * contact, -a_q * contact - a * rate[..., 0, 0]
+    crossed = behind * ahead
+    crossed_q = rate[..., 0, 1] * ahead + behind * rate[..., 1, 0]
+    slope = 2 * first * first_q - 2 * a * a_q * crossed - a * a * crossed_q  # Δ_q of (26) over π²
+    shape = (1 - a * (contact - behind)) * contact + (1 - a * (contact - ahead)) * behind
     with np.errstate(invalid="ignore"):
-        pair, force = pairing(model, q + 0j), 4 / (1j * q)  # F_j of (22)
-        contact = numerators(model, system(model, pair, q), [force, force])
-        kernels = contact_kernels(model, pair)[0]
-        slope = characteristic_rate(model, q + 0j)[1]
-        # twice: the mirror image −q̄ is in the real part
-        return np.abs(2j / slope * (contact[0] * kernels[0] + contact[1] * kernels[1]) / np.pi)
+        return 2 * np.abs(4 * shape / (np.pi * q * slope))  # twice: the mirror image −q̄ is in the real part
 
 
 def check() -> None:

@@ -13,13 +13,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from kernels import kernels
 from style import LIMIT, SINGLE, agree, greys, page, run
 from vibration import pair_of_masses
 
 from mpsolve import Case, certify, onset, onset_table
-from mpsolve.fields import Float64
-from mpsolve.model.branch import Track, pairing
-from mpsolve.motion.transform import contact_kernels
 
 ETA_B = 0.05
 DISTANCES = ("0.5", "1", "1.25", "1.5", "1.75", "2")
@@ -66,13 +64,11 @@ def _condition(d: str | None, alpha: Any, q: Any) -> tuple[Any, Any]:
 
     Δ = 1 − 2a K(0) + a² P, P = K(0)² − K(d)K(−d): its imaginary part gives a, its real part by (Im P)² the function.
     """
-    q = q + 0j
-    model = Track(Float64(), alpha, 0.0, ETA_B, (1.0, 1.0), (0.0, float(d or 1)), True)
-    kernels = contact_kernels(model, pairing(model, q))
-    contact = kernels[0][0]
+    K = kernels(alpha, ETA_B, float(d or 1), q)[0]
+    contact = K[..., 0, 0]
     if d is None:
         return contact.imag, 1 / contact.real
-    product = contact**2 - kernels[0][1] * kernels[1][0]
+    product = contact**2 - K[..., 0, 1] * K[..., 1, 0]
     i, j = contact.imag, product.imag
     return j * j - 4 * i * contact.real * j + 4 * i * i * product.real, 2 * i / j
 

@@ -16,8 +16,6 @@ import numpy as np
 from style import DOUBLED, LIMIT, SINGLE, agree, greys
 
 from mpsolve import Case, Frequencies, Problem, certify, cut_points, frequencies, tracks, vehicles
-from mpsolve.fields import Float64
-from mpsolve.model.limits import limiting_frequency
 
 ALPHA: Any = np.arange(1, 141) / 100
 # Section 4.2, η_M and d: the last velocity ratio of the grid 0.01 with both pairs, all confirmed
@@ -134,8 +132,10 @@ def _to_the_cut(joined: list[Line], eta_m: int, d: str, alpha: Any) -> list[Line
 
 def limiting(eta_b: str, alpha: Any = ALPHA) -> Any:
     """q_lm over α, nan from α_C on."""
-    q_lm = [limiting_frequency(Case(alpha=a, eta_b=eta_b, eta_m=1), Float64()) for a in alpha.tolist()]
-    return np.where(np.array(q_lm) > 0, q_lm, np.nan)
+    velocity, beta = np.asarray(alpha, float), np.sqrt(1 - float(eta_b) ** 2)
+    # stationary where z³ − α² z² = 4α²β², z = p²: one z > 0
+    z = np.array([np.roots([1, -a * a, 0, -4 * (a * beta) ** 2]).real.max() for a in velocity.tolist()])
+    return np.where(velocity < np.sqrt(beta), np.sqrt(z * z + 4 * beta**2) / 2 - velocity * np.sqrt(z), np.nan)
 
 
 def draw_lines(ax: Any, part: str, drawn: Sequence[Group], eta_b: str = "0", alpha: Any = ALPHA) -> Any:

@@ -11,12 +11,11 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
 from mpsolve.derivation.paper import dispersion
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.limits import limiting_frequency
+from mpsolve.numbers.balls import precision
 from mpsolve.stability.cuts import cut_points
 
 from .cases import DISTANCES, MASSES, ahead, ball, certificate, listed, pair, single, spectrum
-from .damped import critical
+from .limits import critical_velocity_ratio, limiting_frequency
 from .theory import symmetries
 
 _DIGITS = 20
@@ -89,7 +88,7 @@ def order_with_damping(claim: Claim) -> Finding:
                     *((f"pair {k}", z) for k, z in enumerate(lines, 1)),
                 )
             )
-            here = "below α_C" if case.alpha.ball() < critical(case) else "above α_C"
+            here = "below α_C" if case.alpha.ball() < critical_velocity_ratio(case) else "above α_C"
             what = (
                 "lower line is not between those of the single and doubled mass" if out else "higher line is between"
             )
@@ -110,12 +109,12 @@ def pairs_with_damping(claim: Claim) -> Finding:
     """Conclusion (v) does not leave damping out: a subcritical case with another number of pairs."""
     numbers, certificates, wrong = [], [], []
     for where, name, case in listed(claim):
-        if not case.alpha.ball() < critical(case):
+        if not case.alpha.ball() < critical_velocity_ratio(case):
             continue
         pairs = len(ahead(case))
         numbers.append((f"{where}: pairs", str(pairs)))
         if str(pairs) not in (claim.number("low"), claim.number("high")):
-            at = where.replace(", η_M", f" < α_C = {shown(critical(case), 6)}, η_M")
+            at = where.replace(", η_M", f" < α_C = {shown(critical_velocity_ratio(case), 6)}, η_M")
             wrong.append(f"{pairs} pairs at {at}")
             certificates.append((name, certificate(case)))
     if wrong:
@@ -175,8 +174,7 @@ def crosses_the_limit(claim: Claim) -> Finding:
     numbers, sides = [], []
     for alpha in claim.values("alpha"):
         case = pair(alpha, eta_b, eta_m, d)
-        with ball_arithmetic(96) as field:
-            limit = limiting_frequency(case, field)
+        limit = limiting_frequency(case)
         line = ahead(case)[-1]
         numbers += [(f"α = {alpha}: Re q", shown(line.real, 12)), (f"α = {alpha}: q_lm", shown(limit, 12))]
         sides.append(True if line.real > limit else False if line.real < limit else None)
@@ -188,7 +186,7 @@ def crosses_the_limit(claim: Claim) -> Finding:
 
 def subcritical_velocity(claim: Claim) -> Finding:
     """Section 4.3 calls α = 0.99 subcritical for all η_b."""
-    with ball_arithmetic(128):
+    with precision(128):
         alpha = ball(claim.number("alpha"))
         limit = (1 - alpha**4).sqrt() if alpha < 1 else None
     if limit is None:

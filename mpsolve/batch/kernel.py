@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.groups import Group
-from mpsolve.batch.waves import by_companions, from_near, polynomial_and_slope, upper_first
+from mpsolve.batch.waves import first_roots, from_near, polynomial_and_slope, upper_first
 from mpsolve.characteristic.receptance import Dual, dual_residues
 from mpsolve.characteristic.splitting import monic, sharpened
 from mpsolve.characteristic.splitting import sylvester as sylvester_rows
@@ -53,7 +53,7 @@ def coefficients(table: Any, rows: Any, sigma: Any) -> Any:
 def wave_roots(group: Group, rows: Any, sigma: Any, near: Any = None) -> Any:
     """The p-roots at each point, upper ones first; near: those of points close by, or None."""
     D = coefficients(group.D, rows, sigma)
-    z = from_near(D, by_companions(D) if near is None else near)
+    z = from_near(D, first_roots(D) if near is None else near)
 
     def drift(tied: Any, at: Any) -> Any:
         slope = _value(coefficients(group.D_s, rows[tied], sigma[tied]), at)
@@ -74,7 +74,12 @@ def _value(a: Any, z: Any) -> Any:
 def receptances(group: Group, rows: Any, sigma: Any, near: Any = None, slope: bool = False) -> Values:
     """G between the contacts, shape (points, contacts, contacts)."""
     with np.errstate(all="ignore"):
-        z = wave_roots(group, rows, sigma, near)
+        return at_roots(group, rows, sigma, wave_roots(group, rows, sigma, near), slope)
+
+
+def at_roots(group: Group, rows: Any, sigma: Any, z: Any, slope: bool = False) -> Values:
+    """The same for p-roots that are known, upper ones first."""
+    with np.errstate(all="ignore"):
         local = _Local(group, rows, sigma)
         weights = local.weights(z, slope)
         x = group.x[rows]

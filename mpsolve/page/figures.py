@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.view import look
-from mpsolve.errors import MpsolveError
+from mpsolve.batch.view import cuts_in, fitting_window, free_height
 from mpsolve.page.parts import Parts
 from mpsolve.page.picture import Picture
 from mpsolve.page.words import contact_names, speech
@@ -16,10 +15,6 @@ from mpsolve.pictures.model import model_picture
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.ranges.onset import Kind
-from mpsolve.spectrum.shape import root_shape
-from mpsolve.spectrum.spectrum import Root
-
-_SHAPE_POINTS = 121
 
 
 def drawing(parts: Parts) -> Picture:
@@ -30,11 +25,9 @@ def drawing(parts: Parts) -> Picture:
 def plane(parts: Parts) -> Picture:
     """The certified roots with the cuts."""
     q = np.array([complex(root.q.mid()) for root in parts.spectrum.roots])
-    view = look(parts.problem)
-    width = (
-        max([1.25 * float(np.abs(q.real).max()) if len(q) else 0.0, 0.35 * view.window.width]) or view.window.width
-    )
-    low = view.height * 16 / 15
+    window = fitting_window(parts.problem)
+    width = max([1.25 * float(np.abs(q.real).max()) if len(q) else 0.0, 0.35 * window.width]) or window.width
+    low = free_height(parts.problem, window) * 16 / 15
     height = max([1.3 * low, *(1.2 * q.imag).tolist()]) or width / 4
     depth = max([height / 4, *(-1.3 * q.imag).tolist()])
     unit = "rad/s" if speech(parts).si else "√(k/m)"
@@ -42,27 +35,17 @@ def plane(parts: Parts) -> Picture:
         "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
         "right, q and −q̄, and is one line of the table. Grey dashes are the branch cuts of the track, computed."
     )
-    return Picture("plane", plane_picture(q, view.cuts, width, depth, height, name="plane", unit=unit), said)
-
-
-def worst(parts: Parts) -> Root | None:
-    """The root that grows most, or decays least."""
-    right = [root for root in parts.spectrum.roots if not root.q.real < 0]
-    return max(right, key=lambda root: float(root.growth.mid()), default=None)
+    return Picture(
+        "plane", plane_picture(q, cuts_in(parts.problem, window), width, depth, height, name="plane", unit=unit), said
+    )
 
 
 def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     """The shape of the worst root, and its amplitudes: name, size, phase."""
-    root = worst(parts)
-    if root is None:
+    if parts.shape.value is None:
         return None
     contacts = [float(x) for x in parts.problem.pencil.places]
-    reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
-    x = np.linspace(min(contacts) - reach, max(contacts) + reach, _SHAPE_POINTS).round(4)
-    try:
-        found = root_shape(parts.problem, root.q, root.multiplicity, places=x.tolist())
-    except MpsolveError:
-        return None
+    x, found = parts.shape.value
     rail = np.array([complex(w.mid()) for w in found.rail])
     bodies = {name: complex(a.mid()) for name, a in found.bodies.items()}
     table = [

@@ -77,6 +77,7 @@ def page_html(parts: Parts, stem: str) -> str:
         critical_reason=on_command_line(parts.critical.reason),
         plain=plain(parts),
         scope=scope(parts),
+        sources=parts.sources,
         proved=proved(spectrum),
         verified=verified(spectrum).split("\n"),
         also=[card for card in cards(parts) if card.status == "proved"],
