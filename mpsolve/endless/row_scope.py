@@ -37,7 +37,7 @@ class RowScope:
 
     @cached_property
     def matrix(self) -> RowMatrix:
-        return RowMatrix(self.family, self.row.spacing / Fraction(2) ** self.family.base.guide.length)
+        return RowMatrix(self.family, step=self.row.spacing / Fraction(2) ** self.family.base.guide.length)
 
     @cached_property
     def ends(self) -> tuple[float, float]:

@@ -24,7 +24,7 @@ CASES = [(masses("0.3"), ("0.1", "0.3")), (bogies("0.4"), ("0.1", "0.5"))]
 
 def _matrix(row: Row, ends: tuple[str, str]) -> RowMatrix:
     family = family_of(row.problem, {"v": (Fraction(ends[0]), Fraction(ends[1]))})
-    return RowMatrix(family, row.spacing / Fraction(2) ** family.base.guide.length)
+    return RowMatrix(family, step=row.spacing / Fraction(2) ** family.base.guide.length)
 
 
 def _value(f: Quadratic, box: int, u: Any) -> Any:
