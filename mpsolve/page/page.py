@@ -14,7 +14,7 @@ from mpsolve.numbers.model import Model, Part, quantities
 from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.page import charts, figures
 from mpsolve.page.limit_words import limit_rows
-from mpsolve.page.parts import Parts
+from mpsolve.page.parts import Parts, vibrations
 from mpsolve.page.plain import plain, scope
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
@@ -25,7 +25,7 @@ from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
-from mpsolve.spectrum.spectrum import Root, Spectrum
+from mpsolve.spectrum.spectrum import Root
 from mpsolve.tracks.waveguide import Track
 
 
@@ -59,7 +59,7 @@ def page_html(parts: Parts, stem: str) -> str:
         drawing=figures.drawing(parts),
         tables=tables(parts),
         units=("Hz", "1/s") if speak.si else ("1/τ", "1/τ"),
-        roots=[_root(root, speak, spectrum.digits) for root in _once(spectrum)],
+        roots=[_root(root, speak, spectrum.digits) for root in vibrations(spectrum)],
         proved_roots=spectrum.proved,
         digits=spectrum.digits,
         plane=figures.plane(parts),
@@ -149,12 +149,6 @@ def _rows(model: Model) -> list[tuple[str, str, str]]:
         else:
             rows.append((name, beside(value, quantity.unit), quantity.meaning))
     return rows
-
-
-def _once(spectrum: Spectrum) -> list[Root]:
-    """Each vibration once, by ascending frequency."""
-    right = [root for root in spectrum.roots if not root.q.real < 0]
-    return sorted(right, key=lambda root: float(root.q.real.mid()))
 
 
 def _root(root: Root, speak: Speech, digits: int) -> tuple[str, str, str, str, str, int]:
