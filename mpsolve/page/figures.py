@@ -22,7 +22,7 @@ _BESIDE, _SAME = 1.5, 0.1
 
 def drawing(parts: Parts) -> Picture:
     said = "The track and the vehicles of the file. Lengths along the track are to scale, heights are not."
-    return Picture("model", model_picture(parts.problem), said)
+    return Picture("model", model_picture(parts.problem, speech(parts).si), said)
 
 
 def plane(parts: Parts) -> Picture:
@@ -65,7 +65,9 @@ def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     number = 1 + vibrations(parts.spectrum).index(root) if root is not None else 0
     does = "grows most" if root is not None and root.growth > 0 else "decays least"
     said = f"The shape of vibration {number}, which {does}: one period, slowed down, without its growth."
-    return Picture("shape", moving_shape(x, rail, contacts, bodies, 2.0), said), table
+    return Picture(
+        "shape", moving_shape(x, rail, contacts, bodies, 2.0, "x, m" if speech(parts).si else "χx"), said
+    ), table
 
 
 def lines(parts: Parts) -> list[Picture]:
@@ -78,8 +80,8 @@ def lines(parts: Parts) -> list[Picture]:
     tracks = followed(np.where(found.roots.real >= -1e-9, found.roots, complex(np.nan, np.nan)))
     v = v * 3.6 if speak.si else v
     x_title = "velocity, km/h" if speak.si else "velocity ratio α"
-    rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "√(k/m)")
-    cycle = 2 * np.pi if speak.si else 1.0
+    rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "1/τ")
+    cycle = 2 * np.pi
     names = _numbers(parts, np.asarray(found.over["v"], float), tracks)
     growth = [Curve(v, -q.imag, name) for q, name in zip(tracks, names, strict=True)]
     hertz = [Curve(v, q.real / cycle, name) for q, name in zip(tracks, names, strict=True)]

@@ -20,6 +20,7 @@ from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
+from mpsolve.problem.casefile import DIMENSIONLESS
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
@@ -117,8 +118,8 @@ def downloads(parts: Parts, stem: str) -> list[Download]:
 def tables(parts: Parts) -> list[tuple[str, list[tuple[str, str, str]]]]:
     """What the file holds: a table of the track, one of each kind of vehicle."""
     if isinstance(parts.given, Case):
-        rows = [(name, str(value), "") for name, value in vars(parts.given).items()]
-        return [("The case in the paper's ratios", [(n, v.replace("(", "").replace(")", ""), m) for n, v, m in rows])]
+        rows = [(name, _ratio(getattr(parts.given, name)), said) for name, said in DIMENSIONLESS.items()]
+        return [("The case in the paper's ratios", rows)]
     return tables_of(parts.problem)
 
 
@@ -136,6 +137,13 @@ def tables_of(problem: Problem) -> list[tuple[str, list[tuple[str, str, str]]]]:
         rows = [("position", f"{at} m", "of the middle, ahead is positive"), *_rows(vehicle)]
         out.append((f"Vehicle: {times}{vehicle.name}", rows))
     return out
+
+
+def _ratio(value: Any) -> str:
+    """A ratio, or a list of them, as decimals where they end."""
+    if isinstance(value, tuple):
+        return ", ".join(map(_ratio, value))
+    return beside(value.as_fraction(), "") if value.is_rational else str(value.short())
 
 
 def _rows(model: Model) -> list[tuple[str, str, str]]:

@@ -49,10 +49,12 @@ def _numbered(axes: Axes, roots: Any, numbers: Sequence[str]) -> list[str]:
     taken: list[tuple[float, float]] = []
     out = []
     for q, said in zip(roots, numbers, strict=False):
-        x, y = float(axes.px(q.real)) + 9, float(axes.py(q.imag)) - 6
-        if LEFT < x < WIDE - RIGHT - 8 and all(abs(x - a) > 16 or abs(y - b) > 14 for a, b in taken):
-            taken.append((x, y))
-            out.append(text(x, max(y, TOP + 12), said))
+        for right, down in ((9, -6), (9, 16), (-18, -6), (-18, 16)) if said else ():
+            x, y = float(axes.px(q.real)) + right, max(float(axes.py(q.imag)) + down, TOP + 12)
+            if LEFT < x < WIDE - RIGHT - 8 and all(abs(x - a) > 16 or abs(y - b) > 14 for a, b in taken):
+                taken.append((x, y))
+                out.append(text(x, y, said))
+                break
     return out
 
 
