@@ -123,7 +123,7 @@ def test_papers_have_addresses_that_are_well_formed() -> None:
 
 def test_every_figure_of_paper_and_findings_is_in_the_gallery() -> None:
     """Each module of figures can be drawn and checked; the gallery takes all that can."""
-    helpers = {"comparison", "induced", "style", "vibration"}
+    helpers = {"comparison", "induced", "kernels", "style", "vibration"}
     for folder in ("figures", "findings"):
         for source in (ROOT / "examples" / folder).glob("*.py"):
             text = source.read_text("utf-8")

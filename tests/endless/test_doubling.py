@@ -47,8 +47,6 @@ def test_a_resonance_that_each_vehicle_has_is_followed() -> None:
     layers = tracks.TwoLayer(
         EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
     )
-    bogie = vehicles.Bogie(
-        wheel=900, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="1e4", k_contact="1e9"
-    )
+    bogie = vehicles.Bogie(wheel=900, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="1e4", k_contact="1e9")
     row = row_of(Problem(layers, bogie, v=100), 6)
     assert growing_in_floats(Bloch(row), 16, 1.0, 1.0) == 0
