@@ -16,8 +16,9 @@ DOCS = ROOT / "docs"
 
 def generate(_app: Any) -> None:
     reference, gallery = (DOCS / name / "_generated" for name in ("reference", "gallery"))
-    for name, made in (("models", models), ("commands", commands), ("library", names), ("schemas", schemas)):
+    for name, made in (("models", models), ("commands", commands), ("library", names)):
         write(reference / f"{name}.md", made())
+    write(reference / "schemas.md", schemas(reference / "schemas"))
     for source in sorted((ROOT / "certs").glob("SPEC*.md")):  # the formats, as they stand beside the certificates
         write(reference / source.name.lower(), source.read_text(encoding="utf-8"))
     write(DOCS / "about" / "_generated" / "layout.md", layout_page())

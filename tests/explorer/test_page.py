@@ -126,7 +126,9 @@ def test_a_slider_stands_for_every_parameter_and_where_a_field_says(seen: Seen) 
     assert seen.page.locator("input[id^=field-]").count() == seen.page.locator("[id^=slider-]").count() > 10
     seen.type("track-eta", "0.0001")  # it was 0
     seen.page.wait_for_function(
-        "() => +document.querySelector('#slider-track-eta [role=slider]').getAttribute('aria-valuenow') > 10"
+        """() => { const root = document.querySelector('#slider-track-eta');
+        const e = root.matches('[aria-valuenow]') ? root : root.querySelector('[aria-valuenow]');
+        return e && +e.getAttribute('aria-valuenow') > 10 }"""
     )
     assert float(seen.page.input_value("#field-track-eta")) == 0.0001
 
