@@ -162,6 +162,8 @@ def plain(value: Any) -> Any:
         return value.tolist()
     if isinstance(value, Reason):
         return value.data()
+    if isinstance(value, Answer):
+        return value.to_dict()
     if isinstance(value, Mapping):
         return {str(key): plain(one) for key, one in value.items()}
     if isinstance(value, (tuple, list)):

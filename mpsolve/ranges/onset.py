@@ -20,9 +20,10 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Valued, outward
 from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
-from mpsolve.ranges.undamped import NOTE, never_unstable
+from mpsolve.ranges.undamped import stable_up_to
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
 """What an answer has from the crossings that it is read from: their certificate is its own."""
@@ -109,8 +110,8 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
-    return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
+    intervals = intervals_of(found)
+    return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals, **_shared(found))
 
 
 def onset(
@@ -134,8 +135,16 @@ def onset(
             at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
         )
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
-    answer = Onset(problem, found.over, digits=found.digits, **common)
+    return _read(found, Onset(problem, found.over, digits=found.digits, **_shared(found)))
+
+
+def _shared(found: Crossings) -> dict[str, Any]:
+    return {name: getattr(found, name) for name in SHARED}
+
+
+def _read(found: Crossings, answer: Onset) -> Onset:
+    if found.parts:
+        return _read_in_parts(found, answer)
     if found.counts is None:
         return answer
     parts = intervals_of(found)
@@ -144,6 +153,23 @@ def onset(
     if found.counts[0]:
         return replace(answer, kind=Kind.UNSTABLE_FROM_START)
     return replace(answer, kind=Kind.CROSSES, value=parts[0].start, q=parts[0].q)
+
+
+def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
+    """The first part that is not stable decides; what is left out before it, `note` says."""
+    before = None
+    for part in found.parts:
+        if not part.proved:
+            return answer
+        first = _read(part, replace(answer, **_shared(part)))
+        if first.kind is Kind.UNSTABLE_FROM_START and before is not None:
+            start, end = (rational_ball(x) for x in (before.over["v"][1], part.over["v"][0]))
+            return replace(first, kind=Kind.CROSSES, value=start.union(end), note=found.note or answer.note)
+        if first.kind is not Kind.STABLE:
+            note = first.note if before is None else "; ".join(filter(None, (first.note, found.note)))
+            return replace(first, note=note, cost=found.cost)
+        before = part
+    return replace(answer, kind=Kind.STABLE)
 
 
 def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
@@ -160,6 +186,8 @@ def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
     """The parts between crossings with roots that grow; none where the counts are open."""
     if found.counts is None:
         return ()
+    if found.left_out:
+        return tuple(one for part in found.parts for one in intervals_of(part))
     low, high = next(iter(found.over.values()))
     starts: list[tuple[Any, Any | None]] = [
         (_exact(low, found.digits), None),
@@ -195,6 +223,10 @@ def _found(
     ranges = checked_over(given, over, endless=True)
     one_path(ranges)
     with one_thread():
-        if never_unstable(given, ranges):  # its roots are real all over the range, so that crossings tell nothing
-            return Crossings(given, ranges, Status.UNVERIFIED, digits=checked_digits(digits), counts=(0,), note=NOTE)
+        why = never_unstable(given, ranges)  # without damping roots are real all over, so that crossings tell nothing
+        if why is not None:
+            return Crossings(given, ranges, Status.UNVERIFIED, digits=checked_digits(digits), counts=(0,), note=why)
+        open_end = stable_up_to(given, ranges)
+        if open_end is not None:
+            return Crossings(given, ranges, Status.UNDECIDED, *open_end, digits=checked_digits(digits))
         return find(given, ranges, checked_digits(digits), effort, progress or silent, check)

@@ -23,8 +23,8 @@ from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
+from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
-from mpsolve.ranges.undamped import NOTE, never_unstable
 from mpsolve.ranges.verified import verified
 
 _BOXES = 1_000_000
@@ -134,8 +134,9 @@ def _robust(
     problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool
 ) -> Robust:
     started = process_time()
-    if never_unstable(problem, over):
-        return Robust(problem, over, Status.UNVERIFIED, stable=True, note=NOTE)
+    why = never_unstable(problem, over)
+    if why is not None:
+        return Robust(problem, over, Status.UNVERIFIED, stable=True, note=why)
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     over = from_above_rest(problem, over)
     question = _Question(problem, over, scope_of(problem, over), budget, check, started)
