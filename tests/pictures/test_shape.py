@@ -29,4 +29,4 @@ def test_many_coordinates_are_numbered() -> None:
 
 def test_numbers_stand_for_names_where_there_are_many() -> None:
     assert numbered({"a": 1j}) == ""
-    assert numbered({name: 1j for name in ("a", "<b>", "c", "d", "e")}) == "<p>1: a, 2: &lt;b&gt;, 3: c, 4: d, 5: e</p>"
+    assert numbered(dict.fromkeys(("a", "<b>", "c", "d", "e"), 1j)) == "<p>1: a, 2: &lt;b&gt;, 3: c, 4: d, 5: e</p>"
