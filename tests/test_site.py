@@ -121,6 +121,12 @@ def test_papers_have_addresses_that_are_well_formed() -> None:
         assert re.fullmatch(r"10\.\d{4,}/\S+", shown)
 
 
+def test_links_outside_are_the_papers_and_no_others() -> None:
+    outside = {page.name: re.findall(r"https?://[^)\s>`]+", page.read_text("utf-8")) for page in PAGES}
+    assert {name for name, links in outside.items() if links} == {"papers.md"}
+    assert all(link.startswith("https://doi.org/10.") for link in outside["papers.md"])
+
+
 def test_every_figure_of_paper_and_findings_is_in_the_gallery() -> None:
     """Each module of figures can be drawn and checked; the gallery takes all that can."""
     helpers = {"comparison", "induced", "kernels", "style", "vibration"}
