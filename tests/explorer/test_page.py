@@ -164,7 +164,7 @@ def test_the_proved_region_is_marked_and_a_report_handed_out(seen: Seen, tmp_pat
     seen.page.click("#prove")
     seen.page.wait_for_selector("#chart path.sure", state="attached", timeout=90_000)
     seen.page.wait_for_function("document.querySelector('#proof').innerText.includes('Stable all over')")
-    with seen.page.expect_download(timeout=120_000) as loading:
+    with seen.page.expect_download(timeout=240_000) as loading:
         seen.page.click("#report")
     loading.value.save_as(tmp_path / "report.html")
     text = (tmp_path / "report.html").read_text("utf-8")
