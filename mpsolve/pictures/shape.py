@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -52,6 +53,13 @@ def moving_shape(
             f'<text x="{float(axes.px(t)):.1f}" y="{high - BOTTOM + 18}" text-anchor="middle">{label(t)}</text>'
         )
     return svg(parts, "The shape of the chosen vibration: rail and bodies", high)
+
+
+def numbered(bodies: dict[str, complex]) -> str:
+    """Which coordinate has which number, where the picture has no room for names."""
+    if len(bodies) <= _NAMED:
+        return ""
+    return "<p>" + ", ".join(f"{k}: {escape(name)}" for k, name in enumerate(bodies, 1)) + "</p>"
 
 
 def _boxes(axes: Axes, bodies: dict[str, complex], largest: float, turns: Any, seconds: float) -> list[str]:
