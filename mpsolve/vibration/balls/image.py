@@ -13,7 +13,7 @@ from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, square
-from mpsolve.vibration.balls.moving import Moving, moving_roots
+from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.precise_image import PreciseImage
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
@@ -116,13 +116,9 @@ class BallImage(PreciseImage):
 
     def within(self, cell: Cell, sigma: Any) -> Cell:
         """The same at a thin σ̂ of the cell."""
-        found = moving_roots(self.symbols, sigma)
-        names = [_holder([one.at(sigma) for one in (*cell.upper, *cell.lower)], one.at(sigma)) for one in found]
-        if sorted(names) != list(range(len(found))):
-            raise PrecisionError(_TOGETHER)
+        found = sharp_roots(self.symbols, sigma, [*cell.upper, *cell.lower])
         up = len(cell.upper)
-        sides = ([z for k, z in zip(names, found, strict=True) if (k < up) == first] for first in (True, False))
-        return Cell(sigma, *(tuple(side) for side in sides))
+        return Cell(sigma, tuple(found[:up]), tuple(found[up:]))
 
     def values(self, cell: Cell) -> list[Any]:
         """û over the cell: bodies, contact forces, rail; finite, so that û is analytic there."""
@@ -172,8 +168,8 @@ class BallImage(PreciseImage):
                     add(Fraction(0), acb(0), c, direction)
                 if load.amplitude and load.frequency:
                     wave = acb(0, -1) * a * (acb(0, 1) * phase).exp()
-                    key, wave = (omega, wave) if omega > 0 else (-omega, wave.conjugate() * -1)
-                    add(str(key), acb(key), wave, direction)
+                    wave = wave if load.frequency.sign > 0 else wave.conjugate()
+                    add(abs(load.frequency), acb(abs(omega)), wave, direction)
                 elif load.amplitude:
                     add(Fraction(0), acb(0), a * phase.sin(), direction)
         return [(rates[key], force) for key, force in out.items()]

@@ -111,7 +111,7 @@ def _panel(
         at = middle + half * x
         sigma, factor = leg.place(at), leg.slope(at) * half * weight
         effort.spend(1)
-        values = image.values(image.start(sigma) if leg.straight else image.within(cell, sigma))
+        values = image.values(image.within(cell, sigma))
         nodes.append((sigma, tuple(value * factor for value in values)))
     return cell, Panel(tuple(nodes), missed)
 
