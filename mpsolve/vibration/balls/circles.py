@@ -99,7 +99,7 @@ def _over(
     ball = centre + size * (acb(0, 1) * angle).exp()
     middle = acb((centre + r * (low + high) / 2 * (acb(0, a + b) * arb.pi()).exp()).mid())
     try:
-        return [arb(abs(x).upper()) for x in image.values(image.cell(ball, middle))]
+        return image.sizes(image.cell(ball, middle))
     except PrecisionError as error:
         if not depth:
             raise _WideCircleError(str(error)) from None

@@ -14,6 +14,7 @@ from typing import Any
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, square
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
+from mpsolve.vibration.balls.solved import Disc, solved
 from mpsolve.vibration.precise_image import PreciseImage
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
@@ -130,6 +131,16 @@ class BallImage(PreciseImage):
                 raise PrecisionError("the equations may be singular over a cell: split it") from None
             return self._finite(found)
 
+    def sizes(self, cell: Cell) -> list[Any]:
+        """Bounds of |û| over the cell, which is analytic there; PrecisionError where the equations may be singular."""
+        with precision(self._bits):
+            G = self._received(cell)
+            rows = [[_disc(x) for x in row] for row in self._rows(cell.ball, G)]
+            right = [abs(x) for x in self._forces(cell.ball)] + [arb(0)] * self.image.contacts
+            n, x = self.image.size, solved(rows, right)
+            rail = [sum((abs(G[at - y]) * x[n + j] for j, y in enumerate(self._at)), arb(0)) for at in self._seen]
+            return [arb(size.upper()) for size in self._finite([*x, *rail])]
+
     def response(self, cell: Cell, force: list[Any]) -> list[Any]:
         """The channels for forces on the coordinates instead of û's own."""
         with precision(self._bits):
@@ -173,6 +184,11 @@ class BallImage(PreciseImage):
                 elif load.amplitude:
                     add(Fraction(0), acb(0), a * phase.sin(), direction)
         return [(rates[key], force) for key, force in out.items()]
+
+
+def _disc(x: Any) -> Disc:
+    middle = acb(x.mid())
+    return middle, abs(x - middle)
 
 
 def _holder(balls: Sequence[Any], z: Any) -> int:

@@ -98,7 +98,7 @@ def _panel(
     try:
         point = leg.place(middle) if leg.straight else leg.place(a)
         cell = image.cell(ball, point) if leg.straight else image.beside(ball, point, begin)
-        largest = [abs(x * slope).upper() for x in image.values(cell)]
+        largest = [(x * abs(slope)).upper() for x in image.sizes(cell)]
     except PrecisionError as error:
         raise _WidePanelError(str(error)) from None
     times, goals = asked
