@@ -146,7 +146,7 @@ class Engine:
         found, excess, causal = self._along(alpha, times)
         if alpha < 0 and not causal and found.reason is None:
             try:
-                other, worse, _ = self._along(self._above(last), times)
+                other, worse, _ = self._along(self.above(last), times)
                 found, excess = (found, excess) if excess <= worse else (other, worse)
             except EffortError as error:
                 found = replace(found, reason=error.reason)
@@ -161,14 +161,15 @@ class Engine:
         """α between cuts and axis, far from roots on either side; above all growth where not all are known."""
         floor = self.poles.floor
         if floor >= 0 or not self.poles.complete:
-            return self._above(last)
+            return self.above(last)
         tries = floor * np.linspace(0.95, 0.35, 61)
         real = np.array([pole.sigma.real for pole in self.poles.poles])
         near = np.abs(tries[:, None] - real).min(1) if len(real) else np.full(len(tries), np.inf)
         return float(tries[int(np.argmax(np.minimum(near, tries - self.poles.cut)))])
 
-    def _above(self, last: float) -> float:
-        return max(0.0, self.poles.growth) + 3.0 / last
+    def above(self, last: float, rise: float = 3.0) -> float:
+        """α above all growth, by so much that e^{(α − growth) last} = e^rise."""
+        return max(0.0, self.poles.growth) + rise / last
 
     def _along(self, alpha: float, times: Any) -> tuple[Solution, float, bool]:
         """The motion by this line, its error over that worked for, and whether it vanishes before t = 0."""

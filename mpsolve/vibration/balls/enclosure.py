@@ -41,8 +41,12 @@ from mpsolve.vibration.poles import certified
 from mpsolve.vibration.precise_image import exact_terms
 from mpsolve.vibration.vibrate import checked_places
 
+_LATE = 8.0
+"""Scaled: a path for earlier times lies no farther right.""" 
 MOST = 100
 _GUARD = 15
+_RISE = 8.0
+"""What a motion that neither grows nor decays grows by along the path, as an exponent: far from cuts and roots."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +112,7 @@ def response_balls(
             poles, floor = _poles(image, found)
             engine = Engine(image, tones(image, outer, ()), (), certified(image, found))
             at = [rational_ball(t) * balls.rate_ball for t in exact]
-            alpha = engine.line(max(float(t) for t in at))
+            alpha = engine.above(max(_LATE, *(float(t) for t in at)), _RISE)
             if not alpha > floor:
                 raise PrecisionError("not all roots above the path are certified: certify a larger region")
             parts = Work(balls, poles, alpha, at, digits, work, said).parts(_sizes(engine))

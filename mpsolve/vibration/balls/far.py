@@ -24,7 +24,7 @@ _FIRST, _TIMES, _TRIES = 32.0, 2.0, 22
 
 def far_field(image: BallImage, path: Path, last: float) -> tuple[float, list[Any]]:
     """R > `last`, and for |Im σ| ≥ R between line and path bounds of |û| by channels."""
-    radius = max(_FIRST, 1.1 * last)
+    radius = max(_FIRST, last)
     for _ in range(_TRIES):
         try:
             return radius, _Far(image, path, radius).bounds()
@@ -188,7 +188,7 @@ class _Far:
                 for j, y in enumerate(image.pencil[3]):
                     size = sum(map(abs, self.received(at - y)))
                     rail = rail + size * x[n + j] * power_of(R, -1 - e[n + j] - self.gamma)
-                out.append(rail)
+                out.append(image.touching(at, out, rail))
             if not all(bound.is_finite() for bound in out):
                 raise PrecisionError("the motion far out has no bound: go further")
             return [arb(bound.upper()) for bound in out]

@@ -25,8 +25,9 @@ _STEEP, _SPAN = 1.0, 0.25
 _LOWERED = 5
 _LEAST = 2.0
 """The least r at which the path leaves the line."""
-_LONGEST = 3000.0
-"""The largest r of the path."""
+_LONGEST, _TURNS, _ECHOES = 3000.0, 10_000.0, 150.0
+"""The largest r of the path, of r² t at the first time, and of r times the distance of the contacts: further on it
+turns too often, or needs too many panels between the echoes of the contacts."""
 
 
 class Work:
@@ -50,11 +51,12 @@ class Work:
         self.tones = image.tones()
         self.loaded = [acb(0)] + [sign * acb(0, 1) * rate for rate, _ in self.tones if rate != 0 for sign in (1, -1)]
         self.poles = poles
+        self.span = float(max(image.pencil[3]) - min(image.pencil[3]))
         self.empty = np.full((image.image.channels, len(at)), arb(0), object)
 
     def parts(self, sizes: list[float]) -> tuple[Any, Any, Any, Any]:
         """The motion, and of it steady, harmonic and transient part, (channels, times) each."""
-        goals = [arb(size) * arb(10) ** -(self.digits + 2) for size in sizes]
+        goals = [arb(size) * arb(10) ** -(self.digits + 1) for size in sizes]
         path, radius, bounds = self._path()
         self.said("path", 1.0)
         along = self._integral(path, radius, bounds, goals)
@@ -82,8 +84,7 @@ class Work:
         image = self.image.image
         fast = [abs(complex(z.mid())) for z in (*self.poles, *self.loaded)]
         start = max(_LEAST, (1.5 * max([*fast, natural(image)])) ** 0.5)
-        span = float(max(self.image.pencil[3]) - min(self.image.pencil[3]))
-        delta = min(_STEEP, _SPAN / span if span else _STEEP)
+        delta = min(_STEEP, _SPAN / self.span if self.span else _STEEP)
         error: PrecisionError | None = None
         for k in range(_LOWERED):
             path = Path(self.alpha, start * 1.25**k, delta / 2**k)
@@ -101,10 +102,12 @@ class Work:
     def _integral(self, path: Path, radius: float, bounds: list[Any], goals: list[Any]) -> Any:
         """(1/π) Im ∫, with what is missed in the radii."""
         first, end = min(self.at, key=float), radius**0.5 * 1.001
-        while end < _LONGEST and any(
+        longest = min(_LONGEST, (_TURNS / float(first)) ** 0.5, _ECHOES / self.span if self.span else _LONGEST)
+        while end < longest and any(
             not x < goal for x, goal in zip(self._tail(path, bounds, end, first), goals, strict=True)
         ):
             end *= 1.2
+            bounds = far_field(self.image, path, end**2 / 1.2)[1]
         total = np.full(self.empty.shape, acb(0), object)
         missed = np.array([self._tail(path, bounds, end, t) for t in self.at], object).T
         share = [goal / 100 for goal in goals]
@@ -129,7 +132,7 @@ class Work:
         total = self.empty
         for rate, force in self.tones:
             sigma = acb(0, 1) * rate
-            values = self.image.response(self.image.start(sigma), force)
+            values = self.image.response(self.image.on_axis(sigma), force)
             rows = [[(x * (sigma * t).exp()).real for t in self.at] for x in values]
             total = total + np.array(rows, object).reshape(self.empty.shape)
         return total
