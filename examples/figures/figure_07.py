@@ -7,6 +7,7 @@ distance, light grey to black as it grows. They meet where the higher pair reach
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +16,9 @@ from induced import LAST, end_of_line, on_sheet
 from style import agree, greys, page, run
 from vibration import checked_vibration, pair_of_masses
 
-from mpsolve.fields import Float64
-from mpsolve.model.branch import Track, pairing
-from mpsolve.model.characteristic import characteristic_rate
-from mpsolve.motion.transform import contact_kernels, numerators, system
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.residues import Pole, modes
 
 ETA_M = 40
 DISTANCES = ("0.5", "1", "1.5", "2", "2.5", "3", "3.5", "4", "4.5")
@@ -37,17 +37,27 @@ def amplitudes(d: str, alpha: Any) -> Any:
     half = np.sort(
         np.where(found.roots.real > 0, found.roots.real, np.nan), axis=-1
     )  # undamped and subcritical: all real
-    q = np.full((len(alpha), 2), np.nan)
     both = found.count == 4
-    q[both] = half[both, :2]
-    model = Track(Float64(), alpha[:, None], 0.0, 0.0, (ETA_M, ETA_M), (0.0, float(d)), True)
-    with np.errstate(invalid="ignore"):
-        pair, force = pairing(model, q + 0j), 4 / (1j * q)  # F_j of (22)
-        contact = numerators(model, system(model, pair, q), [force, force])
-        kernels = contact_kernels(model, pair)[0]
-        slope = characteristic_rate(model, q + 0j)[1]
-        # twice: the mirror image −q̄ is in the real part
-        return np.abs(2j / slope * (contact[0] * kernels[0] + contact[1] * kernels[1]) / np.pi)
+    out = np.full((len(alpha), 2), np.nan)
+    for k in np.nonzero(both)[0]:
+        out[k] = _amplitudes(d, float(alpha[k]), half[k, :2])
+    return out
+
+
+def _amplitudes(d: str, alpha: float, q: Any) -> list[float]:
+    """|A_k| at two frequencies in the gap of the cuts, by residues."""
+    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1)
+    image = Image(Problem(beam, [vehicles.Mass(ETA_M).at(0), vehicles.Mass(ETA_M).at(d)], v=alpha), (Fraction(0),))
+    wave = np.linspace(0, 4, 4001)
+    edge = (np.sqrt(1 + wave**4 / 4) - alpha * wave).min()  # q_lm: where the cuts begin
+    poles = [Pole(1j * x / image.rate, room=0.9 * (edge - x) / image.rate) for x in q]
+    force = np.array([1.0, 1.0, 0.0, 0.0])  # on both masses
+
+    def moved(sigma: Any) -> Any:
+        return image.solve(sigma, image.column(force[:2], force[2:]) / sigma[:, None])
+
+    # 2: to w_st; and twice, as the mirror image −q̄ is in the real part
+    return [4 * abs(mode.moments[0][-1]) for mode in modes(moved, poles, [0j], 0.0, 1.0)]
 
 
 def check() -> None:

@@ -16,6 +16,7 @@ import numpy as np
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.outcome import Reason
+from mpsolve.vibration.arrivals import reach_of_waves
 from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
@@ -178,7 +179,7 @@ class Engine:
         turns = np.array([1j * one.frequency for one in self.acting])
         last = float(np.max(times, initial=0.0))
         taken = modes(self.transformed, self.poles.poles, turns, self.poles.cut, last)
-        line = sampled_line(self.transformed, alpha, self._reach(times))
+        line = sampled_line(self.transformed, alpha, self._reach(alpha, times))
         some = _sample(times)
         while True:
             solution = Solution(self.image, held, steady, taken, line, self._first(), held)
@@ -232,8 +233,16 @@ class Engine:
         goal[force] *= _FORCES
         return np.maximum(goal, 1e-300)
 
-    def _reach(self, times: Any) -> float:
+    def _reach(self, alpha: float, times: Any) -> float:
         positive = times[times > 0]
         first = float(positive.min()) if len(positive) else 1.0
         fast = [tone.frequency for tone in self.acting] + [abs(pole.sigma) for pole in self.poles.poles]
-        return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0))
+        waves = self.arriving(alpha, positive if len(positive) else np.ones(1), GOOD / 10)
+        return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0), waves)
+
+    def arriving(self, alpha: float, times: Any, share: float) -> float:
+        """How far the path is followed for the sake of waves that run ahead."""
+        size, last = self.image.size, self.image.channels
+        forces = size + self.image.contacts
+        kinds = [slice(0, size), slice(size, forces), slice(forces, last)]
+        return reach_of_waves(self.transformed, alpha, times, share, kinds)

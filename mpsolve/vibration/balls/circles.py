@@ -23,10 +23,10 @@ _SPARE = 12
 """Binary digits, so that one decimal more is right."""
 
 
-def radius_round(middle: complex, others: Sequence[complex], room: float, last: float) -> float:
-    """Of a circle round `middle` away from other poles and from the cuts, in which e^{σt} does not grow too far."""
-    gaps = [abs(middle - z) for z in others]
-    return _SHARE * min([*gaps, room, _LONGEST / (last * _SHARE)])
+def radius_round(root: Any, others: Sequence[Any], room: float, last: float) -> float:
+    """Of a circle round a root away from other poles and from the cuts, in which e^{σt} does not grow too far."""
+    gaps = [float(abs(acb(root.mid()) - acb(z.mid())).lower()) for z in others]
+    return _SHARE * min([*gaps, room, *([_LONGEST / (last * _SHARE)] if last else [])])
 
 
 def residues(
@@ -78,7 +78,7 @@ def _round(
 
 
 def _largest(image: BallImage, centre: Any, r: Any, effort: Effort) -> list[Any]:
-    """Bounds of |û| in the ring by channels: there is no cut in the disc, so that it is largest on the two circles."""
+    """Bounds of |û| in the ring by channels: no cut meets the disc, so that it is largest on the two circles."""
     try:
         disc = image.clear(centre + square(2 * r), centre)
     except PrecisionError as error:

@@ -16,7 +16,8 @@ from mpsolve.numbers.balls import acb, arb, arb_mat, precision, square
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.balls.scatter import Waves
 from mpsolve.vibration.balls.solved import Disc, solved
-from mpsolve.vibration.precise_image import PreciseImage
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.precise_image import PreciseImage, Term
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
 
@@ -38,6 +39,9 @@ class Cell:
 
 class BallImage(PreciseImage):
     """û and its cells, at the precision of the image."""
+
+    def __init__(self, image: Image, terms: list[Term], digits: int) -> None:
+        super().__init__(None, image, terms, digits)
 
     @property
     def bits(self) -> int:
@@ -156,7 +160,7 @@ class BallImage(PreciseImage):
             return self._finite(found)
 
     def sizes(self, cell: Cell) -> list[Any]:
-        """Bounds of |û| over the cell, which is analytic there; PrecisionError where the equations may be singular."""
+        """Bounds of |û| over the cell, analytic there; PrecisionError where the equations may be singular."""
         with precision(self._bits):
             G, force = self._received(cell), self._forces(cell.ball)
             right = [abs(x) for x in force] + [arb(0)] * self.image.contacts
@@ -193,7 +197,9 @@ class BallImage(PreciseImage):
         a, b = self._g * ahead.weight, -self._g * behind.weight
         sizes, rows, gone = arb_mat(n + m, n + m), self._discs(cell, G), [arb(1)]
         for i in range(m):
-            gone += [self._gone(ahead, cell, at[i] - at[i - 1]) * self._gone(behind, cell, at[i - 1] - at[i])] * bool(i)
+            gone += [self._gone(ahead, cell, at[i] - at[i - 1]) * self._gone(behind, cell, at[i - 1] - at[i])] * bool(
+                i
+            )
             for j in range(m):
                 if at[i] != at[j]:
                     wave, size = (ahead, abs(a)) if at[i] > at[j] else (behind, abs(b))

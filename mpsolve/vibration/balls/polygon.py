@@ -27,8 +27,8 @@ _TOGETHER = "p-roots far out cannot be told apart: go further"
 class FarRoot:
     """P = σ^w (z₀ + z₁ζ + rest), |rest| ≤ left |ζ|², and N/D_P = σ^{−γ} weight, for all |σ| ≥ R.
 
-    z: the ball of P/σ^w. parts: w₀, w₁, off of the weight, w₀ + w₁ζ to within off. neutral: z₀ i^w is imaginary, exactly: the wave neither grows nor decays to leading order.
-    still: the ball of s where P = (σ − s)/v = (σ − s) z₀.
+    z: the ball of P/σ^w. parts: w₀, w₁, off of the weight, w₀ + w₁ζ to within off. neutral: z₀ i^w is imaginary,
+    exactly: the wave neither grows nor decays to leading order. still: the ball of s where P = (σ − s)/v = (σ − s) z₀.
     """
 
     power: Fraction
@@ -98,8 +98,8 @@ def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRo
     for root in found:
         z = z0 * (1 - square(abs(root.z).upper() / radius))
         weight = -root.weight * z0
-        moved = Fraction(1)
-        out.append(replace(root, power=moved, z0=z0, z=z, weight=weight, neutral=True, still=root.z, parts=None))
+        root = replace(root, parts=None)
+        out.append(replace(root, power=Fraction(1), z0=z0, z=z, weight=weight, neutral=True, still=root.z))
     return out
 
 

@@ -40,5 +40,7 @@ def solved(rows: list[list[Disc]], right: list[Any], waves: Waves | None = None)
             raise ZeroDivisionError
         x = left.solve(size * arb_mat([[value] for value in right]))
     except ZeroDivisionError:
-        raise PrecisionError("the equations may be singular over a cell, or far out: split it, or go further") from None
+        raise PrecisionError(
+            "the equations may be singular over a cell, or far out: split it, or go further"
+        ) from None
     return [abs(row[0]) for row in x.tolist()]
