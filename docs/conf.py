@@ -32,11 +32,13 @@ nb_merge_streams = True
 
 html_theme = "pydata_sphinx_theme"
 html_title = "mpsolve"
+html_context = {"default_mode": "auto"}
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_show_sphinx = False
 html_show_sourcelink = False
 html_copy_source = False
+html_sidebars = dict.fromkeys(("index", "gallery/**", "genindex", "search"), [])  # pages without others below them
 html_theme_options = {
     "navbar_end": ["theme-switcher"],
     "secondary_sidebar_items": ["page-toc"],

@@ -14,10 +14,12 @@ import sys
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import click
 
 from mpsolve.cli_tools import one_sentence
+from mpsolve.cli_voice import as_told
 
 
 def _show_version(context: click.Context, _option: click.Parameter, asked: bool) -> None:
@@ -89,6 +91,14 @@ EXAMPLES = {
 
 class _Commands(click.Group):
     """The commands of this file, and those of `_MODULES`."""
+
+    def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
+        with as_told(None, EXAMPLES, []):
+            return super().make_context(*args, **kwargs)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with as_told(ctx, EXAMPLES, self.list_commands(ctx)):
+            return super().invoke(ctx)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return [*_MODULES, *super().list_commands(ctx)]

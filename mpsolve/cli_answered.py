@@ -39,7 +39,9 @@ def answered(
         if output is not None:
             checked_suffix(checked_output(output, file, "the answer"), suffixes)
         if certificate is not None:
-            checked_suffix(checked_output(certificate, file, "the certificate"), (".json",))
+            checked_suffix(
+                checked_output(certificate, file, "the certificate", "certificate"), (".json",), "certificate"
+            )
         question = asked(source.given, source.title, overs)
         with progress() as tell:
             said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)

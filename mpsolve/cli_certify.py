@@ -27,7 +27,7 @@ _REFUSED = ("verifier", "not-verified")
     "sheet (everything, for masses alone on a beam). In the units of FILE: rad/s in SI, "
     "or with a unit, as in --region 'below=50 1/s'.  [default: the one of sheet, below and unstable that tells most]",
 )
-@click.option("--effort", type=float, metavar="SECONDS", help="Processor time that the proof may take.")
+@click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
 @click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 @click.option(
     "-o",
@@ -36,7 +36,7 @@ _REFUSED = ("verifier", "not-verified")
     help="Path of the certificate.  [default: NAME.certificate.json in the working directory]",
 )
 def certify(
-    file: Path, digits: int, region: str | None, effort: float | None, as_json: bool, output: Path | None
+    file: Path, digits: int, region: str | None, effort: str | None, as_json: bool, output: Path | None
 ) -> None:
     """Find, count and prove the induced frequencies of the problem in FILE (TOML), and write a certificate.
 

@@ -30,15 +30,21 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
     cannot be used.
     """
     with one_sentence():
+        from mpsolve.errors import InputError
+        from mpsolve.files import checked_suffix
+        from mpsolve.numbers.units import in_unit
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.waves.critical import critical_velocities
         from mpsolve.waves.slow import SLOW_WAVES, slow_waves
 
         source = read_problem(file)
         if output is not None:
-            checked_output(output, file, "the chart")
+            checked_suffix(checked_output(output, file, "the chart"), (".png", ".svg", ".pdf"))
+        ends = [in_unit(end, "m/s", key, "velocity") for key, end in (("from", low), ("to", high))]
+        if not 0 <= ends[0] < ends[1]:
+            raise InputError("to", f"is {high}, with --from {low}: give velocities from 0 on, the lower one first")
         track = source.problem.track
-        found = critical_velocities(track, omega, over={"v": (low, high)})
+        found = critical_velocities(track, omega, over={"v": (ends[0], ends[1])})
         if as_json:
             head = {"format": "mpsolve critical velocities", "version": 1}
             click.echo(json.dumps(head | found.to_dict(), ensure_ascii=False, indent=1))

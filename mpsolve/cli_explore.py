@@ -11,7 +11,9 @@ from mpsolve.cli_tools import one_sentence
 
 @click.command()
 @click.argument("file", required=False, type=click.Path(path_type=Path))
-@click.option("--port", type=int, default=8080, show_default=True, help="Port of the page on this machine.")
+@click.option(
+    "--port", type=click.IntRange(1, 65535), default=8080, show_default=True, help="Port of the page on this machine."
+)
 @click.option("--browser/--no-browser", default=True, show_default=True, help="Open the page in a browser.")
 def explore(file: Path | None, port: int, browser: bool) -> None:
     """Open a page on this machine on which the problem in FILE is changed, looked at and proved.

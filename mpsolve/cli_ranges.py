@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
 _DIGITS = click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
-_EFFORT = click.option("--effort", type=float, metavar="SECONDS", help="Processor time that the proof may take.")
+_EFFORT = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
 _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 _OUTPUT = click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
@@ -66,7 +66,7 @@ def onset(
     everything: bool,
     worsts: tuple[str, ...],
     digits: int,
-    effort: float | None,
+    effort: str | None,
     as_json: bool,
     output: Path | None,
     certificate: Path | None,
@@ -112,7 +112,7 @@ def crossings(
     file: Path,
     overs: tuple[str, ...],
     digits: int,
-    effort: float | None,
+    effort: str | None,
     as_json: bool,
     output: Path | None,
     certificate: Path | None,
@@ -147,7 +147,7 @@ def lines(
     overs: tuple[str, ...],
     points: int,
     digits: int,
-    effort: float | None,
+    effort: str | None,
     as_json: bool,
     output: Path | None,
 ) -> None:
@@ -174,7 +174,7 @@ def lines(
 @_JSON
 @_OUTPUT
 def worst(
-    file: Path, overs: tuple[str, ...], digits: int, effort: float | None, as_json: bool, output: Path | None
+    file: Path, overs: tuple[str, ...], digits: int, effort: str | None, as_json: bool, output: Path | None
 ) -> None:
     """Prove at which value of a parameter the problem in FILE (TOML) is least stable: at which distance, say.
 
@@ -202,7 +202,7 @@ def worst(
 def robust(
     file: Path,
     overs: tuple[str, ...],
-    effort: float | None,
+    effort: str | None,
     as_json: bool,
     output: Path | None,
     certificate: Path | None,
@@ -256,7 +256,7 @@ def _required(overs: tuple[str, ...]) -> None:
     help="Draw FILE.svg, or write FILE.csv or .json, with each cell.",
 )
 def chart(
-    file: Path, overs: tuple[str, ...], depth: int, effort: float | None, as_json: bool, output: Path | None
+    file: Path, overs: tuple[str, ...], depth: int, effort: str | None, as_json: bool, output: Path | None
 ) -> None:
     """Prove how many roots grow over two parameters of the problem in FILE (TOML): as regions, and strips between.
 

@@ -34,7 +34,7 @@ def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, o
     """
     with one_sentence():
         from mpsolve.errors import InputError
-        from mpsolve.files import write_whole
+        from mpsolve.files import checked_suffix, write_whole
         from mpsolve.problem.case import Case
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.receptances import receptances
@@ -44,7 +44,7 @@ def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, o
             raise InputError("--contacts", "is for matrices, which CSV does not hold: add --json")
         si = not isinstance(given.case, Case)
         if output is not None:
-            checked_output(output, given.path, "the table")
+            checked_suffix(checked_output(output, given.path, "the table"), (".json",) if as_json else (".csv",))
         table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si), contacts)
         text = table.to_json() if as_json else table.to_csv()
         if output is None:

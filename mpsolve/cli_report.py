@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
+from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress, seconds_of
 
 
 @click.command()
@@ -20,13 +20,13 @@ from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
 )
 @click.option("--pdf", type=click.Path(path_type=Path), metavar="FILE", help="The page as a PDF, too.")
 @click.option("--digits", type=int, default=20, show_default=True, help="Certified digits of the roots, 15 to 10000.")
-@click.option("--effort", type=float, default=60.0, show_default=True, metavar="SECONDS", help="Time for all parts.")
+@click.option("--effort", default="60", show_default=True, metavar="SECONDS", help="Processor time for all parts.")
 @click.option(
     "--prove-chart/--computed-chart",
     default=True,
     help="The chart of velocity and mass: proved, or counted in floats.",
 )
-def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effort: float, prove_chart: bool) -> None:
+def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effort: str, prove_chart: bool) -> None:
     """Write a page about the problem in FILE: verdict, margins, vibrations, motion, what is proved, certificates.
 
     The page is one HTML file that needs no network. Its parts are made in the order of their importance within
@@ -42,31 +42,32 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
         from mpsolve.page.paper import require_printer, save_pdf
         from mpsolve.page.parts import gather
         from mpsolve.problem.inputfile import read_source
+        from mpsolve.report.remedies import on_command_line
 
         source = read_source(file)
         path = checked_output(output or Path(f"{source.path.stem}.html"), source.path, "the page")
         if path.suffix.lower() == ".pdf":
             raise InputError("output", f"{path} is a page in HTML: give -o NAME.html, and --pdf {path} for the PDF")
-        if not effort > 0:
-            raise InputError("effort", f"is {effort:g}: give the seconds that the page may take, above 0")
+        seconds = seconds_of(effort, "effort")
         checked_suffix(path, (".html", ".htm"))
         if pdf is not None:
-            checked_suffix(checked_output(pdf, source.path, "the PDF"), (".pdf",))
+            checked_suffix(checked_output(pdf, source.path, "the PDF", "pdf"), (".pdf",), "pdf")
             require_printer()
         with progress() as tell:
             parts = gather(
                 source.given,
                 source.title,
                 digits=digits,
-                seconds=effort,
+                seconds=seconds,
                 tell=tell or (lambda _stage, _fraction: None),
                 loads=source.loads,
+                sources=source.sources,
                 prove_chart=prove_chart,
             )
             write_whole(path, page_html(parts, source.path.stem))
             if pdf is not None:
                 save_pdf(parts, source.path.stem, pdf)
-        click.echo("\n".join([parts.verdict, str(path), *([] if pdf is None else [str(pdf)])]))
+        click.echo("\n".join([on_command_line(parts.verdict), str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.spectrum.proved else UNDECIDED)
 
 

@@ -57,15 +57,18 @@ def response(
     input cannot be used.
     """
     with one_sentence():
+        from mpsolve.files import checked_suffix
         from mpsolve.problem.casefile import InputFile
 
-        kind = _suffix(checked_output(output, file, "the response"), _SUFFIXES)
+        kind = checked_suffix(checked_output(output, file, "the response"), _SUFFIXES)
         source = _source(file, end)
         if not isinstance(source, InputFile):
             last = cli_vibration.seconds(end) or _last(end)
+            if animate is not None:
+                checked_suffix(checked_output(animate, file, "the film", "animate"), (".svg",), "animate")
             said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial)
             if animate is not None:
-                cli_vibration.film(source, checked_output(animate, file, "the film"), last, initial)
+                cli_vibration.film(source, animate, last, initial)
             click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
             return
         _only_in_seconds(initial != "rest", "--initial")
@@ -100,9 +103,10 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
     or written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.files import checked_suffix
         from mpsolve.problem.casefile import InputFile
 
-        kind = _suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
+        kind = checked_suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
         source = _source(file, end)
         if not isinstance(source, InputFile):
             cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
@@ -163,15 +167,6 @@ def _grid(last: float, points: int) -> Any:
 
 def _times(end: str, points: int) -> Any:
     return _grid(_last(end), points)
-
-
-def _suffix(path: Path, known: tuple[str, ...]) -> str:
-    from mpsolve.errors import InputError
-
-    kind = path.suffix.lower()
-    if kind not in known:
-        raise InputError("output", f"{path} does not end in one of {', '.join(known)}")
-    return kind
 
 
 def _scale(source: InputFile) -> Scale:

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, certificate_path, one_sentence, progress
+from mpsolve.cli_tools import UNDECIDED, certificate_path, effort_of, one_sentence, progress
 
 _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
 
@@ -33,7 +33,7 @@ _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
     help="A branch cut from RE + i IM in the direction DRE + i DIM, along an axis. May be given more than once.",
 )
 @click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
-@click.option("--effort", type=float, metavar="SECONDS", help="Processor time that the proof may take.")
+@click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
 @click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="Path of the certificate.  [default: none is written]"
@@ -46,7 +46,7 @@ def roots(
     real: tuple[str, ...] | None,
     cuts: tuple[tuple[str, ...], ...],
     digits: int,
-    effort: float | None,
+    effort: str | None,
     as_json: bool,
     output: Path | None,
 ) -> None:
@@ -64,17 +64,16 @@ def roots(
     sys.exit(0 if answer.proved else UNDECIDED)
 
 
-def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, seconds: float | None) -> Any:
+def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, seconds: str | None) -> Any:
     from mpsolve.certificate.real_roots import real_roots
     from mpsolve.certificate.roots import roots as prove
     from mpsolve.errors import InputError
-    from mpsolve.proof.effort import Effort
     from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Rectangle
 
     given = [k for k, region in enumerate(regions) if region is not None]
     if len(given) != 1:
-        raise InputError("region", f"is given {len(given)} times: give one of {', '.join(_REGIONS)}")
-    effort = None if seconds is None else Effort(seconds=seconds)
+        raise InputError("FUNCTION", f"stands with {len(given)} regions: give one of {', '.join(_REGIONS)}")
+    effort = effort_of(seconds)
     values = regions[given[0]]
     with progress() as tell:
         common: dict[str, Any] = {"digits": digits, "effort": effort, "progress": tell}

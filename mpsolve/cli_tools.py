@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from mpsolve.cli_voice import told
+
 if TYPE_CHECKING:
     from rich.console import Group
 
@@ -33,7 +35,7 @@ def one_sentence() -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        status, message = BAD_INPUT, str(error)
+        status, message = BAD_INPUT, told(error)
     except MpsolveError as error:
         status, message = UNDECIDED, str(error)
     except KeyboardInterrupt:
@@ -54,34 +56,38 @@ def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:
     return checked_output(path, source, "the certificate")
 
 
-def checked_output(path: Path, source: Path, what: str) -> Path:
-    """The path itself; InputError if `what` cannot be a file there, or if that is the input file."""
+def checked_output(path: Path, source: Path, what: str, key: str = "output") -> Path:
+    """The path itself; InputError under `key` if `what` cannot be a file there, or if that is the input file."""
     from mpsolve.errors import InputError
 
     try:
         if not path.parent.is_dir():
-            raise InputError("output", f"{path.parent} is no directory: make it, or give another path for {what}")
+            raise InputError(key, f"{path.parent} is no directory: make it, or give another path for {what}")
         if path.is_dir():
-            raise InputError("output", f"{path} is a directory: give the path of a file for {what}")
+            raise InputError(key, f"{path} is a directory: give the path of a file for {what}")
         if path.exists() and source.exists() and path.samefile(source):
-            raise InputError("output", f"{path} is the input file: give another path for {what}")
+            raise InputError(key, f"{path} is the input file: give another path for {what}")
     except OSError as error:  # a name that is too long, a folder that may not be looked into
-        raise InputError(
-            "output", f"{path} cannot be used ({error.strerror}): give another path for {what}"
-        ) from None
+        raise InputError(key, f"{path} cannot be used ({error.strerror}): give another path for {what}") from None
     return path
 
 
-def effort_of(seconds: float | None) -> Effort | None:
-    """The effort of an option in seconds; None where it was not given."""
-    from mpsolve.errors import InputError
+def effort_of(given: str | None) -> Effort | None:
+    """The effort of an option, in seconds or with a unit; None where it was not given."""
     from mpsolve.proof.effort import Effort
 
-    if seconds is None:
-        return None
+    return None if given is None else Effort(seconds=seconds_of(given, "effort"))
+
+
+def seconds_of(given: str, key: str) -> float:
+    """A time above 0 such as 5, "5 s" or "2 min", in seconds; InputError under `key`."""
+    from mpsolve.errors import InputError
+    from mpsolve.numbers.units import in_unit
+
+    seconds = in_unit(given, "s", key, "time")
     if not seconds > 0:
-        raise InputError("effort", f"is {seconds:g}: give a number of seconds above 0")
-    return Effort(seconds=seconds)
+        raise InputError(key, f"is {given}: give a time above 0")
+    return float(seconds)
 
 
 def show(report: Group | Document) -> None:

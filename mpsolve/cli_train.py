@@ -13,11 +13,9 @@ from mpsolve.cli_tools import UNDECIDED, effort_of, one_sentence, progress
 @click.command()
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--spacing", help="From each vehicle to the next, where FILE holds only one.")
-@click.option(
-    "--effort", type=float, default=10.0, show_default=True, metavar="SECONDS", help="Time for each of the proofs."
-)
+@click.option("--effort", default="10", show_default=True, metavar="SECONDS", help="Time for each of the proofs.")
 @click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-def train(file: Path, spacing: str | None, effort: float, as_json: bool) -> None:
+def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     """Prove whether disturbances grow along the train in FILE (TOML), as if it had no end, and how it amplifies.
 
     FILE holds equal vehicles at equal distances, or one vehicle with --spacing. The factors from one vehicle to the
@@ -28,11 +26,13 @@ def train(file: Path, spacing: str | None, effort: float, as_json: bool) -> None
         from mpsolve.endless.amplification import amplification
         from mpsolve.endless.infinite_train import infinite_train
         from mpsolve.endless.row import row_in
+        from mpsolve.numbers.units import in_unit
         from mpsolve.problem.inputfile import read_problem
         from mpsolve.report.trains import train_json, train_text
 
         given = read_problem(file)
-        row, count = row_in(given.problem, spacing)
+        distance = None if spacing is None else in_unit(spacing, "m", "spacing", "distance of the vehicles")
+        row, count = row_in(given.problem, distance)
         with progress() as tell:
             budget, several = effort_of(effort), given.problem.pencil.contacts > 1
             found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)

@@ -15,17 +15,11 @@ _FRAMES, _SHAPE_POINTS, _AROUND = 120, 161, 12
 
 
 def seconds(text: str) -> float | None:
-    """The number before " s", or None where the text has no such unit."""
-    from mpsolve.errors import InputError
-    from mpsolve.numbers.exact import Exact
+    """A time with a unit, such as "2 s" or "300 ms", in seconds; None where the text has no unit."""
+    from mpsolve.cli_tools import seconds_of
+    from mpsolve.numbers.units import split
 
-    number, unit, rest = text.strip().partition("s")
-    if not unit or rest:
-        return None
-    last = Exact.parse(number.strip(), "--to")
-    if not last > 0:
-        raise InputError("--to", f"is {text}: give a time above 0")
-    return float(last)
+    return seconds_of(text, "--to") if split(text)[1] else None
 
 
 def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str) -> list[str]:

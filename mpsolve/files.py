@@ -51,11 +51,11 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
         raise CertificateError(f"{path} cannot be written: {cause}; nothing was changed there") from error
 
 
-def checked_suffix(path: Path, allowed: tuple[str, ...]) -> str:
-    """The suffix of the path in lower case; InputError if it is not one of those allowed."""
+def checked_suffix(path: Path, allowed: tuple[str, ...], key: str = "output") -> str:
+    """The suffix of the path in lower case; InputError under `key` if it is not one of those allowed."""
     suffix = path.suffix.lower()
     if suffix not in allowed:
-        raise InputError("output", f"{path} does not end in {', '.join(allowed)}: give a name that does")
+        raise InputError(key, f"{path} does not end in {', '.join(allowed)}: give a name that does")
     return suffix
 
 

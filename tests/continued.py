@@ -15,7 +15,7 @@ from typing import Any
 import flint
 
 from mpsolve import Case
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 from mpsolve.vehicles.load import Load
 
 acb, arb = flint.acb, flint.arb
@@ -31,7 +31,7 @@ class Continued:
 
     def __init__(self, case: Case, loads: Sequence[Load], bits: int = 160) -> None:
         self.bits = bits
-        with ball_arithmetic(bits):
+        with precision(bits):
             self.alpha, self.eta_b = _number(case.alpha), _number(case.eta_b)
             self.A = _number(case.eta_n) - _number(case.eta_s) + self.alpha**2
             self.eta_m, self.x = [_number(v) for v in case.eta_m], [_number(v) for v in case.positions]
@@ -54,7 +54,7 @@ class Continued:
         The path starts at q = −i·depth, turns at v = corner + i·height, and leaves along Im v = height up to
         Re v = end, in panels of length `step` in v.
         """
-        with ball_arithmetic(self.bits):
+        with precision(self.bits):
             start = (2 * (acb(0, -depth) - acb(centre, self.eta_b))).sqrt().mid()
             return self._integral(xi, tau, centre, [start, acb(corner, height), acb(end, height)], step, order)
 

@@ -257,7 +257,7 @@ def value(t, x, y):
 
 def plan_tail(track, sites, X):
     """Numbers of the theorem for q ≥ X, or None: sampled, with a margin."""
-    w, d = (v2.terms(x) for x in v2.absorption(track))
+    w, d = (v2.terms(x) for x in v2.absorption(v2.RING, track.D, track.N))
     v = float(arb(track.v))
     between = 2 * pi / float(min(b - a for a, b in itertools.pairwise(sites))) if len(sites) > 1 else 0.0
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
@@ -283,8 +283,8 @@ def plan_tail(track, sites, X):
         return None
     C = q_(1.15 * max(C1, C2) + 1e-300)
     for k, m in ((0, 1), (1, 4), (1, 2), (1, 1), (1, 3)):
-        bw, tw = v2.in_block(w, track.v, k, m)
-        bd, td = v2.in_block(d, track.v, k, m)
+        bw, tw = v2.in_block(w, {(): track.v}, k, m)
+        bd, td = v2.in_block(d, {(): track.v}, k, m)
         if (alpha - 1) * m < td - tw - k:
             continue
         growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
@@ -324,7 +324,7 @@ def absorbs(bw, bd, z1, z2, kappa, tau):
     f = {at: arb(bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0))) for at in {*bw, *bd}}
     try:
         with v2.precision(128):
-            v2.check_positive(f, (float(z1), float(z2)), (0.0, float(tau)), None, "")
+            v2.check_positive(f, ((float(z1), float(z2)), (0.0, float(tau))), None, "")
     except v2.Refused:
         return False
     return True
@@ -590,11 +590,11 @@ def refine(content, digits):
             sigma = v2.at_q(root.z)
             for _ in range(bits.bit_length()):
                 local = waves.near(sigma)
-                z = sorted(v2.roots_of(local), key=lambda p: bool(p.real > 0))
+                z = sorted(v2.roots_near(local), key=lambda p: bool(p.real > 0))
                 thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
-                G = v2.kernels(waves, thin, arb(0), 2)
-                A = [bordered.coefficient(k, sigma, G) for k in range(2)]
-                sigma = (sigma - v2.determinant_series(A, 0) / v2.determinant_series(A, 1)).mid()
+                G = v2.kernels(waves, thin, arb(0))
+                first, slope, _ = v2.block(bordered.over(sigma, arb(0), G), arb(0), 1)
+                sigma = (sigma - first[0, 0] / slope[0, 0]).mid()
                 if not root.pair and root.z[0] == 0:
                     sigma = acb(sigma.real)
             q = sigma / acb(0, 1)

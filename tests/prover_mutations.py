@@ -99,11 +99,7 @@ CHARACTERISTIC = [
         "sprung",
     ),
     Mutation(
-        "waves behind a load have the other sign",
-        "characteristic.discs",
-        "receptances",
-        "behind, -1.0)",
-        "behind, 1.0)",
+        "waves behind a load have the other sign", "characteristic.discs", "summed", "behind, -1.0)", "behind, 1.0)"
     ),
     Mutation(
         "D_P: the factors of powers are off by one",

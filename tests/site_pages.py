@@ -1,11 +1,12 @@
 """What is wrong with a built site: `python tests/site_pages.py docs/_build` exits with 1 if it asks other hosts for
-anything, or if a link to one of its own pages or to a place in one leads nowhere.
+anything, a link to one of its own pages, places or pictures leads nowhere, or a place for a number stayed empty.
 """
 
 from __future__ import annotations
 
 import re
 import sys
+from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
@@ -21,6 +22,10 @@ LOADS = (
     "background",
 )  # what a browser fetches or sends to
 NO_REQUEST = {"canonical", "alternate", "license", "author", "next", "prev", "search", "index", "help"}
+EMPTY = re.compile(
+    r"(?<![\^_])\{(?:[a-z_]{4,}|[a-z_]+\[[^}]*|[a-z]+:[a-z]+)\}|\b(?:TODO|FIXME|TBD|lorem ipsum|coming soon)\b",
+    re.IGNORECASE,
+)
 IN_STYLES = re.compile(r"""(?:url\(\s*|@import\s+)["']?([^"')\s;]+)""", re.IGNORECASE)
 
 
@@ -61,7 +66,7 @@ def asked(site: Path) -> dict[str, list[str]]:
 
 
 def broken(site: Path) -> dict[str, list[str]]:
-    """By file of the site: the links to its own pages, or to places in them, that lead nowhere."""
+    """By file of the site: the links to its own pages, to places in them, or to pictures, that lead nowhere."""
     places = {path: _Links.of(path) for path in sorted(site.rglob("*.html"))}
     found: dict[str, list[str]] = {}
     for path, links in places.items():
@@ -100,8 +105,21 @@ class _Links(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         given = {name: value or "" for name, value in attrs}
         self.names |= {given[name] for name in ("id", "name") if name in given}
-        if tag == "a" and "href" in given:
-            self.hrefs.append(given["href"])
+        wanted = {"a": "href", "link": "href", "img": "src", "script": "src", "source": "src"}.get(tag, "")
+        if given.get(wanted):
+            self.hrefs.append(given[wanted])
+
+
+def unfilled(site: Path) -> dict[str, list[str]]:
+    """By file of the site: what its words still leave open outside of code: names in braces, roles, notes to do."""
+    found = {path: EMPTY.findall(words(path.read_text("utf-8"))) for path in sorted(site.rglob("*.html"))}
+    return {str(path.relative_to(site)): places for path, places in found.items() if places}
+
+
+def words(text: str) -> str:
+    """What a reader sees of a page, without scripts and code."""
+    text = re.sub(r"<(script|style|pre|code|math)\b.*?</\1>", " ", text, flags=re.DOTALL | re.IGNORECASE)
+    return unescape(re.sub(r"<[^>]*>", " ", text))
 
 
 def main(site: Path) -> int:
@@ -109,7 +127,7 @@ def main(site: Path) -> int:
         print(f"{site} is no built site")
         return 1
     site = site.resolve()
-    found = [("asks another host for", asked(site)), ("leads nowhere with", broken(site))]
+    found = [("asks another host for", asked(site)), ("leads nowhere with", broken(site)), ("leaves", unfilled(site))]
     for told, pages in found:
         for path, places in pages.items():
             print(path, told, *places)

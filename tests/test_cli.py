@@ -70,7 +70,7 @@ def test_derive(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_derive_refuses_a_number_of_masses(run: Run) -> None:
     result = run("derive", "--masses", 0)
     assert result.exit_code == 2
-    assert result.stderr.startswith("mpsolve: masses: ")
+    assert result.stderr.startswith("mpsolve: --masses: ")
 
 
 def test_version(run: Run) -> None:

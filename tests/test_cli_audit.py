@@ -33,8 +33,8 @@ def test_exit_status_1_where_a_check_comes_to_no_end() -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ([], "paper: is not given: name the folder of its claims, as in mpsolve audit examples/paper"),
-        (["nowhere"], "paper: nowhere is neither"),
+        ([], "PAPER: is not given: name the folder of its claims, as in mpsolve audit examples/paper"),
+        (["nowhere"], "PAPER: nowhere is neither"),
         ([TOY, "--only", "xiii"], "only"),
         ([TOY, "--html", "no/a.html"], "html"),
         ([TOY, "--certificates", "file"], "certificates"),

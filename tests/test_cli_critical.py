@@ -42,7 +42,7 @@ def test_the_chart_is_written(file: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("options", "said"),
-    [(["--omega", "x"], "omega"), (["--from", 5, "--to", 1], "over['v']"), (["-o", "chart.gif"], "chart.gif")],
+    [(["--omega", "x"], "omega"), (["--from", 5, "--to", 1], "--to"), (["-o", "chart.gif"], "chart.gif")],
 )
 def test_options_that_cannot_be_used_are_named(options: list[object], said: str) -> None:
     result = run("critical", BOGIE, *options)

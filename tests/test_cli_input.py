@@ -26,11 +26,11 @@ LONG = "x" * 300
         (f"chart case.toml -o {LONG}.svg", "File name too long"),
         (f"study study.toml -o {LONG}.sqlite", "File name too long"),
         (f"certify {LONG}.toml", "File name too long"),
-        ("response case.toml -o plain", "plain does not end in one of .csv, .json, .npz"),
+        ("response case.toml -o plain", "plain does not end in .csv, .json, .npz"),
         ("study study.toml -o s.sqlite --dask nonsense", "--dask: is 'nonsense'"),
         (
             "receptance fast.toml --omega 0,1,3",
-            "omega: has points where the receptance is infinite, or out of float64's reach",
+            "--omega: has points where the receptance is infinite, or out of float64's reach",
         ),
         ("report table.toml", "quantity: is unknown"),
         ("chart study.toml -o c.svg", "study.toml: is a study, as its [study] shows: use mpsolve study study.toml"),

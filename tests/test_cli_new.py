@@ -32,4 +32,4 @@ def test_the_terminal_gets_the_text_or_the_list() -> None:
 def test_a_name_that_there_is_not() -> None:
     status, out, said = run("balasted")
     assert (status, out) == (2, "")
-    assert said == "mpsolve: track: is 'balasted', which is unknown: did you mean ballasted?\n"
+    assert said == "mpsolve: TRACK: is 'balasted', which is unknown: did you mean ballasted?\n"

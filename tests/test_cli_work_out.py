@@ -25,7 +25,7 @@ def test_the_example_in_the_help_runs(name: str) -> None:
 def test_a_mistake_is_one_sentence() -> None:
     result = CliRunner().invoke(cli, ["work-out", "per-metre", "--k", "180 kN/mm", "--spacing", "0.6 kg"])
     assert result.exit_code == 2
-    assert result.stderr.startswith("mpsolve: spacing: is '0.6 kg', whose unit is kg")
+    assert result.stderr.startswith("mpsolve: --spacing: is '0.6 kg', whose unit is kg")
 
 
 def test_half_a_sleeper_alone() -> None:

@@ -166,11 +166,11 @@ def test_one_module_touches_the_precision_that_the_process_shares() -> None:
     ],
 )
 def test_an_import_is_seen_wherever_it_stands(text: str) -> None:
-    ((module, _),) = imports("mpsolve.model.limits", ast.parse(text), TREES)
+    ((module, _),) = imports("mpsolve.waves.dispersion", ast.parse(text), TREES)
     assert module == "mpsolve.report.rows"
-    assert downstream("mpsolve.model.limits", module)
+    assert downstream("mpsolve.waves.dispersion", module)
     assert not downstream("mpsolve.notebook", module)
-    assert downstream("mpsolve.fast.follow", "mpsolve.stability.zero")  # side by side
+    assert downstream("mpsolve.tracks.string", "mpsolve.vehicles.mass")  # side by side
 
 
 @pytest.mark.parametrize("guard", ["TYPE_CHECKING", "typing.TYPE_CHECKING"])

@@ -1,4 +1,4 @@
-"""What README and the pages it leads to show runs as it stands: the library example, and every `mpsolve` command."""
+"""What README and the page of examples show runs as it stands: the library, and every `mpsolve` command."""
 
 from __future__ import annotations
 
@@ -21,17 +21,20 @@ from mpsolve.problem.casefile import DIMENSIONLESS, LOAD, MASS, PHYSICAL, read_i
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
+EXAMPLES = (ROOT / "docs/reference/by-example.md").read_text("utf-8")
 INPUT = (ROOT / "docs/reference/input.md").read_text("utf-8").split("## Masses on one beam")[1]
 TRIAL = (ROOT / "docs/how-to/paper.md").read_text("utf-8")
-BLOCK = README.split("## The command line")[1].split("## The library")[0]
-SHOWN = re.findall(
-    r"^    (\w+\(\S.*\)[\w.\[\]\"]*) +# (.*)$", README.split("## The library")[1].split("```")[2], flags=re.MULTILINE
-)
-COMMANDS = [line.split("#")[0].strip() for line in BLOCK.splitlines() if line.startswith("    mpsolve ")]
+LIBRARY = EXAMPLES.split("## The library")[1]
+SHOWN = re.findall(r"^    (\w+\(\S.*\)[\w.\[\]\"]*) +# (.*)$", LIBRARY, flags=re.MULTILINE)
+
+
+def commands(page: str) -> list[str]:
+    """The commands that a page shows, in its order."""
+    return [line.split("#")[0].strip() for line in page.splitlines() if line.startswith("    mpsolve ")]
 
 
 def test_the_library_example(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (code,) = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)
+    code, _ = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
     exec(code, names)
@@ -65,7 +68,8 @@ def test_the_library_line_by_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
             digits = re.findall(r"\[(-?[\d.]+)…", said)[0]
             assert value.str(60, radius=False).startswith(digits), expression
             balls += 1
-    assert (len(SHOWN), balls) == (30, 4)
+    assert len(SHOWN) == len(re.findall(r"^    \w", LIBRARY, flags=re.MULTILINE)) > 20
+    assert balls > 2
     assert sorted(path.name for path in tmp_path.iterdir()) == ["seeds.csv"]
 
 
@@ -76,16 +80,25 @@ def test_the_pages_that_it_leads_to_exist() -> None:
 
 
 def test_every_command_is_shown() -> None:
-    assert {shlex.split(command)[1] for command in COMMANDS} == set(cli.list_commands(Context(cli)))
+    assert {shlex.split(command)[1] for command in commands(EXAMPLES)} == set(cli.list_commands(Context(cli)))
 
 
-def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In README's order, in a folder with links to examples and certs: each exits with 0."""
+def test_readme_is_short_and_begins_with_the_two_commands() -> None:
+    assert len(README.splitlines()) <= 130
+    first = [line.strip() for line in README.splitlines() if line.startswith("    ")][:2]
+    assert first == ["pip install . && mpsolve certify examples/rail_60e1.toml", "pip install '.[test]' && pytest"]
+
+
+@pytest.mark.parametrize("page", [README, EXAMPLES], ids=["readme", "by-example"])
+def test_the_commands(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the page's order, in a folder with links to examples and certs: each exits with 0."""
     monkeypatch.chdir(tmp_path)
     for folder in ("examples", "certs"):
         (tmp_path / folder).symlink_to(ROOT / folder)
-    assert len(COMMANDS) >= 6
-    for command in COMMANDS:
+    assert len(commands(page)) >= 6
+    for command in commands(page):
+        if page is README and command in commands(EXAMPLES):
+            continue
         words = shlex.split(command)[1:]
         paths = [str(p) for w in words for p in (sorted(tmp_path.glob(w)) if "*" in w else [w])]
         result = CliRunner().invoke(cli, paths)

@@ -15,6 +15,13 @@ ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
 
 
+def test_the_models_of_readme(capsys: pytest.CaptureFixture[str]) -> None:
+    _, code = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)
+    exec(code, {})
+    (said,) = re.findall(r"\.stable\)  # (\w+)", code)
+    assert capsys.readouterr().out == f"{said}\n"
+
+
 def test_the_own_track() -> None:
     section = (ROOT / "docs/how-to/own-track.md").read_text("utf-8")
     code = re.findall(r"```{code-cell} ipython3\n(.*?)```", section, flags=re.DOTALL)[0]
@@ -55,6 +62,6 @@ def test_the_guide_takes_a_page() -> None:
 
 
 def test_every_model_of_an_input_file_is_named() -> None:
-    shown = README.split("Any track and any vehicles")[1].split("The forces have a part")[0]
+    shown = (ROOT / "docs/reference/input.md").read_text("utf-8").split("## Masses on one beam")[0]
     assert all(model.name in shown for model in (*tracks.CATALOGUE, *vehicles.CATALOGUE))
     assert read_problem(ROOT / re.findall(r"`(examples/\w+\.toml)`", shown)[0]).problem

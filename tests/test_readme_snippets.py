@@ -1,4 +1,4 @@
-"""What README shows beside its commands and its library runs as well: SQL, the standalone verifiers."""
+"""What README and its pages show beside commands and library runs as well: SQL, the standalone verifiers."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from mpsolve.cli import EXAMPLES, cli
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
+EXAMPLES_PAGE = (ROOT / "docs/reference/by-example.md").read_text("utf-8")
+MANY = (ROOT / "docs/how-to/many.md").read_text("utf-8")
 
 
 def test_the_standalone_verifiers(tmp_path: Path) -> None:
@@ -34,7 +36,7 @@ def test_the_standalone_verifiers(tmp_path: Path) -> None:
 
 
 def test_the_store_answers_the_query_that_is_shown(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (query,) = re.findall(r"`(SELECT .*?)`", README, flags=re.DOTALL)
+    (query,) = re.findall(r"`(SELECT .*?)`", MANY, flags=re.DOTALL)
     text = (ROOT / "examples/study_float64.toml").read_text("utf-8")
     text = text.replace("two_layer_bogie", str(ROOT / "examples/two_layer_bogie")).replace(
         "count = 500", "count = 40"
@@ -46,7 +48,7 @@ def test_the_store_answers_the_query_that_is_shown(tmp_path: Path, monkeypatch: 
         rows = store.execute(" ".join(query.split())).fetchall()
     assert rows
     assert all(growth > 0 for _, _, growth in rows)
-    assert "certify(open_study(" in README
+    assert "certify(open_study(" in MANY
     found = open_study("study.sqlite")
     answer = certify(found.problem(7), region="unstable", digits=15, check=False)
     (stored,) = [result for index, _, result in found.results() if index == 7]
@@ -56,7 +58,7 @@ def test_the_store_answers_the_query_that_is_shown(tmp_path: Path, monkeypatch: 
 def test_every_option_that_readme_shows_is_one() -> None:
     """An option in README is known to the command of its line, which runs in test_readme.py."""
     context = Context(cli)
-    for line in re.findall(r"^    mpsolve (\S+) (.*)$", README, flags=re.MULTILINE):
+    for line in re.findall(r"^    mpsolve (\S+) (.*)$", README + EXAMPLES_PAGE, flags=re.MULTILINE):
         command = cli.get_command(context, line[0])
         assert command is not None, line
         words = line[1].split()

@@ -120,10 +120,7 @@ class Path:
     """A path of the file."""
 
     def __init__(self, value: Any) -> None:
-        need(
-            isinstance(value, dict) and {"kind", "points"} <= set(value) <= {"kind", "points", "special"},
-            "a path's keys",
-        )
+        need(isinstance(value, dict) and set(value) == {"kind", "points"}, "a path's keys")
         self.kind = value["kind"]
         need(self.kind in ("link", "turn", "passive"), "a path's kind is unknown")
         self.points = [point(p) for p in listed(value["points"], MOST_POINTS, "points")]

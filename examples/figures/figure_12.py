@@ -13,73 +13,59 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from kernels import kernels
 from style import LIMIT, SINGLE, agree, greys, page, run
 from vibration import pair_of_masses
 
-from mpsolve import Case, certify, onset, onset_table, receptance, tracks
+from mpsolve import Case, certify, onset, stability_table
 
 ETA_B = 0.05
 DISTANCES = ("0.5", "1", "1.25", "1.5", "1.75", "2")
 MASSES: Sequence[int] = (10, 20, 30, 40, 50, 60, 80, 100)  # the paper's: range(1, 101), some ten minutes
-ALPHA: Any = np.linspace(0.4, 1.6, 241)
+ALPHA: Any = np.linspace(0.4, 1.6, 481)
 EDGE = 101.0  # of the picture
 FREQUENCIES: Any = np.linspace(0.01, 1.5, 300)
 
 
 def onsets(masses: Sequence[int] = MASSES, distances: Sequence[str] = DISTANCES) -> Any:
     """The proved first onset of one mass (column 0) and of two at each distance, shape (masses, 1 + distances)."""
-    table = onset_table(
-        {
-            "quantity": "onset velocity",
-            "digits": 10,
-            "fixed": {"eta_b": str(ETA_B), "alpha": [0, 2]},
-            "rows": {"parameter": "eta_m", "values": list(masses)},
-            "columns": {"parameter": "d", "values": ["one mass", *distances]},
-        }
-    )
-    return np.array(
-        [[np.nan if entry.value is None else float(entry.value) for entry in row] for row in table.entries]
-    )
+    over: Any = {"v": (0, 2)}
+    pair = Case(alpha="0.5", eta_b=str(ETA_B), eta_m=(1, 1), positions=(0, 1))
+    table = stability_table(pair, over=over, rows={"eta_m": list(masses)}, columns={"d": list(distances)})
+    alone = [onset(Case(alpha="0.5", eta_b=str(ETA_B), eta_m=m), over=over, check=False).value for m in masses]
+    single = [np.nan if value is None else float(value.mid()) for value in alone]
+    proved = [[float(e.text) if e.status == "proved" else np.nan for e in row] for row in table.entries]
+    return np.column_stack([single, proved])
 
 
 def limit(d: str | None, alpha: Any = ALPHA) -> Any:
     """The least η_M at which an induced frequency is real, inf where none is, in float64; d None: one mass."""
-    return np.array(
-        [min((eta for eta in _masses(d, v) if eta > 0), default=np.inf) for v in np.asarray(alpha, float)]
-    )
+    alpha = np.asarray(alpha, float)
+    row, column = np.nonzero(np.diff(np.sign(_condition(d, alpha[:, None], FREQUENCIES)[0]), axis=1))
+    velocity, low, high = alpha[row], FREQUENCIES[column], FREQUENCIES[column + 1]
+    sign = np.sign(_condition(d, velocity, low)[0])
+    for _ in range(48):  # bisections
+        middle = (low + high) / 2
+        same = np.sign(_condition(d, velocity, middle)[0]) == sign
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    eta = np.pi / (2 * low**2) * _condition(d, velocity, low)[1]
+    least = np.full(len(alpha), np.inf)
+    np.minimum.at(least, row, np.where(eta > 0, eta, np.inf))
+    return least
 
 
-def _masses(d: str | None, alpha: float) -> list[float]:
-    """η_M at each real root: brackets, made narrower twice, and a chord."""
-    found = []
-    for low, high in _brackets(d, alpha, FREQUENCIES):
-        for _ in range(2):
-            narrow = _brackets(d, alpha, np.linspace(low, high, len(FREQUENCIES)))
-            low, high = narrow[0] if narrow else (low, high)
-        ends = np.array([low, high])
-        (one, other), _ = _condition(d, alpha, ends)
-        q = low if one == other else low - one * (high - low) / (other - one)
-        found.append(float(_condition(d, alpha, np.array([q]))[1][0] / q**2))
-    return found
+def _condition(d: str | None, alpha: Any, q: Any) -> tuple[Any, Any]:
+    """A real function that vanishes where Δ has a real root q for a real mass, and a = 2 η_M q²/π there.
 
-
-def _brackets(d: str | None, alpha: float, q: Any) -> list[tuple[float, float]]:
-    signs = np.sign(_condition(d, alpha, q)[0])
-    return [(float(q[k]), float(q[k + 1])) for k in np.nonzero(np.diff(signs))[0]]
-
-
-def _condition(d: str | None, alpha: float, q: Any) -> tuple[Any, Any]:
-    """A real function that vanishes where Δ has a real root q for a real mass, and a = η_M q² there.
-
-    Δ = 1 − 2a G(0) + a² P, P = G(0)² − G(d)G(−d): its imaginary part gives a, its real part by (Im P)² the function.
+    Δ = 1 − 2a K(0) + a² P, P = K(0)² − K(d)K(−d): its imaginary part gives a, its real part by (Im P)² the function.
     """
-    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c=str(2 * ETA_B))
-    here, ahead, behind = receptance(beam, [0.0, float(d or 1), -float(d or 1)], q, v=float(alpha))
+    K = kernels(alpha, ETA_B, float(d or 1), q)[0]
+    contact = K[..., 0, 0]
     if d is None:
-        return here.imag, 1 / here.real
-    product = here**2 - ahead * behind
-    i, j = here.imag, product.imag
-    return j * j - 4 * i * here.real * j + 4 * i * i * product.real, 2 * i / j
+        return contact.imag, 1 / contact.real
+    product = contact**2 - K[..., 0, 1] * K[..., 1, 0]
+    i, j = contact.imag, product.imag
+    return j * j - 4 * i * contact.real * j + 4 * i * i * product.real, 2 * i / j
 
 
 def check() -> None:

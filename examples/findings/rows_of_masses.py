@@ -28,6 +28,7 @@ BOGIE = vehicles.Bogie(
     wheel=1500, frame=3000, inertia=155, wheelbase="2.5", k="4.8e6", c=250, body=12500, k2="2.708e6", c2="64e3"
 )
 BOGIES = {1: "334.590807373", 2: "299.359007483"}  # 15 m apart: m/s
+ASKED = (150, 400)
 CRITICAL = "290.391811646"  # m/s, of the rail without damping
 
 
@@ -41,7 +42,7 @@ def row(count: int) -> Any:
 @lru_cache(maxsize=2)
 def bogies(count: int) -> Any:
     """The onset of bogies 15 m apart on the rail."""
-    return onset(Problem(RAIL, [BOGIE.at(15 * k) for k in range(count)], v=100), over={"v": (150, 400)}, check=False)
+    return onset(Problem(RAIL, [BOGIE.at(15 * k) for k in range(count)], v=100), over={"v": ASKED}, check=False)
 
 
 def check() -> None:
@@ -55,6 +56,19 @@ def check() -> None:
     assert (calm.stable, grows.stable) == (True, False)
     [critical] = critical_velocities(RAIL).velocities
     assert critical.value.str(12, radius=False) == CRITICAL, str(critical.value)
+
+
+def numbers() -> dict[str, Any]:
+    """What the text beside this file leaves open."""
+    [critical] = critical_velocities(RAIL).velocities
+    return {
+        "row": {n: f"{float(row(n).value):.4f}" for n in ROWS},
+        "bogies": {n: f"{float(bogies(n).value):.1f}" for n in BOGIES},
+        "endless": ENDLESS,
+        "critical": f"{float(critical.value):.1f}",
+        "low": ASKED[0],
+        "high": ASKED[1],
+    }
 
 
 def draw(ax: Any) -> Any:

@@ -59,6 +59,16 @@ def check() -> None:
     assert smallest.unstable == 2, f"{smallest.unstable}"
 
 
+def numbers() -> dict[str, Any]:
+    """What the text beside this file leaves open."""
+    names = ("large", "middle", "small")
+    at = {
+        name: [f"{float(one.value):.4f}" for one in found(eta_b).crossings]
+        for name, eta_b in zip(names, COUNTS, strict=True)
+    }
+    return at | {"low": RANGE[0], "highest": RANGE[1]}
+
+
 def draw(ax: Any) -> Any:
     """The unstable velocities for each damping; returns the axes."""
     for level, eta_b in enumerate(COUNTS):

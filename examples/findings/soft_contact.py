@@ -52,6 +52,14 @@ def check() -> None:
         assert certified.unstable == count, f"v = {v}: {certified.unstable}"
 
 
+def numbers() -> dict[str, Any]:
+    """What the text beside this file leaves open."""
+    [rigid], [steel], soft = ([float(one.value) for one in found(k).crossings] for k in COUNTS)
+    lower = {"little": f"{100 * (1 - steel / rigid):.2f}", "much": f"{100 * (1 - soft[0] / rigid):.0f}"}
+    rest = {"rigid": f"{rigid:.2f}", "steel": f"{steel:.2f}", "high": RANGE[1]}
+    return {"soft": [f"{v:.1f}" for v in soft]} | lower | rest
+
+
 def draw(ax: Any) -> Any:
     """The number of growing roots over the velocity for the two contacts; returns the axes."""
     for level, k_contact in ((0, "1e7"), (1, "1e9")):

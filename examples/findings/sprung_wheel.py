@@ -51,6 +51,17 @@ def check() -> None:
     assert least.str(12, radius=False) == WAVE, str(least)
 
 
+def numbers() -> dict[str, Any]:
+    """What the text beside this file leaves open."""
+    at = [float(one.value) for one in found().crossings]
+    light, heavy = (float(found(vehicles.Mass(mass)).crossings[0].value) for mass in BARE)
+    wave = float(critical_velocities(TRACK).velocities[0].value)
+    low, high = RANGE
+    told = {"light": light, "heavy": heavy, "wave": wave}
+    rest = {"at": [f"{v:.2f}" for v in at], "width": f"{at[2] - at[1]:.0f}", "low": low, "high": high}
+    return {name: f"{v:.2f}" for name, v in told.items()} | rest
+
+
 def draw(ax: Any) -> Any:
     """The number of growing roots over the velocity; returns the axes."""
     answer = found()

@@ -47,6 +47,15 @@ def check() -> None:
     assert tuple(one.value.str(12, radius=False) for one in critical) == CRITICAL, str(critical)
 
 
+def numbers() -> dict[str, Any]:
+    """What the text beside this file leaves open."""
+    heavy, light = ([float(one.value) for one in found(mass).crossings] for mass in (HEAVY, LIGHT))
+    [critical] = critical_velocities(tracks.TwoLayer(**LAYERS)).velocities
+    share = heavy[0] / float(critical.value)
+    rest = {"critical": f"{float(critical.value):.0f}", "share": f"{share:.2f}", "high": RANGE[1]}
+    return {"heavy": [f"{v:.1f}" for v in heavy], "light": [f"{v:.1f}" for v in light]} | rest
+
+
 def draw(ax: Any) -> Any:
     """The number of growing roots over the velocity; returns the axes."""
     answer = found(HEAVY)

@@ -9,11 +9,11 @@ import sympy as sp
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import grid, shown
 from mpsolve.derivation.paper import dispersion
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.limits import critical_velocity_ratio
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.case import Case
 
 from .equations import derived
+from .limits import critical_velocity_ratio
 
 _MACHINE_READ = "If the machine-read text is faithful."
 
@@ -122,9 +122,9 @@ def critical_velocities_agree(claim: Claim) -> Finding:
     for eta_b in claim.values("eta_b"):
         for axial in claim.values("eta_n"):
             case = Case(alpha="0", eta_b=eta_b, eta_m=1, eta_n=axial)
-            with ball_arithmetic(128) as field:
-                cut = critical_velocity_ratio(case, field)
-                extended = (1 - field.number(case.axial)).sqrt()
+            cut = critical_velocity_ratio(case)
+            with precision(128):
+                extended = (1 - rational_ball(case.axial.as_fraction())).sqrt()
                 same = bool(cut.overlaps(extended))
             numbers.append(
                 (f"η_b = {eta_b}, η_N = {axial}: α_C, α_cr,ex", f"{shown(cut, 10)}, {shown(extended, 10)}")

@@ -7,16 +7,15 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
+from mpsolve import onset as proved_onset
+from mpsolve import unstable_ranges
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, first_on_grid, grid, places, shown
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.limits import critical_velocity_ratio
-from mpsolve.problem.case import Case
-from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
-from .cases import certificate, lowest, pair, spectrum
+from .cases import certificate, lowest, pair, single, spectrum
+from .limits import critical_velocity_ratio
 from .theory import one_damped_mass_is_stable
 
 _DIGITS = 20
@@ -25,34 +24,28 @@ _DIGITS = 20
 @lru_cache(maxsize=64)
 def onset(eta_b: str, eta_m: str, d: str | None, alpha: tuple[str, str] = ("0", "2")) -> Any:
     """The proved onset (`Onset`); d None: one mass. PrecisionError if it is open."""
-    masses, places_ = ((eta_m,), ("0",)) if d is None else ((eta_m, eta_m), ("0", d))
-    found = onset_velocity(eta_b, masses, places_, alpha=alpha, digits=_DIGITS)
+    case = single("0.5", eta_b, eta_m) if d is None else pair("0.5", eta_b, eta_m, d)
+    found = proved_onset(case, over={"v": alpha}, digits=_DIGITS)
     if not found.proved:
-        raise PrecisionError(found.reason)
-    if found.alpha is None:
+        raise PrecisionError(str(found.reason))
+    if found.value is None:
         raise PrecisionError(f"no onset lies between α = {alpha[0]} and {alpha[1]}")
     return found
-
-
-def critical(case: Case) -> Any:
-    """α_C = √(β − N) as a ball."""
-    with ball_arithmetic(128) as field:
-        return critical_velocity_ratio(case, field)
 
 
 def onsets_on_the_grid(claim: Claim) -> Finding:
     """Section 4.3: the first unstable α of the grid for each distance."""
     eta_b, eta_m = claim.number("eta_b"), claim.number("eta_m")
     numbers, wrong, certificates = [], [], []
-    alpha_C = critical(pair("0", eta_b, eta_m, "1"))
+    alpha_C = critical_velocity_ratio(pair("0", eta_b, eta_m, "1"))
     step = Fraction(1, 10 ** min(places(printed) for printed in claim.values("alpha")))
     for d, printed in zip(claim.values("d"), claim.values("alpha"), strict=True):
         found = onset(eta_b, eta_m, d)
-        first = first_on_grid(found.alpha, step)
+        first = first_on_grid(found.value, step)
         if not spectrum(pair(decimal(first), eta_b, eta_m, d)).unstable:
             return Finding(Verdict.UNDECIDABLE, f"d = {d}: stable again at {decimal(first)}, next above the onset.")
-        numbers.append((f"d = {d}: stable below α", shown(found.alpha, 18)))
-        if first != Fraction(printed) or not below(found.alpha, alpha_C):
+        numbers.append((f"d = {d}: stable below α", shown(found.value, 18)))
+        if first != Fraction(printed) or not below(found.value, alpha_C):
             wrong.append(f"d = {d}: printed {printed}, proved {decimal(first)}")
         certificates.append((f"{claim.id}_d{d}", found.certificate))
         certificates += [
@@ -70,10 +63,10 @@ def damping_destabilises(claim: Claim) -> Finding:
     """Conclusion (x): an onset below α_C, where without damping nothing is unstable."""
     eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     found, case = onset(eta_b, eta_m, d), pair("0", eta_b, eta_m, d)
-    sub = below(found.alpha, critical(case)) and below(found.alpha, 1)
+    sub = below(found.value, critical_velocity_ratio(case)) and below(found.value, 1)
     numbers = (
-        ("onset α", shown(found.alpha, 18)),
-        ("α_C", shown(critical(case), 12)),
+        ("onset α", shown(found.value, 18)),
+        ("α_C", shown(critical_velocity_ratio(case), 12)),
         ("q there", shown(found.q, 15)),
     )
     certificates = [(f"{claim.id}_onset", found.certificate)]
@@ -90,9 +83,9 @@ def one_mass_is_supercritical(claim: Claim) -> Finding:
     proof, numbers, certificates, wrong = one_damped_mass_is_stable(), [], [], []
     for eta_m in claim.values("eta_m"):
         found = onset(claim.number("eta_b"), eta_m, None)
-        numbers.append((f"η_M = {eta_m}: onset α", shown(found.alpha, 15)))
+        numbers.append((f"η_M = {eta_m}: onset α", shown(found.value, 15)))
         certificates.append((f"{claim.id}_eta{eta_m}", found.certificate))
-        if not below(1, found.alpha):
+        if not below(1, found.value):
             wrong.append(eta_m)
     if wrong or claim.number("range") != "supercritical":
         return Finding(Verdict.REFUTED, f"Onset for η_M = {', '.join(wrong)} below 1.", numbers, proof.steps)
@@ -108,7 +101,7 @@ def one_mass_onset_grows(claim: Claim) -> Finding:
     for eta_m in claim.values("eta_m"):
         onsets = [(eta_b, onset(eta_b, eta_m, None)) for eta_b in claim.values("eta_b")]
         certificates += [(f"{claim.id}_eta{eta_m}_eta_b{b}", at.certificate) for b, at in onsets]
-        found = [(eta_b, at.alpha) for eta_b, at in onsets]
+        found = [(eta_b, at.value) for eta_b, at in onsets]
         wrong += [f"η_M = {eta_m}, η_b = {b}" for (_, x), (b, y) in pairwise(found) if not below(x, y)]
         numbers += [(f"η_M = {eta_m}, η_b = {b}: onset α", shown(x, 12)) for b, x in found]
     if wrong:
@@ -123,10 +116,8 @@ def one_mass_onset_grows(claim: Claim) -> Finding:
 def never_real(claim: Claim) -> Finding:
     """Section 4.3: in the damped case the imaginary part is always non-zero."""
     found = onset(claim.number("eta_b"), claim.number("eta_m"), claim.number("d"))
-    with ball_arithmetic(96) as field:
-        case = pair("0", claim.number("eta_b"), claim.number("eta_m"), claim.number("d"))
-        alpha_C = critical_velocity_ratio(case, field)
-    numbers = (("α", shown(found.alpha, 18)), ("q (real)", shown(found.q, 18)), ("α_C", shown(alpha_C, 12)))
+    alpha_C = critical_velocity_ratio(pair("0", claim.number("eta_b"), claim.number("eta_m"), claim.number("d")))
+    numbers = (("α", shown(found.value, 18)), ("q (real)", shown(found.q, 18)), ("α_C", shown(alpha_C, 12)))
     sentence = "At the onset itself a pair of induced frequencies is real: that is what an onset is."
     return Finding(Verdict.REFUTED, sentence, numbers, certificates=[(claim.id, found.certificate)])
 
@@ -182,13 +173,13 @@ def lighter_masses_stay_stable(claim: Claim) -> Finding:
     eta_b, eta_m = claim.number("eta_b"), claim.number("eta_m")
     numbers, wrong, certificates = [], [], []
     for d in claim.values("d"):
-        found = unstable_velocities(eta_b, (eta_m, eta_m), (0, d), alpha=(0, claim.number("alpha")), digits=15)
+        found = unstable_ranges(pair("0.5", eta_b, eta_m, d), over={"v": (0, claim.number("alpha"))}, digits=15)
         if not found.proved:
-            return Finding(Verdict.UNDECIDABLE, found.reason)
-        numbers.append((f"d = {d}: unstable ranges below α = {claim.number('alpha')}", str(len(found))))
+            return Finding(Verdict.UNDECIDABLE, str(found.reason))
+        numbers.append((f"d = {d}: unstable ranges below α = {claim.number('alpha')}", str(len(found.intervals))))
         certificates.append((f"{claim.id}_d{d}", found.certificate))
-        if found:
-            wrong.append(f"d = {d}: from α = {shown(found[0].start, 10)}")
+        if found.intervals:
+            wrong.append(f"d = {d}: from α = {shown(found.intervals[0].start, 10)}")
     if wrong:
         return Finding(Verdict.REFUTED, "; ".join(wrong), numbers, certificates=certificates)
     sentence = "Proved stable on the whole range, at each of the distances."

@@ -17,12 +17,12 @@ from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation import paper_steps as st
 from mpsolve.derivation.paper import derivation
 from mpsolve.derivation.paper_steps import Step
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.limits import limiting_frequency
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.case import Case
 
 from .cases import certificate, pair, spectrum
 from .harmonic import harmonic
+from .limits import limiting_frequency
 
 _SYMBOLS = (
     "x s t tau T a EI m k v chi v_cr w_st P N k_p c_b eta_b eta_N eta_S eta_M eta_C q_lm qbar w what Wtilde W det"
@@ -242,13 +242,13 @@ def limit_with_damping(claim: Claim) -> Finding:
     """(33), (34): whether they hold for every η_b < 1 when η_N = η_S, as the text says."""
     numbers, right = [], []
     for eta_b in claim.values("eta_b"):
-        with ball_arithmetic(128) as field:
+        with precision(128):
             case = Case(alpha="0.5", eta_b=eta_b, eta_m=1)
-            q = limiting_frequency(case, field)
+            q = limiting_frequency(case)
             back = ((8 + 20 * q**2 - q**4 - q * (q**2 + 8) * (q**2 + 8).sqrt()) / 8).sqrt().sqrt()
             numbers.append((f"η_b = {eta_b}, α = 0.5: q_lm", shown(q, 12)))
             numbers.append((f"η_b = {eta_b}: α by (33) at this q_lm", shown(back, 8)))
-            right.append(bool(back.overlaps(field.number(case.alpha))))
+            right.append(bool(back.overlaps(rational_ball(case.alpha.as_fraction()))))
     if all(right):
         return Finding(Verdict.UNDECIDABLE, "No damping ratio looked at contradicts it.", numbers)
     sentence = (

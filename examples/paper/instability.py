@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
+from mpsolve import Unstable, unstable_ranges
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
 from mpsolve.errors import PrecisionError
-from mpsolve.stability.velocities import unstable_velocities
 
-from .cases import certificate, listed, spectrum
+from .cases import certificate, listed, pair, spectrum
 
 
 def more_frequencies(claim: Claim) -> Finding:
@@ -32,23 +34,33 @@ def more_frequencies(claim: Claim) -> Finding:
 def one_interval(claim: Claim) -> Finding:
     """Section 1: the unstable velocities constitute one interval, and its lowest is the onset."""
     eta_b, eta_m, d, top = claim.numbers("eta_b", "eta_m", "d", "alpha")
-    found = unstable_velocities(eta_b, (eta_m, eta_m), (0, d), alpha=(0, top), digits=15)
+    found = unstable_ranges(pair("0.5", eta_b, eta_m, d), over={"v": (0, top)}, digits=15)
     if not found.proved:
-        raise PrecisionError(found.reason)
+        raise PrecisionError(str(found.reason))
+    ranges = _joined(found.intervals)
     numbers = [
-        (f"unstable range {k}: α from, to", f"{shown(at.start, 12)}, {shown(at.end, 12)}")
-        for k, at in enumerate(found, 1)
+        (f"unstable range {k}: α from, to", f"{shown(start, 12)}, {shown(end, 12)}")
+        for k, (start, end) in enumerate(ranges, 1)
     ]
     certificates = [(claim.id, found.certificate)]
-    if len(found) < 2:
+    if len(ranges) < 2:
         sentence = "One interval, or none, in this case; in general it is not proved."
         return Finding(Verdict.UNDECIDABLE, sentence, numbers, certificates=certificates)
     sentence = (
-        f"With η_b = {eta_b}, η_M = {eta_m}, d = {d} there are {len(found)} unstable ranges up to α = {top}, and "
+        f"With η_b = {eta_b}, η_M = {eta_m}, d = {d} there are {len(ranges)} unstable ranges up to α = {top}, and "
         "every α between them is stable (all proved). The lowest unstable velocity is the onset, but it does not "
         "tell all."
     )
     return Finding(Verdict.REFUTED, sentence, numbers, certificates=certificates)
+
+
+def _joined(intervals: Sequence[Unstable]) -> list[tuple[Any, Any]]:
+    """The ends of the ranges; parts with other numbers of roots that meet at one crossing are one."""
+    out: list[tuple[Any, Any]] = []
+    for one in intervals:
+        start = out.pop()[0] if out and out[-1][1] is one.start else one.start
+        out.append((start, one.end))
+    return out
 
 
 CLAIMS = (

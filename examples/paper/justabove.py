@@ -17,7 +17,7 @@ from typing import Any
 import flint
 
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 
 acb, arb = flint.acb, flint.arb
 _BITS, _HALVINGS = 64, 8
@@ -41,7 +41,7 @@ STEPS = (
 @lru_cache(maxsize=64)
 def unstable_up_to(alpha: str, eta_m: str, d: str | None) -> bool:
     """Whether one mass (d None), or two at the distance d, are proved unstable for every α with 1 < α ≤ `alpha`."""
-    with ball_arithmetic(_BITS):
+    with precision(_BITS):
         end = (_real(alpha) ** 2 - 1).sqrt()
         mass, distance = _real(eta_m), None if d is None else _real(d)
         return _everywhere(lambda part: _turns_once(end * part, mass, distance))

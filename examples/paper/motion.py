@@ -10,7 +10,7 @@ from typing import Any
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, grid, shown
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 
 from .cases import ball, certificate, higher_end, pair
 from .harmonic import Harmonic, harmonic
@@ -18,14 +18,14 @@ from .harmonic import Harmonic, harmonic
 
 def share(found: Harmonic) -> Any:
     """The amplitude of the higher pair over that of the lower; 0 where there is no higher pair."""
-    with ball_arithmetic(96):
+    with precision(96):
         sizes = found.amplitudes
         return sizes[1] / sizes[0] if len(sizes) > 1 else sizes[0] * 0
 
 
 def start_share(found: Harmonic) -> Any:
     """The displacement at τ = 0 over the sum of the amplitudes."""
-    with ball_arithmetic(96):
+    with precision(96):
         return found.start / sum(found.amplitudes[1:], found.amplitudes[0])
 
 

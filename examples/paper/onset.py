@@ -14,7 +14,7 @@ from mpsolve.errors import PrecisionError
 
 from .cases import certificate, lowest, pair, spectrum
 from .damped import onset
-from .search import crossings, exchanged, reproductions
+from .search import crossings, exchanged, limiting, reproductions
 
 _BOX, _NEAR = ("0.5", "4.5"), ("0.5", "2")  # distances: all of Section 4.1, and those about the critical one
 
@@ -125,15 +125,15 @@ def limit_at(claim: Claim) -> Finding:
         return Finding(Verdict.UNDECIDABLE, f"Unstable roots from mass to mass: {found.counts}, not from one on.")
     certificates = [(claim.id, found.certificate)]
     numbers = [
-        (f"η_b = {eta_b}, d = {d}: limiting mass", shown(found[0].eta, 14)),
-        ("q there", shown(found[0].q, 12)),
+        (f"η_b = {eta_b}, d = {d}: limiting mass", shown(found.crossings[0].value, 14)),
+        ("q there", shown(found.crossings[0].q, 12)),
     ]
-    if rounds_to(found[0].eta, printed):
+    if rounds_to(found.crossings[0].value, printed):
         sentence = "The proved limiting mass rounds to the printed one; all heavier masses are unstable."
         return Finding(Verdict.PROVED, sentence, numbers, certificates=certificates)
     here = pair(alpha, eta_b, printed, d)
     certificates.append((f"{claim.id}_eta{printed}", certificate(here)))
-    limit = shown(found[0].eta, 5)
+    limit = shown(found.crossings[0].value, 5)
     if spectrum(here).unstable:
         stated = f"η_M = {printed} is unstable (certified), but so are all masses from {limit} on"
     else:
@@ -142,7 +142,7 @@ def limit_at(claim: Claim) -> Finding:
     common = exchanged(claim, search)
     for b, x in search:
         certificates.append((f"{claim.id}_eta_b{b}_d{x}", crossings(alpha, b, x).certificate))
-    lines = [f"η_b = {b}, d = {x}: limiting mass {shown(crossings(alpha, b, x)[0].eta, 10)}" for b, x in search]
+    lines = [f"η_b = {b}, d = {x}: limiting mass {shown(limiting(alpha, b, x), 10)}" for b, x in search]
     sentence = f"As a limiting mass {printed} is wrong: the proved one is {limit}. {stated}."
     return Finding(Verdict.REFUTED, sentence, numbers, search=(*common, *lines), certificates=certificates)
 
@@ -159,24 +159,24 @@ def limit_at_critical(claim: Claim) -> Finding:
     numbers = (
         ("least limiting mass over d = 0.5 to 2", shown(least.value, 14)),
         ("at the distance d", shown(least.worst, 12)),
-        (f"limiting mass at d = {place}, critical for η_M = 70", shown(there[0].eta, 12)),
+        (f"limiting mass at d = {place}, critical for η_M = 70", shown(there.crossings[0].value, 12)),
     )
     certificates = [
         (f"{claim.id}_limit", there.certificate),
         (f"{claim.id}_unstable", certificate(pair(alpha, eta_b, printed, place))),
     ]
-    if rounds_to(least.value, printed) or rounds_to(there[0].eta, printed):
+    if rounds_to(least.value, printed) or rounds_to(there.crossings[0].value, printed):
         return Finding(Verdict.PROVED, "It is the limiting mass.", numbers, certificates=certificates)
     hits = reproductions(alpha, printed, claim.values("dampings"))
     certificates += [(f"{claim.id}_eta_b{b}_d{d}", crossings(alpha, b, d).certificate) for b, d in hits]
-    search = tuple(f"η_b = {b}, d = {d}: limiting mass {shown(crossings(alpha, b, d)[0].eta, 10)}" for b, d in hits)
+    search = tuple(f"η_b = {b}, d = {d}: limiting mass {shown(limiting(alpha, b, d), 10)}" for b, d in hits)
     if spectrum(pair(alpha, eta_b, printed, place)).unstable:
         sentence = (
             f"Unstable it is there (certified), but as the limiting mass it is not right: that is "
-            f"{shown(there[0].eta, 5)} at the critical distance, {shown(least.value, 5)} at the worst one."
+            f"{shown(there.crossings[0].value, 5)} at the critical distance, {shown(least.value, 5)} at the worst."
         )
         return Finding(Verdict.CONDITIONAL, sentence, numbers, search=search, certificates=certificates)
-    sentence = f"Stable there: the limiting mass is {shown(there[0].eta, 5)}."
+    sentence = f"Stable there: the limiting mass is {shown(there.crossings[0].value, 5)}."
     return Finding(Verdict.REFUTED, sentence, numbers, search=search, certificates=certificates)
 
 
@@ -186,22 +186,23 @@ def curves_cross(claim: Claim) -> Finding:
     for d in grid(claim.number("d")):
         at_one = crossings("1", eta_b, d)
         certificates.append((f"{claim.id}_d{d}", at_one.certificate))
-        if len(at_one):
-            numbers.append((f"d = {d}: at α = 1 unstable from η_M", shown(at_one[0].eta, 12)))
+        if at_one.crossings:
+            numbers.append((f"d = {d}: at α = 1 unstable from η_M", shown(at_one.crossings[0].value, 12)))
         else:
             numbers.append((f"d = {d}: at α = 1 unstable", "no mass"))
-        below = [(crossings(a, eta_b, d)[0].eta, a) for a in claim.values("alpha") if len(crossings(a, eta_b, d))]
+        below = [(limiting(a, eta_b, d), a) for a in claim.values("alpha")]
+        below = [one for one in below if one[0] is not None]
         if below:
             eta, alpha = min(below, key=lambda pair_: float(pair_[0]))
             numbers.append(
                 (f"d = {d}: least of the limiting masses at {len(below)} velocities below 1", shown(eta, 10))
             )
             certificates.append((f"{claim.id}_d{d}_alpha{alpha}", crossings(alpha, eta_b, d).certificate))
-        if not len(at_one) and not below:
+        if not at_one.crossings and not below:
             never.append(d)
     if never:
         text = (
-            f"At d = {', '.join(never)} no mass, however heavy, has a real frequency at α = 1 (proved), so that "
+            f"At d = {', '.join(never)} no mass up to η_M = 10⁶ has a real frequency at α = 1 (proved), so that "
             "curve never meets α = 1; nor is any mass unstable at the velocities below that were looked at."
         )
         return Finding(Verdict.REFUTED, text, numbers, certificates=certificates)
@@ -216,12 +217,12 @@ def one_mass_first(claim: Claim) -> Finding:
     eta_b, numbers, wrong, certificates = claim.number("eta_b"), [], [], []
     for eta_m in claim.values("eta_m"):
         one = onset(eta_b, eta_m, None)
-        numbers.append((f"η_M = {eta_m}: one mass", shown(one.alpha, 12)))
+        numbers.append((f"η_M = {eta_m}: one mass", shown(one.value, 12)))
         for d in grid(claim.number("d")):
             two = onset(eta_b, eta_m, d)
-            numbers.append((f"η_M = {eta_m}, d = {d}", shown(two.alpha, 12)))
+            numbers.append((f"η_M = {eta_m}, d = {d}", shown(two.value, 12)))
             certificates.append((f"{claim.id}_eta{eta_m}_d{d}", two.certificate))
-            if not below(two.alpha, one.alpha):
+            if not below(two.value, one.value):
                 wrong.append(f"η_M = {eta_m}, d = {d}")
     verdict = Verdict.REFUTED if wrong else Verdict.CONDITIONAL
     sentence = (
@@ -236,7 +237,7 @@ def onset_method(claim: Claim) -> Finding:
     """Section 4.4: the root with Im q slightly below and slightly above 0 marks the onset: by certified counts."""
     eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     found = onset(eta_b, eta_m, d)
-    signs, certificates, numbers = [], [], [("onset α", shown(found.alpha, 18)), ("q", shown(found.q, 15))]
+    signs, certificates, numbers = [], [], [("onset α", shown(found.value, 18)), ("q", shown(found.q, 15))]
     for side, alpha in zip(("before", "after"), claim.values("alpha"), strict=True):
         case = pair(alpha, eta_b, eta_m, d)
         signs.append(below(lowest(case), 0))

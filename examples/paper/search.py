@@ -3,30 +3,37 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
+from mpsolve import Crossings
+from mpsolve import crossings as proved_crossings
+from mpsolve.characteristic.floats import Receptance
 from mpsolve.claims import Claim
 from mpsolve.claims.values import grid, places, rounds_to
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import Float64
-from mpsolve.model.branch import track
-from mpsolve.model.characteristic import kernel_matrix
-from mpsolve.stability.masses import CrossingMasses, crossing_masses
 
 from .cases import pair
+from .kernels import reduced_beam
 
 _TRIED = grid("0.5:0.05:2")  # distances of the search
 _FREQUENCIES = np.geomspace(0.02, 2, 800)
 
 
 @lru_cache(maxsize=64)
-def crossings(alpha: str, eta_b: str, d: str) -> CrossingMasses:
-    """All crossing masses, proved. PrecisionError if they are not."""
-    found = crossing_masses(alpha, eta_b, (0, d), digits=15)
+def crossings(alpha: str, eta_b: str, d: str) -> Crossings:
+    """All crossings of two equal masses, η_M from 0.001 to 10⁶, proved. PrecisionError if they are not."""
+    found = proved_crossings(pair(alpha, eta_b, "1", d), over={"scale.mass": ("0.001", "1e6")}, digits=15)
     if not found.proved:
-        raise PrecisionError(found.reason)
+        raise PrecisionError(str(found.reason))
     return found
+
+
+def limiting(alpha: str, eta_b: str, d: str) -> Any:
+    """The least of the crossing masses, None where there is none."""
+    found = crossings(alpha, eta_b, d).crossings
+    return found[0].value if found else None
 
 
 def exchanged(claim: Claim, search: list[tuple[str, str]]) -> tuple[str, ...]:
@@ -49,8 +56,8 @@ def reproductions(alpha: str, printed: str, dampings: tuple[str, ...]) -> list[t
         for d in _TRIED:
             guess = _limit_guess(alpha, eta_b, d)
             if guess is not None and abs(guess - float(printed)) < 1.2 * half:
-                found = crossings(alpha, eta_b, d)
-                if len(found) and rounds_to(found[0].eta, printed):
+                found = limiting(alpha, eta_b, d)
+                if found is not None and rounds_to(found, printed):
                     hits.append((eta_b, d))
     return hits
 
@@ -59,11 +66,15 @@ def reproductions(alpha: str, printed: str, dampings: tuple[str, ...]) -> list[t
 def _limit_guess(alpha: str, eta_b: str, d: str) -> float | None:
     """The least crossing mass in float64: where an eigenvalue λ of [K_ij] is real and positive, η = π/(2q²λ)."""
     q = _FREQUENCIES
-    rows = kernel_matrix(track(pair(alpha, eta_b, "1", d), Float64()), q)
-    root = np.sqrt(rows[0][1] * rows[1][0] + 0j)
+    reduced, factor = reduced_beam(pair(alpha, eta_b, "1", d))
+    apart = reduced.places[1] - reduced.places[0]
+    sigma = 1j * q / float(reduced.frequency_unit)
+    G, _ = Receptance(reduced.guide)(sigma, [0 * apart, apart, -apart], slope=False)
+    contact, ahead, behind = (np.pi * float(factor) * one for one in G)
+    root = np.sqrt(ahead * behind + 0j)
     root = root * np.cumprod(np.concatenate([[1.0], np.where((root[1:] * root[:-1].conj()).real < 0, -1.0, 1.0)]))
     least = None
-    for value in (rows[0][0] + root, rows[0][0] - root):
+    for value in (contact + root, contact - root):
         turns = np.flatnonzero((value.imag[1:] * value.imag[:-1] < 0) & (value.real[1:] > 0))
         for k in turns:
             t = value.imag[k] / (value.imag[k] - value.imag[k + 1])

@@ -11,12 +11,10 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
 from mpsolve.derivation.paper import dispersion
-from mpsolve.fields import ball_arithmetic
-from mpsolve.model.limits import limiting_frequency
-from mpsolve.stability.cuts import cut_points
+from mpsolve.numbers.balls import precision
 
-from .cases import DISTANCES, MASSES, ahead, ball, certificate, listed, pair, single, spectrum
-from .damped import critical
+from .cases import DISTANCES, MASSES, ahead, ball, certificate, cuts, listed, pair, single, spectrum
+from .limits import critical_velocity_ratio, limiting_frequency
 from .theory import symmetries
 
 _DIGITS = 20
@@ -41,14 +39,14 @@ def cut_at_damping(claim: Claim) -> Finding:
     eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     numbers = []
     certificates: list[tuple[str, Certificate | None]] = []
-    found = cut_points(eta_b, (eta_m, eta_m), (0, d), alpha=("0.9", "1.3"), digits=15)
-    for point in found:
-        last = last_on_grid(point.alpha, Fraction(1, 100))
+    found = cuts(pair("0.95", eta_b, eta_m, d), "0.9", "0.99")
+    for point in found.points:
+        last = last_on_grid(point.value, Fraction(1, 100))
         certificates += [
             (f"{claim.id}_alpha{decimal(alpha)}", certificate(pair(decimal(alpha), eta_b, eta_m, d)))
             for alpha in (last, last + Fraction(1, 100))
         ]
-        numbers.append(("cut point: α", shown(point.alpha, 12)))
+        numbers.append(("cut point: α", shown(point.value, 12)))
         numbers.append(("there Re q", shown(point.q.real, 12)))
     steps = (
         "With q = x + i(η_b + y): Im D(p, q) = −8y(x − αp) and, at p = x/α, Re D = p⁴ + 4y² + 4 − 4η_b² "
@@ -59,7 +57,7 @@ def cut_at_damping(claim: Claim) -> Finding:
         "For η_b < 1 and y ≠ 0 D has no real p-root, so K and Δ are analytic off the line Im q = η_b; on it they are "
         "where |Re q| < q_lm. A root can leave the sheet only at Im q = η_b, |Re q| ≥ q_lm.",
     )
-    holds = sp.simplify(offset) == 0 and positive == 0 and gap == 0 and found.proved and len(found) > 0
+    holds = sp.simplify(offset) == 0 and positive == 0 and gap == 0 and len(found.points) > 0
     if not holds:
         return Finding(Verdict.UNDECIDABLE, "Not confirmed.", numbers, steps)
     sentence = (
@@ -89,7 +87,7 @@ def order_with_damping(claim: Claim) -> Finding:
                     *((f"pair {k}", z) for k, z in enumerate(lines, 1)),
                 )
             )
-            here = "below α_C" if case.alpha.ball() < critical(case) else "above α_C"
+            here = "below α_C" if case.alpha.ball() < critical_velocity_ratio(case) else "above α_C"
             what = (
                 "lower line is not between those of the single and doubled mass" if out else "higher line is between"
             )
@@ -110,12 +108,12 @@ def pairs_with_damping(claim: Claim) -> Finding:
     """Conclusion (v) does not leave damping out: a subcritical case with another number of pairs."""
     numbers, certificates, wrong = [], [], []
     for where, name, case in listed(claim):
-        if not case.alpha.ball() < critical(case):
+        if not case.alpha.ball() < critical_velocity_ratio(case):
             continue
         pairs = len(ahead(case))
         numbers.append((f"{where}: pairs", str(pairs)))
         if str(pairs) not in (claim.number("low"), claim.number("high")):
-            at = where.replace(", η_M", f" < α_C = {shown(critical(case), 6)}, η_M")
+            at = where.replace(", η_M", f" < α_C = {shown(critical_velocity_ratio(case), 6)}, η_M")
             wrong.append(f"{pairs} pairs at {at}")
             certificates.append((name, certificate(case)))
     if wrong:
@@ -175,8 +173,7 @@ def crosses_the_limit(claim: Claim) -> Finding:
     numbers, sides = [], []
     for alpha in claim.values("alpha"):
         case = pair(alpha, eta_b, eta_m, d)
-        with ball_arithmetic(96) as field:
-            limit = limiting_frequency(case, field)
+        limit = limiting_frequency(case)
         line = ahead(case)[-1]
         numbers += [(f"α = {alpha}: Re q", shown(line.real, 12)), (f"α = {alpha}: q_lm", shown(limit, 12))]
         sides.append(True if line.real > limit else False if line.real < limit else None)
@@ -188,7 +185,7 @@ def crosses_the_limit(claim: Claim) -> Finding:
 
 def subcritical_velocity(claim: Claim) -> Finding:
     """Section 4.3 calls α = 0.99 subcritical for all η_b."""
-    with ball_arithmetic(128):
+    with precision(128):
         alpha = ball(claim.number("alpha"))
         limit = (1 - alpha**4).sqrt() if alpha < 1 else None
     if limit is None:

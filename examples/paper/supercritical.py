@@ -8,19 +8,17 @@ from itertools import product
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
-from mpsolve.claims.values import decimal, ends, shown
+from mpsolve.claims.values import shown
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.exact import Exact
+from mpsolve.loci.below import stays_below
 from mpsolve.problem.case import Case
-from mpsolve.stability.tube import follow
-from mpsolve.stability.velocities import UnstableRanges, unstable_velocities
+from mpsolve.problem.cases import as_problem
 
 from .cases import certificate, pair, single, spectrum
 from .justabove import STEPS, unstable_up_to
 from .theory import symmetries, undamped_roots_are_real
 
 _STRIPS = ("1.1", "1.08", "1.04", "1.02", "1.01")  # where the strip above α_C may end, the widest first
-_WIDER = Fraction(1, 10**6)  # covers the rounding of open ranges
 _HALVINGS = 6
 _CERTIFIED = "1.1"
 
@@ -44,18 +42,12 @@ def _onset(claim: Claim, models: Sequence[tuple[str, str | None]]) -> Finding:
     for eta_m, d in models:
         name = f"η_M = {eta_m}" if d is None else f"η_M = {eta_m}, d = {d}"
         strip = next((end for end in _STRIPS if unstable_up_to(end, eta_m, d)), None)
-        masses, places = ((eta_m,), ("0",)) if d is None else ((eta_m, eta_m), ("0", d))
-        found = unstable_velocities(0, masses, places, alpha=(0, top), digits=15)
-        start, end = Fraction(strip or "1"), Fraction(top)
-        open_ = _left_over(found, start, end)
-        broken = [at for low, high in open_ for at in _not_followed(eta_m, d, low, high)]
-        undecided += [f"{name}, α from {at}" for at in broken]
-        for low, high in uncovered([*open_, *_unstable(found, end)], start, end):
+        start = Fraction(strip or "1")
+        for low, high in not_followed(eta_m, d, start, Fraction(top)):
             at = f"{name}, α from {float(low):.7g} to {float(high):.7g}"
             (stable if _is_stable(eta_m, d, (low + high) / 2) else undecided).append(at)
-        followed = ", ".join(f"{float(low):.4g} to {float(high):.4g}" for low, high in open_)
-        how = f"up to {strip} by the count just above α_C"
-        numbers.append((f"{name}: unstable", f"{how}; one root followed over {followed}" if followed else how))
+        how = f"up to {strip} by the count just above α_C; " if strip else ""
+        numbers.append((f"{name}: unstable", f"{how}unstable roots followed over {float(start):.4g} to {top}"))
         if eta_m == models[0][0] or d in (None, "1"):
             certificates.append((f"{claim.id}_eta{eta_m}_d{d or 0}_alpha{_CERTIFIED}", _certified(eta_m, d)))
     steps = (*proof.steps, *STEPS)
@@ -85,27 +77,6 @@ def _certified(eta_m: str, d: str | None) -> Certificate | None:
 Range = tuple[Fraction, Fraction]
 
 
-def _unstable(found: UnstableRanges, top: Fraction) -> list[Range]:
-    """The ranges of α proved unstable, without the balls of their ends; an end that is no crossing may be `top`."""
-    ranges = []
-    for interval in found:
-        low, (least, most) = ends(interval.start)[1], ends(interval.end)
-        ranges.append((low, top if interval.q_end is None and least <= top <= most else least))
-    return ranges
-
-
-def uncovered(ranges: Sequence[Range], start: Fraction, end: Fraction) -> list[Range]:
-    """What of [start, end] lies in none of the closed ranges, by exact comparison."""
-    left, reached = [], start
-    for low, high in sorted(ranges):
-        if low > reached:
-            left.append((reached, min(low, end)))
-        reached = max(reached, high)
-        if reached >= end:
-            return left
-    return [*left, (reached, end)]
-
-
 def _is_stable(eta_m: str, d: str | None, alpha: Fraction) -> bool:
     """Whether it is certified that no root is unstable there."""
     try:
@@ -114,46 +85,30 @@ def _is_stable(eta_m: str, d: str | None, alpha: Fraction) -> bool:
         return False
 
 
-def _left_over(found: UnstableRanges, strip: Fraction, top: Fraction) -> list[Range]:
-    """The ranges of α that are open, a little wider, without what lies in the strip; ranges that touch are one."""
-    wide = [(max(strip, Fraction(a) - _WIDER), min(top, Fraction(b) + _WIDER)) for a, b in found.unknown]
-    merged: list[Range] = []
-    for low, high in sorted((low, high) for low, high in wide if low < high):
-        if merged and low <= merged[-1][1]:
-            merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
-        else:
-            merged.append((low, high))
-    return [
-        (Fraction(low * 10**7 // 1, 10**7), min(top, Fraction(-(-high * 10**7 // 1), 10**7))) for low, high in merged
-    ]
-
-
-def _not_followed(eta_m: str, d: str | None, low: Fraction, high: Fraction) -> list[str]:
-    """Where no chain of tubes is found that keeps one unstable root unstable: from each of these on, for a while."""
+def not_followed(eta_m: str, d: str | None, low: Fraction, high: Fraction) -> list[Range]:
+    """The parts of [low, high], halved so often, over which no unstable root is followed."""
     pending, broken = [(low, high, 0)], []
     while pending:
         start, end, depth = pending.pop()
         if _followed(eta_m, d, start, end):
             continue
         if depth == _HALVINGS:
-            broken.append(f"{float(start):.5g} to {float(end):.5g}")
+            broken.append((start, end))
             continue
-        middle = Fraction((start + end) * 10**9 // 2, 10**9)
+        middle = (start + end) / 2
         pending += [(start, middle, depth + 1), (middle, end, depth + 1)]
-    return broken
+    return sorted(broken)
 
 
 def _followed(eta_m: str, d: str | None, start: Fraction, end: Fraction) -> bool:
     """Whether a certified unstable root at `start` is proved to go on below the real axis up to `end`."""
-    case = _case(decimal(start), eta_m, d)
+    case = _case(str(start), eta_m, d)
     try:
         found = spectrum(case)
     except PrecisionError:
         return False
-    balls = [r.q for r in found.roots if r.q.imag < 0 and not r.q.real < 0 and r.multiplicity == 1]
-    starts, ends = ([Exact.parse(at, "alpha")] * len(balls) for at in (start, end))
-    reached = follow(case, starts, ends, balls)
-    return any(ball is not None for ball in reached)
+    roots = [r.q for r in found.roots if r.q.imag < 0 and not r.q.real < 0 and r.multiplicity == 1]
+    return any(stays_below(as_problem(case), {"v": (start, end)}, q) for q in roots)
 
 
 def four_signs(claim: Claim) -> Finding:

@@ -9,7 +9,7 @@ from typing import Any
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, shown
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 
 from .cases import certificate, pair, single
 from .harmonic import harmonic, superposed
@@ -21,7 +21,7 @@ Certificates = list[tuple[str, Certificate | None]]
 def apart(case: Any, d: str, what: str) -> tuple[Any, Rows]:
     """By what part the frequency differs from that of the pair's lower line; the comparison in numbers."""
     found, alpha, eta_m = harmonic(case), str(case.alpha), str(case.eta_m[0])
-    with ball_arithmetic(96):
+    with precision(96):
         sizes, frequency = found.amplitudes, found.frequencies[0]
         top = sum(sizes[1:], sizes[0])
         if what == "superposed":
@@ -102,7 +102,7 @@ def in_the_limit(claim: Claim) -> Finding:
         for d in claim.values("d"):
             case = pair(alpha, "0", eta_m, d)
             low, high = harmonic(case).frequencies
-            with ball_arithmetic(96):
+            with precision(96):
                 gap = high - low
                 sizes = harmonic(case).amplitudes
                 depth = 1 - abs(sizes[0] - sizes[1]) / (sizes[0] + sizes[1])

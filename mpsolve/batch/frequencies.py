@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.beam import OFF_LINE, UNKNOWN, on_sheet
 from mpsolve.batch.count import count_group
 from mpsolve.batch.entries import Entries, entries_of
 from mpsolve.batch.groups import Group, groups_of
@@ -18,6 +17,7 @@ from mpsolve.batch.passive import first_passive, outrun
 from mpsolve.batch.premises import OVERTAKES, premises
 from mpsolve.batch.result import STATUSES, Frequencies
 from mpsolve.batch.roots import Search, weight, whole
+from mpsolve.batch.sheet import OFF_LINE, UNKNOWN, check_sheet, on_sheet
 from mpsolve.errors import InputError
 from mpsolve.parallel.pool import run
 from mpsolve.parallel.threads import one_thread
@@ -28,6 +28,7 @@ from mpsolve.spectrum.regions import Below, Rectangle, checked_region
 from mpsolve.tracks.at_rest import lowest_cut
 
 _CHUNK = 4096  # entries of a piece of work, which bounds the memory
+_SHEETS = 16_384  # the same of whole sheets, whose neighbours are followed
 _PART = 2048  # contacts of the entries that are counted together: enough to make few calls, few enough for memory
 _LEAST = 2.0  # scaled: how far at least a count above the real axis goes
 _AT_REST = "at rest the track is not known to be passive"
@@ -70,7 +71,7 @@ def frequencies(
     over: arrays by path, such as {"v": [50, 60], "track.k": …, "vehicles.M": …, "gap[0]": …}, with the paths and
     units of `problem.parameters`. region: "unstable" (Im q < 0); ("below", h) with h below every cut (Im q < h as far
     as |Re q| is below a frequency from which on nothing can grow); or "sheet", the whole physical sheet of an
-    Euler–Bernoulli beam with one or two masses, damped or not, by a kernel of its own.
+    Euler–Bernoulli beam with masses, damped or not.
     Each count comes from the turn of Δ along half of a contour that passivity closes; roots are then sought until as
     many are found. Where that does not work out the entry is "unresolved", with a reason; only `certify` proves.
     workers: processes, spawned, so that a script with more than one must call this under
@@ -86,46 +87,32 @@ def frequencies(
     """
     plain = as_problem(problem)
     flat = entries_of(plain, over or {})
-    if region == "sheet":
-        return _on_sheet(problem, flat, workers, progress)
-    height = _height(region)
+    height = None if region == "sheet" else _height(region)
+    if height is None:
+        check_sheet(plain)
     order = alike(flat.over, len(flat))
+    size = _SHEETS if height is None else _CHUNK
     jobs = [
-        _Job(plain, {path: values[order[k : k + _CHUNK]] for path, values in flat.over.items()}, height, roots)
-        for k in range(0, max(len(order), 1), _CHUNK)
+        _Job(plain, {path: values[order[k : k + size]] for path, values in flat.over.items()}, height, roots)
+        for k in range(0, max(len(order), 1), size)
     ]
     parts = run(_answer, jobs, workers, progress, "counting")
     width = max((part.width for part in parts), default=0)
     answer, q = _Answer(len(flat)), np.full((len(flat), width), np.nan, complex)
     for k, part in enumerate(parts):
-        place = order[k * _CHUNK : (k + 1) * _CHUNK]
+        place = order[k * size : (k + 1) * size]
         answer.count[place], answer.status[place], answer.reason[place] = part.count, part.status, part.reason
         for row, values in part.roots.items():
             q[place[row], : len(values)] = values
     shape = flat.shape
     return Frequencies(
         problem,
-        "unstable" if not height else f"below {float(height):.6g}",
+        "sheet" if height is None else f"below {float(height):.6g}" if height else "unstable",
         {path: values.reshape(shape) for path, values in flat.over.items()},
         answer.count.reshape(shape),
         np.array(STATUSES)[answer.status].reshape(shape),
         answer.reason.astype(str).reshape(shape),
         q.reshape(*shape, width) if roots else None,
-    )
-
-
-def _on_sheet(problem: Given, flat: Entries, workers: int, progress: Progress | None) -> Frequencies:
-    q, count, inside = on_sheet(flat, workers, progress)
-    status = np.where(count >= 0, 0, np.where(inside, 1, 2))
-    shape = flat.shape
-    return Frequencies(
-        problem,
-        "sheet",
-        {path: values.reshape(shape) for path, values in flat.over.items()},
-        count.reshape(shape),
-        np.array(STATUSES)[status].reshape(shape),
-        np.array(["", UNKNOWN, OFF_LINE])[status].reshape(shape),
-        q.reshape(*shape, q.shape[1]),
     )
 
 
@@ -142,7 +129,7 @@ def _height(region: object) -> Fraction:
 class _Job:
     problem: Problem
     over: dict[str, Any]
-    height: Fraction
+    height: Fraction | None  # None: the whole sheet
     roots: bool
 
 
@@ -154,13 +141,23 @@ def _answer(job: _Job) -> _Answer:
 def _answered(job: _Job) -> _Answer:
     entries = entries_of(job.problem, job.over)
     answer = _Answer(len(entries))
+    if job.height is None:
+        _whole(entries, job, answer)
+        return answer
     for group in groups_of(entries, _usable(entries, job.height, answer))[0]:
         size = max(64, _PART // group.contacts)
         for k in range(0, len(group), size):
-            _count(group[k : k + size], job, answer)
+            _count(group[k : k + size], job.height, job.roots, answer)
     open_ = np.flatnonzero((answer.status == 1) & (answer.reason == ""))
     answer.open(open_, "the track's waves cannot be told apart in float64, or the velocity is that of a wave")
     return answer
+
+
+def _whole(entries: Entries, job: _Job, answer: _Answer) -> None:
+    inside, answer.count, answer.roots = on_sheet(entries, job.roots)
+    answer.status = np.where(answer.count >= 0, 0, np.where(inside, 1, 2)).astype(np.int8)
+    answer.reason = np.array(["", UNKNOWN, OFF_LINE], object)[answer.status]
+    answer.width = max(map(len, answer.roots.values()), default=0)
 
 
 def _usable(entries: Entries, height: Fraction, answer: _Answer) -> Any:
@@ -195,29 +192,29 @@ def _usable(entries: Entries, height: Fraction, answer: _Answer) -> Any:
     return np.flatnonzero(left)
 
 
-def _count(group: Group, job: _Job, answer: _Answer) -> None:
-    if not job.height and outrun(group):
+def _count(group: Group, height: Fraction, roots: bool, answer: _Answer) -> None:
+    if not height and outrun(group):
         answer.ok(group.index, 0)
         return
     group = group[answer.reason[group.index] == ""]
     if not len(group):
         return
     rho = first_passive(group)
-    lost, height = ~np.isfinite(rho), float(job.height) / group.unit
+    lost, reach = ~np.isfinite(rho), float(height) / group.unit
     answer.open(group.index[lost], "no frequency is found from which on the contacts cannot give energy")
-    group, rho, height = group[~lost], rho[~lost], height[~lost]
+    group, rho, reach = group[~lost], rho[~lost], reach[~lost]
     if not len(group):
         return
-    rho = np.where(height > 0, np.maximum(rho, _LEAST), rho)
-    counted = count_group(group, rho, height)
+    rho = np.where(reach > 0, np.maximum(rho, _LEAST), rho)
+    counted = count_group(group, rho, reach)
     for row, reason in counted.why.items():
         answer.open(group.index[row], reason)
     fine = counted.count >= 0
     answer.ok(group.index[fine], counted.count[fine])
     some = counted.count > 0
-    if not job.roots or not some.any():
+    if not roots or not some.any():
         return
-    search = Search(group, counted, rho, height)
+    search = Search(group, counted, rho, reach)
     solved = search.solve()
     bad = fine & ~solved
     numbers = weight(search.q)

@@ -9,6 +9,8 @@ import numpy as np
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import Values, chunk_of, receptances
 
+_AT_A_ROOT = complex(1e300)
+
 
 def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, Any]:
     """The characteristic matrix with direct contacts eliminated, and its slope in σ where that of G is known."""
@@ -74,10 +76,19 @@ def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[An
     for k in range(0, len(rows), step):
         part = slice(k, k + step)
         values = receptances(group, rows[part], sigma[part], None if near is None else near[part])
-        with np.errstate(all="ignore"):
-            sign, size = np.linalg.slogdet(matrices(group, rows[part], sigma[part], values)[0])
-        out[part], roots[part] = size + 1j * np.angle(sign), values.z
+        out[part], roots[part] = log_det(matrices(group, rows[part], sigma[part], values)[0]), values.z
     return out, roots
+
+
+def log_det(A: Any) -> Any:
+    """log det A of many matrices."""
+    with np.errstate(all="ignore"):
+        if A.shape[1] == 1:
+            return np.log(A[:, 0, 0])
+        if A.shape[1] == 2:
+            return np.log(A[:, 0, 0] * A[:, 1, 1] - A[:, 0, 1] * A[:, 1, 0])
+        sign, size = np.linalg.slogdet(A)
+        return size + 1j * np.angle(sign)
 
 
 def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, Any]:
@@ -95,6 +106,8 @@ def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, A
 
 def _turned(A: Any, A_s: Any) -> Any:
     """tr(A⁻¹A′); nan where it is not known."""
+    if A.shape[1] <= 2:
+        return _quotient(A, A_s)
     fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
     A, A_s = np.where(fine[:, None, None], A, np.eye(A.shape[1])), np.where(fine[:, None, None], A_s, 0)
     try:
@@ -104,8 +117,18 @@ def _turned(A: Any, A_s: Any) -> Any:
     return np.where(fine, trace, np.nan)
 
 
+def _quotient(A: Any, A_s: Any) -> Any:
+    """(det A)′/det A of small matrices."""
+    det, moved = A[:, 0, 0], A_s[:, 0, 0]
+    if A.shape[1] == 2:
+        moved = A[:, 0, 0] * A_s[:, 1, 1] + A[:, 1, 1] * A_s[:, 0, 0]
+        moved -= A[:, 0, 1] * A_s[:, 1, 0] + A[:, 1, 0] * A_s[:, 0, 1]
+        det = A[:, 0, 0] * A[:, 1, 1] - A[:, 0, 1] * A[:, 1, 0]
+    return np.where(det == 0, _AT_A_ROOT, moved / np.where(det == 0, 1, det))
+
+
 def _trace(a: Any, b: Any) -> complex:
     try:
         return complex(np.trace(np.linalg.solve(a, b)))
     except np.linalg.LinAlgError:
-        return complex(1e300)
+        return _AT_A_ROOT

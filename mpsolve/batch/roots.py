@@ -111,7 +111,7 @@ class Search:
             with np.errstate(all="ignore"):
                 others = 1 / (at[:, None] - q[each]) + 1 / (at[:, None] + q[each].conj())
                 others[np.arange(len(at)), column] = 0
-                step = -1 / (slope - np.nansum(others, 1) - _poles(at, self.q[rows[each]]))
+                step = -1 / (slope - np.nansum(others, 1) - poles(at, self.q[rows[each]]))
                 size, limit = np.abs(step), 0.2 * self.rho[rows[each]]
                 step = np.where(size > limit, step * (limit / size), step)
             at = at + step
@@ -215,12 +215,12 @@ class Search:
     def _step(self, rows: Any, q: Any, near: Any, apart: bool) -> tuple[Any, Any]:
         slope, z = log_slope(self.group, rows, q, near)
         if apart:
-            slope = slope - _poles(q, self.q[rows])
+            slope = slope - poles(q, self.q[rows])
         with np.errstate(all="ignore"):
             return -1 / slope, z
 
 
-def _poles(q: Any, known: Any) -> Any:
+def poles(q: Any, known: Any) -> Any:
     """Σ 1/(q − k) over the known roots k and their mirrors."""
     with np.errstate(all="ignore"):
         terms = 1 / (q[:, None] - known) + np.where(known.real == 0, 0, 1 / (q[:, None] + known.conj()))

@@ -12,6 +12,7 @@ _LEAST = 1e-15
 _TIE = 1e-9
 _AHEAD = 1e-7
 _SIDES = 0.4
+_THIRDS = np.exp(2j * np.pi * np.arange(3) / 3)
 
 
 def by_companions(D: Any) -> Any:
@@ -23,6 +24,25 @@ def by_companions(D: Any) -> Any:
     fine: Any = np.isfinite(C).all((1, 2))
     out = np.linalg.eigvals(np.where(fine[:, None, None], C, np.eye(n)))
     return np.where(fine[:, None], out, np.nan)
+
+
+def first_roots(D: Any) -> Any:
+    """Roots to begin `from_near` with: of degree 4 by Ferrari's formula, which may lose digits."""
+    if D.shape[1] != 5:
+        return by_companions(D)
+    d, c, b, a = (D[:, i] / D[:, 4] for i in range(4))
+    p, q = b - 3 * a * a / 8, c - a * b / 2 + a**3 / 8
+    r = d - a * c / 4 + a * a * b / 16 - 3 * a**4 / 256
+    # m³ + p m² + (p²/4 − r) m − q²/8 = 0, by Cardano's formula
+    e, f = -p * p / 12 - r, -(p**3) / 108 + p * r / 3 - q * q / 8
+    root = np.sqrt(f * f / 4 + e**3 / 27)
+    cube = np.where(np.abs(root - f / 2) > np.abs(root + f / 2), root - f / 2, -root - f / 2) ** (1 / 3)
+    turned = cube[:, None] * _THIRDS
+    m = turned - e[:, None] / (3 * turned) - p[:, None] / 3
+    m = np.take_along_axis(m, np.abs(m).argmax(1)[:, None], 1)[:, 0]
+    s = np.sqrt(2 * m)
+    one, other = np.sqrt(-2 * p - 2 * m - 2 * q / s), np.sqrt(-2 * p - 2 * m + 2 * q / s)
+    return np.stack([s + one, s - one, -s + other, -s - other], 1) / 2 - a[:, None] / 4
 
 
 def polynomial_and_slope(D: Any, z: Any) -> tuple[Any, Any]:

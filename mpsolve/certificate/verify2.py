@@ -19,8 +19,8 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cached_property
-from itertools import combinations, combinations_with_replacement, pairwise, product
+from functools import cached_property, lru_cache
+from itertools import combinations, pairwise, product
 from math import comb
 from typing import Any
 
@@ -30,12 +30,16 @@ from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpo
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9, 1_000, 20_000
 ARCS = 24
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
+MAX_TERMS, MAX_SIZE, BOXES = 120, 20_000, 20_000  # with free parameters: of a track, a polynomial; parts of a range
 SMALL = 8  # matrices up to this size are eliminated entry by entry
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
 
+Exponents = tuple[int, ...]
+Free = dict[Exponents, Any]  # {exponents of free parameters: c}; of a number {(): c}
+Box = tuple[tuple[Any, Any], ...]  # exact ends of free parameters; () where there are none
 Point = tuple[Any, Any]  # of q: real and imaginary part, exact
-Terms = dict[tuple[int, int], Any]  # {(i, j): c}: Σ c x^i y^j
+Terms = Free  # of two variables: {(i, j): c}, Σ c x^i y^j
 
 
 class Refused(Exception):  # noqa: N818
@@ -187,10 +191,14 @@ def point(value: Any) -> Point:
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
     rows = items(rows, height, name, height)
     entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
+    require_short(entries, name)
+    return entries
+
+
+def require_short(entries: Any, name: str) -> None:
     numerators, denominator = entries.numer_denom()
     bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
-    require(bits * max(height, width) <= 8_000, f"{name} has too many digits")
-    return entries
+    require(bits * max(entries.nrows(), entries.ncols()) <= 8_000, f"{name} has too many digits")
 
 
 def at_q(z: Point) -> Any:
@@ -226,53 +234,177 @@ def roots_above_zero(f: Any) -> int:
     return changes([g(0) for g in chain]) - changes([g.leading_coefficient() for g in chain if g.degree() >= 0])
 
 
-def hurwitz(a: Sequence[Any], strictly: bool) -> bool:
-    """Σ a_j(y) s^j, a_j polynomials in y, has no root Re s > 0 for any y ≥ 0; strictly: no root Re s ≥ 0.
-
-    The Hurwitz determinants are the leading minors of a matrix: the pivots of Bareiss' elimination.
-    """
-    n = len(a) - 1
-    if not nonnegative(a[n], True):
-        return False
-    zero = fmpq_poly([])
-    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
-    before = fmpq_poly([1])
-    for k in range(n):
-        pivot = h[k][k]
-        if not nonnegative(pivot, strictly):
-            return False
-        for i in range(k + 1, n):
-            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
-        before = pivot
-    return True
-
-
 def semidefinite(a: Any) -> bool:
     """Symmetric, with eigenvalues ≥ 0 only: the signs of the characteristic polynomial alternate."""
     n = a.nrows()
     return a == a.transpose() and all(c * (-1) ** (n - k) >= 0 for k, c in enumerate(a.charpoly().coeffs()))
 
 
-def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+def free(value: Any, count: int, name: str, least: int = 0) -> Free:
+    """A polynomial in the parameters: "c", or [[e1, …, em, "c"], …]."""
+    if isinstance(value, str) or not count:
+        c = rational(value, name)
+        return {(0,) * count: c} if c != 0 else {}
+    out: Free = {}
+    for term in items(value, 40, name):
+        *powers, c = items(term, count + 1, name, count + 1)
+        key = tuple(integer(e, least, 4, name) for e in powers)
+        require(key not in out, f"{name}: a power stands twice")
+        out[key] = rational(c, name)
+        require(out[key] != 0, f"{name}: a coefficient is 0")
+    return out
+
+
+def at(f: Free, x: Sequence[Any]) -> Any:
+    """The value at exact parameters."""
+    total = fmpq(0)
+    for powers, c in f.items():
+        for y, e in zip(x, powers, strict=True):
+            c = c * y**e if e > 0 else c / y ** (-e) if e < 0 else c
+        total += c
+    return total
+
+
+def least(f: Free, box: Box) -> Any:
+    """A lower bound over a box: the least Bernstein coefficient."""
+    if not f:
+        return fmpq(0)
+    table = dict(f)
+    degrees = [max(e[k] for e in f) for k in range(len(box))]
+    size = 1
+    for d in degrees:
+        size *= d + 1
+    require(size <= MAX_SIZE, "a polynomial in the parameters has too high degrees")
+    for k, (low, high) in enumerate(box):
+        if not degrees[k]:
+            continue
+        moved: Free = {}
+        for e, c in table.items():
+            for n in range(e[k] + 1):  # (low + (high − low) t)^e
+                key = (*e[:k], n, *e[k + 1 :])
+                step = c * comb(e[k], n) * low ** (e[k] - n) * (high - low) ** n
+                moved[key] = moved.get(key, fmpq(0)) + step
+        table = {}
+        for e, c in moved.items():
+            for n in range(e[k], degrees[k] + 1):
+                key = (*e[:k], n, *e[k + 1 :])
+                share = fmpq(comb(n, e[k]), comb(degrees[k], e[k]))
+                table[key] = table.get(key, fmpq(0)) + c * share
+    return min(table.get(key, fmpq(0)) for key in product(*(range(d + 1) for d in degrees)))
+
+
+def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
+    """test(rows, box) is true on parts that together are the box; others are halved along what these rows hold."""
+    used = [k for k in range(len(box)) if any(e[k] for f in rows for e in f)]
+    stack, number = [(box, 0)], 0
+    while stack:
+        here, depth = stack.pop()
+        number += 1
+        if test(rows, here):
+            continue
+        require(used and depth < 8 * len(used) and number < BOXES, why)
+        stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
+
+
+def halved(box: Box, k: int) -> list[Box]:
+    low, high = box[k]
+    middle = (low + high) / 2
+    return [(*box[:k], (low, middle), *box[k + 1 :]), (*box[:k], (middle, high), *box[k + 1 :])]
+
+
+def in_y(p: Any) -> list[Free]:
+    """Of a polynomial in P and the parameters, even in P: for each power of y = −P² what stands with it."""
+    out: dict[int, Free] = {}
+    for (i, _, *e), c in p.to_dict().items():
+        out.setdefault(int(i) // 2, {})[tuple(map(int, e))] = c * (-1) ** (int(i) // 2)
+    return [out.get(k, {}) for k in range(max(out, default=-1) + 1)]
+
+
+def positive(rows: Sequence[Free], box: Box, strictly: bool) -> bool:
+    """Σ f_k y^k > 0 (or ≥ 0) for all y ≥ 0 and all parameters of the box: by lower bounds of the f_k."""
+    low = [least(f, box) for f in rows]
+    if not strictly and all(x >= 0 for x in low):
+        return True
+    return bool(nonnegative(fmpq_poly(low), strictly))
+
+
+def monomial(x: Sequence[Any], e: Sequence[int]) -> Any:
+    out = 1
+    for y, k in zip(x, e, strict=True):
+        out = out * y**k if k else out
+    return out
+
+
+def minus(a: Free, b: Free) -> Free:
+    out = dict(a)
+    for e, c in b.items():
+        out[e] = out.get(e, fmpq(0)) - c
+    return {e: c for e, c in out.items() if c != 0}
+
+
+def times(a: Free, b: Free) -> Free:
+    out: Free = {}
+    for d, x in a.items():
+        for e, y in b.items():
+            key = tuple(i + j for i, j in zip(d, e, strict=True))
+            out[key] = out.get(key, fmpq(0)) + x * y
+    return out
+
+
+def terms(p: Any) -> Free:
+    return {tuple(map(int, e)): c for e, c in p.to_dict().items()}
+
+
+def always_positive(rows: Sequence[Free], box: Box) -> bool:
+    """Σ f_k y^k > 0 for all y ≥ 0 and all parameters of the box."""
+    return positive(rows, box, True)
+
+
+def never_negative(rows: Sequence[Free], box: Box) -> bool:
+    return positive(rows, box, False)
+
+
+def determinant(rows: Sequence[Sequence[Any]], one: Any) -> Any:
     """Of polynomials, along the first row."""
     if not rows:
-        return RING.constant(1)
-    minors = [determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]]) if x else 0 for k, x in enumerate(rows[0])]
-    return sum(
-        ((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0)
-    )
+        return one
+    total = one - one
+    for k, x in enumerate(rows[0]):
+        if x:
+            total += (-1) ** k * x * determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]], one)
+    return total
 
 
-def terms(p: Any) -> Terms:
-    return {(int(i), int(j)): c for (i, j), c in p.to_dict().items()}
+def hurwitz(ring: Any, D: Any, box: Box) -> list[list[Free]]:
+    """What must be positive for all y = −P² ≥ 0 that D, up to its sign, has roots Re s < 0 only: the highest and the
+    lowest coefficient, and the Hurwitz determinants H_1 … H_{n−1} (H_n is the last times the lowest coefficient).
+
+    They are the leading minors of a matrix: the pivots of Bareiss' elimination. It ends at one that vanishes.
+    """
+    parts: dict[int, Any] = {}
+    for (i, j, *e), c in D.to_dict().items():
+        parts.setdefault(int(j), {})[(int(i), 0, *map(int, e))] = c
+    n, zero = max(parts), ring.constant(0)
+    a = [real(ring, ring.from_dict(parts[j])) if j in parts else zero for j in range(n + 1)]
+    if at(in_y(real(ring, a[n]))[-1], [(p + q) / 2 for p, q in box]) < 0:
+        a = [-x for x in a]
+    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
+    minors, before = [a[n], a[0]], ring.constant(1)
+    for k in range(n - 1):
+        pivot = h[k][k]
+        minors.append(pivot)
+        require(len(pivot) <= MAX_SIZE, "the track's equations are too long")
+        if not pivot:
+            break
+        for i in range(k + 1, n):
+            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
+        before = pivot
+    return [in_y(real(ring, x)) for x in minors]
 
 
-def in_y(t: Terms) -> list[Any]:
-    """The coefficients of s^j as polynomials in y, of a polynomial even in P, with P² = −y."""
-    out = [[fmpq(0)] * (MAX_DEGREE + 1) for _ in range(max((j for _, j in t), default=0) + 1)]
-    for (i, j), c in t.items():
-        out[j][i // 2] += c * (-1) ** (i // 2)
-    return [fmpq_poly(c) for c in out]
+def real(ring: Any, p: Any) -> Any:
+    """A polynomial even in P with P² = −y put for it, y standing as P²: its own inverse."""
+    return ring.from_dict({e: c * (-1) ** (int(e[0]) // 2) for e, c in p.to_dict().items()})
 
 
 # --- the equations ----------------------------------------------------------------------------------------
@@ -301,103 +433,125 @@ class Track:
         return [self.d.get((top, j), fmpq(0)) for j in range(max(j for i, j in self.d if i == top) + 1)]
 
 
-def read_track(value: Any, velocity: Any) -> Track:
+def read_rows(value: Any, count: int) -> tuple[Any, list[list[Any]], int]:
+    """(ring, rows, the loaded row): the entries Σ c P^i s^j, c numbers, or polynomials in `count` parameters."""
     keys(value, "matrix loaded")
-    size = len(items(value["matrix"], MAX_ROWS, "the track's matrix"))
-    rows = [[entry(x) for x in items(row, size, "a row", size)] for row in value["matrix"]]
-    loaded = integer(value["loaded"], 0, size - 1, "loaded")
+    ring = fmpq_mpoly_ctx.get(("P", "s", *(f"x{k}" for k in range(count))), "lex")
+    size = len(items(value["matrix"], MAX_ROWS - (count > 0), "the track's matrix"))
+    require(size > 0, "the track has no equations")
+    loaded, number = integer(value["loaded"], 0, size - 1, "loaded"), 0
+    rows = []
+    for row in value["matrix"]:
+        entries = []
+        for entry in items(row, size, "a row", size):
+            found: dict[Exponents, Any] = {}
+            for term in items(entry, 40, "an entry of the track"):
+                i, j, c = items(term, 3, "a term", 3)
+                i, j = integer(i, 0, 12, "a power of P"), integer(j, 0, 6, "a power of s")
+                for powers, coefficient in free(c, count, "a coefficient").items():
+                    key = (i, j, *powers)
+                    require(key not in found, "a term stands twice")
+                    found[key], number = coefficient, number + 1
+            entries.append(ring.from_dict(found))
+        rows.append(entries)
+    require(not count or number <= MAX_TERMS, "the track's matrix has too many terms")
+    return ring, rows, loaded
+
+
+def dispersion(ring: Any, rows: list[list[Any]], loaded: int) -> tuple[Any, Any]:
+    """D = det A and the cofactor N of the loaded row."""
+    one = ring.constant(1)
+    D = determinant(rows, one)
+    N = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded], one)
+    require(D and N, "the track's determinant or cofactor vanishes")
+    for p in (D, N):
+        require(
+            len(ring.gens()) == 2 or (p.degrees()[1] <= 8 and len(p) <= 600), "the track's determinant is too long"
+        )
+        require(sum(p.degrees()[:2]) <= MAX_DEGREE, "the track's determinant has too high a degree")
+        even = all(int(e[0]) % 2 == 0 for e in p.to_dict())
+        require(even, "D or N is not even in P: the track is not the same in both directions")
+    return D, N
+
+
+def read_track(value: Any, velocity: Any) -> Track:
+    _, rows, loaded = read_rows(value, 0)
     v = rational(velocity, "velocity")
     require(v >= 0, "the velocity is negative")
     return moving_track(rows, loaded, v)
 
 
 def moving_track(rows: list[list[Any]], loaded: int, v: Any) -> Track:
-    big = determinant(rows)
-    cofactor = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded])
-    require(big and cofactor, "the track's determinant or cofactor vanishes")
-    for p in (big, cofactor):
-        require(sum(p.degrees()) <= MAX_DEGREE, "the track's determinant has too high a degree")
-        require(
-            all(i % 2 == 0 for i, _ in terms(p)),
-            "D or N is not even in P: the track is not the same in both directions",
-        )
-    moved = [terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (big, cofactor)]
-    track = Track(rows, loaded, v, big, cofactor, moved[0], moved[1])
+    D, N = dispersion(RING, rows, loaded)
+    d, n = (terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (D, N))
+    track = Track(rows, loaded, v, D, N, d, n)
     require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
     return track
 
 
-def entry(value: Any) -> Any:
-    """[[i, j, "c"], …] is Σ c P^i s^j."""
-    out = RING.constant(0)
-    for term in items(value, 40, "an entry of the track"):
-        i, j, c = items(term, 3, "a term", 3)
-        out += (
-            rational(c, "a coefficient")
-            * P_ ** integer(i, 0, 12, "a power of P")
-            * S_ ** integer(j, 0, 6, "a power of s")
-        )
-    return out
+def damped(D: Any, strictly: bool) -> bool:
+    """D(ip, ·) has no root Re s > 0 for any real p; strictly: no root Re s ≥ 0. Exact."""
+    top, *others = hurwitz(RING, D, ())
+    return positive(top, (), True) and all(f and positive(f, (), strictly) for f in others)
 
 
 def check_no_cut(track: Track, height: Any) -> None:
     """No p-root is real, and lead(σ) ≠ 0, for Im q < 0, or, for height > 0, for Im q ≤ height."""
-    strictly = height > 0
-    shifted = track.D.compose(P_, S_ - height, ctx=RING) if strictly else track.D
-    a = in_y(terms(shifted))
-    if a[-1].coeffs()[-1] < 0:
-        a = [-x for x in a]
     require(
-        hurwitz(a, strictly),
+        damped(track.D.compose(P_, S_ - height, ctx=RING), height > 0),
         "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this",
     )
-    lead = fmpq_poly(track.lead)(fmpq_poly([-height, 1])).coeffs()
-    lead = [-x for x in lead] if lead[-1] < 0 else lead
-    require(hurwitz([fmpq_poly([x]) for x in lead], True), "the highest coefficient of D may vanish in the region")
+    lead = sum((c * (S_ - height) ** j for j, c in enumerate(track.lead)), RING.constant(0))
+    require(damped(lead, True), "the highest coefficient of D may vanish in the region")
 
 
-def check_passive_track(track: Track) -> None:
-    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
+def check_passive(ring: Any, given: Sequence[Sequence[Any]], box: Box) -> None:
+    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0, for all parameters: then W = −Im(N conj D) ≥ 0.
 
     Sufficient and exact: the coefficient of Ω^j vanishes for even j; for odd j its principal minors are ≥ 0.
     """
-    size = len(track.rows)
-    parts: dict[int, list[list[Any]]] = {}
+    size = len(given)
+    parts: dict[int, list[list[dict[Any, Any]]]] = {}
     for r, c in product(range(size), repeat=2):
-        for (i, j), x in terms(track.rows[r][c]).items():
-            rows = parts.setdefault(j, [[RING.constant(0)] * size for _ in range(size)])
-            rows[r][c] += x * P_**i / 2
-            rows[c][r] += x * (-P_) ** i / 2 * (-1) ** (j + 1)
-    for j, rows in parts.items():
+        for (i, j, *e), x in given[r][c].to_dict().items():
+            i, j = int(i), int(j)
+            rows = parts.setdefault(j, [[{} for _ in range(size)] for _ in range(size)])
+            for a, b, y in ((r, c, x / 2), (c, r, x / 2 * (-1) ** (i + j + 1))):
+                rows[a][b][(i, 0, *e)] = rows[a][b].get((i, 0, *e), fmpq(0)) + y
+    for j, entries in parts.items():
+        matrix = [[ring.from_dict({e: c for e, c in x.items() if c != 0}) for x in row] for row in entries]
         if j % 2 == 0:
-            require(
-                not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive"
-            )
+            odd = any(x for row in matrix for x in row)
+            require(not odd, "the track's matrix is not symmetric: it may not be passive")
             continue
         sign = 1 if j % 4 == 1 else -1
         for k in range(1, size + 1):
             for kept in combinations(range(size), k):
-                minor = in_y(terms(determinant([[sign * rows[r][c] for c in kept] for r in kept])))[0]
-                require(
-                    not minor.coeffs() or nonnegative(minor, False),
-                    "the track may give energy at rest: it is not passive",
-                )
-    require(terms(absorption(track)[0]), "the track absorbs nothing")
+                minor = in_y(determinant([[sign * matrix[r][c] for c in kept] for r in kept], ring.constant(1)))
+                everywhere(never_negative, minor, box, "the track may give energy at rest: it is not passive")
+
+
+def check_passive_track(track: Track) -> None:
+    """The track is passive at rest, absorbs something, and its receptance decays in frequency."""
+    check_passive(RING, track.rows, ())
+    require(absorption(RING, track.D, track.N)[0], "the track absorbs nothing")
     require(
         max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)),
         "the track's receptance does not decay in frequency",
     )
 
 
-def absorption(track: Track) -> tuple[Any, Any]:
-    """W = −Im(N conj D) and |D|², exact polynomials in p and Ω (in the places of P and s)."""
+def absorption(ring: Any, D: Any, N: Any) -> tuple[Any, Any]:
+    """W = −Im(N conj D) and |D|², polynomials in p, Ω (in the places of P and s) and the parameters."""
     parts = []
-    for poly in (track.D, track.N):
-        real, imag = RING.constant(0), RING.constant(0)
-        for (i, j), c in terms(poly).items():  # c (ip)^i (iΩ)^j, i even
-            x = c * P_**i * S_**j * (-1) ** ((i + j - j % 2) // 2)
-            real, imag = (real, imag + x) if j % 2 else (real + x, imag)
-        parts.append((real, imag))
+    for poly in (D, N):
+        real_part: dict[Any, Any] = {}
+        imag_part: dict[Any, Any] = {}
+        for (i, j, *e), c in poly.to_dict().items():  # c (ip)^i (iΩ)^j, i even
+            i, j = int(i), int(j)
+            x = c * (-1) ** ((i + j - j % 2) // 2)
+            (imag_part if j % 2 else real_part)[(i, j, *e)] = x
+        parts.append((ring.from_dict(real_part), ring.from_dict(imag_part)))
     (a, b), (c, d) = parts
     return c * b - d * a, a * a + b * b
 
@@ -421,48 +575,97 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any) -> Vehicle:
-    keys(value, "M C K B places compliances")
-    nc = len(items(value["places"], MAX_CONTACTS, "places"))
-    nb = len(items(value["M"], MAX_BODIES, "M"))
-    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
-    M, C, K = (matrix(value[name], nb, nb, name) for name in "MCK")
-    B = matrix(value["B"], nb, nc, "B")
+    bodies = read_bodies(value, basis, 0, (), MAX_BODIES, MAX_CONTACTS)
+    nc, felt = bodies.B.ncols(), bodies.B.nrows()
     places = [rational(x, "a place") for x in value["places"]]
     h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
     require(all(x >= 0 for x in h), "a compliance is negative")
-    for a in (M, C, K):
-        require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
-    require((M + C + K).det() != 0, "a body has no mass, spring or damper")
+    check_forces(bodies.B, [places.index(x) for x in places], h)
+    M, C, K = (part.get((), fmpq_mat(felt, felt)) for part in bodies.parts)
+    return Vehicle(M, C, K, bodies.B, h, places, bodies.neutral, bodies.unfelt)
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """M, C, K as {exponents of the parameters: matrix} and B of the felt coordinates; the last are neutral."""
+
+    parts: list[dict[Exponents, Any]]
+    B: Any
+    neutral: int
+    unfelt: int
+
+
+def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contacts: int) -> Bodies:
+    """Passive for all parameters of the box, and in the basis felt, neutral and unfelt coordinates are apart."""
+    keys(value, "M C K B places compliances")
+    nc, nb = len(items(value["places"], contacts, "places")), len(items(value["M"], most, "M"))
+    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
+    parts, B = [read_matrix(value[name], nb, count, name) for name in "MCK"], matrix(value["B"], nb, nc, "B")
+    check_semidefinite(parts, nb, box)
     neutral = unfelt = 0
     if basis is not None:
         keys(basis, "matrix neutral unfelt")
         neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
         Q = matrix(basis["matrix"], nb, nb, "basis")
         require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
-        M, C, K, B = Q.transpose() * M * Q, Q.transpose() * C * Q, Q.transpose() * K * Q, Q.transpose() * B
+        B, parts = Q.transpose() * B, [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
     felt = nb - unfelt
-    for i, j in product(range(felt, nb), range(nb)):
-        require(j >= felt or M[i, j] == C[i, j] == K[i, j] == 0, "the unfelt coordinates are coupled to the others")
-    for i in range(felt - neutral, nb):
-        require(all(B[i, j] == 0 for j in range(nc)), "an unfelt or neutral coordinate carries a contact")
-        require(i >= felt or all(K[i, j] == 0 for j in range(felt)), "a neutral coordinate has a spring")
-    M, C, K = (fmpq_mat(felt, felt, [a[i, j] for i in range(felt) for j in range(felt)]) for a in (M, C, K))
-    B = fmpq_mat(felt, nc, [B[i, j] for i in range(felt) for j in range(nc)])
-    vehicle = Vehicle(M, C, K, B, h, places, neutral, unfelt)
-    check_forces(vehicle)
-    return vehicle
+    for i, j in product(range(felt - neutral, nb), range(nc)):
+        require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
+    for a in (a for part in parts for a in part.values()):
+        for i, j in product(range(felt, nb), range(felt)):
+            require(a[i, j] == 0, "the unfelt coordinates are coupled to the others")
+    for a in parts[2].values():
+        for i, j in product(range(felt - neutral, felt), range(felt)):
+            require(a[i, j] == 0, "a neutral coordinate has a spring")
+    parts = [{e: corner(a, felt, felt) for e, a in part.items()} for part in parts]
+    return Bodies(parts, corner(B, felt, nc), neutral, unfelt)
 
 
-def check_forces(vehicle: Vehicle) -> None:
-    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0."""
-    nc, nb = len(vehicle.h), vehicle.B.nrows()
-    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
-    rows += [[fmpq(int(x == site)) for x in vehicle.places] for site in vehicle.sites]
-    rows += [[h if i == j else fmpq(0) for j in range(nc)] for i, h in enumerate(vehicle.h)]
+def corner(a: Any, height: int, width: int) -> Any:
+    return fmpq_mat(height, width, [a[i, j] for i in range(height) for j in range(width)])
+
+
+def read_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
+    """{exponents: matrix}, linear in each parameter."""
+    out: dict[Exponents, Any] = {}
+    for i, row in enumerate(items(value, size, name, size)):
+        for j, x in enumerate(items(row, size, name, size)):
+            for e, c in free(x, count, name).items():
+                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
+                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
+    for a in out.values():
+        require_short(a, name)
+    return out
+
+
+def check_semidefinite(parts: Sequence[dict[Exponents, Any]], size: int, box: Box) -> None:
+    """M, C, K ≥ 0 and M + C + K > 0: at all corners of the box, and so everywhere, being linear in each parameter."""
+    used = [k for k in range(len(box)) if any(e[k] for part in parts for e in part)]
+    for ends in product((0, 1), repeat=len(used)):
+        chosen = dict(zip(used, ends, strict=True))
+        x, total = [pair[chosen.get(k, 0)] for k, pair in enumerate(box)], fmpq_mat(size, size)
+        for part in parts:
+            a = sum((c * at({e: fmpq(1)}, x) for e, c in part.items()), fmpq_mat(size, size))
+            require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
+            total = total + a
+        require(total.det() != 0, "a body has no mass, spring or damper")
+
+
+def check_forces(B: Any, sites: Sequence[int], soft: Sequence[Any]) -> None:
+    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0.
+
+    sites: the number of each contact's place; soft: whether its compliance is not 0.
+    """
+    nc = len(soft)
+    rows = [[B[i, j] for j in range(nc)] for i in range(B.nrows())]
+    rows += [[fmpq(int(x == site)) for x in sites] for site in sorted(set(sites))]
+    rows += [[fmpq(int(i == j and bool(h))) for j in range(nc)] for i, h in enumerate(soft)]
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
 Bent = tuple[Any, Any, Any]
+Rows = list[list[Any]]
 NOTHING: Bent = (acb(0), acb(0), arb(0))
 
 
@@ -474,9 +677,12 @@ def shift(z: Any, size: int, rows: int) -> Any:
     powers = [acb(1)]
     for _ in range(size - 1):
         powers.append(powers[-1] * z)
-    return acb_mat(
-        rows, size, [powers[k - i] * comb(k, i) if k >= i else 0 for i in range(rows) for k in range(size)]
-    )
+    return acb_mat(rows, size, [powers[d] * c if c else 0 for d, c in binomials(size, rows)])
+
+
+@lru_cache(maxsize=64)
+def binomials(size: int, rows: int) -> list[tuple[int, int]]:
+    return [(k - i, comb(k, i)) for i in range(rows) for k in range(size)]
 
 
 def box(radius: Any) -> Any:
@@ -492,11 +698,12 @@ def table(t: Terms) -> Any:
 
 @dataclass
 class Local:
-    """D and N as polynomials in P and t = σ − m: row i, column j belongs to P^i t^j."""
+    """D and N as polynomials in P and t = σ − m: row i, column j belongs to P^i t^j; thin: at t = 0 only."""
 
     m: Any
     d: Any
     n: Any
+    thin: bool = False
 
     @property
     def degree(self) -> int:
@@ -515,8 +722,10 @@ class Waves:
         self.gaps = sorted({a - b for a in sites for b in sites})
         self.xi = [arb(gap) for gap in self.gaps]
 
-    def near(self, m: Any) -> Local:
-        return Local(m, *(a * shift(m, a.ncols(), a.ncols()).transpose() for a in (self.d, self.n)))
+    def near(self, m: Any, thin: bool = False) -> Local:
+        """About σ = m; thin: at t = 0 only."""
+        d, n = (a * shift(m, a.ncols(), 1 if thin else a.ncols()).transpose() for a in (self.d, self.n))
+        return Local(m, d, n, thin)
 
 
 class Nodes:
@@ -552,29 +761,62 @@ class Nodes:
         self.values = (acb_mat(n, n + 1, vander) * local.d).tolist()  # D(z_k, m + t), ascending in t
 
     def split(self, r: Any) -> Split:
-        """The pair on |σ − m| ≤ r, or Refused. β is found by iteration; what counts is the last inequality."""
+        """The pair on |σ − m| ≤ r, or Refused."""
+        require(r.is_zero() or not self.local.thin, "a splitting at one point is not one on a disc")
         sizes = [arb(1)]
         for _ in range(self.local.d.ncols() - 1):
             sizes.append(sizes[-1] * r)
 
         def bound(row: Sequence[Any]) -> Any:
-            return sum((abs(x) * s for x, s in zip(row, sizes, strict=True)), arb(0)) if r else abs(row[0])
+            return sum((abs(x) * s for x, s in zip(row, sizes, strict=True)), arb(0))
 
         lead = self.local.lead()
         low = 2 * abs(lead[0]) - bound(lead)
         require(low > 0, "the highest coefficient may vanish on a piece")
         w = [(bound(row) / (size * low)).upper() for row, size in zip(self.values, self.all, strict=True)]
-        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
-        beta = [(x * 1.2 + tiny).upper() for x in w]
-        for _ in range(10):
-            s = (self.inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-            if not all(x < 0.5 for x in s):
-                break
-            tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
-            if all(x < y for x, y in zip(tau, beta, strict=True)):
-                return Split(self, beta, tau)
-            beta = [(x * 1.15 + tiny).upper() for x in tau]
-        raise Refused("the p-roots of both sides are not kept apart on a piece: it is too long")
+        found = contraction(w, self.inverse, tiny(self.z))
+        require(found, "the p-roots of both sides are not kept apart on a piece: it is too long")
+        return Split(self, *(found or ([], [])))
+
+
+def tiny(z: Sequence[Any]) -> Any:
+    return max((abs(x).upper() for x in z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
+
+
+def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
+    """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
+
+    β is found by iteration; what counts is the last inequality.
+    """
+    beta = [(x * 1.2 + tiny).upper() for x in w]
+    for _ in range(10):
+        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+        if not all(x < 0.5 for x in s):
+            return None
+        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
+        if all(x < y for x, y in zip(tau, beta, strict=True)):
+            return beta, tau
+        beta = [(x * 1.15 + tiny).upper() for x in tau]
+    return None
+
+
+def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: range) -> list[Any]:
+    """Radii of disjoint discs round the nodes of one side, one root of its factor in each (Lemma 2); or Refused."""
+    radii = []
+    for k in side:
+        for widening in (1.02, 1.1, 1.5, 3):
+            e = (tight[k] * widening).upper()
+            near = [(tight[j], distance[k][j] - e) for j in side if j != k]
+            if all(gap > 0 for _, gap in near):
+                g = sum((t / gap for t, gap in near), arb(0))
+                if g < 1 and (tight[k] < e * (1 - g) or tight[k] == 0):
+                    radii.append(e)
+                    break
+        else:
+            raise Refused("p-roots of one side meet")
+    for (i, e), (k, f) in combinations(list(zip(side, radii, strict=True)), 2):
+        require(distance[i][k] > e + f, "p-roots of one side meet")
+    return radii
 
 
 @dataclass
@@ -587,7 +829,7 @@ class Split:
 
     def links(self, other: Split) -> bool:
         """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |U(z_k)/U₀'(z_k)| < box_k."""
-        z, w, a = self.nodes.z, other.nodes.z, other.values
+        z, w, a = self.nodes.z, other.nodes.z, [box(t) for t in other.tight]
         for side in self.nodes.side:
             for k in side:
                 full, rest = acb(1), acb(0)  # Π(z_k − w) and Σ a Π'(z_k − w)
@@ -598,32 +840,8 @@ class Split:
                     return False
         return True
 
-    @cached_property
-    def values(self) -> list[Any]:
-        """Balls of the a_k of a thin splitting, sharpened where nodes are far from the roots."""
-        at = self.nodes
-        sharp = all(
-            self.tight[k] < at.distance[k][i] * 2.0**-20 for side in at.side for i in side for k in side if i != k
-        )
-        return [box(t) for t in self.tight] if sharp else [x[0] for x in factor_series(self, arb(0), 1)]
-
-    def isolated(self, side: range) -> list[Any] | None:
-        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor; or None."""
-        distance, radii = self.nodes.distance, []
-        for k in side:
-            for widening in (1.02, 1.1, 1.5, 3):
-                e = (self.tight[k] * widening).upper()
-                near = [(self.tight[j], distance[k][j] - e) for j in side if j != k]
-                if all(gap > 0 for _, gap in near):
-                    g = sum((t / gap for t, gap in near), arb(0))
-                    if g < 1 and (self.tight[k] < e * (1 - g) or self.tight[k] == 0):
-                        radii.append(e)
-                        break
-            else:
-                return None
-        pairs = combinations(range(len(radii)), 2)
-        start = side.start
-        return radii if all(distance[start + i][start + k] > radii[i] + radii[k] for i, k in pairs) else None
+    def isolated(self, side: range) -> list[Any]:
+        return isolated(self.tight, self.nodes.distance, side)
 
 
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
@@ -655,11 +873,12 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
     return z
 
 
-def roots_of(local: Local) -> list[Any]:
-    """Approximate roots of D(·, m) by FLINT's finder and Newton's method, at the present precision."""
+def roots_near(local: Local, start: Sequence[complex] | None = None) -> list[Any]:
+    """Approximate roots of D(·, m) to the present precision, from those of a neighbour or by FLINT's finder."""
     D = acb_poly([local.d[i, 0].mid() for i in range(local.degree + 1)])
-    slope, z = D.derivative(), [x.mid() for x in D.roots()]
-    for _ in range(4 + flint.ctx.prec.bit_length()):
+    z = [acb(x) for x in float_roots(local, [complex(x) for x in D.roots()] if start is None else start)]
+    slope = D.derivative()
+    for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
         z = [(x - D(x) / slope(x)).mid() for x in z]
     return z
 
@@ -667,100 +886,41 @@ def roots_of(local: Local) -> list[Any]:
 def check_sides(split: Split) -> None:
     """U has the roots with Re P < 0, L those with Re P > 0, over the whole disc."""
     for side, sign in zip(split.nodes.side, (-1, 1), strict=True):
-        radii = split.isolated(side)
-        require(radii is not None, "two p-roots meet there")
-        for k, radius in zip(side, radii or [], strict=True):
+        for k, radius in zip(side, split.isolated(side), strict=True):
             require(split.nodes.z[k].real * sign > radius, "a p-root may be real there")
 
 
-# --- kernels: Taylor coefficients of G(ξ) in t ------------------------------------------------------------
+# --- kernels: G(ξ) over a disc of σ ------------------------------------------------------------------------
 
 
-def powers_of_root(f: list[list[Any]], order: int) -> list[list[Any]]:
-    """u, u², … as series in t, for the solution u(0) = 0 of Σ f_ij u^i t^j = const; row i is u^i."""
-    zero = acb(0)
-    u = [[zero] * order for _ in range(order)]
-    u[0][0] = acb(1)
-    for k in range(1, order):
-        for i in range(2, k + 1):
-            u[i][k] = sum((u[1][m] * u[i - 1][k - m] for m in range(1, k)), zero)
-        rest = f[0][k]
-        for i in range(1, k + 1):
-            for j in range(k - i + 1):
-                if i + j > 1:
-                    rest = rest + f[i][j] * u[i][k - j]
-        u[1][k] = -rest / f[1][0]
-    return u
+def kernels(waves: Waves, split: Split, r: Any) -> list[Bent]:
+    """G = ± Σ N e^{Pξ}/D_P for each gap over |t| ≤ r, over the roots of its side, each alone in a disc."""
+    nodes, roots = split.nodes, []
+    for side, here in enumerate(nodes.side):
+        if any((gap < 0) == (side == 1) for gap in waves.gaps):
+            found = zip(here, split.isolated(here), strict=True)
+            roots += [(side, *bent_root(nodes.local, nodes.z[k], e, r)) for k, e in found]
+    return summed(waves, roots, r)
 
 
-def along(f: list[list[Any]], u: list[list[Any]], order: int) -> list[Any]:
-    """Σ f_ij u^i t^j as a series."""
-    rows = len(f)
-    return [
-        sum((f[i][j] * u[i][k - j] for j in range(k + 1) for i in range(min(k - j + 1, rows))), acb(0))
-        for k in range(order)
-    ]
-
-
-def quotient(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
-    out: list[Any] = []
-    for k, x in enumerate(a):
-        for j, y in enumerate(out):
-            x = x - y * b[k - j]
-        out.append(x / b[0])
-    return out
-
-
-def exponential(a: Sequence[Any], factor: Any) -> list[Any]:
-    """The series of e^{a·factor}."""
-    out = [(a[0] * factor).exp()]
-    slopes = [x * factor * k for k, x in enumerate(a)]
-    for k in range(1, len(a)):
-        out.append(sum((slopes[j] * out[k - j] for j in range(1, k + 1)), acb(0)) / k)
-    return out
-
-
-def convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
-    return [sum((a[j] * b[k - j] for j in range(k + 1)), acb(0)) for k in range(len(a))]
-
-
-def kernels(waves: Waves, split: Split, r: Any, order: int, by_matrix: bool = False) -> list[list[Any]]:
-    """For each gap the first Taylor coefficients of G: at m for r = 0, at all points of |σ − m| ≤ r otherwise."""
-    out: list[list[Any]] = [[]] * len(waves.xi)
-    for side, here in enumerate(split.nodes.side):
-        chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
-        if chosen:
-            radii = None if by_matrix else split.isolated(here)
-            gaps = [waves.xi[g] for g in chosen]
-            found = (
-                by_matrices(split, side, r, order, gaps)
-                if radii is None
-                else by_roots(split, side, r, order, gaps, radii)
-            )
-            for g, series in zip(chosen, found, strict=True):
-                require(all(x.is_finite() for x in series), "a kernel is not bounded on a piece")
-                out[g] = series
-    return out
-
-
-def bent_kernels(waves: Waves, disc: Split, thin: Split, r: Any, by_matrix: bool) -> list[Bent]:
-    """For each gap G over |t| ≤ r as a + b t and a bound of the rest; `thin`: the splitting at the middle."""
+def summed(waves: Waves, roots: Sequence[tuple[int, Bent, Bent]], r: Any) -> list[Bent]:
+    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side."""
     out: list[Bent] = [NOTHING] * len(waves.xi)
-    for side, here in enumerate(disc.nodes.side):
-        chosen = [g for g, gap in enumerate(waves.gaps) if (gap < 0) == (side == 1)]
-        if not chosen:
-            continue
-        gaps, radii = [waves.xi[g] for g in chosen], None if by_matrix else disc.isolated(here)
-        if radii is not None:
-            found = bent_by_roots(disc, side, r, gaps, radii)
-        else:
-            middle = by_matrices(thin, side, arb(0), 2, gaps)
-            over = by_matrices(disc, side, r, 3, gaps)
-            found = [(x[0], x[1], abs(y[2]) * r * r) for x, y in zip(middle, over, strict=True)]
-        for g, one in zip(chosen, found, strict=True):
-            require(all(x.is_finite() for x in one), "a kernel is not bounded on a piece")
-            out[g] = one
+    for side, wave, weight in roots:
+        weight = (-weight[0], -weight[1], weight[2]) if side else weight
+        ride = riding(wave, weight, r)
+        for g, xi in enumerate(waves.xi):
+            if (waves.gaps[g] < 0) == (side == 1):
+                a, b, rest = ride(xi)
+                x, y, lost = out[g]
+                out[g] = x + a, y + b, rest + lost
+    require(all(x.is_finite() for one in out for x in one), "a kernel is not bounded on a piece")
     return out
+
+
+def kernel_balls(waves: Waves, split: Split) -> list[Any]:
+    """G for each gap at one point, from a thin splitting."""
+    return [a + box(e) for a, _, e in kernels(waves, split, arb(0))]
 
 
 # (a, b, rest): a function of t with |f(t) − a − b t| ≤ rest for |t| ≤ r; a and b thin balls, rest ≥ 0 real
@@ -786,57 +946,142 @@ def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
     return value, value * b, abs(value) * (e + y.expm1() - y)
 
 
-def bent_polynomial(c: list[list[Any]], root: Bent, e: Any, r: Any) -> Bent:
-    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by moduli."""
+def riding(wave: Bent, weight: Bent, r: Any) -> Callable[[Any], Bent]:
+    """weight·e^{wave·ξ} for any real ξ: a product of `bent_product` and `bent_wave`, moduli taken once."""
+    (p, b, e), (c, d, f) = wave, weight
+    y1, c_, d_ = abs(b) * r + e, abs(c), abs(d) * r
+    bent, slope, whole = abs(b) * r, c * b, c_ + d_
+
+    def at(xi: Any) -> Bent:
+        if xi.is_zero():
+            return weight
+        value, size = (p * xi).exp(), abs(xi)
+        y, x = y1 * size, bent * size
+        rest = e * size + y.expm1() - y
+        rest = (d_ * x + whole * rest + (1 + x + rest) * f) * abs(value)
+        return value * c, value * (d + slope * xi), rest
+
+    return at
+
+
+def bent_polynomial(c: Rows, sizes: Rows, root: Bent, e: Any, r: Any) -> Bent:
+    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by the moduli `sizes` of the c_ij."""
     slope = c[1][0] if len(c) > 1 else acb(0)
     rest, power = abs(slope) * root[2], arb(1)
-    for i, row in enumerate(c):
+    for i, row in enumerate(sizes):
         term = power
         for j, x in enumerate(row):
             if i + j > 1:
-                rest += abs(x) * term
+                rest += x * term
             term = term * r
         power = power * e
     time = c[0][1] if len(c[0]) > 1 else acb(0)
     return c[0][0] + slope * root[0], slope * root[1] + time, rest
 
 
-def bent_root(split: Split, k: int, e: Any, r: Any) -> tuple[Bent, Bent]:
-    """The one root in the disc of radius e round node k, and N/D_P there."""
-    nodes, local = split.nodes, split.nodes.local
-    n, rows, z = local.degree + 1, local.n.nrows(), nodes.z[k]
-    c = (shift(z, n, n) * local.d).tolist()
+def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
+    """The one root in the disc of radius e round z, and N/D_P there."""
+    n, rows = local.degree + 1, local.n.nrows()
+    c, above = (shift(z, n, n) * local.d).tolist(), (shift(z, rows, rows) * local.n).tolist()
+    sizes, sizes_above = ([[abs(x) for x in row] for row in part] for part in (c, above))
     require(not c[1][0].contains(0), "a p-root may be double on a piece")
     # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
-    higher = bent_polynomial(c, (acb(0), acb(0), arb(0)), e, r)[2]
+    higher = bent_polynomial(c, sizes, NOTHING, e, r)[2]
     first = c[0][1] if len(c[0]) > 1 else acb(0)
-    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
+    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / sizes[1][0])
     e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
-    slopes = [[x * i for x in row] for i, row in enumerate(c)][1:]
-    above = bent_polynomial((shift(z, rows, rows) * local.n).tolist(), root, e, r)
-    weight = bent_product(above, bent_inverse(bent_polynomial(slopes, root, e, r), r), r)
+    slopes, sizes = ([[x * i for x in row] for i, row in enumerate(part)][1:] for part in (c, sizes))
+    slope = bent_inverse(bent_polynomial(slopes, sizes, root, e, r), r)
+    weight = bent_product(bent_polynomial(above, sizes_above, root, e, r), slope, r)
     return (z + root[0], root[1], root[2]), weight
 
 
-def bent_by_roots(split: Split, side: int, r: Any, gaps: Sequence[Any], radii: Sequence[Any]) -> list[Bent]:
-    """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
-    total = [NOTHING for _ in gaps]
-    for k, e in zip(split.nodes.side[side], radii, strict=True):
-        wave, weight = bent_root(split, k, e, r)
-        for g, xi in enumerate(gaps):
-            one = weight if xi == 0 else bent_product(weight, bent_wave(wave, xi, r), r)
-            a, b, rest = total[g]
-            total[g] = (a - one[0], b - one[1], rest + one[2]) if side else (a + one[0], b + one[1], rest + one[2])
-    return total
+class Origin:
+    """Waves next to q = 0 where k of them come to P = 0 there: P = ζσ, E(ζ, σ) = D(ζσ, σ)/σ^k = 0 (SPEC2, 4.8)."""
+
+    def __init__(self, waves: Waves) -> None:
+        k, low = (min(i + j for i, j in t) for t in (waves.track.d, waves.track.n))
+        self.waves, self.power = waves, low + 1 - k
+        stated = "waves come to P = 0 at q = 0, where the receptance is not bounded"
+        require((k, 0) in waves.track.d and self.power >= 0, stated)
+        lowered = [table({(i, i + j - f): c for (i, j), c in t.items()})
+                   for t, f in ((waves.track.d, k), (waves.track.n, low))]  # fmt: skip
+        at = waves.near(acb(0))
+        slow = acb_poly([lowered[0][i, 0].mid() for i in range(k + 1)])
+        fast = acb_poly([at.d[i, 0].mid() for i in range(k, at.degree + 1)])
+        self.kinds = [(Local(acb(0), *lowered), slow.roots()), (at, fast.roots())]
+
+    def roots(self, r: Any) -> list[tuple[int, int, Any, Any]]:
+        """(kind, side, z, e): over |σ| ≤ r each ζ, or P, alone in a disc |ζ − z| ≤ e off the imaginary axis."""
+        out: list[tuple[int, int, Any, Any]] = []
+        for kind, (local, roots) in enumerate(self.kinds):
+            found = []
+            for z in (x.mid() for x in roots):
+                n = local.degree + 1
+                e = alone((shift(z, n, n) * local.d).tolist(), r)
+                require(abs(z.real) > e, "a p-root may be real next to q = 0")
+                found.append((kind, int(z.real > 0), z, e))
+            apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
+            require(apart, "p-roots are not told apart next to q = 0")
+            out += found
+        require(len(out) == self.kinds[1][0].degree, "a p-root is at infinity next to q = 0")
+        reach = [(abs(z) + e) * r for kind, _, z, e in out if not kind]
+        away = all(abs(z) - e > x for kind, _, z, e in out if kind for x in reach)
+        require(away, "p-roots are not told apart next to q = 0")
+        return out
+
+    def kernels(self, r: Any) -> list[Bent]:
+        """For each gap G over |σ| ≤ r."""
+        out, sigma = [], (acb(0), acb(1), arb(0))
+        for kind, side, z, e in self.roots(r):
+            wave, weight = bent_root(self.kinds[kind][0], z, e, r)
+            if not kind:
+                wave = bent_product(sigma, wave, r)
+                for _ in range(self.power):
+                    weight = bent_product(sigma, weight, r)
+            out.append((side, wave, weight))
+        return summed(self.waves, out, r)
+
+    def nodes(self, sigma: complex) -> list[complex]:
+        """Floats near the p-roots, those of U first."""
+        found = sorted(self.roots(arb(0)), key=lambda one: one[1])
+        return [complex(z) * (1 if kind else sigma) for kind, _, z, _ in found]
+
+    def links(self, thin: Split, r: Any) -> bool:
+        """Whether the pair of a thin splitting, at a σ with |σ| ≤ r, has the roots of both sides here."""
+        nodes, sigma, found = thin.nodes, thin.nodes.local.m, self.roots(r)
+        if sum(not side for _, side, _, _ in found) != nodes.up:
+            return False
+        for other, side in enumerate(nodes.side):
+            radii = thin.isolated(side)
+            mine = [(z + box(e)) * (1 if kind else sigma) for kind, s, z, e in found if s != other]
+            if not all(abs(p - nodes.z[k]) > e for p in mine for k, e in zip(side, radii, strict=True)):
+                return False
+        return True
+
+
+def alone(c: list[list[Any]], r: Any) -> Any:
+    """A radius e: for |t| ≤ r exactly one u with |u| < e solves Σ c_ij u^i t^j = 0, by Rouché against c₁₀u."""
+    sizes, slope = [], abs(c[1][0])
+    for i, row in enumerate(c):
+        powers = [abs(x) * r**j for j, x in enumerate(row) if (i, j) != (1, 0)]
+        sizes.append(sum(powers, arb(0)))
+    require(slope > 0, "p-roots meet next to q = 0")
+    e = (sizes[0] / slope * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
+    for _ in range(12):
+        image = sum((x * e**i for i, x in enumerate(sizes)), arb(0)) / slope
+        if image < e:
+            return e
+        e = (image * 1.6).upper()
+    raise Refused("p-roots are not told apart next to q = 0: the piece is too long")
 
 
 def kernels_beside(split: Split, r: Any, waves: Waves, pole: Any) -> tuple[list[Bent], Bent]:
     """For each gap e^{pole·ξ}·H(ξ), and g, with G = e^{pole·ξ}(g + H): only g is large where P = pole is double."""
     out, g = [NOTHING] * len(waves.xi), NOTHING
     for side, here in enumerate(split.nodes.side):
-        radii = split.isolated(here)
-        require(radii is not None, "p-roots of one side meet on a loop")
-        each = [bent_root(split, k, e, r) for k, e in zip(here, radii or [], strict=True)]
+        nodes = split.nodes
+        each = [bent_root(nodes.local, nodes.z[k], e, r) for k, e in zip(here, split.isolated(here), strict=True)]
         for (p, b, e), weight in each:
             g = bent_sum(g, weight) if not side else g
             for i, xi in enumerate(waves.xi):
@@ -851,117 +1096,6 @@ def kernels_beside(split: Split, r: Any, waves: Waves, pole: Any) -> tuple[list[
 def min_bound(x: Any, y: Any) -> Any:
     """The smaller of two upper bounds, whichever balls decide; x where they do not."""
     return y.upper() if y < x else x
-
-
-def by_roots(
-    split: Split, side: int, r: Any, order: int, gaps: Sequence[Any], radii: Sequence[Any]
-) -> list[list[Any]]:
-    """G = ± Σ N e^{Pξ}/D_P over the roots of one side, each alone in the disc of its radius round its node."""
-    nodes, local = split.nodes, split.nodes.local
-    n, total = local.degree + 1, [[acb(0)] * order for _ in gaps]
-    in_t = [shift(box(r) if r else acb(0), a.ncols(), order).transpose() for a in (local.d, local.n)]
-    d0, n0 = (local.d * in_t[0], local.n * in_t[1]) if not r else (None, None)
-    for k, e in zip(nodes.side[side], radii, strict=True):
-        z, rows = nodes.z[k], local.n.nrows()
-        if r:
-            f = (shift(box(e), n, order + 1) * (shift(z, n, n) * local.d) * in_t[0]).tolist()
-            g = (shift(box(e), rows, min(order, rows)) * (shift(z, rows, rows) * local.n) * in_t[1]).tolist()
-            p = z + box(e)
-        else:
-            slope = (shift(z + box(e), n, 2) * d0)[1, 0]
-            p = z - nodes.values[k][0] / slope
-            f = (shift(p, n, order + 1) * d0).tolist()
-            g = (shift(p, rows, min(order, rows)) * n0).tolist()
-        u = powers_of_root(f, order)
-        slopes = [[x * i for x in row] for i, row in enumerate(f)][1:]
-        weight = quotient(along(g, u, order), along(slopes, u, order))
-        wave = [p, *u[1][1:]] if order > 1 else [p]
-        for series, xi in zip(total, gaps, strict=True):
-            one = weight if xi == 0 else convolved(weight, exponential(wave, xi))
-            for j, x in enumerate(one):
-                series[j] = series[j] - x if side else series[j] + x
-    return total
-
-
-def by_matrices(split: Split, side: int, r: Any, order: int, gaps: Sequence[Any]) -> list[list[Any]]:
-    """The same where roots of one side may meet: U is the characteristic polynomial of diag(z) − 1·aᵀ =: A, and
-    G = ± cᵀ e^{Aξ} N(A) L(A)⁻¹ 1/lead with c_k = 1/Π(z_k − z_i); series in t are block triangular matrices."""
-    nodes, local = split.nodes, split.nodes.local
-    here, there = nodes.side[side], nodes.side[1 - side]
-    m, z = len(here), nodes.z
-    if not m:
-        return [[acb(0)] * order for _ in gaps]
-    a = factor_series(split, r, order)
-    in_t = shift(box(r) if r else acb(0), max(local.d.ncols(), local.n.ncols()), order).transpose()
-
-    def moved(row: list[Any]) -> list[Any]:
-        padded = row + [acb(0)] * (in_t.nrows() - len(row))
-        return list((acb_mat(1, len(padded), padded) * in_t).entries())
-
-    def block(entry: Any) -> Any:
-        """entry(k, i, j): the entry of the coefficient of t^k."""
-        size = order * m
-        full = [[acb(0)] * size for _ in range(size)]
-        for b, k, i, j in product(range(order), range(order), range(m), range(m)):
-            if b + k < order:
-                full[b * m + i][(b + k) * m + j] = entry(k, i, j)
-        return acb_mat(full)
-
-    def scalar(series: Sequence[Any]) -> Any:
-        return block(lambda k, i, j: series[k] if i == j else acb(0))
-
-    A = block(lambda k, i, j: (z[here[i]] if i == j and k == 0 else acb(0)) - a[here[j]][k])
-    one = scalar([acb(1)] + [acb(0)] * (order - 1))
-    full, rest = one, one * acb(0)
-    for k in there:  # L(A) = Π(A − z) + Σ b Π'(A − z)
-        rest = rest * (A - one * z[k]) + scalar(a[k]) * full
-        full = full * (A - one * z[k])
-    numerator = one * acb(0)
-    for row in reversed(local.n.tolist()):
-        numerator = numerator * A + scalar(moved(row))
-    tail = numerator * (full + rest).inv()
-    c = []
-    for k in here:
-        weight = acb(1)
-        for i in here:
-            weight = weight * (z[k] - z[i]) if i != k else weight
-        c.append(1 / weight)
-    lead, out = moved(local.lead()), []
-    for xi in gaps:
-        F = (A * acb(xi)).exp() * tail if xi != 0 else tail
-        series = [sum((c[i] * F[i, k * m + j] for i in range(m) for j in range(m)), acb(0)) for k in range(order)]
-        out.append(quotient([-x for x in series] if side else series, lead))
-    return out
-
-
-def factor_series(split: Split, r: Any, order: int) -> list[list[Any]]:
-    """The Taylor coefficients of all a_k (and b_l), from a_k (1 + Σ b_l/(z_k − z_l)) = W_k."""
-    nodes, local = split.nodes, split.nodes.local
-    n, z, columns = len(nodes.z), nodes.z, local.d.ncols()
-    in_t = shift(box(r) if r else acb(0), columns, order).transpose()
-    inverse = acb_mat(
-        n, n, [1 / (z[k] - z[i]) if (i < nodes.up) != (k < nodes.up) else 0 for k in range(n) for i in range(n)]
-    )
-    lead = (acb_mat(1, columns, local.lead()) * in_t).entries()
-    W = []
-    for k in range(n):
-        scale = acb(1)
-        for i in range(n):
-            scale = scale * (z[k] - z[i]) if i != k else scale
-        W.append(quotient([x / scale for x in (acb_mat(1, columns, nodes.values[k]) * in_t).entries()], lead))
-    a = [[box(t)] for t in split.tight]
-    for _ in range(0 if r else 14):
-        s = (inverse * acb_mat(n, 1, [x[0] for x in a])).entries()
-        a = [[W[k][0] / (1 + s[k])] for k in range(n)]
-    sums = [(inverse * acb_mat(n, 1, [x[0] for x in a])).entries()]
-    J = acb_mat(n, n, [a[k][0] * inverse[k, i] if i != k else 1 + sums[0][k] for k in range(n) for i in range(n)])
-    J = J.inv() if order > 1 else J
-    for j in range(1, order):
-        rest = [W[k][j] - sum((a[k][i] * sums[j - i][k] for i in range(1, j)), acb(0)) for k in range(n)]
-        for row, x in zip(a, (J * acb_mat(n, 1, rest)).entries(), strict=True):
-            row.append(x)
-        sums.append((inverse * acb_mat(n, 1, [x[j] for x in a])).entries())
-    return a
 
 
 # --- the characteristic function --------------------------------------------------------------------------
@@ -1016,29 +1150,42 @@ class Bordered:
         left = [zero] * (self.size - self.nc)
         return [x for line in lines for x in (*left, *line)]
 
-    def lines(self, of: Sequence[Sequence[Any]], own: Sequence[Any], zero: Any) -> list[list[Any]]:
+    def lines(
+        self, of: Sequence[Sequence[Any]], own: Sequence[Any], add: Callable[[Any, Any], Any], zero: Any
+    ) -> Any:
         """For each row what the kernels contribute: of[factor][gap] for direct contacts, own[gap] for the others."""
         out = []
         for row in self.links:
             line: list[Any] = [zero] * self.nc
             for k, (j, f) in enumerate(row):
                 here = of[f]
-                line = [x + here[g] if k else here[g] for x, g in zip(line, self.index[j], strict=True)]
+                line = [add(x, here[g]) if k else here[g] for x, g in zip(line, self.index[j], strict=True)]
             out.append(line)
         return out + [[own[g] for g in self.index[j]] for j in self.indirect]
 
-    def coefficient(self, k: int, sigma: Any, G: list[list[Any]]) -> Any:
-        """The k-th Taylor coefficient of the matrix at σ."""
-        of = []
-        for c, b, a in self.factors:
-            s = [c + b * sigma + a * (sigma * sigma), b + 2 * a * sigma, a][: k + 1]
-            of.append([sum((x * g[k - p] for p, x in enumerate(s)), acb(0)) for g in G])
-        waves = acb_mat(self.size, self.size, self.filled(self.lines(of, [g[k] for g in G], acb(0)), acb(0)))
-        if k == 0:
-            return self.K + self.C * sigma + self.M * (sigma * sigma) + waves
-        if k == 1:
-            return self.C + self.M * (2 * sigma) + waves
-        return self.M + waves if k == 2 else waves
+    def factors_at(self, sigma: Any, r: Any) -> list[Bent]:
+        """c + bσ + aσ² over |t| ≤ r."""
+        return [(c + b * sigma + a * (sigma * sigma), b + 2 * a * sigma, abs(a) * r * r) for c, b, a in self.factors]
+
+    def value(self, sigma: Any, G: Sequence[Any]) -> Any:
+        """The matrix at σ, from balls of G."""
+        of = [[s * g for g in G] for s, _, _ in self.factors_at(sigma, arb(0))]
+        lines = self.lines(of, G, lambda x, y: x + y, acb(0))
+        waves = acb_mat(self.size, self.size, self.filled(lines, acb(0)))
+        return self.K + self.C * sigma + self.M * (sigma * sigma) + waves
+
+    def over(self, sigma: Any, r: Any, G: Sequence[Bent]) -> list[Any]:
+        """[A₀, A₁, Q]: the matrix at σ + t, |t| ≤ r, is A₀ + A₁ t to within Q entry by entry."""
+        of = [[bent_product(s, g, r) for g in G] for s in self.factors_at(sigma, r)]
+        lines = self.lines(of, G, bent_sum, NOTHING)
+        n = self.size
+        parts = [self.filled([[x[k] for x in line] for line in lines], 0) for k in range(3)]
+        bent = arb_mat(n, n, [abs(x) * r * r for x in self.M.entries()])
+        return [
+            self.K + self.C * sigma + self.M * (sigma * sigma) + acb_mat(n, n, parts[0]),
+            self.C + self.M * (2 * sigma) + acb_mat(n, n, parts[1]),
+            bent + arb_mat(n, n, parts[2]),
+        ]
 
     def beside_pole(self, sigma: Any, r: Any, H: list[Bent], g: Bent, pole: Any) -> list[Any]:
         """A matrix with the determinant Δ̂/g up to a constant: its first Taylor coefficients and a bound of the rest.
@@ -1047,18 +1194,15 @@ class Bordered:
         """
         places = [arb(x) for x in self.vehicle.places]
         back, corner = [-(-pole * x).exp() for x in places], bent_inverse(g, r)
-        columns = []
+        columns, of = [], self.factors_at(sigma, r)
+        ahead = [(pole * x).exp() for x in places]
         for k in range(3):
-            of = []
-            for c, b, a in self.factors:
-                of.append([c + b * sigma + a * (sigma * sigma), b + 2 * a * sigma, a][k])
-            ahead = [(pole * x).exp() for x in places]
-            rows = [sum((of[f] * ahead[j] for j, f in row), acb(0)) for row in self.links]
-            columns.append(rows + [ahead[j] if k == 0 else acb(0) for j in self.indirect])
+            side = [abs(x) for x in ahead] if k == 2 else ahead
+            rows = [sum((of[f][k] * side[j] for j, f in row), acb(0)) for row in self.links]
+            columns.append(rows + [side[j] if k == 0 else acb(0) for j in self.indirect])
         row = [acb(0)] * (self.size - self.nc) + back
-        parts = [self.coefficient(k, sigma, [list(x[:2]) for x in H]).tolist() for k in range(2)]
-        parts.append(self.rest(sigma, r, H).tolist())
-        columns[2] = [abs(x) * r * r for x in columns[2]]
+        parts = [x.tolist() for x in self.over(sigma, r, H)]
+        columns[2] = [abs(x) for x in columns[2]]
         rows = [row, [acb(0)] * self.size, [arb(0)] * self.size]
         full = [
             [[*line, x] for line, x in zip(part, column, strict=True)] + [[*low, end]]
@@ -1066,42 +1210,35 @@ class Bordered:
         ]
         return [acb_mat(full[0]), acb_mat(full[1]), arb_mat(full[2])]
 
-    def rest(self, sigma: Any, r: Any, G: list[Bent]) -> Any:
-        """Bounds of what is left of the matrix over |t| ≤ r after its first two Taylor coefficients at σ."""
-        sizes = [(abs(x), abs(y), e) for x, y, e in G]
-        of = []
-        for c, b, a in self.factors:
-            s0, s1, s2 = abs(c + b * sigma + a * (sigma * sigma)), abs(b + 2 * a * sigma), abs(a)
-            whole, once, twice = s0 + s1 * r + s2 * r * r, s1 * r * r + s2 * r**3, s2 * r * r
-            of.append([twice * x + once * y + whole * e for x, y, e in sizes])
-        lines = self.lines(of, [e for _, _, e in G], arb(0))
-        waves = arb_mat(self.size, self.size, self.filled(lines, arb(0)))
-        return waves + arb_mat(self.size, self.size, [abs(x) * r * r for x in self.M.entries()])
 
-
-def direct_contacts(vehicle: Vehicle) -> dict[int, int]:
+def direct_contacts(vehicle: Any) -> dict[int, int]:
     """Each contact that is tight and alone on a body with no other contact, and that body."""
     nb, nc = vehicle.B.nrows(), len(vehicle.h)
     touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
     out = {}
     for j in range(nc):
         bodies = [i for i in range(nb) if j in touched[i]]
-        if vehicle.h[j] == 0 and len(bodies) == 1 and touched[bodies[0]] == [j]:
+        if not vehicle.h[j] and len(bodies) == 1 and touched[bodies[0]] == [j]:
             out[j] = bodies[0]
     return out
 
 
 def contracting(E: Any) -> bool:
-    """E x < x for some x > 0, for a matrix of moduli: x by power iteration."""
+    """E x < x for some x > 0, for a matrix of moduli."""
+    return bool(near_weights(E, 1.0)[1] < 1)
+
+
+def near_weights(E: Any, goal: float) -> tuple[list[Any], Any]:
+    """x > 0 by power iteration, each in its own unit, and a bound of max (E x)_i/x_i, for a matrix of moduli."""
     n = E.nrows()
     x = arb_mat(n, 1, [1] * n)
-    for _ in range(14):
-        y = E * x
-        pairs = list(zip(y.entries(), x.entries(), strict=True))
-        if all(a < b for a, b in pairs):
-            return True
-        x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in pairs])  # each in its own unit
-    return False
+    for k in range(14):
+        y = (E * x).entries()
+        eta = max_bound(*(a / b for a, b in zip(y, x.entries(), strict=True)))
+        if eta < goal or k == 13:
+            break
+        x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in zip(y, x.entries(), strict=True)])
+    return x.entries(), eta
 
 
 def moduli(a: Any) -> Any:
@@ -1172,11 +1309,14 @@ def greatest_first(a: list[list[Any]]) -> list[int]:
 
 @dataclass
 class Mark:
-    """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed."""
+    """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
+
+    split: None at q = 0 where waves come to P = 0 there.
+    """
 
     q: Point
     z: list[complex]
-    split: Split
+    split: Any
     matrix: Any = None
 
 
@@ -1197,8 +1337,8 @@ class Walker:
 
     def begin(self, depth: Any) -> None:
         """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
-        local = self.waves.near(acb(arb(depth)))
-        z = float_roots(local, [complex(x) for x in roots_of(local)])
+        local = self.waves.near(acb(arb(depth)), True)
+        z = [complex(x) for x in roots_near(local)]
         z.sort(key=lambda x: x.real)
         self.up = sum(x.real < 0 for x in z)
         split = Nodes([acb(x) for x in z], self.up, local).split(arb(0))
@@ -1207,23 +1347,23 @@ class Walker:
         self.marks[at] = Mark(at, z, split)
 
     def mark(self, q: Point, near: Sequence[complex]) -> Mark:
-        local = self.waves.near(at_q(q))
+        local = self.waves.near(at_q(q), True)
         z = float_roots(local, near)
         return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split(arb(0)))
 
     def matrix(self, mark: Mark) -> Any:
         if mark.matrix is None:
-            G = kernels(self.waves, mark.split, arb(0), 1)
-            mark.matrix = self.bordered.coefficient(0, mark.split.nodes.local.m, G)
+            mark.matrix = self.bordered.value(mark.split.nodes.local.m, kernel_balls(self.waves, mark.split))
         return mark.matrix
 
-    def path(self, kind: str, points: Sequence[Point], special: dict[int, list[Any]]) -> Any:
+    def path(self, path: Path) -> Any:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
+        kind, points = path.kind, path.points
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
         mark, total = self.marks[points[0]], arb(0)
         for k, (a, b) in enumerate(pairwise(points)):
             try:
-                end, turned = self.piece(kind, mark, b, special.get(k))
+                end, turned = self.piece(kind, mark, b)
             except Refused as error:
                 x, y = (float(arb(c)) for c in a)
                 raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
@@ -1238,31 +1378,34 @@ class Walker:
         total, part, back = arb(0), arb(0), loop.back
         for k, (a, b) in enumerate(pairwise(loop.points), 1):
             try:
-                mark, turned = self.piece("turn", mark, b, None, pole)
+                mark, turned = self.piece("turn", mark, b, pole)
             except Refused as error:
                 raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
             total += turned
             if k == back:
                 self.marks[b], part = mark, total
-        about = first.split.nodes.split(abs(first.split.nodes.local.m) * 2.0**-30)  # of one pair at the point itself
+        local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point
+        small = abs(local.m) * arb(loop.radius / loop.centre) / 64
+        about = Nodes([acb(x) for x in first.z], self.up, local).split(small)
         same = about.links(first.split) and about.links(mark.split)
         require(same, "a loop does not come back to the splitting that it began with")
         return total, part
 
-    def piece(self, kind: str, mark: Mark, b: Point, nodes: list[Any] | None, pole: Any = None) -> tuple[Mark, Any]:
+    def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, Any]:
         """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
         a = mark.q
         require(a != b, "two points of a path are the same")
+        if self.origin is not None and (0, 0) in (a, b):
+            return self.piece_at_origin(self.origin, kind, mark, b)
         m = at_q(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
         half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(m)
         z = float_roots(local, mark.z)
-        require(nodes is None or len(nodes) == n, "a special piece has not as many nodes as p-roots")
-        chosen = Nodes([acb(x) for x in z] if nodes is None else nodes, self.up, local)
+        chosen = Nodes([acb(x) for x in z], self.up, local)
         disc = chosen.split(r)
         end = self.mark(b, z)
         for side in (mark, end):
@@ -1275,16 +1418,34 @@ class Walker:
         )
         if pole is not None:
             return end, self.turn_beside(mark, end, m, r, disc, pole)
-        G = bent_kernels(self.waves, disc, thin, r, nodes is not None)
+        G = kernels(self.waves, disc, r)
         if kind == "passive":
             self.passive(m, half, r, G)
             return end, arb(0)
         return end, self.turn(mark, end, m, r, G)
 
+    @cached_property
+    def origin(self) -> Origin | None:
+        """What stands for a splitting at q = 0 where D has no terms of first order."""
+        return Origin(self.waves) if min(i + j for i, j in self.waves.track.d) > 1 else None
+
+    def piece_at_origin(self, origin: Origin, kind: str, mark: Mark, b: Point) -> tuple[Mark, Any]:
+        """From a mark to b, one of them q = 0: the disc round 0 that holds the other."""
+        require(kind != "passive", "a passive piece ends at q = 0, where waves come to P = 0")
+        out, other = (b != (0, 0)), at_q(b if b != (0, 0) else mark.q)
+        r = (abs(other) * arb(1 + 2.0**-12)).upper()
+        end = self.mark(b, origin.nodes(complex(other))) if out else Mark(b, mark.z, None)
+        require(origin.links((end if out else mark).split, r), "the splitting does not join on to q = 0")
+        if kind == "link":
+            return end, arb(0)
+        for one in (mark, end):
+            if one.split is None and one.matrix is None:
+                one.matrix = self.bordered.value(acb(0), [a + box(e) for a, _, e in origin.kernels(arb(0))])
+        return end, self.turn(mark, end, acb(0), r, origin.kernels(r))
+
     def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
         """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
-        A = [self.bordered.coefficient(k, m, [list(g[:2]) for g in G]) for k in range(2)]
-        return turned_by([*A, self.bordered.rest(m, r, G)], r, self.matrix(mark), self.matrix(end))
+        return turned_by(self.bordered.over(m, r, G), r, self.matrix(mark), self.matrix(end))
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
@@ -1364,14 +1525,15 @@ def bernstein(n: int, a: float, b: float) -> Any:
     return arb_mat(basis) * arb_mat(moved)
 
 
-def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], product_below: Any, name: str) -> None:
+def check_positive(f: Terms, box: Box, product_below: Any, name: str) -> None:
     """Σ c x^i y^j > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+    x, y = ((-above(-arb(a)), above(arb(b))) for a, b in box)
     n, m = (max(k[i] for k in f) for i in (0, 1))
-    c = arb_mat(n + 1, m + 1, [f.get((i, j), arb(0)) for i in range(n + 1) for j in range(m + 1)])
+    c = arb_mat(n + 1, m + 1, [f.get((i, j), 0) for i in range(n + 1) for j in range(m + 1)])
     stack, number = [(x, y, 0)], 0
     while stack:
         (x0, x1), (y0, y1), depth = stack.pop()
-        if product_below is not None and arb(x0) * arb(y0) > product_below:
+        if product_below is not None and arb(x0) * arb(y0) > arb(product_below):
             continue
         number += 1
         b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
@@ -1396,97 +1558,143 @@ def above(x: Any) -> float:
     return near + abs(near) * 2.0**-50 + 1e-300
 
 
-def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
-    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z and τ = q^{−1/m}."""
-    top = max(k * i + m * j for i, j in t)
-    out: Terms = {}
-    for (i, j), c in t.items():
+def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z, τ = q^{−1/m} and θ."""
+    top = max(k * e[0] + m * e[1] for e in t)
+    out: Free = {}
+    for (i, j, *e), c in t.items():
+        power: Free = {tuple(e): c}
         for a in range(j + 1):
-            at = (i + a, top - k * i - m * j + (m - k) * a)
-            out[at] = out.get(at, fmpq(0)) + c * comb(j, a) * (-v) ** a
-    return out, top
+            for own, x in power.items():
+                key = (i + a, top - k * i - m * j + (m - k) * a, *own)
+                out[key] = out.get(key, fmpq(0)) + x * comb(j, a)
+            power = times(power, {f: -y for f, y in v.items()})
+    return {e: c for e, c in out.items() if c != 0}, top
 
 
 def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None:
     """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
     keys(theorem, "gamma blocks alpha omega envelope")
-    k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
+    C, v = dyadic(theorem["envelope"], "envelope"), track.v
+    require(min(C, X) > 0, "the theorem's numbers are out of range")
+    gap = min((b - a for a, b in pairwise(sites)), default=None)
+    parts = absorption(RING, track.D, track.N)
+    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], (), check_positive)
+
+
+def tail_alpha(
+    content: Any,
+    least_alpha: int,
+    parts: Sequence[Any],
+    v: Free,
+    fastest: Any,
+    Q: Any,
+    gap: Any,
+    bounds: Sequence[tuple[Any, Any]],
+    box: Box,
+    positive_on: Callable[[Free, Box, Any, str], None],
+) -> int:
+    """α, if the theorem at large q (section 6.2) holds for q ≥ Q and all parameters of the box.
+
+    parts: W and |D|². v ≤ fastest: the velocity. gap: the least distance of two places, None of one alone.
+    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀. positive_on shows a polynomial to be positive on a box of (z, τ),
+    or of a chart, and of the parameters.
+    """
+    k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
+    omega, alpha = dyadic(content["omega"], "omega"), integer(content["alpha"], least_alpha, 64, "alpha")
     blocks = [
-        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")
+        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
     ]
-    omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
-    alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
-    require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
+    require(0 <= k <= m and m > 0 and blocks and min(omega, Q) > 0, "the theorem's numbers are out of range")
     require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
     require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
-    w, d = (terms(x) for x in absorption(track))
-    (block_w, top_w), (block_d, top_d) = in_block(w, v, k, m), in_block(d, v, k, m)
-    x = arb(X)
-    growth = x ** arb(fmpq(k, m))
-    between = 2 * arb.pi() / arb(min(b - a for a, b in pairwise(sites))) if len(sites) > 1 else arb(0)
-    require(arb(v * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
+    require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
+    w, d = (terms(x) for x in parts)
+    (block_w, top_w), (block_d, top_d) = (in_block(x, v, k, m) for x in (w, d))
+    x = arb(Q)
+    growth, tau = x ** arb(fmpq(k, m)), no_less(x ** arb(fmpq(-1, m)))
+    between = 2 * arb.pi() / arb(gap) if gap is not None else arb(0)
+    require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
-    tau = above(x ** arb(fmpq(-1, m)))
     for z1, z2, kappa in blocks:
-        difference = {
-            at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}
-        }
-        check_positive(
-            difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa"
-        )
-    iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
+        difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
+        positive_on(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
+    iw, id_ = (max(e[0] for e in t) for t in (w, d))
+    nw, nd = (max(e[0] + e[1] for e in t) for t in (w, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    near: Terms = {}
-    far: Terms = {}
-    for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
-        for (i, j), c in source.items():
-            for chart, at in ((near, (id_ - less - i, j)), (far, (id_ - less - i, nd - less - i - j))):
-                chart[at] = chart.get(at, fmpq(0)) + factor * c * (-1) ** j
-    reach = arb(v / X)
-    give = "the giving part may exceed the envelope"
-    check_positive(
-        {at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), arb(v), give
-    )  # −Ω ≤ v p: u·(−Ω) ≤ v
-    check_positive(
-        {at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give
-    )
+    for p0, C in bounds:
+        near: Free = {}
+        far: Free = {}
+        for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
+            for (i, j, *e), c in source.items():
+                for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
+                    chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
+        give = "the giving part may exceed the envelope"
+        positive_on(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
+        positive_on(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
+    require(known, "short waves are not bounded beyond Q")
+    turn = arb(Q / fastest)
     absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
     takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
-    gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
+    gives = known[-1] * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
     require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
     require(
         (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
     )
+    return alpha
 
 
-def check_decay(track: Track) -> None:
-    """G(ξ, σ) → 0 as σ → +∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple, and weights N/D_P fall.
+def no_less(x: Any) -> Any:
+    """A rational number that is no less, with few digits."""
+    mantissa, exponent = x.upper().man_exp()
+    return fmpq(int(mantissa)) * power_of_2(int(exponent))
 
-    Roots with s = σ − vP = o(σ) (several have c = 1/v) are taken in s and σ, P = (σ − s)/v.
+
+def check_decay(ring: Any, D: Any, N: Any, v: Any) -> None:
+    """G(ξ, σ) → 0 as σ → ∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple, and weights N/D_P fall.
+
+    Roots with s = σ − vP = o(σ) (several have c = 1/v) are taken in s and σ, P = (σ − s)/v. With parameters: for all
+    of them but those of a set without inner points (over their rational functions).
     """
-    check_edges(track.d, track.n, track.v, False)
-    moved = [terms(p.compose((S_ - P_) / track.v, P_, ctx=RING)) for p in (track.D, track.N)]
-    check_edges(moved[0], moved[1], track.v, True)
+    P, s, *x = ring.gens()
+    d, n = (p.compose(P, s - v * P, *x, ctx=ring) for p in (D, N))
+    check_edges(d, n, v, ring, False)
+    slow = []
+    for p in (D, N):  # at P = (σ − s)/v, times a power of v
+        terms, top = p.to_dict(), max(int(e[0]) for e in p.to_dict())
+        total = ring.constant(0)
+        for (i, j, *e), c in terms.items():
+            total += c * (s - P) ** int(i) * v ** (top - int(i)) * P ** int(j) * monomial(x, list(map(int, e)))
+        slow.append(total)
+    check_edges(slow[0], slow[1], v, ring, True)
 
 
-def check_edges(d: Terms, n: Terms, v: Any, slow: bool) -> None:
-    """The edges of d (of exponent θ < 1 only, if slow; else without the roots c = 1/v where θ = 1)."""
+def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
+    """The edges of Newton's polygon of d (of exponent θ < 1 only, if slow; else without roots 1/v where θ = 1)."""
+    at_: dict[tuple[int, int], dict[Any, Any]] = {}
+    for (i, j, *e), c in d.to_dict().items():
+        at_.setdefault((int(i), int(j)), {})[(0, 0, *e)] = c
     top: dict[int, int] = {}
-    for i, j in d:
+    for i, j in at_:
         top[i] = max(top.get(i, j), j)
+    support = {(int(e[0]), int(e[1])) for e in n.to_dict()}
     require(0 in top, "0 is a root for every frequency")
-    i = 0
+    P, i = ring.gens()[0], 0
     while i < max(top):
         slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)  # −θ
-        on = {a: d[a, b] for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
-        edge, resting = fmpq_poly([on.get(a, fmpq(0)) for a in range(i, max(on) + 1)]), fmpq_poly([1, -v])
+        on = {a for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
+        edge = sum((ring.from_dict(at_[a, top[a]]) * P ** (a - i) for a in on), ring.constant(0))
         if slope == -1:
-            while (edge % resting).degree() < 0:
-                edge = edge // resting
+            while True:
+                quotient, rest = divmod(edge, 1 - v * P)
+                if rest:
+                    break
+                edge = quotient
         if slope > -1 or not slow:
-            simple = edge.degree() == 0 or edge.gcd(edge.derivative()).degree() == 0
-            require(simple, "waves of one speed at high frequency: decay is not proved")
-            weight = max(b - slope * a for a, b in n) - (top[i] - slope * i + slope)
+            common = edge.gcd(edge.derivative(0)) if edge.degrees()[0] else ring.constant(1)
+            require(common.degrees()[0] == 0, "waves of one speed at high frequency: decay is not proved")
+            weight = max(b - slope * a for a, b in support) - (top[i] - slope * i + slope)
             require(weight < 0, "the receptance does not decay at high frequency")
         i = max(on)
 
@@ -1557,22 +1765,14 @@ def read_region(value: Any) -> Region:
 class Path:
     kind: str
     points: list[Point]
-    special: dict[int, list[Any]]
 
 
 def read_paths(values: Any, kinds: str) -> list[Path]:
     out = []
     for value, kind in zip(items(values, 24, "paths", len(kinds.split())), kinds.split(), strict=True):
-        keys(value, "kind points", "special")
+        keys(value, "kind points")
         require(value["kind"] == kind, f"a path is of another kind than {kind}")
-        points = read_points(value["points"])
-        special = {}
-        for one in items(value.get("special", []), MAX_PIECES, "special pieces"):
-            keys(one, "piece nodes")
-            nodes = [point(x) for x in items(one["nodes"], MAX_DEGREE, "nodes")]
-            require(len(set(nodes)) == len(nodes), "two nodes are the same")
-            special[integer(one["piece"], 0, MAX_PIECES, "piece")] = [acb(arb(x), arb(y)) for x, y in nodes]
-        out.append(Path(kind, points, special))
+        out.append(Path(kind, read_points(value["points"])))
     require(sum(len(p.points) for p in out) <= MAX_PIECES, "there are too many pieces")
     return out
 
@@ -1661,7 +1861,7 @@ def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
         require(axis[-1][1] == 0 and axis[-1][0] > rho, "the path beyond the corner leaves the real axis")
 
 
-def accretive(b: Bordered, sigma: Any, G: list[list[Any]]) -> list[list[Any]]:
+def accretive(b: Bordered, sigma: Any, G: Sequence[Any]) -> list[list[Any]]:
     """[[S/σ, −B], [Bᵀ, σ(G + h)]], the rows of neutral coordinates undivided."""
     v, nb, size = b.vehicle, b.nb, b.nb + b.nc
     a = [[acb(0)] * size for _ in range(size)]
@@ -1672,7 +1872,7 @@ def accretive(b: Bordered, sigma: Any, G: list[list[Any]]) -> list[list[Any]]:
             a[i][nb + j], a[nb + j][i] = acb(-arb(v.B[i, j])), acb(arb(v.B[i, j]))
     for i, row in enumerate(b.index):
         for j, g in enumerate(row):
-            a[nb + i][nb + j] = sigma * (G[g][0] + (arb(v.h[i]) if i == j else 0))
+            a[nb + i][nb + j] = sigma * (G[g] + (arb(v.h[i]) if i == j else 0))
     return a
 
 
@@ -1688,7 +1888,7 @@ def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
             waves = Waves(waves.track, waves.sites)
             try:
                 split = mark.split if more == 1 else sharper(waves, mark)
-                a = accretive(b, acb(0, arb(rho)), kernels(waves, split, arb(0), 1))
+                a = accretive(b, acb(0, arb(rho)), kernel_balls(waves, split))
                 order = order or greatest_first(a)
                 total = pivots(acb_mat([[a[i][j] for j in order] for i in order]))
             except Refused:
@@ -1700,12 +1900,8 @@ def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
 
 def sharper(waves: Waves, mark: Mark) -> Split:
     """The pair of a mark from nodes with as many digits as are computed with."""
-    local = waves.near(at_q(mark.q))
-    D = acb_poly([local.d[i, 0].mid() for i in range(local.degree + 1)])
-    slope, z = D.derivative(), [acb(x) for x in mark.z]
-    for _ in range(flint.ctx.prec.bit_length()):
-        z = [(x - D(x) / slope(x)).mid() for x in z]
-    split = Nodes(z, mark.split.nodes.up, local).split(arb(0))
+    local = waves.near(at_q(mark.q), True)
+    split = Nodes(roots_near(local, mark.z), mark.split.nodes.up, local).split(arb(0))
     require(mark.split.links(split), "sharper p-roots are not those of the mark")
     return split
 
@@ -1716,13 +1912,13 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     require((passive and track.v != 0) or theorem is None, "this region needs no theorem")
     turned = arb(0)
     for path in paths:
-        turned += walker.path(path.kind, path.points, path.special)
+        turned += walker.path(path)
     pi, b = arb.pi(), walker.bordered
     if passive:
         with precision(128):
             check_passive_track(track)
             if track.v != 0:
-                check_decay(track)
+                check_decay(RING, track.D, track.N, RING.constant(track.v))
                 check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
         rho = paths[1].points[-1][0]
         closed = closing(b, walker.waves, walker.marks[rho, fmpq(0)])
@@ -1755,7 +1951,8 @@ class Sheet:
         height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
         rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
         undamped = moving_track(rows, track.loaded, track.v)
-        require(height >= 0 and nonnegative(in_y(terms(undamped.D))[0], True), "the cuts do not lie on one line")
+        static = in_y(undamped.D.subs({"s": 0}))
+        require(height >= 0 and positive(static, (), True), "the cuts do not lie on one line")
         require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
         M, C, K = vehicle.M, vehicle.C, vehicle.K
         C, K = C - 2 * height * M, K - height * C + height * height * M
@@ -1908,15 +2105,17 @@ def far_waves(local: Local, r: Any) -> list[Any]:
         here = Local(center, table_ * shift(center, 5, 5).transpose(), local.n)
         z = float_roots(here, [complex(x) for x, _ in before])
         split = Nodes([acb(x) for x in z], 2, here).split(arb(e))
-        radii = [x for side in split.nodes.side for x in (split.isolated(side) or [])]
-        require(len(radii) == 4, "p-roots far out are not told apart")
+        radii = [x for side in split.nodes.side for x in (split.isolated(side))]
         now = list(zip(split.nodes.z, radii, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
         require(touch == [[i == j for j in range(4)] for i in range(4)], "p-roots far out are not followed")
         before = now
         if i < len(steps):
             continue
-        waves, weights = zip(*(bent_root(split, j, d, arb(e)) for j, d in enumerate(radii)), strict=True)
+        waves, weights = zip(
+            *(bent_root(split.nodes.local, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)),
+            strict=True,
+        )
         ahead, near_ahead, near_behind, behind = (
             weights[j] if j < 2 else (-weights[j][0], -weights[j][1], weights[j][2]) for j in range(4)
         )
@@ -1974,9 +2173,8 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
         link, at = chain[0].points, (begin, zero)
         require(link[0] == (zero, -start) and link[-1] == at, "a link does not lead to where the count begins")
         require(all(y <= 0 for _, y in link), "a link is above the line")
-        require(not any(path.special for path in chain), "no piece is special here")
         walker.begin(start)
-        walker.path("link", link, {})
+        walker.path(chain[0])
         for k, path in enumerate(chain[1:]):
             edge = path.points
             require(edge[0] == at, "a path does not begin where the one before ends")
@@ -1989,7 +2187,7 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
             elif k == len(rounds):
                 require(edge[-1] == (end, zero), "a path does not end where the count closes")
             require(all(y == 0 for _, y in edge), "a path leaves the edge of the cut")
-            turned += walker.path("turn", path.points, {})
+            turned += walker.path(path)
             if k < len(rounds):
                 require(edge[-1] == rounds[k].points[0], "a path does not end where its loop begins")
                 turned += check_loop(rounds[k], sheet.track, len(waves.sites), walker)
@@ -2021,8 +2219,8 @@ def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, star
     require(ends and all(y <= 0 for _, y in link.points), "the first path does not lead to the rectangle's corner")
     check_lines(turn.points, [(a, c), (b, c), (b, d), (a, d), (a, c)])
     walker.begin(start)
-    walker.path("link", link.points, link.special)
-    n = (walker.path("turn", turn.points, turn.special) / (2 * arb.pi())).unique_fmpz()
+    walker.path(link)
+    n = (walker.path(turn) / (2 * arb.pi())).unique_fmpz()
     spent.pieces += walker.pieces
     require(n is not None, "the change of the argument does not tell the number of roots")
     return int(n)
@@ -2073,98 +2271,59 @@ def read_root(value: Any) -> Root:
     return Root((parts[0] * unit, parts[1] * unit), radius, multiplicity, value["pair"], bits)
 
 
-def determinant_series(A: Sequence[Any], k: int) -> Any:
-    """The coefficient of t^k of det Σ A_j t^j: the sum over all ways to take k orders from the rows."""
-    size = A[0].nrows()
-    rows = [a.tolist() for a in A]
-    total = acb(0)
-    for taken in combinations_with_replacement(range(size), k):
-        total += acb_mat([rows[taken.count(i)][i] for i in range(size)]).det()
-    return total
-
-
-def left_over(a: Any, m: int) -> tuple[list[int], list[int]]:
-    """m rows and m columns, without which the matrix is well away from singular, in floats: nothing rests on them."""
-    b = [[complex(x) for x in row] for row in a.tolist()]
-    rows, columns = list(range(len(b))), list(range(len(b)))
-    for _ in range(2):
-        b = [[x / (max(map(abs, row)) or 1) for x in row] for row in b]
-        tops = [max(abs(row[j]) for row in b) or 1 for j in columns]
-        b = [[x / top for x, top in zip(row, tops, strict=True)] for row in b]
-    while len(rows) > m:
-        i, j = max(((i, j) for i in rows for j in columns), key=lambda at: abs(b[at[0]][at[1]]))
-        rows.remove(i)
-        columns.remove(j)
-        for k in rows:
-            factor = b[k][j] / (b[i][j] or 1e-300)
-            if factor:
-                row, source = b[k], b[i]
-                for c in columns:
-                    row[c] -= factor * source[c]
-    return rows, columns
-
-
-def schur(A: Sequence[Any], rows: list[int], columns: list[int]) -> list[Any]:
-    """The series of the Schur complement on these rows and columns; the rest of A is proved regular on the way."""
-    n = A[0].nrows()
-    if len(rows) == n:
-        return list(A)
-    others = [[i for i in range(n) if i not in kept] for kept in (rows, columns)]
-
-    def part(a: list[list[Any]], i: list[int], j: list[int]) -> Any:
-        return acb_mat([[a[x][y] for y in j] for x in i])
-
-    lists = [a.tolist() for a in A]
-    inner, right = ([part(a, others[0], c) for a in lists] for c in (others[1], columns))
-    below, corner = ([part(a, rows, c) for a in lists] for c in (others[1], columns))
-    try:
-        inverse = inner[0].inv()
-    except ZeroDivisionError:
-        raise Refused("the matrix without its kernel may be singular on the disc") from None
-    Y: list[Any] = []
-    out = []
-    for k in range(len(A)):
-        rest = right[k]
-        for j in range(1, k + 1):
-            rest = rest - inner[j] * Y[k - j]
-        Y.append(inverse * rest)
-        s = corner[k]
-        for j in range(k + 1):
-            s = s - below[j] * Y[k - j]
-        out.append(s)
-    return out
-
-
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
-    """Exactly `multiplicity` roots in the disc, by Rouché: δ = Σ c_k t^k + t^m g(t) against t^m g₀, δ·const = Δ̂.
-
-    δ is the determinant of an m × m Schur complement of the matrix; the rest of the matrix is regular on the disc.
-    """
-    m, bits = root.multiplicity, root.bits + 128
-    size = walker.bordered.size
-    walker.spend(((m + 1) * size**3 + comb(2 * m - 1, m) * m**4 + 2000) * (1 + bits / 512) ** 1.5)
+    """Exactly `multiplicity` roots in the disc: those of a small block, proved by Rouché's theorem (section 7)."""
+    m, bits, size = root.multiplicity, root.bits + 128, walker.bordered.size + root.multiplicity
+    walker.spend((8 * size**3 + 2000) * (1 + bits / 512) ** 1.5)
     with precision(bits):
         waves = Waves(track, vehicle.sites)
-        bordered = Bordered(vehicle, waves)
         center, e = at_q(root.z), arb(root.radius).upper()
         local = waves.near(center)
-        z = sorted(roots_of(local), key=lambda p: bool(p.real > 0))
-        nodes = Nodes(z, sum(bool(p.real < 0) for p in z), local)
-        disc, thin = nodes.split(e), nodes.split(arb(0))
+        z = sorted(roots_near(local), key=lambda p: bool(p.real > 0))
+        disc = Nodes(z, sum(bool(p.real < 0) for p in z), local).split(e)
         check_sides(disc)
-        G, over = kernels(waves, thin, arb(0), m), kernels(waves, disc, e, m + 1)
-        A = [bordered.coefficient(k, center, G) for k in range(m)]
-        all_over = [bordered.coefficient(k, center + box(e), over) for k in range(m + 1)]
-        kept = left_over(A[0], min(m, size))
-        s, s_over = schur(A, *kept), schur(all_over, *kept)
-        g = determinant_series(s_over, m)
-        middle = g.mid()
-        rest = abs(g - middle) * e**m
-        for k in range(m):
-            rest += abs(determinant_series(s[: k + 1], k)) * e**k
-        require(
-            g.is_finite() and rest < abs(middle) * e**m, "the disc is not proved to hold as many roots as claimed"
-        )
+        A = Bordered(vehicle, waves).over(center, e, kernels(waves, disc, e))
+        F0, F1, rest = block(A, e, m)
+        V = (near_inverse(F1) * F0).mid().eig(right=True, algorithm="approx")[1].mid()  # any numbers
+        L = near_inverse(F1 * V)
+        E = moduli(L * F1 * V - identity(m)) + (moduli(L * F0 * V) + moduli(L) * rest * moduli(V)) * (1 / e)
+        require(contracting(E), "the disc is not proved to hold as many roots as claimed")
+
+
+def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
+    """F = F₀ + F₁t to within a bound, an m × m matrix that is singular exactly where A = A₀ + A₁t is, |t| ≤ r.
+
+    F is the last block of the inverse of B = [[A, X], [Y, 0]]: det A = ± det B · det F, and B is proved regular.
+    X and Y are any numbers, in the units of rows and columns.
+    """
+    n = A[0].nrows()
+    rows = A[0].tolist()
+    tall = [max((float(abs(x)) for x in row), default=0) or 1.0 for row in rows]
+    wide = [max(float(abs(row[j])) / t for row, t in zip(rows, tall, strict=True)) or 1.0 for j in range(n)]
+
+    def uneven(i: int, j: int) -> float:
+        return 1 + ((i + 1) * (j + 2) * 0.6180339887498949) % 1
+
+    def bordered(a: Any, zero: Any, edge: float) -> list[list[Any]]:
+        right = [
+            [*row, *(edge * t * uneven(i, j) for j in range(m))]
+            for i, (row, t) in enumerate(zip(a.tolist(), tall, strict=True))
+        ]
+        return right + [[*(edge * w * uneven(j, i + m) for j, w in enumerate(wide)), *[zero] * m] for i in range(m)]
+
+    B0, B1, Q = acb_mat(bordered(A[0], 0, 1.0)), acb_mat(bordered(A[1], 0, 0.0)), arb_mat(bordered(A[2], 0, 0.0))
+    R = near_inverse(B0)
+    N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
+    N = moduli(N0) + moduli(N1) * r + Q * size  # BR = 1 + (a matrix with these moduli at most)
+    x, eta = near_weights(N, 0.9)
+    require(eta < 0.9, "the matrix without its kernel may be singular on the disc")
+    first = [R * N0, R * N1, size * Q * size]
+    F = [[a.tolist()[i][n:] for i in range(n, n + m)] for a in (R, *first)]
+    tail = (size * arb_mat(n + m, 1, x)).entries()  # of R N² (1 + N)⁻¹ in the last columns
+    twice = (N * N).tolist()
+    worst = [max_bound(*(row[n + j] / y for row, y in zip(twice, x, strict=True))) / (1 - eta) for j in range(m)]
+    lost = arb_mat([[y + tail[n + i] * worst[j] for j, y in enumerate(row)] for i, row in enumerate(F[3])])
+    return [acb_mat(F[0]) - acb_mat(F[1]), -acb_mat(F[2]), lost]
 
 
 def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:

@@ -20,9 +20,11 @@ class FreeMatrix:
     """A(q̂, x̂): rows of all bodies, then of contacts; columns of bodies, then of contact forces.
 
     A tight contact that is alone on a body which it touches by a constant is eliminated, as in `bordered`.
+    push: B in the rows of bodies, where those are scaled; as it is if left out.
     """
 
     family: Family
+    push: Any = None
 
     @cached_property
     def receptance(self) -> FreeReceptance:
@@ -47,8 +49,8 @@ class FreeMatrix:
         return tuple(out)
 
     @cached_property
-    def _forms(self) -> tuple[Forms, Forms, Forms]:
-        """S (row by row), B and h."""
+    def _forms(self) -> tuple[Forms, Forms, Forms, Forms]:
+        """S (row by row), B as bodies feel it, B as contacts do, and h."""
         family, m = self.family, 1 + len(self.family.paths)
         n = len(family.B)
         entries = []
@@ -56,8 +58,11 @@ class FreeMatrix:
             for j in range(n):
                 each = [(k, family.S[k][i][j]) for k in range(3)]
                 entries.append({(k, *e): c for k, several in each for e, c in several})
-        flat = [{(0, *e): c for e, c in x} for row in family.B for x in row]
-        return Forms.of(entries, m), Forms.of(flat, m), Forms.of([{(0, *e): c for e, c in x} for x in family.h], m)
+        push, B, h = (
+            Forms.of([{(0, *e): c for e, c in x} for row in rows for x in row], m)
+            for rows in (self.push or family.B, family.B, [family.h])
+        )
+        return Forms.of(entries, m), push, B, h
 
     def __call__(self, boxes: Boxes) -> tuple[Quadratic, Receptances]:
         """(A of shape (boxes, n, n), the receptances it is made of)."""
@@ -66,24 +71,24 @@ class FreeMatrix:
         with np.errstate(all="ignore"):
             return self.assembled(found.G, y, rho), found
 
-    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic]:
-        """S, B and h of shapes (boxes, n, n), (boxes, n, c), (boxes, c)."""
+    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic, Quadratic]:
+        """S, B as bodies feel it, B as contacts do, h: shapes (boxes, n, n), (boxes, n, c) twice, (boxes, c)."""
         n, c, boxes = len(self.family.B), len(self.family.index), y.shape[1]
-        shapes = ((boxes, n, n), (boxes, n, c), (boxes, c))
-        S, B, h = (_shaped(form(y, rho), shape) for form, shape in zip(self._forms, shapes, strict=True))
-        return S, B, h
+        shapes = ((boxes, n, n), (boxes, n, c), (boxes, n, c), (boxes, c))
+        S, push, B, h = (_shaped(form(y, rho), shape) for form, shape in zip(self._forms, shapes, strict=True))
+        return S, push, B, h
 
     def assembled(self, G: Quadratic, y: Any, rho: Any) -> Quadratic:
         """A from G between the places."""
         contact = np.array(self.family.index)
         G = G[:, contact[:, None], contact[None, :]]
         n, c = len(self.family.B), len(contact)
-        S, B, h = self.own(y, rho)
+        S, push, B, h = self.own(y, rho)
         bodies = [body for body, _, _ in self.direct]
         gone = [j for _, j, _ in self.direct]
         rest = [i for i in range(n) if i not in bodies]
         indirect = [j for j in range(c) if j not in gone]
-        right = -B
+        right = -push
         if bodies:
             factors = np.array([factor for _, _, factor in self.direct])
             right = right + S[:, :, bodies].times(factors) @ G[:, gone, :]

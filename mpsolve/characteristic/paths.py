@@ -4,6 +4,9 @@ Points are complex floats q̂ (scaled); σ̂ = i q̂. Every piece stands for a d
 by halving; then one pass over all paths proves everything at once: each point has one thin splitting, to which all
 pieces that meet there are linked.
 
+Where waves come to P = 0 at q = 0 no splitting passes; pieces that end there stand for a disc round σ̂ = 0, on which
+`Origin` tells the p-roots apart.
+
 A path begins where an earlier one ends, the first at the start, whose thin splitting is linked to the one that
 `start` has told apart. So along every path U is the continuation of that at the start: over a piece it is analytic,
 and at a point two pieces have the pair of the thin splitting there.
@@ -19,6 +22,7 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
+from mpsolve.characteristic.origin import Origin
 from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.float64 import distinct
@@ -26,6 +30,7 @@ from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.cover import cover, halved, midpoints
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.even import evened
+from mpsolve.proof.joined import joined
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 Kind = Literal["link", "turn", "passive"]
@@ -74,11 +79,15 @@ class Proved:
 
 @dataclass(frozen=True)
 class Paths:
-    """The tests of a problem whose splitting starts at `start`; pieces are planned on discs larger by `room`."""
+    """The tests of a problem whose splitting starts at `start`; pieces are planned on discs larger by `room`.
+
+    origin: where waves come to P = 0 at q = 0.
+    """
 
     arrays: Arrays
     start: Start
     room: float = ROOM
+    origin: Origin | None = None
 
     @property
     def up(self) -> int:
@@ -93,6 +102,8 @@ class Paths:
         found = cover(points, self._test(kind), effort, middle=_between(arc))
         if kind == "turn" and arc is None and len(found) > max(_FEW, len(points)):
             found = cover(self._evened(found, effort), self._test(kind), effort)
+        elif arc is None:
+            found = joined(found, self._test(kind), effort, kind == "link")
         return Path(kind, found, arc)
 
     def _evened(self, points: Any, effort: Effort) -> Any:
@@ -112,16 +123,37 @@ class Paths:
     def _evaluate(self, kind: Kind, a: Any, b: Any, room: float = 1.0) -> tuple[Splittings, Any, Regular | None]:
         m, r = discs(a, b)
         r = r * room
-        if kind == "link":
+        if kind == "link" and self.origin is None:
             s = split(self.arrays.D, m, r, self.up)
             return s, s.good, None
-        s, G, good = self.arrays.evaluate(m, r, self.up)
+        s, G, good = self._over(a, b, m, r)
+        if kind == "link":
+            return s, np.where(_at_zero(a, b), good, s.good), None
         if kind == "turn":
-            piece = regular(self.arrays.matrix(G, m))
+            piece = regular(self.arrays.matrix(G, _middles(a, b, m, self.origin)))
             return s, good & piece.good, piece
         sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
+        if self.origin is not None:
+            good = good & ~_at_zero(a, b)  # their discs have another middle
         drift = 64 * U * (np.abs(m) + r)  # the piece runs through its rounded middle, along a rounded direction
         return s, good & positive(sigma * G, 1j * (b - a) / np.abs(b - a), drift), None
+
+    def _over(self, a: Any, b: Any, m: Any, r: Any) -> tuple[Splittings, Jet, Any]:
+        """(splittings, G between the places, where it is bounded) on the discs of the pieces."""
+        s, G, good = self.arrays.evaluate(m, r, self.up)
+        if self.origin is None:
+            return s, G, good
+        return s, *self._at_origin(G, good, _at_zero(a, b), 2 * r)
+
+    def _at_origin(self, G: Jet, good: Any, where: Any, radius: Any) -> tuple[Jet, Any]:
+        """G and where it is bounded, with the discs round σ̂ = 0 put in."""
+        a, b, e, r, good = G.a.copy(), G.b.copy(), G.e.copy(), G.r.copy(), good.copy()
+        distances, pairs = self.arrays.distances
+        for k in np.flatnonzero(where):
+            found = self.origin(float(radius[k]), distances)  # type: ignore[misc]
+            a[k], b[k], e[k] = (part[0][pairs] for part in (found.jet.a, found.jet.b, found.jet.e))
+            r[k], good[k] = radius[k], found.good[0]
+        return Jet(a, b, e, r), good
 
     def prove(self, paths: tuple[Path, ...], effort: Effort, reached: tuple[complex, ...] = ()) -> Proved:
         """All pieces of all paths, linked; pieces that fail are halved a few times. Raises PrecisionError.
@@ -148,6 +180,8 @@ class Paths:
         first = thin.take(np.array([index[0]]))
         if not linked(first, self.start.splitting).all():
             raise PrecisionError("the splitting at the start is not found again to within rounding")
+        if self.origin is not None:
+            G, good = self._at_origin(G, good, points == 0, np.zeros(len(points)))
         A = self.arrays.matrix(G, 1j * points)
         turns, refined, whole, at = [], [], True, 0
         for path in paths:
@@ -172,7 +206,7 @@ class Paths:
         if not len(first):
             return np.ones(0, bool), (0.0, 0.0)
         s, passed, piece = self._evaluate(path.kind, path.points[:-1], path.points[1:])
-        passed = passed & linked(s, thin.take(first)) & linked(s, thin.take(last)) & on_arc(path)
+        passed = passed & self._linked(path, s, thin.take(first), thin.take(last)) & on_arc(path)
         if piece is None:
             return passed, (0.0, 0.0)
         start, lost, fine = pivot_arguments(piece, A.take(first))
@@ -181,6 +215,25 @@ class Paths:
         turn = end - start  # each rounded to within U |turn|, their sum to nearest
         error = fsum(np.concatenate([lost, lost_too, 2 * U * np.abs(turn)])) * UP
         return passed, (fsum(turn), error + 2 * U * abs(fsum(turn)))
+
+    def _linked(self, path: Path, s: Splittings, start: Splittings, end: Splittings) -> Any:
+        """Which pieces join on to the splittings at both of their ends; at q = 0 there is none."""
+        joined = linked(s, start) & linked(s, end)
+        if self.origin is not None:
+            for k in np.flatnonzero(_at_zero(path.points[:-1], path.points[1:])):
+                other = end if path.points[k] == 0 else start
+                joined[k] = self.origin.links(other.take(np.array([k])), complex(other.m[k]))
+        return joined
+
+
+def _at_zero(a: Any, b: Any) -> Any:
+    """Which pieces end at q = 0."""
+    return (a == 0) | (b == 0)
+
+
+def _middles(a: Any, b: Any, m: Any, origin: Origin | None) -> Any:
+    """The middles of the discs: σ̂ = 0 for those that `origin` serves."""
+    return m if origin is None else np.where(_at_zero(a, b), 0, m)
 
 
 def _check_chain(paths: tuple[Path, ...], depth: float, reached: tuple[complex, ...] = ()) -> None:

@@ -145,7 +145,7 @@ def _any_masses(D: Step, kernel: Step) -> tuple[Step, ...]:
 def derivation(masses: int = 2) -> tuple[Step, ...]:
     """Every step for `masses` masses, in the order in which each follows from those before it."""
     if masses < 1:
-        raise InputError("masses", f"{masses} given; the derivation needs one mass or more")
+        raise InputError("masses", f"is {masses}: give one mass or more")
     steps = _motion(masses)
     rules = st.laplace_rules()
     image = st.laplace(steps[-1], rules, masses)

@@ -122,7 +122,7 @@ def _floating_ice(a: Any) -> Any:
     """Bernoulli under the plate, p = −ρ (g w + ψ̇), and the water that leaves a column, ẇ = −(depth ψ′)′."""
     pressure = -a.rho_water * (a.g * w + psi.diff(t))
     plate = a.rho_ice * a.h * w.diff(t, 2) - _bending(a.B, a.eta, w).diff(x, 2) + a.c * w.diff(t) - pressure
-    return (w, psi), (plate, -w.diff(t) - (a.depth * psi.diff(x)).diff(x))
+    return (w, psi), (plate, -a.rho_water * (w.diff(t) + (a.depth * psi.diff(x)).diff(x)))
 
 
 _MOTIONS: dict[type[Track], Callable[[Any], Any]] = {

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from flint import arb
 
+from mpsolve.characteristic.origin import waves_meet_at_zero
 from mpsolve.characteristic.paths import Paths
 from mpsolve.characteristic.start import start
 from mpsolve.endless.boxes import Boxes, LatticeArrays
@@ -18,7 +19,7 @@ from mpsolve.proof.boxes import cover_boxes
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
-from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
+from mpsolve.spectrum.reasons import WavesMeetError
 from mpsolve.spectrum.regions import HalfPlane
 
 

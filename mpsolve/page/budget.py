@@ -1,4 +1,7 @@
-"""A budget of time for a page: parts are made in order of importance, and what does not fit in is named."""
+"""A budget of time for a page: parts are made in order of importance, and what does not fit in is named.
+
+Each part hears how long it may take. One that takes much longer is ended all the same.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +10,17 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
+import numpy as np
 from numpy.linalg import LinAlgError
 
 from mpsolve.errors import MpsolveError
+from mpsolve.proof.deadline import TimeUpError, deadline
 
 T = TypeVar("T")
 DEFAULT = 60.0
 """Seconds of processor time for a page."""
+_NO_TIME = "there was no time left for it: allow more with --effort"
+_GRACE = 0.2  # of its time, for a part that is about to end by itself
 
 
 @dataclass(frozen=True)
@@ -48,14 +55,21 @@ class Budget:
         return self.seconds - (self.clock() - self._start)
 
     def part(self, name: str, make: Callable[[float], Any], *, share: float = 1.0, least: float = 0.0) -> Part[Any]:
-        """make(seconds that it may take), unless less than `least` is left; no error of it ends the page."""
+        """make(seconds that it may take), unless less than `least` is left; no error of it ends the page.
+
+        Where it has not come back a little after that, it is left, and is late.
+        """
         left = self.left
         if left <= least:
-            return Part(name, reason="there was no time left for it: allow more with --effort", late=True)
+            return Part(name, reason=_NO_TIME, late=True)
         self.tell(name, 1 - max(left, 0.0) / self.seconds)
         start = self.clock()
+        seconds = max(share * left, least)
         try:
-            value = make(max(share * left, least))
+            with np.errstate(all="ignore"), deadline(min((1 + _GRACE) * seconds, left)):  # odd values overflow
+                value = make(seconds)
+        except TimeUpError:
+            return Part(name, reason=_NO_TIME, late=True, seconds=self.clock() - start)
         except (MpsolveError, ArithmeticError, LinAlgError) as error:
             return Part(name, reason=str(error), seconds=self.clock() - start)
         return Part(name, value, seconds=self.clock() - start)

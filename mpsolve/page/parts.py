@@ -12,20 +12,28 @@ import numpy as np
 from mpsolve.batch.frequencies import frequencies
 from mpsolve.batch.result import Frequencies
 from mpsolve.certificate.certify import certify
+from mpsolve.outcome import Reason, Status
 from mpsolve.page.budget import Budget, Part
 from mpsolve.page.limits import Reach, distance_margin, distance_path, mass_margin, reach_of, stable_box
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.deadline import TimeUpError, deadline
+from mpsolve.proof.effort import MORE_EFFORT, Effort
 from mpsolve.ranges.chart import Chart, stability_chart
 from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity, velocity_ranges
 from mpsolve.ranges.margin import Margin
 from mpsolve.report.spectrum_words import verdict
-from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.spectrum.regions import HalfPlane
+from mpsolve.spectrum.shape import root_shape
+from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.waves.critical import CriticalVelocities
 
 LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 7
+_SHAPE_POINTS = 121
+_ROOTS = 0.7  # of the time, for the roots with their verifier
+_ASKED = 0.3  # of the time, for each region that is tried
+_LEAST = 2.0  # seconds for the roots, however little time there is
 _WORTH = Fraction(1, 2)  # of the proved chart that must be decided, or counts in floats are drawn
 NOT_ASKED: Part[Any] = Part("more", reason="it was not asked for")
 
@@ -46,9 +54,11 @@ class Parts:
     chart: Part[Frequencies]
     mass: Part[Margin]
     distance: Part[Margin] | None = None
+    shape: Part[Any] = NOT_ASKED
     box: Part[Any] = NOT_ASKED
     proved_chart: Part[Any] = NOT_ASKED
     loads: Any = None
+    sources: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> str:
@@ -59,7 +69,8 @@ class Parts:
     def late(self) -> tuple[str, ...]:
         """The parts for which there was no time."""
         parts = (self.reach, self.response, self.lines, self.critical, self.chart, self.mass, self.distance)
-        return tuple(part.name for part in (*parts, self.box, self.proved_chart) if part is not None and part.late)
+        more = (self.shape, self.box, self.proved_chart)
+        return tuple(part.name for part in (*parts, *more) if part is not None and part.late)
 
 
 def gather(
@@ -70,23 +81,38 @@ def gather(
     seconds: float,
     tell: Callable[[str, float], None],
     loads: Any = None,
+    sources: tuple[str, ...] = (),
     prove_chart: bool = True,
 ) -> Parts:
-    """All parts that fit into the budget; the roots come first and always.
+    """All parts that fit into the budget; the roots come first.
 
     prove_chart: with what is left at the end; counts in floats take its place where too much of it stays open.
     """
     problem, budget = as_problem(given), Budget(seconds, tell)
+    critical = budget.part("critical velocities", lambda _: critical_of(problem), share=0.1)
     tell("roots", 0.0)
-    spectrum = certify(given, digits=digits, effort=Effort(seconds=max(seconds / 2, 5.0)))
-    critical = budget.part("critical velocities", lambda _: critical_of(problem), share=0.3)
+    spectrum = roots_of(given, digits, seconds)
     top = top_velocity(problem, critical.value)
     reach = budget.part("onset", lambda left: reach_of(problem, left), share=0.5, least=0.2)
     response = budget.part("response", lambda _: response_of(problem, spectrum, loads), share=0.7, least=0.5)
-    lines = budget.part("frequency lines", lambda _: lines_of(problem, top), least=0.5)
+    shape = budget.part("shape", lambda _: shape_of(problem, spectrum), share=0.3)
+    lines = budget.part("frequency lines", lambda _: lines_of(problem, top), share=0.6, least=0.5)
     mass = budget.part("limit of the mass", lambda left: mass_margin(problem, left), share=0.4, least=0.2)
     parts = Parts(
-        given, problem, title, top, spectrum, reach, response, lines, critical, NOT_ASKED, mass, loads=loads
+        given,
+        problem,
+        title,
+        top,
+        spectrum,
+        reach,
+        response,
+        lines,
+        critical,
+        NOT_ASKED,
+        mass,
+        shape=shape,
+        loads=loads,
+        sources=sources,
     )
     return _last(parts, budget, prove_chart)
 
@@ -111,6 +137,39 @@ def _last(parts: Parts, budget: Budget, prove_chart: bool) -> Parts:
 def worth_drawing(chart: Chart | None) -> bool:
     """Whether enough of a proved chart is decided."""
     return chart is not None and chart.share >= _WORTH
+
+
+def roots_of(given: Given, digits: int, seconds: float) -> Spectrum:
+    """The roots, undecided where they take most of the time; their certificate is checked as far as it goes."""
+    try:
+        with deadline(max(_ROOTS * seconds, _LEAST)):
+            return certify(given, digits=digits, effort=Effort(seconds=max(_ASKED * seconds, _LEAST / 2)))
+    except TimeUpError:
+        stated = f"{seconds:g} s for the page leave too little time for the roots"
+        reason = Reason("effort", stated, {"seconds": f"{seconds:g}"}, MORE_EFFORT)
+        return Spectrum(given, HalfPlane(), digits, Status.UNDECIDED, reason)
+
+
+def vibrations(spectrum: Spectrum) -> list[Root]:
+    """Each vibration once, by ascending frequency: their numbers on the page are their places here."""
+    right = [root for root in spectrum.roots if not root.q.real < 0]
+    return sorted(right, key=lambda root: float(root.q.real.mid()))
+
+
+def worst(spectrum: Spectrum) -> Root | None:
+    """The root that grows most, or decays least."""
+    return max(vibrations(spectrum), key=lambda root: float(root.growth.mid()), default=None)
+
+
+def shape_of(problem: Problem, spectrum: Spectrum) -> tuple[Any, Any] | None:
+    """Places along the rail round the contacts, and the shape of the worst root there."""
+    root = worst(spectrum)
+    if root is None:
+        return None
+    contacts = [float(x) for x in problem.pencil.places]
+    reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
+    x = np.linspace(min(contacts) - reach, max(contacts) + reach, _SHAPE_POINTS).round(4)
+    return x, root_shape(problem, root.q, root.multiplicity, places=x.tolist())
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:

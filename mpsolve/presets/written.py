@@ -37,7 +37,8 @@ def input_file(
     if number < 1:
         raise InputError("count", f"is {number}: give a whole number from 1")
     gap = spacing or above.spacing
-    in_unit(gap, "m", "spacing", "distance of the vehicles")
+    if in_unit(gap, "m", "spacing", "distance of the vehicles") <= 0:
+        raise InputError("spacing", f"is {gap}: give a distance above 0")
     lines = [
         *_comment("Values are exact. They may have other units of the same kind, or none: then they are in SI. "
                   f"Everything is for {_OF[below.on]}."),
@@ -45,12 +46,14 @@ def input_file(
         "",
         _line("v", velocity, "velocity of the vehicles"),
         "",
-        *_sources(below),
+        *_comment(_sentence(below.title)),
         "[track]",
+        *_source(below),
         *_model(below.model, tracks.CATALOGUE, below.notes, Fraction(1)),
         "",
-        *_sources(above),
+        *_comment(_sentence(above.title)),
         "[[vehicle]]",
+        *_source(above),
         *_row(number, gap),
         *_model(above.model, vehicles.CATALOGUE, above.notes, share, "vehicle"),
     ]  # fmt: skip
@@ -123,8 +126,17 @@ def _toml(value: Any) -> str:
     return f'"{value}"' if isinstance(value, str) else str(value)
 
 
-def _sources(one: Preset) -> Iterator[str]:
-    yield from _comment(f"{one.title[0].upper()}{one.title[1:]}. {'; '.join(one.sources)}.")
+def _sentence(title: str) -> str:
+    return f"{title[0].upper()}{title[1:]}."
+
+
+def _source(one: Preset) -> Iterator[str]:
+    """Where the numbers come from, as a text over several lines."""
+    text = "; ".join(one.sources).replace("\\", "\\\\").replace('"', "'")
+    lines = textwrap.wrap(text, _WIDTH - 4, break_long_words=False, break_on_hyphens=False)
+    yield 'source = """\\'
+    yield from (f"    {line} \\" for line in lines[:-1])
+    yield f'    {lines[-1]}"""'
 
 
 def _comment(text: str) -> list[str]:

@@ -12,6 +12,7 @@ from mpsolve.numbers.units import measured
 from mpsolve.problem.case import Case
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.physical import Mass, PhysicalCase
+from mpsolve.problem.sources import SOURCE, sources_of
 from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.vehicles.load import Load
 
@@ -51,7 +52,7 @@ UNITS = {
     "mass": {"M": "kg", "position": "m", "P": "N", "P_A": "N", "omega_f": "rad/s", "phi_f": "rad"},
 }
 _SECTIONS = ("physical", "mass", "dimensionless", "load")
-_TOP = {"title": "a text"} | dict.fromkeys(_SECTIONS, "a section")
+_TOP = {"title": "a text", "source": SOURCE} | dict.fromkeys(_SECTIONS, "a section")
 REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
 
 
@@ -60,12 +61,14 @@ class InputFile:
     """A case that has passed every check, with the title ("" if none), the path of its file, and its loads.
 
     loads: those of [[load]], one for each mass, or None; the forces of a physical case are those of its masses.
+    sources: where its numbers come from, as it says.
     """
 
     case: Case | PhysicalCase
     title: str
     path: Path
     loads: tuple[Load, ...] | None = None
+    sources: tuple[str, ...] = ()
 
     @property
     def given(self) -> Case | PhysicalCase:
@@ -102,11 +105,11 @@ def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
         raise InputError("title", f'is {kind(title)}, not a text: write title = "…"')
     if "dimensionless" in content:
         case = _dimensionless(content)
-        return InputFile(case, title, file, _loads(content, case))
+        return InputFile(case, title, file, _loads(content, case), sources_of(content))
     if "load" in content:
         raise InputError("load", "stands without [dimensionless]: give P, P_A, omega_f, phi_f in [[mass]]")
     if "physical" in content:
-        return InputFile(_physical(content), title, file)
+        return InputFile(_physical(content), title, file, sources=sources_of(content))
     if "mass" in content:
         raise InputError("physical", f"is missing: add [physical] with {', '.join(PHYSICAL)}")
     raise InputError(name_of(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")

@@ -22,6 +22,7 @@ from mpsolve.problem.checked import errors_under
 from mpsolve.problem.load import gives_forces
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.sources import SOURCE, sources_of
 from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
@@ -29,6 +30,7 @@ from mpsolve.vehicles.vehicle import Placed
 _M = TypeVar("_M", bound=Model)
 _TOP = {
     "title": "a text",
+    "source": SOURCE,
     "v": "the velocity in m/s",
     "track": "a section",
     "vehicle": "sections",
@@ -38,6 +40,7 @@ PLACE = {
     "position": "where its middle is, in m",
     "count": "how many of it run in a row",
     "spacing": "the distance from one to the next, in m",
+    "source": SOURCE,
 }
 LOAD = {
     "constant": "the constant force in N",
@@ -53,7 +56,7 @@ class ProblemFile:
     """A problem that has passed every check, with the title ("" if none) and the path of its file.
 
     loads: the forces at the contacts from rear to front, or None where the file gives none.
-    case: the paper's case that the file holds, or None.
+    case: the paper's case that the file holds, or None. sources: where the numbers come from, as the file says.
     """
 
     problem: Problem
@@ -61,6 +64,7 @@ class ProblemFile:
     path: Path
     loads: tuple[Load, ...] | None = None
     case: Case | PhysicalCase | None = None
+    sources: tuple[str, ...] = ()
 
     @property
     def given(self) -> Problem | Case | PhysicalCase:
@@ -105,10 +109,12 @@ def source_of(content: Mapping[str, Any], file: Path) -> ProblemFile | InputFile
     title = content.get("title", "")
     if type(title) is not str:
         raise InputError("title", f'is {kind(title)}, not a text: write title = "…"')
-    track = _model(_present(content, "track", "add [track] with its model"), "track", tracks.CATALOGUE)
+    track = _model(
+        _present(content, "track", "add [track] with its model"), "track", tracks.CATALOGUE, {"source": SOURCE}
+    )
     placed = [one for j, entry in enumerate(_sections(content, "vehicle"), 1) for one in _vehicle(entry, j)]
     problem = Problem(track, placed, v=_present(content, "v", "give the velocity in m/s, 0 for vehicles at rest"))
-    return ProblemFile(problem, title, file, _loads(content, problem.pencil.contacts))
+    return ProblemFile(problem, title, file, _loads(content, problem.pencil.contacts), sources=sources_of(content))
 
 
 def _known_case(content: Mapping[str, Any], file: Path) -> InputFile:
@@ -126,7 +132,7 @@ def problem_file(source: InputFile) -> ProblemFile:
     if isinstance(case, PhysicalCase) and gives_forces(case):
         loads = tuple(Load(mass.P, mass.P_A, mass.omega_f, mass.phi_f) for mass in case.masses)
     with errors_under("" if isinstance(case, PhysicalCase) else "dimensionless."):
-        return ProblemFile(as_problem(case), source.title, source.path, loads, case)
+        return ProblemFile(as_problem(case), source.title, source.path, loads, case, source.sources)
 
 
 def _present(content: Mapping[str, Any], key: str, advice: str) -> Any:

@@ -19,7 +19,7 @@ from typing import Any
 import msgspec
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational, shown
+from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational
 from mpsolve.numbers.several import Several
 from mpsolve.problem.ratios import paths_of, ratio, ratios_of
 from mpsolve.vehicles.vehicle import Placed
@@ -221,5 +221,6 @@ def _checked(number: Any, path: str) -> Any:
 
 def _unknown(path: str, known: dict[str, Fraction]) -> InputError:
     near = get_close_matches(path, known, n=1, cutoff=0.6)
-    listed = ", ".join(f"{name} = {shown(value)}" for name, value in known.items())
-    return InputError(path, f"is unknown: {f'did you mean {near[0]}? ' if near else ''}the parameters are {listed}")
+    if near:
+        return InputError(path, f"is unknown: did you mean {near[0]}?")
+    return InputError(path, f"is unknown: the parameters are {', '.join(known)}")

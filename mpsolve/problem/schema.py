@@ -13,6 +13,7 @@ from mpsolve.numbers.model import Entries, Part, Quantity, Texts, defaults, quan
 from mpsolve.problem.casefile import DIMENSIONLESS, MASS, PHYSICAL, REQUIRED, UNITS
 from mpsolve.problem.casefile import LOAD as RATIO_LOAD
 from mpsolve.problem.inputfile import LOAD, LOAD_UNITS, PLACE
+from mpsolve.problem.sources import SOURCE
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 VERSION = 1
@@ -31,6 +32,7 @@ def input_schema() -> dict[str, Any]:
             "problem": _table(
                 {
                     "title": _TEXT,
+                    "source": _SOURCE,
                     "v": _number(Quantity("m/s", "velocity of all vehicles", at_least=0)),
                     "track": _one_of("track", tracks.CATALOGUE),
                     "vehicle": _some(_one_of("vehicle", vehicles.CATALOGUE)),
@@ -41,22 +43,30 @@ def input_schema() -> dict[str, Any]:
             "physical": _table(
                 {
                     "title": _TEXT,
+                    "source": _SOURCE,
                     "physical": _told(PHYSICAL, UNITS["physical"]),
                     "mass": _some(_told(MASS, UNITS["mass"])),
                 },
                 ("physical", "mass"),
             ),
             "dimensionless": _table(
-                {"title": _TEXT, "dimensionless": _ratios(), "load": _some(_told(RATIO_LOAD, {}))}, ("dimensionless",)
+                {
+                    "title": _TEXT,
+                    "source": _SOURCE,
+                    "dimensionless": _ratios(),
+                    "load": _some(_told(RATIO_LOAD, {})),
+                },
+                ("dimensionless",),
             ),
             "load": _told(LOAD, LOAD_UNITS),
-            **{f"track-{model.name}": _model(model, {}) for model in tracks.CATALOGUE},
+            **{f"track-{model.name}": _model(model, {"source": _SOURCE}) for model in tracks.CATALOGUE},
             **{f"vehicle-{model.name}": _model(model, _placed()) for model in vehicles.CATALOGUE},
         },
     }  # fmt: skip
 
 
 _TEXT = {"type": "string"}
+_SOURCE = {"description": SOURCE, "anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 
 
 def _table(properties: Mapping[str, Any], required: tuple[str, ...]) -> dict[str, Any]:
@@ -92,7 +102,7 @@ def _model(model: Any, more: Mapping[str, Any], named: bool = True) -> dict[str,
 def _placed() -> dict[str, Any]:
     whole = {"type": "integer", "minimum": 1, "description": PLACE["count"]}
     places = {key: _number(Quantity(unit, PLACE[key])) for key, unit in _PLACE_UNITS.items()}
-    return {**places, "count": whole}
+    return {**places, "count": whole, "source": _SOURCE}
 
 
 def _parameter(quantity: Quantity) -> dict[str, Any]:

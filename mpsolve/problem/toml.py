@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import tomllib
 from collections.abc import Mapping
@@ -74,11 +75,36 @@ def parsed(text: str, key: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text, parse_float=Written)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(key, f"is not valid TOML ({error}): correct it there") from None
+        raise InputError(key, _broken(text, str(error))) from None
     except ValueError:  # Python refuses to read integers beyond its own limit of digits
         raise InputError(key, "has an integer with too many digits: give at most 400") from None
     except RecursionError:
         raise InputError(key, "is nested too deeply: lists in lists have no meaning here") from None
+
+
+_AT = re.compile(r" \(at line (\d+), column \d+\)$")
+_BARE = re.compile(r"([\w.\[\]-]+)\s*=\s*([^\"'\[{#]*?)\s*(#.*)?$")
+
+
+def _broken(text: str, said: str) -> str:
+    """What is wrong with a line that is no TOML, in the words of people, and how it is written."""
+    at = _AT.search(said)
+    why = _AT.sub("", said)
+    if at is None:
+        return f"is not valid TOML ({why}): close what is open at its end"
+    line = text.splitlines()[int(at[1]) - 1].strip() if text else ""
+    bare = _BARE.match(line)
+    shown = f"{bare[1]} = {bare[2]}" if bare else line
+    head = f"is not valid TOML in line {at[1]}, {shown[:60].strip()}"
+    if bare and not bare[2]:
+        return f"{head}: give a value behind the ="
+    if bare and re.fullmatch(r"[+-]?\d+,\d[\w+-]*", bare[2]):
+        return f"{head}: write the number with a point, as {bare[1]} = {bare[2].replace(',', '.')}"
+    if bare and re.match(r"[+-]?[\d.]+\s*[^\W\d]|[^\W\d]", bare[2]):
+        return f'{head}: put a value with a unit, or a word, in quotes, as {bare[1]} = "{bare[2]}"'
+    if "twice" in why or "overwrite" in why:
+        return f"{head} ({why}): it stands there for the second time, keep one"
+    return f"{head} ({why}): correct it there"
 
 
 _KINDS = {

@@ -29,14 +29,14 @@ class Scalar:
     strain: Any
 
 
-def scalar(A: Quadratic, good: Any) -> Scalar:
-    """The reduction of matrices of shape (boxes, n, n)."""
+def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
+    """The reduction of matrices of shape (boxes, n, n); real: by real X and Y, for A that are real at the middle."""
     n = A.k.shape[-1]
     with np.errstate(all="ignore"):
         finite = good & np.isfinite(A.k).all((0, 2, 3)) & np.isfinite(A.e).all((1, 2))
         if n == 1:
             return Scalar(A[:, 0, 0], finite, np.abs(A.b[:, :, 0, 0] / A.a[:, 0, 0]))
-        middle = np.where(finite[:, None, None], A.a, np.eye(n))
+        middle = np.where(finite[:, None, None], A.a.real if real else A.a, np.eye(n))
         left, sizes, right = np.linalg.svd(middle)
         scale = 1 / np.maximum(np.concatenate([sizes[:, :-1], sizes[:, -2:-1]], 1), TINY)
         X, Y = scale[:, :, None] * np.swapaxes(left.conj(), 1, 2), np.swapaxes(right.conj(), 1, 2)

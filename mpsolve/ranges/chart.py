@@ -100,7 +100,9 @@ def stability_chart(
     given = as_problem(problem)
     ranges = from_above_rest(given, checked_over(given, over))
     if len(ranges) != 2:
-        raise InputError("over", f"has {len(ranges)} ranges, but a chart is over two parameters")
+        raise InputError(
+            "over", f"has {len(ranges)} ranges, but a chart is over two parameters: give one for each of two"
+        )
     if not 2 <= depth <= 10:
         raise InputError("depth", f"is {depth}: give 2 to 10, a chart has 2^depth cells along each parameter")
     with one_thread():

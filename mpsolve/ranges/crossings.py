@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise
 from time import process_time
@@ -22,9 +22,12 @@ from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.on_string import quiet
+from mpsolve.ranges.parted import LeftOut, parted, speeds_within
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.verified import verified
+from mpsolve.ranges.without_end import endless
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 
@@ -44,11 +47,17 @@ class Crossing(AtValue, Portable):
 
 @dataclass(frozen=True)
 class Crossings(Answer):
-    """All crossings of a range, in ascending order, and the numbers of unstable roots before, between and behind."""
+    """All crossings of a range, in ascending order, and the numbers of unstable roots before, between and behind.
+
+    left_out: speeds of short waves in a range of velocities, each with what is not proved round it; parts: the
+    answers between them, whose crossings and counts stand here one after the other: one count more for each part.
+    """
 
     digits: int = 15
     crossings: tuple[Crossing, ...] = ()
     counts: tuple[int, ...] | None = None
+    left_out: tuple[LeftOut, ...] = ()
+    parts: tuple[Crossings, ...] = field(default=(), repr=False)
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
@@ -68,20 +77,20 @@ def crossings(
 ) -> Crossings:
     """Every value of one parameter in a closed range at which a root is real: isolated, to `digits` digits.
 
-    over: {path: (low, high)}, in the problem's units. The answer is proved where the list is complete and the numbers
-    of unstable roots between its entries are known; else `Status.UNDECIDED` with a reason, and what was found.
+    over: {path: (low, high)}, in the problem's units; a factor of all masses may have the high None: without end.
+    The answer is proved where the list is complete and the numbers of unstable roots between its entries are known;
+    else `Status.UNDECIDED` with a reason, and what was found.
     check: have the standalone verifier pass the certificate of the whole answer; without it the answer has none.
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(given, over, endless=True)
     one_path(ranges)
     with one_thread():
         found = find(given, ranges, checked_digits(digits), effort, progress or silent, check)
     return replace(found, problem=problem)
 
 
-@stoppable
 def find(
     problem: Problem,
     over: Mapping[str, Interval],
@@ -90,7 +99,48 @@ def find(
     progress: Progress,
     check: bool,
 ) -> Crossings:
-    """`crossings` of checked arguments."""
+    """`crossings` of checked arguments; the upper end may be None."""
+    if next(iter(over.values()))[1] is not None:
+        return _with_an_end(problem, over, digits, effort, progress, check)
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    part = lambda ranges: _within(problem, ranges, digits, budget, progress, check)  # noqa: E731
+    reasoned = lambda why: Crossings(problem, over, Status.UNDECIDED, why, digits=digits)  # noqa: E731
+    found: Crossings = endless(problem, over, part, reasoned, budget, progress)
+    return found
+
+
+def _with_an_end(
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
+) -> Crossings:
+    def none(ranges: Mapping[str, Interval], why: str) -> Crossings:
+        return Crossings(problem, ranges, Status.UNVERIFIED, digits=digits, counts=(0,), note=why)
+
+    def inside(ranges: Mapping[str, Interval], rest: Effort | None) -> Crossings:
+        return _within(problem, ranges, digits, rest, progress, check)
+
+    why, speeds = quiet(problem, over), speeds_within(problem, over)
+    if why is not None:
+        return none(over, why)
+    if not speeds:
+        return inside(over, effort)
+    found: Crossings = parted(problem, over, speeds, inside, none, effort)
+    return found
+
+
+@stoppable
+def _within(
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
+) -> Crossings:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     over = from_above_rest(problem, over)

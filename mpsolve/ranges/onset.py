@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -19,9 +20,10 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Valued, outward
 from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
-from mpsolve.ranges.undamped import NOTE, never_unstable
+from mpsolve.ranges.undamped import stable_up_to
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
 """What an answer has from the crossings that it is read from: their certificate is its own."""
@@ -40,7 +42,8 @@ class Kind(Enum):
 class Unstable(Portable):
     """Between two neighbouring crossings or ends of the range `roots` roots grow; q: the frequency at the start.
 
-    start, end: balls; an end of the range itself is exact, and then q is None at the start.
+    start, end: balls; an end of the range itself is exact, and then q is None at the start. end is None where the
+    range has no upper end, and then `upper` is ∞.
     """
 
     start: Any
@@ -56,7 +59,7 @@ class Unstable(Portable):
     @property
     def upper(self) -> float:
         """A float at or above `end`."""
-        return outward(self.end, up=True)
+        return math.inf if self.end is None else outward(self.end, up=True)
 
 
 @dataclass(frozen=True)
@@ -107,8 +110,8 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
-    return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals_of(found), **common)
+    intervals = intervals_of(found)
+    return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals, **_shared(found))
 
 
 def onset(
@@ -132,8 +135,16 @@ def onset(
             at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
         )
     found = _found(problem, over, digits, effort, progress, check)
-    common: dict[str, Any] = {name: getattr(found, name) for name in SHARED}
-    answer = Onset(problem, found.over, digits=found.digits, **common)
+    return _read(found, Onset(problem, found.over, digits=found.digits, **_shared(found)))
+
+
+def _shared(found: Crossings) -> dict[str, Any]:
+    return {name: getattr(found, name) for name in SHARED}
+
+
+def _read(found: Crossings, answer: Onset) -> Onset:
+    if found.parts:
+        return _read_in_parts(found, answer)
     if found.counts is None:
         return answer
     parts = intervals_of(found)
@@ -142,6 +153,23 @@ def onset(
     if found.counts[0]:
         return replace(answer, kind=Kind.UNSTABLE_FROM_START)
     return replace(answer, kind=Kind.CROSSES, value=parts[0].start, q=parts[0].q)
+
+
+def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
+    """The first part that is not stable decides; what is left out before it, `note` says."""
+    before = None
+    for part in found.parts:
+        if not part.proved:
+            return answer
+        first = _read(part, replace(answer, **_shared(part)))
+        if first.kind is Kind.UNSTABLE_FROM_START and before is not None:
+            start, end = (rational_ball(x) for x in (before.over["v"][1], part.over["v"][0]))
+            return replace(first, kind=Kind.CROSSES, value=start.union(end), note=found.note or answer.note)
+        if first.kind is not Kind.STABLE:
+            note = first.note if before is None else "; ".join(filter(None, (first.note, found.note)))
+            return replace(first, note=note, cost=found.cost)
+        before = part
+    return replace(answer, kind=Kind.STABLE)
 
 
 def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
@@ -158,12 +186,14 @@ def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
     """The parts between crossings with roots that grow; none where the counts are open."""
     if found.counts is None:
         return ()
+    if found.left_out:
+        return tuple(one for part in found.parts for one in intervals_of(part))
     low, high = next(iter(found.over.values()))
     starts: list[tuple[Any, Any | None]] = [
         (_exact(low, found.digits), None),
         *((c.value, c.q) for c in found.crossings),
     ]
-    ends = [*(c.value for c in found.crossings), _exact(high, found.digits)]
+    ends = [*(c.value for c in found.crossings), None if high is None else _exact(high, found.digits)]
     return tuple(
         Unstable(start, end, q, number)
         for (start, q), end, number in zip(starts, ends, found.counts, strict=True)
@@ -190,9 +220,13 @@ def _found(
     check: bool,
 ) -> Crossings:
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(given, over, endless=True)
     one_path(ranges)
     with one_thread():
-        if never_unstable(given, ranges):  # its roots are real all over the range, so that crossings tell nothing
-            return Crossings(given, ranges, Status.UNVERIFIED, digits=checked_digits(digits), counts=(0,), note=NOTE)
+        why = never_unstable(given, ranges)  # without damping roots are real all over, so that crossings tell nothing
+        if why is not None:
+            return Crossings(given, ranges, Status.UNVERIFIED, digits=checked_digits(digits), counts=(0,), note=why)
+        open_end = stable_up_to(given, ranges)
+        if open_end is not None:
+            return Crossings(given, ranges, Status.UNDECIDED, *open_end, digits=checked_digits(digits))
         return find(given, ranges, checked_digits(digits), effort, progress or silent, check)

@@ -44,7 +44,8 @@ def at_worst(
     first, second = checked_over(problem, over), checked_over(problem, worst)
     one_path(first)
     if len(second) != 1 or first.keys() & second.keys():
-        raise InputError("worst", 'is not one other path with its range: give one, such as {"gap[0]": (1, 2)}')
+        stated = f"names {', '.join(second)}, and over {', '.join(first)}"
+        raise InputError("worst", f"{stated}: give a range of one parameter each, of two different ones")
     both = from_above_rest(problem, first | second)
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     reason, found = None, None

@@ -27,6 +27,7 @@ from mpsolve.ranges.premises import require_no_wave_speed, require_stable_track
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
+_GIVE = "give an upper end"
 _LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
 
 
@@ -122,8 +123,11 @@ def from_above_rest(problem: Problem, over: Mapping[str, Interval]) -> dict[str,
     return out
 
 
-def checked_over(problem: Problem, over: object) -> dict[str, Interval]:
-    """{path: (low, high)} with exact ends in order; InputError names the path."""
+def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[str, Interval]:
+    """{path: (low, high)} with exact ends in order; InputError names the path.
+
+    endless: whether `high` may be None, for a range without an upper end.
+    """
     if not isinstance(over, Mapping) or not over:
         raise InputError("over", 'is empty: give ranges by their paths, such as {"v": (0, 100)}')
     known = problem.parameters
@@ -135,9 +139,15 @@ def checked_over(problem: Problem, over: object) -> dict[str, Interval]:
             first, last = ends
         except (TypeError, ValueError):
             raise InputError(str(path), f"is {ends!r}: give a range (low, high)") from None
+        if last is None and not endless:
+            raise InputError(path, f"has no upper end, which only crossings and onsets may have: {_GIVE}")
+        low = rational(first, path)
         if last is None:
-            raise InputError(path, "has no upper end, and ranges without one are not proved: give an upper end")
-        low, high = rational(first, path), rational(last, path)
+            if low < 0:
+                raise InputError(path, f"begins at {shown(low)}: without an upper end it must begin at 0 or above")
+            out[path] = (low, None)  # type: ignore[assignment]
+            continue
+        high = rational(last, path)
         if not low < high:
             raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")
         out[path] = (low, high)

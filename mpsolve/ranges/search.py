@@ -19,6 +19,7 @@ from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import Scope
 
 _NEXT_TO_ZERO = 2.0**-8  # of half an edge
+_SMALLEST = 2.0**-40  # of the whole: heavy masses have crossings at frequencies so low that rooms are this small
 
 
 @dataclass
@@ -41,7 +42,8 @@ class Search:
 
     def cover(self, budget: Effort, progress: Progress) -> Covered:
         """Of all between the corners."""
-        return subdivide(self.low, self.high, self.judge, budget, tell=lambda share: progress("boxes", 0.9 * share))
+        tell = lambda share: progress("boxes", 0.9 * share)  # noqa: E731
+        return subdivide(self.low, self.high, self.judge, budget, _SMALLEST, tell)
 
     def _judge(self) -> Judge:
         if self.edge == REAL_AXIS:

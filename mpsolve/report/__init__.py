@@ -1,1 +1,1 @@
-
+"""What is told of an answer: words, tables, pictures."""

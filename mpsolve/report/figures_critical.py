@@ -28,7 +28,7 @@ def save_critical(track: Any, found: CriticalVelocities, path: Path, title: str 
     """Both panels as .png, .svg or .pdf, written whole or not at all."""
     kind = path.suffix.lower()[1:]
     if kind not in ("png", "svg", "pdf"):
-        raise InputError("output", f"{path} does not end in one of .png, .svg, .pdf")
+        raise InputError("output", f"{path} does not end in .png, .svg, .pdf: give a name that does")
     require_matplotlib()
     from matplotlib.figure import Figure
 

@@ -94,7 +94,9 @@ def save_film(found: Vibration, path: Path, title: str = "", seconds: float = 12
     The bar below runs with the time. After the first lift-off everything is pale. InputError for fewer than 2 places.
     """
     if path.suffix.lower() != ".svg":
-        raise InputError("--animate", f"{path} does not end in .svg: the film is an animated SVG")
+        raise InputError(
+            "--animate", f"{path} does not end in .svg: give a name that does, the film is an animated SVG"
+        )
     if len(found.places) < 2 or len(found.times) < 2:
         raise InputError("--animate", "needs two places and two times at least: give more")
     order, times = np.argsort(found.places), found.times

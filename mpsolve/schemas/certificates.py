@@ -23,8 +23,7 @@ def certificate_schema() -> p.Schema:
     vehicle = p.table(
         {**dict.fromkeys("MCKB", _MATRIX), "places": p.rows(p.RATIONAL), "compliances": p.rows(p.RATIONAL)}
     )
-    special = p.rows(p.table({"piece": p.COUNT, "nodes": p.rows(_POINT)}))
-    path = p.table({"kind": {"enum": ["link", "turn", "passive"]}, "points": p.rows(_POINT)}, {"special": special})
+    path = p.table({"kind": {"enum": ["link", "turn", "passive"]}, "points": p.rows(_POINT)})
     root = {
         "re": _HEX,
         "im": _HEX,

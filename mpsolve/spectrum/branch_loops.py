@@ -17,7 +17,7 @@ from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 
 _FIRST, _SMALLEST, _SHRINK = 0.15, 2.0**-28, 4  # of the distance to what is next: radii of loops
-_SIDES = (16, 24, 48, 96)  # of a loop, each time round
+_SIDES = (12, 16, 24, 48, 96)
 _REAL = 1e-3  # relative, in floats
 
 

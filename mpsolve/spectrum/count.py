@@ -12,6 +12,7 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.origin import origin, waves_meet_at_zero
 from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
@@ -25,7 +26,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
-from mpsolve.spectrum.reasons import WavesMeetError, waves_meet_at_zero
+from mpsolve.spectrum.reasons import WavesMeetError
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks.at_rest import lowest_cut
 
@@ -69,11 +70,13 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, ro
     require_premises(reduced, region)
     arrays = Arrays(reduced)
     first = start(reduced.guide)
-    paths = Paths(arrays, first, room)
     if isinstance(region, Rectangle):
-        return _box(paths, first, region, effort)
-    if waves_meet_at_zero(reduced.guide) and not (_at_rest(reduced, region) and not open_at_rest(reduced)):
+        return _box(Paths(arrays, first, room), first, region, effort)
+    meeting = origin(reduced.guide) if waves_meet_at_zero(reduced.guide) else None
+    lost = waves_meet_at_zero(reduced.guide) and meeting is None
+    if lost and (not _at_rest(reduced, region) or open_at_rest(reduced)):
         raise WavesMeetError
+    paths = Paths(arrays, first, room, meeting)
     height = region.height if isinstance(region, Below) else Fraction(0)
     if region.radius is not None:
         return _disc(paths, first, region, height, "", effort)

@@ -7,7 +7,7 @@ import numpy as np
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.outcome import Reason
 from mpsolve.problem.line import Line
-from mpsolve.problem.reduced import Guide, Reduced
+from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import MORE_EFFORT
 from mpsolve.spectrum.candidates import nearest_root
@@ -20,11 +20,6 @@ class WavesMeetError(PrecisionError):
 
     def __init__(self) -> None:
         super().__init__("two waves of the track come to p = 0 as q goes to 0, where this count passes")
-
-
-def waves_meet_at_zero(guide: Guide) -> bool:
-    """Whether D(P, σ) has no terms of first order: floating ice, a string without foundation."""
-    return not any(i + j <= 1 for i, j in guide.D)
 
 
 def reason_of(reduced: Reduced, error: EffortError | PrecisionError) -> Reason:

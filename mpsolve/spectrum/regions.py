@@ -59,7 +59,7 @@ def checked_region(given: object) -> Literal["sheet", "unstable"] | Below | Rect
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[0], str) and given[0] == "below":
         height = rational(given[1], "region")
         if height <= 0:
-            raise InputError("region", f'is ("below", {shown(height)}), but h must be above 0: "unstable" ends at 0')
+            raise InputError("region", f'ends below {shown(height)}, which must be above 0: "unstable" ends at 0')
         return Below(height)
     stated = f"is {str(given)[:60]!r}"
     raise InputError("region", f'{stated}: give "sheet", "unstable", ("below", h) with a number h, or a Rectangle')

@@ -13,7 +13,8 @@ from mpsolve.tracks.waveguide import Track
 class FloatingIce(Track, frozen=True):
     """A plate with deflection w on shallow water with velocity potential φ; a strip one metre wide.
 
-    B (1 + η ∂t) w⁗ + rho_ice h ẅ + c ẇ + rho_water (g w + φ̇) = load, and ẇ + depth φ″ = 0.
+    B (1 + η ∂t) w⁗ + rho_ice h ẅ + c ẇ + rho_water (g w + φ̇) = load, and rho_water (ẇ + depth φ″) = 0:
+    with the factor rho_water the equations show that plate and water give each other what the other loses.
     """
 
     name: ClassVar[str] = "floating-ice"
@@ -36,4 +37,4 @@ class FloatingIce(Track, frozen=True):
     def equations(x: Any) -> list[list[Any]]:
         weight = x.rho_water * x.g
         plate = x.B * (1 + x.eta * x.s) * x.P**4 + x.rho_ice * x.h * x.s**2 + layer(x, weight, x.c)
-        return [[plate, x.rho_water * x.s], [-x.s, -x.depth * x.P**2]]
+        return [[plate, x.rho_water * x.s], [-x.rho_water * x.s, -x.rho_water * x.depth * x.P**2]]

@@ -8,12 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.errors import InputError
 from mpsolve.vibration.engine import Solution
 from mpsolve.vibration.line import CLEAR
 from mpsolve.vibration.poles import natural
 
 _PER_PERIOD = 16
 _CHUNK = 1024
+_MOST = 10**7  # steps
 _HALVINGS = 60
 _PRESSED = 1e-9
 """Of the largest static force: a contact with less is pressed by nothing."""
@@ -82,6 +84,9 @@ def _grids(solution: Solution, last: float) -> Iterator[Any]:
     step = 2 * np.pi / (_PER_PERIOD * max(1.0, natural(image), *fast))
     start = min(CLEAR / solution.line.omega, last)
     ends = np.geomspace(start, max(min(step, last), start * 1.01), 24) if start < last else np.array([start])
+    if last - ends[-1] > _MOST * step:
+        stated = f"end at {last / image.rate:.3g} s, after more than {_MOST:.0e} steps of the fastest vibration"
+        raise InputError("times", f"{stated}: give a shorter time")
     times = np.concatenate([ends, np.arange(ends[-1], last, step)[1:], [last]])
     times = np.unique(times[times <= last])
     for k in range(0, max(1, len(times) - 1), _CHUNK):

@@ -10,7 +10,7 @@ import pytest
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.batch.entries import entries_of
 from mpsolve.batch.groups import Group, groups_of
-from mpsolve.batch.matrix import log_delta, log_slope
+from mpsolve.batch.matrix import log_delta, log_det, log_slope
 from mpsolve.characteristic.floats import Floats
 from mpsolve.problem.reduced import reduce_problem
 
@@ -61,3 +61,10 @@ def test_long_trains_leave_no_float() -> None:
     parts = [log_delta(one, np.zeros(5, int), 1j * np.linspace(0.1, 3, 5))[0] for one in (alone, single)]
     rest = np.exp(log - parts[0] - parts[1])
     assert np.allclose(rest, rest[0], rtol=1e-8)  # far apart they do not feel one another
+
+
+@pytest.mark.parametrize("size", [1, 2, 3])
+def test_small_determinants_are_numpys(size: int) -> None:
+    rng = np.random.default_rng(size)
+    A = rng.normal(size=(50, size, size)) + 1j * rng.normal(size=(50, size, size))
+    assert np.allclose(np.exp(log_det(A)), np.linalg.det(A), rtol=1e-12)

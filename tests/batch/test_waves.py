@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mpsolve.batch.waves import by_companions, felt, from_near, moved_between, passes_branch, upper_first
+from mpsolve.batch.waves import by_companions, felt, first_roots, from_near, moved_between, passes_branch, upper_first
 
 
 def random(n: int, degree: int, seed: int = 0) -> np.ndarray:
@@ -49,3 +49,15 @@ def test_how_much_a_wave_is_felt() -> None:
     weight = felt(z, np.array([1.0]), np.array([20.0]))
     assert np.allclose(weight, [[10 * np.exp(-1), np.exp(-10)]])
     assert moved_between(np.array([[1.0, 5], [1.5, 5]]) + 0j, np.array([[2.0, 2]])).tolist() == [1.0]
+
+
+def test_first_roots_of_quartics_with_known_roots() -> None:
+    rng = np.random.default_rng(3)
+    z = rng.normal(size=(200, 4)) + 1j * rng.normal(size=(200, 4))
+    z[:50, 3] = -z[:50, :3].sum(1)  # no cubic term
+    z[50:80, 2:] = -z[50:80, :2]  # even
+    D = np.array([np.poly(row)[::-1] for row in z]) * 3.0
+    found = first_roots(D)
+    distance = np.abs(found[:, :, None] - z[:, None, :])
+    assert distance.min(1).max() < 1e-4
+    assert distance.min(2).max() < 1e-4

@@ -1,9 +1,8 @@
 """Two masses, whole sheet, 30 digits, all proved, against cxroots: the same roots in rectangles, uncertified.
 
-cxroots gets the functions of the search for candidates, Δ and Δ_q on numpy arrays, and its Romberg
-integration. Its default evaluates one point at a time and takes longer: `bench_certify.py quad` compares with
-that. The rectangles are symmetric about the imaginary axis and keep off the cuts. One repetition of cxroots
-a case: it takes seconds to minutes.
+cxroots gets Δ and Δ_q on numpy arrays as the search for candidates has them, and its Romberg integration. Its default
+evaluates one point at a time and takes longer: `bench_certify.py quad` compares with that. The rectangles are
+symmetric about the imaginary axis and keep off the cuts. One repetition of cxroots a case: seconds to minutes.
 """
 
 from __future__ import annotations
@@ -11,17 +10,11 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass
 from typing import Any
-from unittest import mock
 
-import numpy as np
 import pytest
-from measure import Counted, median, seconds
+from measure import Counted, delta_and_slope, median, seconds
 
-from mpsolve import Case, Spectrum, certify
-from mpsolve.fields import Float64
-from mpsolve.model.branch import track
-from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.sheet import seek
+from mpsolve import Case, certify
 
 GOAL = 50
 NEEDS = "the comparison needs cxroots: pip install '.[bench]'"
@@ -52,19 +45,10 @@ DUELS = [
 ]
 
 
-def certified(case: Case) -> tuple[Spectrum, int]:
-    """The spectrum, and the number of float64 points at which candidates were sought."""
-    counted = Counted(characteristic_rate)
-    with mock.patch.object(seek, "characteristic_rate", counted):
-        spectrum = certify(case, digits=30)
-    return spectrum, counted.points
-
-
 def found_by_cxroots(cxroots: Any, duel: Duel, method: str) -> tuple[list[complex], int]:
     """The roots in all rectangles, and the number of evaluations of Δ and of Δ_q."""
-    model = track(duel.case, Float64())
-    f = Counted(lambda q: characteristic(model, np.asarray(q, dtype=complex)))
-    df = Counted(lambda q: characteristic_rate(model, np.asarray(q, dtype=complex))[1])
+    delta = delta_and_slope(duel.case)
+    f, df = Counted(lambda q: delta(q)[0]), Counted(lambda q: delta(q)[1])
     roots: list[complex] = []
     for across, along in duel.rectangles:
         result = cxroots.Rectangle(across, along).roots(f, df, int_method=method)
@@ -75,13 +59,13 @@ def found_by_cxroots(cxroots: Any, duel: Duel, method: str) -> tuple[list[comple
 
 def compare(cxroots: Any, duel: Duel, method: str = "romb") -> None:
     ours = median(lambda: certify(duel.case, digits=30))
-    spectrum, points = certified(duel.case)
+    spectrum = certify(duel.case, digits=30)
     answers: list[tuple[list[complex], int]] = []
     theirs = median(lambda: answers.append(found_by_cxroots(cxroots, duel, method)), repeats=1)
     (roots, evaluations), balls = answers[0], [root.q for root in spectrum.roots]
     print(
         f"{duel.name:24} {spectrum.count} roots   certify {seconds(ours)} "
-        f"({spectrum.evaluations} balls on the contour, {points} float64 points)   "
+        f"({spectrum.cost.evaluations} evaluations)   "
         f"cxroots ({method}) {seconds(theirs)} ({evaluations} float64 points)   "
         f"cxroots/certify = {theirs / ours:.0f}  (goal: {GOAL} or more)"
     )

@@ -1,7 +1,6 @@
-"""Root loci of a pair on a rail over the velocity, beside a root search at each point and the engine for one beam.
+"""Root loci of a pair on a rail over the velocity, beside a root search at each point.
 
-`certify` at each point proves as many points, but nothing between them. The engine for one beam joins certified roots
-of the whole sheet; it claims nothing of what comes and goes between its values.
+`certify` at each point proves as many points, but nothing between them.
 """
 
 from __future__ import annotations
@@ -11,7 +10,6 @@ from fractions import Fraction
 from measure import median, seconds
 
 from mpsolve import Case, certify, frequency_lines
-from mpsolve.stability.lines import frequency_lines as on_sheet
 
 LOW, HIGH, POINTS = Fraction("0.5"), Fraction("0.95"), 10
 CASE = Case(alpha="0.6", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
@@ -25,11 +23,9 @@ def compare() -> None:
     )
     cases = [Case(alpha=v, eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5")) for v in VALUES]
     points = median(lambda: [certify(case, digits=15, check=False) for case in cases], repeats=1)
-    older = median(lambda: on_sheet("0.05", (70, 70), (0, "1.5"), alpha=VALUES), repeats=1)
     boxes = found[-1].cost.boxes
     print(f"lines of a pair over the velocity, {POINTS} points: {seconds(ours)}, {boxes} boxes")
     print(f"  certify at each point:    {seconds(points)}, {points / ours:.1f} times as long")
-    print(f"  the engine for one beam:  {seconds(older)}, {older / ours:.1f} times as long")
 
 
 def test_what_is_timed_is_proved() -> None:

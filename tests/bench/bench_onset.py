@@ -10,32 +10,27 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-import numpy as np
 import pytest
-from measure import median, seconds
+from measure import delta_and_slope, median, seconds
 
-from mpsolve import Case
-from mpsolve.fields import Float64
-from mpsolve.model.branch import track
-from mpsolve.model.characteristic import characteristic, characteristic_rate
-from mpsolve.stability.velocities import onset_velocity
+from mpsolve import Case, onset
 
 NEEDS = "the comparison needs cxroots: pip install '.[bench]'"
 ETA_B, ETA_M, PLACES = "0.05", (70, 70), (0, "1.5")
+CASE = Case(alpha="0.5", eta_b=ETA_B, eta_m=ETA_M, positions=PLACES)
 BRACKET, DIGITS = (0.5, 0.9), 8
 
 
 def unstable(cxroots: Any, alpha: float, method: str) -> bool:
     """Whether cxroots counts a root in 0.01 < Re q < 1, −0.5 < Im q < 0."""
-    model = track(Case(alpha=alpha, eta_b=ETA_B, eta_m=ETA_M, positions=PLACES), Float64())
+    delta = delta_and_slope(Case(alpha=alpha, eta_b=ETA_B, eta_m=ETA_M, positions=PLACES))
+    rectangle = cxroots.Rectangle((0.01, 1), (-0.5, 0))
+    return bool(rectangle.count_roots(lambda q: delta(q)[0], lambda q: delta(q)[1], int_method=method) > 0)
 
-    def f(q: Any) -> Any:
-        return characteristic(model, np.asarray(q, dtype=complex))
 
-    def df(q: Any) -> Any:
-        return characteristic_rate(model, np.asarray(q, dtype=complex))[1]
-
-    return bool(cxroots.Rectangle((0.01, 1), (-0.5, 0)).count_roots(f, df, int_method=method) > 0)
+def proved(digits: int) -> Any:
+    """The first onset."""
+    return onset(CASE, over={"v": ("0.01", 1)}, digits=digits)
 
 
 def bisected(cxroots: Any, method: str) -> tuple[float, float]:
@@ -53,15 +48,14 @@ def bisected(cxroots: Any, method: str) -> tuple[float, float]:
 
 def compare(cxroots: Any, method: str = "romb") -> None:
     answers: list[tuple[float, float]] = []
-    ours = median(lambda: onset_velocity(ETA_B, ETA_M, PLACES, digits=30), repeats=3)
-    thousand = median(lambda: onset_velocity(ETA_B, ETA_M, PLACES, digits=1000), repeats=3)
+    ours, thousand = (median(lambda digits=digits: proved(digits), repeats=3) for digits in (30, 1000))
     theirs = median(lambda: answers.append(bisected(cxroots, method)), repeats=1)
-    proved, (low, high) = onset_velocity(ETA_B, ETA_M, PLACES, digits=30).alpha, answers[0]
+    value, (low, high) = proved(30).value, answers[0]
     print(
         f"onset, 30 digits, proved {seconds(ours)}   1000 digits: {thousand / ours:.2f} of that (goal: 5 or less)   "
         f"bisection with cxroots ({method}), to {high - low:.1g} {seconds(theirs)}   ratio {theirs / ours:.1f}"
     )
-    assert low < float(proved.mid()) < high
+    assert low < float(value.mid()) < high
 
 
 def test_bisection_finds_the_proved_onset() -> None:

@@ -1,7 +1,4 @@
-"""The whole sheet of masses on the paper's beam, 30 digits: the proof by the general engine against the older one.
-
-Both in one process; the older one covers the edge of the cut with balls one by one. Verification stands beside.
-"""
+"""The whole sheet of masses on the paper's beam, 30 digits: the proof, and its verification beside it."""
 
 from __future__ import annotations
 
@@ -9,9 +6,9 @@ from measure import median, seconds
 
 from mpsolve import Case, certify
 from mpsolve.certificate import verify2
-from mpsolve.certificate.sheet import certify_sheet
 
-GOALS = {2: 1, 3: 10, 4: 50}
+MOST = {2: 0.15, 3: 0.4, 4: 0.8}
+"""Seconds of a proof for so many masses, on one machine."""
 
 
 def row(masses: int) -> Case:
@@ -19,26 +16,25 @@ def row(masses: int) -> Case:
 
 
 def compare(masses: int, repeats: int = 5) -> float:
-    """How many times the older proof takes."""
+    """Seconds of the proof."""
     case = row(masses)
     found = certify(case, region="sheet", check=False)
     proof = median(lambda: certify(case, region="sheet", check=False), repeats)
     check = median(lambda: verify2.verify_bytes(found.certificate.text.encode("ascii")), repeats)
-    older = median(lambda: certify_sheet(case, check=False), repeats if masses < 3 else 1)
     print(
         f"{masses} masses   proof {seconds(proof)}   verification {seconds(check)}   {found.cost.pieces} pieces   "
-        f"older proof {seconds(older)}   ratio {older / proof:.1f} (goal: {GOALS[masses]})"
+        f"(goal: {MOST[masses]} s or less, and the verification no longer)"
     )
-    return older / proof
+    return proof
 
 
 def test_two_and_three_masses() -> None:
-    assert compare(2, 3) > 0.5 * GOALS[2]
-    assert compare(3, 3) > GOALS[3]
+    assert compare(2, 3) < 10 * MOST[2]
+    assert compare(3, 3) < 10 * MOST[3]
 
 
 def main() -> None:
-    for masses in GOALS:
+    for masses in MOST:
         compare(masses)
 
 

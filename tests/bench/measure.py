@@ -7,6 +7,13 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
+from mpsolve import Case
+from mpsolve.characteristic.floats import Floats
+from mpsolve.problem.cases import as_problem
+from mpsolve.problem.reduced import reduce_problem
+
 
 def median(function: Callable[[], Any], repeats: int = 5) -> float:
     """Processor seconds of one call, which other programs hardly change: the median of `repeats` calls."""
@@ -29,6 +36,19 @@ class Counted:
         self.calls += 1
         self.points += getattr(arguments[-1], "size", 1)
         return self.function(*arguments)
+
+
+def delta_and_slope(case: Case) -> Callable[[Any], tuple[Any, Any]]:
+    """Δ and Δ_q of a case on arrays of q in float64, up to a constant factor: what the search for candidates has."""
+    reduced = reduce_problem(as_problem(case))
+    floats, turn = Floats(reduced), 1j / float(reduced.frequency_unit)
+
+    def at(q: Any) -> tuple[Any, Any]:
+        points = np.asarray(q, complex)
+        value, slope = floats.delta(turn * points.ravel())
+        return value.reshape(points.shape), turn * slope.reshape(points.shape)
+
+    return at
 
 
 def seconds(value: float) -> str:

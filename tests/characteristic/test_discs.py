@@ -142,7 +142,7 @@ def test_a_disc_between_two_roots_is_not_taken_for_one_of_them(monkeypatch: pyte
     monkeypatch.setattr(discs, "side_nodes", lambda *_: nodes)
     s = split(D, np.array([0.01 + 0j]), np.zeros(1), 2)
     assert s.good.all()
-    assert not discs._roots(D, s)[1].any()
+    assert not discs.told_apart(D, s)[1].any()
 
 
 def test_a_root_on_the_wrong_side_is_not_linked_nor_found() -> None:

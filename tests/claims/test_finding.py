@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from mpsolve import Case
-from mpsolve.certificate.sheet import certify_sheet as certify
+from mpsolve.certificate.certify import certify
 from mpsolve.claims import Finding, Verdict
 
 

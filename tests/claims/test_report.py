@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from mpsolve import Case, verify
-from mpsolve.certificate.sheet import certify_sheet as certify
+from mpsolve.certificate.certify import certify
 from mpsolve.claims import Finding, Paper, Verdict
 from mpsolve.claims.report import Report, collected
 from mpsolve.errors import CertificateError

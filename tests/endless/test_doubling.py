@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from endless_rows import bogies, masses
 
-from mpsolve import certify
+from mpsolve import Problem, certify, tracks, vehicles
 from mpsolve.characteristic.floats import Floats
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.doubling import growing_in_floats, train_piece
-from mpsolve.endless.row import Row
+from mpsolve.endless.row import Row, row_of
 from mpsolve.problem.reduced import reduce_problem
 
 
@@ -40,3 +40,21 @@ def test_long_trains_grow_above_the_limit() -> None:
         for n, v in ((64, "0.452"), (64, "0.455"), (128, "0.445"))
     ]
     assert found == [False, True, False]
+
+
+def test_a_resonance_that_each_vehicle_has_is_followed() -> None:
+    """16 bogies turn 16 times as fast as one where its frame shakes: 4 growing roots were told where none is."""
+    layers = tracks.TwoLayer(
+        EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
+    )
+    bogie = vehicles.Bogie(wheel=900, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="1e4", k_contact="1e9")
+    row = row_of(Problem(layers, bogie, v=100), 6)
+    assert growing_in_floats(Bloch(row), 16, 1.0, 1.0) == 0
+
+
+@pytest.mark.slow
+def test_counts_of_64_masses_that_are_proved_lie_above_the_limit() -> None:
+    for v, growing in (("0.452", 0), ("0.455", 4)):
+        found = certify(masses(v).train(64), region="unstable", digits=15, check=False)
+        assert found.proved
+        assert found.count == growing

@@ -38,12 +38,14 @@ def test_its_numbers_are_right_and_drawn(
     module = load(name)
     module.check()
     assert module.visualize(tmp_path / f"{name}.svg").read_text("utf-8").rstrip().endswith("</svg>")
+    text = (FOLDER / f"{name}.md").read_text("utf-8").format_map(module.numbers())
+    assert "{" not in text
     for key, value in WRONG[name].items():
         monkeypatch.setattr(module, key, value)
     with pytest.raises(AssertionError):
         module.check()
 
 
-def test_the_page_tells_of_each() -> None:
+def test_the_list_tells_of_each() -> None:
     text = (FOLDER / "README.md").read_text("utf-8")
     assert all(f"`{name}.py`" in text for name in FINDINGS)

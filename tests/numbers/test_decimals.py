@@ -9,7 +9,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from mpsolve.errors import PrecisionError
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, fixed_digits, outward, proved_digits
 
 EXACT = mpmath.MPContext()
@@ -41,7 +41,7 @@ mantissas, powers = st.integers(-(10**40), 10**40), st.integers(-400, 300)
 @example(-(10**40), 0, 0, 0, 3)
 @example(15, -1, 4, -1, 5)
 def test_one_unit_in_the_last_place(m: int, e: int, r: int, f: int, limit: int) -> None:
-    with ball_arithmetic(300):
+    with precision(300):
         ball = arb(m) * arb(2) ** e + arb(0, arb(r) * arb(2) ** f)
     text = proved_digits(ball, limit)
     assert all(abs(EXACT.mpf(text) - end) <= last_unit(text) for end in ends(ball))
@@ -54,7 +54,7 @@ def test_one_unit_in_the_last_place(m: int, e: int, r: int, f: int, limit: int) 
 
 @given(st.integers(1, 10**30), st.integers(-100, 100), st.integers(2, 25))
 def test_sharp_balls_fill_the_limit(m: int, e: int, limit: int) -> None:
-    with ball_arithmetic(300):
+    with precision(300):
         text = proved_digits((arb(m) * arb(2) ** e).sqrt() + arb(0, 1) * arb(2) ** -400, limit)
     assert len(text.partition("e")[0].replace(".", "").lstrip("0")) >= limit - 1
 
@@ -82,7 +82,7 @@ def test_as_it_is_written(ball: arb, limit: int, text: str, radius: str) -> None
 @example(15, -1, 1, -20, 1)
 @example(-(10**40), 0, 0, 0, 3)
 def test_fixed_digits_are_those_of_every_point(m: int, e: int, r: int, f: int, limit: int) -> None:
-    with ball_arithmetic(300):
+    with precision(300):
         ball = arb(m) * arb(2) ** e + arb(0, arb(r) * arb(2) ** f)
     try:
         text = fixed_digits(ball, limit)
@@ -136,7 +136,7 @@ def test_outward(x: float, limit: int) -> None:
 
 
 def test_ten_thousand_digits() -> None:
-    with ball_arithmetic(34_000):
+    with precision(34_000):
         text = proved_digits(arb.pi(), 10_000)
         assert abs(arb(text) - arb.pi()) < arb(10) ** -9_999
     assert len(text) == 10_001

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from flint import acb, arb
 
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.taylor import taylor
 
 
 def test_taylor_coefficients_hold_the_true_ones() -> None:
     """1/(2 − z) = Σ z^k/2^{k+1}; the bound of 1 holds on |z| ≤ 1."""
-    with ball_arithmetic(200):
+    with precision(200):
         found = taylor(lambda z: 1 / (2 - z), acb(0), arb(1), arb(1), 8)
         for k, coefficient in enumerate(found.coefficients):
             assert coefficient.contains(acb(arb(2) ** (-k - 1)))

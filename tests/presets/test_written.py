@@ -13,7 +13,7 @@ from mpsolve.presets.catalogue import names
 from mpsolve.presets.written import input_file, listing
 
 PAIRS = [(name, None) for name in names("track")]
-PAIRS += [("ballasted", name) for name in ("shinkansen", "stem", "two-masses", "wheelset")]
+PAIRS += [("ballasted", name) for name in ("shinkansen", "stem", "two-masses", "wheelset", "freight-bogie")]
 OPEN = {"ice-road": "waves-at-zero"}
 """What is not proved, and why."""
 

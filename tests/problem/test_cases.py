@@ -9,22 +9,18 @@ import mpmath
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracle import cases, frequencies
+from oracle import Truth, cases, frequencies
 
 from mpsolve import Case, PhysicalCase
 from mpsolve.errors import InputError
-from mpsolve.fields import MP
-from mpsolve.model.branch import pairing, track
-from mpsolve.model.characteristic import characteristic
-from mpsolve.model.kernel import AHEAD, BEHIND, kernel
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks import String
 from mpsolve.tracks.waveguide import Polynomial, moving
 from mpsolve.vehicles import Mass
 
-FIELD = MP(160)
-CTX = FIELD.context
+CTX = mpmath.MPContext()
+CTX.prec = 160
 
 
 def number(x: Fraction) -> Any:
@@ -86,12 +82,10 @@ def test_G_is_the_paper_s_kernel_and_the_determinant_its_delta(data: st.DataObje
     case = data.draw(cases(data.draw(st.integers(1, 3)), most_damping=0.9))
     drawn = data.draw(frequencies(case))
     q = CTX.mpc(drawn.real, -abs(drawn.imag))
-    model, general = track(case, FIELD), General(as_problem(case), q)
-    pair = pairing(model, q)
-    for xi in (0, CTX.mpf("0.75"), CTX.mpf(2)):
-        assert close(general.G(xi), 2 / CTX.pi * kernel(model, pair, AHEAD, xi))
-    assert close(general.G(-CTX.mpf("0.75")), 2 / CTX.pi * kernel(model, pair, BEHIND, CTX.mpf("0.75")))
-    assert close(general.determinant(), characteristic(model, q))
+    truth, general = Truth(case, 48), General(as_problem(case), q)
+    for xi in (0, CTX.mpf("0.75"), CTX.mpf(2), -CTX.mpf("0.75")):
+        assert close(general.G(xi), 2 / CTX.pi * CTX.convert(truth.kernel(xi, q)))
+    assert close(general.determinant(), CTX.convert(truth.delta(q)))
 
 
 def test_the_physical_case_is_the_dimensionless_one_in_si() -> None:
@@ -100,7 +94,7 @@ def test_the_physical_case_is_the_dimensionless_one_in_si() -> None:
     case = physical.dimensionless
     assert (physical.chi, physical.time_scale) == (Fraction(1, 2), 100)
     for q in (CTX.mpc("0.7", "-0.3"), CTX.mpc("-1.1", "-0.05"), CTX.mpc("3", "-2")):
-        truth = characteristic(track(case, FIELD), q)
+        truth = CTX.convert(Truth(case, 48).delta(q))
         assert close(General(as_problem(case), q).determinant(), truth)
         assert close(General(as_problem(physical), 100 * q).determinant(), truth)
 

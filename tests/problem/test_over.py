@@ -50,7 +50,7 @@ def test_ranges(text: str, low: Fraction, high: Fraction | None, unit: str) -> N
         ("v=5..5", "do not ascend"),
         ("v=-5..5", "must not go below 0"),
         ("v=0..5 kg", "whose unit is kg, but the velocity is in m/s"),
-        ("speed=0..5", "'speed', which is unknown: the parameters are v ="),
+        ("speed=0..5", "'speed', which is unknown: the parameters are v, "),
         ("track.kk=0..5", "did you mean track.k"),
         ("gap[1]=0..5", "is unknown"),
         ("vehicle[1].M=1..2 t", r"so write vehicles\[0\].M for the rearmost, or vehicles.M"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from flint import acb, arb
 
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 from mpsolve.numbers.taylor import SAMPLES, Taylor
 from mpsolve.proof.pellet import pellet
 
@@ -23,13 +23,13 @@ TOYS = [((3e-6, -1e-6, -3, 1), 2), ((-2j * 1e-9, 6e-6 + 1e-9j, 6e-3j - 3e-6, -2 
 
 @pytest.mark.parametrize(("coefficients", "roots"), TOYS)
 def test_pellet_counts_the_roots_of_a_disc(coefficients: tuple[complex, ...], roots: int) -> None:
-    with ball_arithmetic(100):
+    with precision(100):
         for radius in (0.01, 0.03, 0.1):
             assert [m for m in range(6) if pellet(series(*coefficients), m, arb(radius))] == [roots]
 
 
 def test_pellet_stays_silent_near_a_root() -> None:
-    with ball_arithmetic(100):
+    with precision(100):
         near = series(3e-6, -1e-6, -3, 1)
         assert not any(pellet(near, m, arb(0.001)) for m in range(6))
         assert not any(pellet(near, m, arb(3)) for m in range(6)), "beyond the disc in which the series is known"

@@ -2,38 +2,18 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 import numpy as np
 import pytest
+from followed_root import LOWEST, roots, shifted_scope
 
-from mpsolve import Case
 from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.problem.cases import as_problem
-from mpsolve.problem.shifted import shifted
-from mpsolve.ranges.bend import is_convex
 from mpsolve.ranges.branch import Tube, tube
-from mpsolve.ranges.rootcurve import RootCurve
-from mpsolve.ranges.scope import Scope, checked_over, scope_of
-from mpsolve.spectrum.candidates import nearest_root
-
-LOWEST, HEIGHT = 0.5616442738, 2.0**-5 * 1.2  # x̂ = d/2 of the lowest root; a line near it
-ROOT = 0.171721077 - 0.037841542j
+from mpsolve.ranges.scope import Scope
 
 
 @pytest.fixture(scope="module")
 def scope() -> Scope:
-    problem = as_problem(Case(alpha="0.99", eta_b="0.5", eta_m=(70, 70), positions=(0, 1)))
-    family = scope_of(problem, checked_over(problem, {"gap[0]": ("0.5", 2)})).family
-    return Scope(shifted(family, Fraction(HEIGHT)))
-
-
-def roots(scope: Scope, x: np.ndarray) -> np.ndarray:
-    q, out = ROOT + 1j * HEIGHT, []
-    for at in x:
-        q = nearest_root(scope.family.reduced([Fraction(at)]), q) or q
-        out.append(q)
-    return np.array(out)
+    return shifted_scope()
 
 
 def followed(scope: Scope, low: float, high: float, parts: int, shift: complex = 0) -> Tube | None:
@@ -68,17 +48,3 @@ def test_signs_of_slopes(scope: Scope) -> None:
 
 def test_where_there_is_no_root_nothing_is_followed(scope: Scope) -> None:
     assert followed(scope, LOWEST - 0.01, LOWEST + 0.01, 4, shift=0.05) is None
-
-
-def test_convex_at_the_lowest_point_only(scope: Scope) -> None:
-    x = np.linspace(LOWEST - 0.004, LOWEST + 0.004, 9)
-    q = roots(scope, x)
-    curve = RootCurve(scope.proved)
-    with precision(80):
-        first = complex(curve.near((acb(q[4]),), arb(x[4]))[1][0])
-
-    def path(at: float) -> complex:
-        return complex(np.interp(at, x, q.real), np.interp(at, x, q.imag))
-
-    assert is_convex(scope.matrix, scope.proved, path, x[3], x[5], first)
-    assert not is_convex(scope.matrix, scope.proved, lambda at: path(at) + 0.05, x[3], x[5], first)

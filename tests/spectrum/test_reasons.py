@@ -12,7 +12,7 @@ from mpsolve.outcome import Reason
 from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.cover import OpenPieceError
-from mpsolve.spectrum.reasons import WavesMeetError, reason_of, sheet_reason, waves_meet_at_zero
+from mpsolve.spectrum.reasons import WavesMeetError, reason_of, sheet_reason
 
 WIRE = reduce_problem(Problem(tracks.String(T=27_000, m="1.07", k=500, c=2), vehicles.Mass("8.5"), v=100))
 ROOT = 15.641876611743 + 0.715988110564j
@@ -55,9 +55,7 @@ def test_what_helps_on_the_sheet(v: str, c: str, remedy: str) -> None:
     assert sheet_reason(line, reduced, SPENT).remedy.endswith(f", or {remedy}")
 
 
-def test_waves_that_meet_at_rest() -> None:
-    ice = tracks.FloatingIce(B="1e9", h=1, rho_ice=917, rho_water=1025, depth=10, g="9.81", c=0, eta="1e-3")
-    met = reduce_problem(Problem(ice, vehicles.Mass(1000), v=5))
-    assert waves_meet_at_zero(met.guide)
-    assert not waves_meet_at_zero(WIRE.guide)
-    assert reason_of(met, WavesMeetError()).code == "waves-meet"
+def test_waves_that_meet_have_a_rectangle_as_remedy() -> None:
+    found = reason_of(beam("0.5", "0.1"), WavesMeetError())
+    assert found.code == "waves-meet"
+    assert "re_min > 0" in found.remedy

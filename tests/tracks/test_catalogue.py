@@ -90,8 +90,8 @@ def table(name: str, a: Any, p: Fraction, o: Fraction) -> tuple[Any, Any]:
         return (beam() + pad) * b - pad**2, b
     assert name == "floating-ice"
     plate = a["B"] * (1 + I * a["eta"] * o) * p**4 - a["rho_ice"] * a["h"] * o**2 + a["rho_water"] * a["g"]
-    depth = a["depth"] * p**2
-    return (plate + I * a["c"] * o) * depth - a["rho_water"] * o**2, one * depth
+    depth = a["rho_water"] * a["depth"] * p**2
+    return (plate + I * a["c"] * o) * depth - a["rho_water"] ** 2 * o**2, one * depth
 
 
 @pytest.mark.parametrize("name", DAMPED)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mpsolve import Case
-from mpsolve.certificate.sheet import certify_sheet as certify
+from mpsolve.certificate.certify import certify
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.errors import PrecisionError
 

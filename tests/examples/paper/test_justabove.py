@@ -9,7 +9,7 @@ import pytest
 from oracle import Truth
 
 from mpsolve import certify
-from mpsolve.fields import ball_arithmetic
+from mpsolve.numbers.balls import precision
 from paper import justabove
 from paper.cases import pair, single
 
@@ -29,7 +29,7 @@ def place(z):
 def test_F_is_z_times_the_determinant(d: str | None, x: str, y: str) -> None:
     case = single(ALPHA, "0", "10") if d is None else pair(ALPHA, "0", "10", d)
     truth = Truth(case, 30)
-    with ball_arithmetic(128):
+    with precision(128):
         z = acb(x, y)
         e, q, _ = place(z)
         value = justabove._value(e, z, arb(10), None if d is None else arb(d))
@@ -39,7 +39,7 @@ def test_F_is_z_times_the_determinant(d: str | None, x: str, y: str) -> None:
 
 
 def test_the_rate_is_the_slope_of_q() -> None:
-    with ball_arithmetic(128):
+    with precision(128):
         e, square, step = (arb(ALPHA) ** 2 - 1).sqrt(), acb("0.05", "-0.12"), arb("0.001")
         high, low = (justabove._roots(e, square + s * step).q_hat for s in (1, -1))
         slope = justabove._roots(e, square).rate

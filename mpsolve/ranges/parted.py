@@ -1,0 +1,197 @@
+"""Ranges of velocities that hold speeds of short waves: they are proved in parts, with the speeds left out by name.
+
+At such a speed the equations lose a solution. Each part ends as near to it as can be proved; on strings on which a
+theorem tells all (`on_string`) only the speed itself is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import pairwise
+from math import isqrt
+from time import process_time
+from typing import Any
+
+from mpsolve.errors import InputError
+from mpsolve.numbers.balls import rational_ball
+from mpsolve.numbers.packed import Portable
+from mpsolve.outcome import Reason, Status
+from mpsolve.problem.family import Interval
+from mpsolve.problem.problem import Problem
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges.answer import Spent
+from mpsolve.ranges.on_string import quiet
+from mpsolve.waves.speeds import wave_speeds
+
+_PLACES = 10**6
+_SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
+"""Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
+_BOXES = 20_000  # for a strip
+Find = Callable[[dict[str, Interval], Effort | None], Any]
+
+
+@dataclass(frozen=True)
+class LeftOut(Portable):
+    """A speed of short waves, a ball, and the ends of what is not proved round it; both are the speed itself where
+    only that is left out. name: of the waves.
+    """
+
+    name: str
+    value: Any
+    start: Any
+    end: Any
+
+
+@dataclass(frozen=True)
+class _Speed:
+    """The square of a speed, its name, and rationals below and above it."""
+
+    square: Fraction
+    name: str
+
+    @property
+    def ball(self) -> Any:
+        return rational_ball(self.square).sqrt()
+
+    def beside(self, sign: int) -> Fraction:
+        scaled = isqrt(self.square.numerator * _PLACES**2 // self.square.denominator)
+        return Fraction(scaled + (2 if sign > 0 else -1), _PLACES)
+
+
+def speeds_within(problem: Problem, over: Mapping[str, Interval]) -> list[_Speed]:
+    """The known speeds in a range of v, ascending; none for other paths."""
+    low, high = over.get("v", (Fraction(0), Fraction(0)))
+    if len(over) != 1 or "v" not in over or low < 0:
+        return []
+    each = {square: name for name, square in wave_speeds(problem.track).items() if low**2 <= square <= high**2}
+    return [_Speed(square, each[square]) for square in sorted(each) if square > 0]
+
+
+def parted(
+    problem: Problem,
+    over: Mapping[str, Interval],
+    speeds: list[_Speed],
+    find: Find,
+    none: Callable[[dict[str, Interval], str], Any],
+    effort: Effort | None,
+) -> Any:
+    """The parts of a range, each answered by `find`, or `none` where a theorem says that nothing grows, as one."""
+    started = process_time()
+    (low, high) = over["v"]
+    edges: list[_Speed | None] = [None, *speeds, None]
+    parts = []
+    for k, (left, right) in enumerate(pairwise(edges)):
+        side = -1 if k == 0 else 1 if k == len(speeds) else None
+        parts.append(_part(problem, (left, low), (right, high), side, find, none, _rest(effort, started)))
+    return _joined(over, speeds, parts, process_time() - started)
+
+
+def _rest(effort: Effort | None, started: float) -> Callable[[], Effort | None]:
+    def left() -> Effort | None:
+        if effort is None or effort.seconds is None:
+            return effort
+        return Effort(max(effort.seconds - (process_time() - started), 1e-3), effort.evaluations)
+
+    return left
+
+
+def _part(
+    problem: Problem, left: Any, right: Any, side: int | None, find: Find, none: Any, effort: Callable[[], Any]
+) -> Any:
+    """(the ends as far as proved, None for the speed itself; the answer), or None where there is nothing between."""
+    (below, low), (above, high) = left, right
+    start = low if below is None else below.beside(1)
+    end = high if above is None else above.beside(-1)
+    if start >= end:
+        return None
+    why = quiet(problem, {"v": (start, end)}, side)
+    if why is not None:
+        return ((None if below else low), (None if above else high)), none({"v": (start, end)}, why)
+    ends = {share: (start if below is None else start * (1 + share), end if above is None else end * (1 - share))
+            for share in _SHARES}  # fmt: skip
+    shares = [share for share in _SHARES if ends[share][0] < ends[share][1]]
+    if not shares:
+        return None
+    found = find({"v": ends[shares[0]]}, effort())
+    sides = [below is not None, above is not None] if found.proved else []
+    for one, other in pairwise(shares):
+        for k, wanted in enumerate(sides):
+            if wanted:
+                near = sorted((ends[one][k], ends[other][k]))
+                strip = _tried(find, (near[0], near[1]), effort())
+                sides[k] = strip is not None
+                found = found if strip is None else _adjoined(*((strip, found) if k == 0 else (found, strip)))
+    return next(iter(found.over.values())), found
+
+
+def _tried(find: Find, strip: Interval, effort: Effort | None) -> Any:
+    seconds = None if effort is None else effort.seconds
+    try:
+        found = find({"v": strip}, Effort(seconds, _BOXES))
+    except InputError as error:
+        if error.key != "over":
+            raise
+        return None
+    return found if found.proved else None
+
+
+def _adjoined(one: Any, other: Any) -> Any:
+    """Two proved neighbours as one; what they share is at their common end, where nothing crosses."""
+    cost = Spent(*(getattr(one.cost, key) + getattr(other.cost, key) for key in ("seconds", "verification", "boxes")))
+    return replace(
+        one,
+        over={"v": (one.over["v"][0], other.over["v"][1])},
+        crossings=one.crossings + other.crossings,
+        counts=one.counts + other.counts[1:],
+        proofs=one.proofs + other.proofs,
+        parts=(*(one.parts or (one,)), *(other.parts or (other,))),
+        cost=cost,
+        status=Status.UNVERIFIED,
+        certificate=None,
+        note="parts are proved by themselves, and there is no certificate of the whole",
+    )
+
+
+def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any], seconds: float) -> Any:
+    known = [part for part in parts if part is not None]
+    if not known:
+        raise InputError("over", "holds a speed of short waves of the track and nothing else: give a wider range")
+    left_out = []
+    for speed, before, after in zip(speeds, parts, parts[1:], strict=False):
+        start = before[0][1] if before is not None and before[1].proved else None
+        end = after[0][0] if after is not None and after[1].proved else None
+        left_out.append(LeftOut(speed.name, speed.ball, _ball(start, speed), _ball(end, speed)))
+    found = [answer for _, answer in known]
+    checked = sum(one.cost.verification for one in found)
+    cost = Spent(seconds - checked, checked, sum(one.cost.boxes for one in found))
+    first = found[0]
+    reason = next((one.reason for one in found if not one.proved), None)
+    common: dict[str, Any] = {
+        "over": dict(over), "cost": cost, "parts": tuple(found), "left_out": tuple(left_out), "certificate": None,
+        "crossings": tuple(c for one in found for c in one.crossings),
+        "proofs": tuple(proof for one in found for proof in one.proofs),
+    }  # fmt: skip
+    if reason is not None:
+        done = [list(one.over["v"]) for one in found if one.proved]
+        return replace(first, status=Status.UNDECIDED, reason=_told(reason, speeds), known={"proved": done},
+                       counts=None, note="", **common)  # fmt: skip
+    note = "left out: " + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
+    counts = tuple(n for one in found for n in one.counts)
+    return replace(first, status=Status.UNVERIFIED, reason=None, counts=counts, note=note, **common)
+
+
+def _told(reason: Reason, speeds: list[_Speed]) -> Reason:
+    names = ", ".join(f"{one.name} = {float(one.ball):.6g}" for one in speeds)
+    return replace(reason, message=f"{reason.message}, in a part of the range beside {names}")
+
+
+def _ball(end: Fraction | None, speed: _Speed) -> Any:
+    return speed.ball if end is None else rational_ball(end)
+
+
+def _shown(one: LeftOut) -> str:
+    if one.start.overlaps(one.value) and one.end.overlaps(one.value):
+        return f"v = {float(one.value):.9g} itself ({one.name})"
+    return f"v from {float(one.start):.9g} to {float(one.end):.9g} ({one.name}: {float(one.value):.9g})"

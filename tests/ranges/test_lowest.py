@@ -1,0 +1,45 @@
+"""Where the lowest root lies: inside or at an end, growing or decaying, beside straight cuts and others."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb
+from lowest_roots import assert_lowest, pair
+
+from mpsolve import worst
+from mpsolve.numbers.balls import precision
+
+
+@pytest.mark.parametrize(
+    ("ends", "where", "at"),
+    [(("1.3", "1.6"), "start", "1.3"), (("0.6", "1"), "end", "1"), (("1.1232885", "1.3"), "inside", None)],
+)
+def test_at_an_end_of_the_range_too(ends: tuple[str, str], where: str, at: str | None) -> None:
+    """A minimum at an end was undecided once; there Im q rises from the end, and the value is that number."""
+    found = worst(pair("0.99", "0.5"), over={"gap[0]": ends}, check=False)
+    assert (found.proved, found.where) == (True, where), found.reason
+    if at is not None:
+        with precision(200):
+            assert found.value.overlaps(arb(at))  # type: ignore[union-attr]
+        assert found.lower <= float(at) <= found.upper  # type: ignore[operator]
+    assert_lowest(pair("0.99", "0.5"), "gap[0]", found, [*ends], "unstable")
+
+
+def test_where_all_are_stable_it_is_the_least_damped_root() -> None:
+    """Below the critical velocity nothing grows: among roots below the cuts, here at Im q = 0.5, as far as reach."""
+    case = pair("0.3", "0.5")
+    found = worst(case, over={"gap[0]": ("0.5", 3)}, check=False)
+    assert found.proved, found.reason
+    assert found.growth < 0  # type: ignore[operator]
+    assert found.reach == 2
+    # found by another proof: a minimum of the old search over the whole sheet
+    assert abs(float(found.value.mid()) - 2.08462889362238) < 1e-13  # type: ignore[union-attr]
+    assert_lowest(case, "gap[0]", found, ["0.5", "1", "2", "2.1", "3"], ("below", "0.2"))
+
+
+def test_cuts_may_leave_their_line() -> None:
+    """With an axial force of 0.9 the cuts are no straight line: the old proof refused such a case."""
+    case = pair("0.5", "0.5", eta_n="0.9")
+    found = worst(case, over={"gap[0]": ("0.5", 3)}, check=False)
+    assert (found.proved, found.where) == (True, "inside"), found.reason
+    assert_lowest(case, "gap[0]", found, ["0.5", "1", "1.1", "1.2", "3"], "unstable")

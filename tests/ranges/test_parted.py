@@ -1,0 +1,103 @@
+"""Ranges that hold the speed of short waves: parts on both sides, and what is left out by name."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from math import sqrt
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from mpsolve import Effort, Problem, tracks, vehicles
+from mpsolve.outcome import Reason, Status
+from mpsolve.ranges.crossings import Crossings, crossings
+from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.parted import parted, speeds_within
+
+WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)
+SPEED = sqrt(27000 / 1.07)
+BEAM = tracks.Timoshenko(EI="6.38e6", m="60.2", S="2.4e8", J="0.24", k="1e6", c=770)
+RAIL = Problem(BEAM, [vehicles.Mass(3000).at(0)], v=1)
+
+
+def test_one_contact_on_a_wire_leaves_out_the_speed_alone() -> None:
+    problem = Problem(WIRE, [vehicles.Mass(20).at(0)], v=100)
+    found = crossings(problem, over={"v": (0, 300)})
+    (left,) = found.left_out
+    assert (found.proved, found.crossings, found.counts) == (True, (), (0, 0))
+    assert float(left.value) == pytest.approx(SPEED, rel=1e-14)
+    assert left.start.overlaps(left.value)
+    assert left.end.overlaps(left.value)
+    assert "158.851" in found.note
+    assert json.loads(found.to_json())["left_out"][0]["name"].startswith("waves of the string")
+    assert onset(problem, over={"v": (0, 300)}).kind is Kind.STABLE
+    assert unstable_ranges(problem, over={"v": (0, 300)}).intervals == ()
+
+
+@pytest.mark.slow
+def test_two_contacts_on_a_wire_are_proved_next_to_the_speed() -> None:
+    problem = Problem(WIRE, [vehicles.Mass(20).at(0), vehicles.Mass(20).at(30)], v=100)
+    found = crossings(problem, over={"v": (120, 300)}, check=False, effort=Effort(evaluations=2000))
+    assert (found.proved, found.counts) == (True, (0, 0)), found.reason
+    (left,) = found.left_out
+    assert 0.87 * SPEED < float(left.start) < SPEED
+    assert left.end.overlaps(left.value)
+
+
+def fake(problem: Problem, stuck: Any) -> Any:
+    """An answer that is proved, with one crossing at each multiple of 1000, unless it is stuck."""
+
+    def find(over: dict[str, Any], _: Any) -> Crossings:
+        low, high = over["v"]
+        if stuck(low, high):
+            return Crossings(problem, over, Status.UNDECIDED, Reason("x", "it is stuck", {}, ""))
+        at = [x for x in range(0, 10_000, 1000) if low < x < high]
+        counts = (2 * int(low // 1000), *(2 * x // 1000 for x in at))
+        return Crossings(problem, over, Status.PROVED, crossings=tuple(map(crossing, at)), counts=counts)
+
+    return find
+
+
+def crossing(at: int) -> Any:
+    return SimpleNamespace(value=at, q=1, direction=2)
+
+
+def joined(stuck: Any, low: int = 0, high: int = 7000) -> Crossings:
+    over = {"v": (Fraction(low), Fraction(high))}
+    speeds = speeds_within(RAIL, over)
+    found: Crossings = parted(RAIL, over, speeds, fake(RAIL, stuck), None, None)  # type: ignore[arg-type]
+    return found
+
+
+def test_the_parts_between_two_speeds() -> None:
+    """1996.7 and 5155.9 m/s."""
+    found = joined(lambda *_: False)
+    assert [c.value for c in found.crossings] == [1000, 3000, 4000, 5000, 6000]
+    assert found.counts == (0, 2, 4, 6, 8, 10, 10, 12)
+    assert len(found.counts) == len(found.crossings) + len(found.parts)
+    assert [float(x.start) / float(x.value) for x in found.left_out] == pytest.approx([63 / 64] * 2, rel=1e-6)
+    assert [float(x.end) / float(x.value) for x in found.left_out] == pytest.approx([65 / 64] * 2, rel=1e-6)
+
+
+def test_strips_stop_where_one_is_open() -> None:
+    found = joined(lambda _, high: 0.95 * 1996.67 < float(high) < 1996.67)
+    assert found.status is Status.UNVERIFIED
+    assert float(found.left_out[0].start) / float(found.left_out[0].value) == pytest.approx(15 / 16, rel=1e-6)
+
+
+def test_an_open_part_leaves_the_whole_open() -> None:
+    found = joined(lambda low, _: low > 5155)
+    assert (found.status, found.counts) == (Status.UNDECIDED, None)
+    assert found.reason is not None
+    assert "beside shear waves" in found.reason.message
+    assert len(found.known["proved"]) == 2
+
+
+@pytest.mark.slow
+def test_the_first_part_decides_an_onset() -> None:
+    """Above its shear waves nothing is proved of the beam, which the onset at 330 m/s does not ask."""
+    found = onset(RAIL, over={"v": (300, 2100)}, check=False, effort=Effort(seconds=60))
+    assert (found.proved, found.kind) == (True, Kind.CROSSES), found.reason
+    assert float(found.value) == pytest.approx(329.780659548998, rel=1e-12)

@@ -1,0 +1,63 @@
+"""Ranges are checked and scaled, and a frequency is found beyond which no root can cross."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from ranges_of_a_pair import PAIR, TRACK, over_velocity
+
+from mpsolve import InputError, Problem, receptance, vehicles
+from mpsolve.ranges.scope import checked_over, from_above_rest, one_path
+
+
+def test_the_corners_hold_the_range_and_the_band() -> None:
+    scope = over_velocity()
+    low, high = scope.corners
+    unit = scope.family.units[0]
+    assert Fraction(low[1].item()) * unit <= 150
+    assert Fraction(high[1].item()) * unit >= 230
+    assert (low[0], high[0]) == (0, scope.X)
+
+
+def test_beyond_the_band_the_contacts_take_energy() -> None:
+    """−Im G of both contacts is positive definite at frequencies from X on, in floats."""
+    scope = over_velocity()
+    for factor in (1.0, 1.3, 3.0, 10.0):
+        omega = factor * scope.X * float(scope.family.frequency_unit)
+        for v in (150, 190, 230):
+            near, ahead, behind = receptance(TRACK, xi=[0, "3.4", "-3.4"], omega=[omega], v=v)[:, 0]
+            G = np.array([[near, behind], [ahead, near]])
+            assert np.linalg.eigvalsh((G - G.conj().T) * 0.5j).min() > 0
+
+
+@pytest.mark.parametrize(
+    ("over", "key", "said"),
+    [
+        ({}, "over", "empty"),
+        ({"v": 3}, "v", "give a range"),
+        ({"v": (3, 3)}, "v", "not above its start"),
+        ({"speed": (1, 2)}, "speed", "unknown|no parameter|not"),
+    ],
+)
+def test_what_is_no_range_is_refused(over: object, key: str, said: str) -> None:
+    with pytest.raises(InputError, match=said) as caught:
+        checked_over(PAIR, over)
+    assert caught.value.key == key
+
+
+def test_one_path_alone() -> None:
+    assert one_path({"v": (Fraction(1), Fraction(2))}) == "v"
+    with pytest.raises(InputError, match="2 ranges"):
+        one_path({"v": (Fraction(1), Fraction(2)), "track.k": (Fraction(1), Fraction(2))})
+
+
+def test_a_range_from_rest_begins_a_little_later_only_where_waves_are_lost() -> None:
+    ends = {"v": (Fraction(0), Fraction(10))}
+    assert from_above_rest(PAIR, ends) == ends
+    from mpsolve.tracks import Rayleigh
+
+    rayleigh = Problem(Rayleigh(EI="6.4e6", m=60, J="0.2", k="1e6", c=770), vehicles.Mass(1).at(0), v=1)
+    moved = from_above_rest(rayleigh, ends)["v"]
+    assert 0 <= moved[0] < Fraction(1, 100)

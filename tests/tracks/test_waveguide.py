@@ -1,0 +1,34 @@
+"""Exact polynomials in P and s: arithmetic against plain evaluation, determinants against sympy."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mpsolve.tracks.waveguide import Polynomial, add, determinant, moving, multiply, scaled
+
+NUMBERS = st.fractions(min_value=-3, max_value=3, max_denominator=4)
+POLYNOMIALS = st.dictionaries(st.tuples(st.integers(0, 2), st.integers(0, 2)), NUMBERS.filter(bool), max_size=3)
+
+
+def value(a: Polynomial, P: Fraction, s: Fraction) -> Fraction:
+    return sum((c * P**i * s**j for (i, j), c in a.items()), Fraction(0))
+
+
+@given(POLYNOMIALS, POLYNOMIALS, NUMBERS, NUMBERS, NUMBERS)
+def test_arithmetic_is_that_of_values(a: Polynomial, b: Polynomial, P: Fraction, s: Fraction, v: Fraction) -> None:
+    assert value(add(a, b), P, s) == value(a, P, s) + value(b, P, s)
+    assert value(multiply(a, b), P, s) == value(a, P, s) * value(b, P, s)
+    assert value(scaled(a, v), P, s) == v * value(a, P, s)
+    assert value(moving(a, v), P, s) == value(a, P, s - v * P)
+    assert all(add(a, b).values())
+
+
+@given(st.lists(st.lists(POLYNOMIALS, min_size=3, max_size=3), min_size=3, max_size=3), NUMBERS, NUMBERS)
+def test_a_determinant_is_sympys(rows: list[list[Polynomial]], P: Fraction, s: Fraction) -> None:
+    numbers = sp.Matrix([[sp.Rational(*value(entry, P, s).as_integer_ratio()) for entry in row] for row in rows])
+    found = value(determinant(tuple(map(tuple, rows))), P, s)
+    assert sp.Rational(found.numerator, found.denominator) == numbers.det()

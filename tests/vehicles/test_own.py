@@ -1,0 +1,20 @@
+"""A vehicle given by the matrices of another is that other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from vehicle_models import TYPICAL
+
+from mpsolve.vehicles import Vehicle
+
+
+@pytest.mark.parametrize("name", ["mass", "oscillator", "bogie", "coach"])
+def test_the_matrices_of_a_vehicle_are_the_vehicle(name: str) -> None:
+    pencil = TYPICAL[name].pencil
+    spring = None if not pencil.h[0] else 1 / pencil.h[0]
+    own = Vehicle(pencil.M, pencil.C, pencil.K, pencil.B, pencil.places, k_contact=spring, names=pencil.names)
+    assert own.pencil == pencil
+    unnamed = Vehicle(pencil.M, pencil.C, pencil.K, pencil.B, pencil.places, k_contact=spring)
+    assert unnamed.pencil == replace(pencil, names=tuple(f"coordinate {i + 1}" for i in range(pencil.size)))
