@@ -42,6 +42,7 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
         from mpsolve.page.paper import require_printer, save_pdf
         from mpsolve.page.parts import gather
         from mpsolve.problem.inputfile import read_source
+        from mpsolve.report.remedies import on_command_line
 
         source = read_source(file)
         path = checked_output(output or Path(f"{source.path.stem}.html"), source.path, "the page")
@@ -66,7 +67,7 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
             write_whole(path, page_html(parts, source.path.stem))
             if pdf is not None:
                 save_pdf(parts, source.path.stem, pdf)
-        click.echo("\n".join([parts.verdict, str(path), *([] if pdf is None else [str(pdf)])]))
+        click.echo("\n".join([on_command_line(parts.verdict), str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.spectrum.proved else UNDECIDED)
 
 

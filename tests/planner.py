@@ -257,7 +257,7 @@ def value(t, x, y):
 
 def plan_tail(track, sites, X):
     """Numbers of the theorem for q ≥ X, or None: sampled, with a margin."""
-    w, d = (v2.terms(x) for x in v2.absorption(track))
+    w, d = (v2.terms(x) for x in v2.absorption(v2.RING, track.D, track.N))
     v = float(arb(track.v))
     between = 2 * pi / float(min(b - a for a, b in itertools.pairwise(sites))) if len(sites) > 1 else 0.0
     iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
@@ -283,8 +283,8 @@ def plan_tail(track, sites, X):
         return None
     C = q_(1.15 * max(C1, C2) + 1e-300)
     for k, m in ((0, 1), (1, 4), (1, 2), (1, 1), (1, 3)):
-        bw, tw = v2.in_block(w, track.v, k, m)
-        bd, td = v2.in_block(d, track.v, k, m)
+        bw, tw = v2.in_block(w, {(): track.v}, k, m)
+        bd, td = v2.in_block(d, {(): track.v}, k, m)
         if (alpha - 1) * m < td - tw - k:
             continue
         growth, most = X ** (k / m), 0.95 * X ** (1 - k / m) / v
@@ -324,7 +324,7 @@ def absorbs(bw, bd, z1, z2, kappa, tau):
     f = {at: arb(bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0))) for at in {*bw, *bd}}
     try:
         with v2.precision(128):
-            v2.check_positive(f, (float(z1), float(z2)), (0.0, float(tau)), None, "")
+            v2.check_positive(f, ((float(z1), float(z2)), (0.0, float(tau))), None, "")
     except v2.Refused:
         return False
     return True

@@ -124,11 +124,14 @@ def _in_P(a: Any) -> Any:
 
 def _sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, Any]:
     """G_ij and its slope: over the upper roots where ξ_i ≥ ξ_j, minus those over the lower ones elsewhere."""
+    gaps = np.diff(x)
+    if x.shape[1] > 1 and (gaps[:, 0] > 0).all() and (np.abs(gaps - gaps[:, :1]) <= _EQUAL * gaps[:, :1]).all():
+        return _of_equal_gaps(z, weights, gaps[:, 0], x.shape[1], up)
     w, a, b = weights
     middle = (x[:, :1] + x[:, -1:]) / 2
     shifted = x - middle
     wide = np.abs(z.real).max(1, initial=0) * (x[:, -1] - x[:, 0]) > _REACH
-    grown = _waves(z, shifted, wide)
+    grown = np.exp(np.where(wide[:, None], 0, z)[:, None, :] * shifted[:, :, None])  # 1 where `wide`
     shrunk = 1 / grown
     ahead = np.tri(x.shape[1], dtype=bool)
     same = np.flatnonzero((np.diff(x) == 0).any(1))
@@ -154,15 +157,37 @@ def _sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, 
     return G, sided(a) + xi * sided(b)
 
 
-def _waves(z: Any, x: Any, wide: Any) -> Any:
-    """e^{zx}, shape (points, contacts, roots), 1 where `wide`; powers of one wave where all gaps are equal."""
-    gaps = np.diff(x)
-    first, z = gaps[:, :1], np.where(wide[:, None], 0, z)
-    if x.shape[1] < 4 or (np.abs(gaps - first) > _EQUAL * first).any():
-        return np.exp(z[:, None, :] * x[:, :, None])
-    out = np.empty((*x.shape, z.shape[1]), complex)
-    out[:, 0], out[:, 1:] = np.exp(z * x[:, :1]), np.exp(z * first)[:, None, :]
-    return np.multiply.accumulate(out, 1, out=out)
+def _of_equal_gaps(z: Any, weights: tuple[Any, Any, Any], gap: Any, count: int, up: int) -> tuple[Any, Any]:
+    """The same where all gaps are equal: 2·count − 1 sums are the whole matrix, and no wave grows."""
+    ahead = np.arange(z.shape[1]) < up
+    step = np.exp(np.where(ahead, z, -z).T * gap)
+    waves = np.empty((count, *step.shape), complex)  # of k gaps, along the first axis
+    waves[0], waves[1:] = 1, step
+    for k in range(1, count):
+        waves[k] *= waves[k - 1]
+
+    def lined(weight: Any) -> Any:
+        """(points, 2·count − 1): by i − j from 1 − count on."""
+        terms = waves * weight.T
+        line = np.zeros((len(z), 2 * count - 1), complex)
+        for k in range(z.shape[1]):
+            if k < up:
+                line[:, count - 1 :] += terms[:, k].T
+            else:
+                line[:, : count - 1] -= terms[:0:-1, k].T
+        return line
+
+    def matrix(line: Any) -> Any:
+        whole, one = line.strides
+        shape, strides = (len(line), count, count), (whole, one, -one)
+        return np.ascontiguousarray(np.lib.stride_tricks.as_strided(line[:, count - 1 :], shape, strides))
+
+    w, a, b = weights
+    G = matrix(lined(w))
+    if a is None:
+        return G, None
+    xi = np.arange(1 - count, count) * gap[:, None]
+    return G, matrix(lined(a) + xi * lined(b))
 
 
 def _added(left: Any, right: Any) -> Any:

@@ -60,8 +60,10 @@ def fitting_window(problem: Problem) -> Window:
     return Window(width, height / 2, height)
 
 
-def look(problem: Problem, window: Window | None = None, near: Any = ()) -> View:
+def look(problem: Problem, window: Window | None = None, near: Any = (), quick: bool = False) -> View:
     """The view of a problem; `near`: roots of a neighbouring problem, from which the search starts too.
+
+    quick: a coarse grid only, for what is looked at for a moment.
 
     Never raises for a problem that cannot be: the view says why.
     """
@@ -74,7 +76,7 @@ def look(problem: Problem, window: Window | None = None, near: Any = ()) -> View
         height = free_height(problem, shown)
         area = Area(0.0, shown.width / unit, -shown.depth / unit, height / unit)
         hints = np.abs(np.real(near)) / unit + 1j * np.imag(near) / unit
-        right = search(reduced, area, hints) * unit
+        right = search(reduced, area, hints, 1 if quick else 2) * unit
         roots = np.array(sorted({*right.tolist(), *(-right.conj()).tolist()}, key=lambda q: (q.real, q.imag)))
         cuts = cuts_in(problem, shown)
     except InputError as error:
@@ -93,13 +95,13 @@ def free_height(problem: Problem, window: Window) -> float:
 
 def cuts_in(problem: Problem, window: Window) -> tuple[Any, ...]:
     """q = vp + Ω_k(p) for the wavenumbers that lead into the window."""
-    v = float(problem.v)
+    v, track = float(problem.v), problem.track.waveguide
     reach = 1.0
     for _ in range(60):  # until all branches have left the window, or go on for ever
-        ends = dispersion(problem.track, [reach])[0] + v * reach
+        ends = dispersion(track, [reach])[0] + v * reach
         if (np.abs(ends.real) > window.width).all() or reach > 1e4:
             break
         reach *= 1.5
     p = reach * np.linspace(-1, 1, _CUT_POINTS) ** 3
-    omega = dispersion(problem.track, p)
+    omega = dispersion(track, p)
     return tuple(v * p + omega[:, k] for k in range(omega.shape[1]))

@@ -30,12 +30,16 @@ from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpo
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9, 1_000, 20_000
 ARCS = 24
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
+MAX_TERMS, MAX_SIZE, BOXES = 120, 20_000, 20_000  # with free parameters: of a track, a polynomial; parts of a range
 SMALL = 8  # matrices up to this size are eliminated entry by entry
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
 
+Exponents = tuple[int, ...]
+Free = dict[Exponents, Any]  # {exponents of free parameters: c}; of a number {(): c}
+Box = tuple[tuple[Any, Any], ...]  # exact ends of free parameters; () where there are none
 Point = tuple[Any, Any]  # of q: real and imaginary part, exact
-Terms = dict[tuple[int, int], Any]  # {(i, j): c}: Σ c x^i y^j
+Terms = Free  # of two variables: {(i, j): c}, Σ c x^i y^j
 
 
 class Refused(Exception):  # noqa: N818
@@ -187,10 +191,14 @@ def point(value: Any) -> Point:
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
     rows = items(rows, height, name, height)
     entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
+    require_short(entries, name)
+    return entries
+
+
+def require_short(entries: Any, name: str) -> None:
     numerators, denominator = entries.numer_denom()
     bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
-    require(bits * max(height, width) <= 8_000, f"{name} has too many digits")
-    return entries
+    require(bits * max(entries.nrows(), entries.ncols()) <= 8_000, f"{name} has too many digits")
 
 
 def at_q(z: Point) -> Any:
@@ -226,53 +234,177 @@ def roots_above_zero(f: Any) -> int:
     return changes([g(0) for g in chain]) - changes([g.leading_coefficient() for g in chain if g.degree() >= 0])
 
 
-def hurwitz(a: Sequence[Any], strictly: bool) -> bool:
-    """Σ a_j(y) s^j, a_j polynomials in y, has no root Re s > 0 for any y ≥ 0; strictly: no root Re s ≥ 0.
-
-    The Hurwitz determinants are the leading minors of a matrix: the pivots of Bareiss' elimination.
-    """
-    n = len(a) - 1
-    if not nonnegative(a[n], True):
-        return False
-    zero = fmpq_poly([])
-    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
-    before = fmpq_poly([1])
-    for k in range(n):
-        pivot = h[k][k]
-        if not nonnegative(pivot, strictly):
-            return False
-        for i in range(k + 1, n):
-            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
-        before = pivot
-    return True
-
-
 def semidefinite(a: Any) -> bool:
     """Symmetric, with eigenvalues ≥ 0 only: the signs of the characteristic polynomial alternate."""
     n = a.nrows()
     return a == a.transpose() and all(c * (-1) ** (n - k) >= 0 for k, c in enumerate(a.charpoly().coeffs()))
 
 
-def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+def free(value: Any, count: int, name: str, least: int = 0) -> Free:
+    """A polynomial in the parameters: "c", or [[e1, …, em, "c"], …]."""
+    if isinstance(value, str) or not count:
+        c = rational(value, name)
+        return {(0,) * count: c} if c != 0 else {}
+    out: Free = {}
+    for term in items(value, 40, name):
+        *powers, c = items(term, count + 1, name, count + 1)
+        key = tuple(integer(e, least, 4, name) for e in powers)
+        require(key not in out, f"{name}: a power stands twice")
+        out[key] = rational(c, name)
+        require(out[key] != 0, f"{name}: a coefficient is 0")
+    return out
+
+
+def at(f: Free, x: Sequence[Any]) -> Any:
+    """The value at exact parameters."""
+    total = fmpq(0)
+    for powers, c in f.items():
+        for y, e in zip(x, powers, strict=True):
+            c = c * y**e if e > 0 else c / y ** (-e) if e < 0 else c
+        total += c
+    return total
+
+
+def least(f: Free, box: Box) -> Any:
+    """A lower bound over a box: the least Bernstein coefficient."""
+    if not f:
+        return fmpq(0)
+    table = dict(f)
+    degrees = [max(e[k] for e in f) for k in range(len(box))]
+    size = 1
+    for d in degrees:
+        size *= d + 1
+    require(size <= MAX_SIZE, "a polynomial in the parameters has too high degrees")
+    for k, (low, high) in enumerate(box):
+        if not degrees[k]:
+            continue
+        moved: Free = {}
+        for e, c in table.items():
+            for n in range(e[k] + 1):  # (low + (high − low) t)^e
+                key = (*e[:k], n, *e[k + 1 :])
+                step = c * comb(e[k], n) * low ** (e[k] - n) * (high - low) ** n
+                moved[key] = moved.get(key, fmpq(0)) + step
+        table = {}
+        for e, c in moved.items():
+            for n in range(e[k], degrees[k] + 1):
+                key = (*e[:k], n, *e[k + 1 :])
+                share = fmpq(comb(n, e[k]), comb(degrees[k], e[k]))
+                table[key] = table.get(key, fmpq(0)) + c * share
+    return min(table.get(key, fmpq(0)) for key in product(*(range(d + 1) for d in degrees)))
+
+
+def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
+    """test(rows, box) is true on parts that together are the box; others are halved along what these rows hold."""
+    used = [k for k in range(len(box)) if any(e[k] for f in rows for e in f)]
+    stack, number = [(box, 0)], 0
+    while stack:
+        here, depth = stack.pop()
+        number += 1
+        if test(rows, here):
+            continue
+        require(used and depth < 8 * len(used) and number < BOXES, why)
+        stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
+
+
+def halved(box: Box, k: int) -> list[Box]:
+    low, high = box[k]
+    middle = (low + high) / 2
+    return [(*box[:k], (low, middle), *box[k + 1 :]), (*box[:k], (middle, high), *box[k + 1 :])]
+
+
+def in_y(p: Any) -> list[Free]:
+    """Of a polynomial in P and the parameters, even in P: for each power of y = −P² what stands with it."""
+    out: dict[int, Free] = {}
+    for (i, _, *e), c in p.to_dict().items():
+        out.setdefault(int(i) // 2, {})[tuple(map(int, e))] = c * (-1) ** (int(i) // 2)
+    return [out.get(k, {}) for k in range(max(out, default=-1) + 1)]
+
+
+def positive(rows: Sequence[Free], box: Box, strictly: bool) -> bool:
+    """Σ f_k y^k > 0 (or ≥ 0) for all y ≥ 0 and all parameters of the box: by lower bounds of the f_k."""
+    low = [least(f, box) for f in rows]
+    if not strictly and all(x >= 0 for x in low):
+        return True
+    return bool(nonnegative(fmpq_poly(low), strictly))
+
+
+def monomial(x: Sequence[Any], e: Sequence[int]) -> Any:
+    out = 1
+    for y, k in zip(x, e, strict=True):
+        out = out * y**k if k else out
+    return out
+
+
+def minus(a: Free, b: Free) -> Free:
+    out = dict(a)
+    for e, c in b.items():
+        out[e] = out.get(e, fmpq(0)) - c
+    return {e: c for e, c in out.items() if c != 0}
+
+
+def times(a: Free, b: Free) -> Free:
+    out: Free = {}
+    for d, x in a.items():
+        for e, y in b.items():
+            key = tuple(i + j for i, j in zip(d, e, strict=True))
+            out[key] = out.get(key, fmpq(0)) + x * y
+    return out
+
+
+def terms(p: Any) -> Free:
+    return {tuple(map(int, e)): c for e, c in p.to_dict().items()}
+
+
+def always_positive(rows: Sequence[Free], box: Box) -> bool:
+    """Σ f_k y^k > 0 for all y ≥ 0 and all parameters of the box."""
+    return positive(rows, box, True)
+
+
+def never_negative(rows: Sequence[Free], box: Box) -> bool:
+    return positive(rows, box, False)
+
+
+def determinant(rows: Sequence[Sequence[Any]], one: Any) -> Any:
     """Of polynomials, along the first row."""
     if not rows:
-        return RING.constant(1)
-    minors = [determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]]) if x else 0 for k, x in enumerate(rows[0])]
-    return sum(
-        ((-1) ** k * x * m for k, (x, m) in enumerate(zip(rows[0], minors, strict=True)) if x), RING.constant(0)
-    )
+        return one
+    total = one - one
+    for k, x in enumerate(rows[0]):
+        if x:
+            total += (-1) ** k * x * determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]], one)
+    return total
 
 
-def terms(p: Any) -> Terms:
-    return {(int(i), int(j)): c for (i, j), c in p.to_dict().items()}
+def hurwitz(ring: Any, D: Any, box: Box) -> list[list[Free]]:
+    """What must be positive for all y = −P² ≥ 0 that D, up to its sign, has roots Re s < 0 only: the highest and the
+    lowest coefficient, and the Hurwitz determinants H_1 … H_{n−1} (H_n is the last times the lowest coefficient).
+
+    They are the leading minors of a matrix: the pivots of Bareiss' elimination. It ends at one that vanishes.
+    """
+    parts: dict[int, Any] = {}
+    for (i, j, *e), c in D.to_dict().items():
+        parts.setdefault(int(j), {})[(int(i), 0, *map(int, e))] = c
+    n, zero = max(parts), ring.constant(0)
+    a = [real(ring, ring.from_dict(parts[j])) if j in parts else zero for j in range(n + 1)]
+    if at(in_y(real(ring, a[n]))[-1], [(p + q) / 2 for p, q in box]) < 0:
+        a = [-x for x in a]
+    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
+    minors, before = [a[n], a[0]], ring.constant(1)
+    for k in range(n - 1):
+        pivot = h[k][k]
+        minors.append(pivot)
+        require(len(pivot) <= MAX_SIZE, "the track's equations are too long")
+        if not pivot:
+            break
+        for i in range(k + 1, n):
+            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
+        before = pivot
+    return [in_y(real(ring, x)) for x in minors]
 
 
-def in_y(t: Terms) -> list[Any]:
-    """The coefficients of s^j as polynomials in y, of a polynomial even in P, with P² = −y."""
-    out = [[fmpq(0)] * (MAX_DEGREE + 1) for _ in range(max((j for _, j in t), default=0) + 1)]
-    for (i, j), c in t.items():
-        out[j][i // 2] += c * (-1) ** (i // 2)
-    return [fmpq_poly(c) for c in out]
+def real(ring: Any, p: Any) -> Any:
+    """A polynomial even in P with P² = −y put for it, y standing as P²: its own inverse."""
+    return ring.from_dict({e: c * (-1) ** (int(e[0]) // 2) for e, c in p.to_dict().items()})
 
 
 # --- the equations ----------------------------------------------------------------------------------------
@@ -301,103 +433,125 @@ class Track:
         return [self.d.get((top, j), fmpq(0)) for j in range(max(j for i, j in self.d if i == top) + 1)]
 
 
-def read_track(value: Any, velocity: Any) -> Track:
+def read_rows(value: Any, count: int) -> tuple[Any, list[list[Any]], int]:
+    """(ring, rows, the loaded row): the entries Σ c P^i s^j, c numbers, or polynomials in `count` parameters."""
     keys(value, "matrix loaded")
-    size = len(items(value["matrix"], MAX_ROWS, "the track's matrix"))
-    rows = [[entry(x) for x in items(row, size, "a row", size)] for row in value["matrix"]]
-    loaded = integer(value["loaded"], 0, size - 1, "loaded")
+    ring = fmpq_mpoly_ctx.get(("P", "s", *(f"x{k}" for k in range(count))), "lex")
+    size = len(items(value["matrix"], MAX_ROWS - (count > 0), "the track's matrix"))
+    require(size > 0, "the track has no equations")
+    loaded, number = integer(value["loaded"], 0, size - 1, "loaded"), 0
+    rows = []
+    for row in value["matrix"]:
+        entries = []
+        for entry in items(row, size, "a row", size):
+            found: dict[Exponents, Any] = {}
+            for term in items(entry, 40, "an entry of the track"):
+                i, j, c = items(term, 3, "a term", 3)
+                i, j = integer(i, 0, 12, "a power of P"), integer(j, 0, 6, "a power of s")
+                for powers, coefficient in free(c, count, "a coefficient").items():
+                    key = (i, j, *powers)
+                    require(key not in found, "a term stands twice")
+                    found[key], number = coefficient, number + 1
+            entries.append(ring.from_dict(found))
+        rows.append(entries)
+    require(not count or number <= MAX_TERMS, "the track's matrix has too many terms")
+    return ring, rows, loaded
+
+
+def dispersion(ring: Any, rows: list[list[Any]], loaded: int) -> tuple[Any, Any]:
+    """D = det A and the cofactor N of the loaded row."""
+    one = ring.constant(1)
+    D = determinant(rows, one)
+    N = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded], one)
+    require(D and N, "the track's determinant or cofactor vanishes")
+    for p in (D, N):
+        require(
+            len(ring.gens()) == 2 or (p.degrees()[1] <= 8 and len(p) <= 600), "the track's determinant is too long"
+        )
+        require(sum(p.degrees()[:2]) <= MAX_DEGREE, "the track's determinant has too high a degree")
+        even = all(int(e[0]) % 2 == 0 for e in p.to_dict())
+        require(even, "D or N is not even in P: the track is not the same in both directions")
+    return D, N
+
+
+def read_track(value: Any, velocity: Any) -> Track:
+    _, rows, loaded = read_rows(value, 0)
     v = rational(velocity, "velocity")
     require(v >= 0, "the velocity is negative")
     return moving_track(rows, loaded, v)
 
 
 def moving_track(rows: list[list[Any]], loaded: int, v: Any) -> Track:
-    big = determinant(rows)
-    cofactor = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded])
-    require(big and cofactor, "the track's determinant or cofactor vanishes")
-    for p in (big, cofactor):
-        require(sum(p.degrees()) <= MAX_DEGREE, "the track's determinant has too high a degree")
-        require(
-            all(i % 2 == 0 for i, _ in terms(p)),
-            "D or N is not even in P: the track is not the same in both directions",
-        )
-    moved = [terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (big, cofactor)]
-    track = Track(rows, loaded, v, big, cofactor, moved[0], moved[1])
+    D, N = dispersion(RING, rows, loaded)
+    d, n = (terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (D, N))
+    track = Track(rows, loaded, v, D, N, d, n)
     require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
     return track
 
 
-def entry(value: Any) -> Any:
-    """[[i, j, "c"], …] is Σ c P^i s^j."""
-    out = RING.constant(0)
-    for term in items(value, 40, "an entry of the track"):
-        i, j, c = items(term, 3, "a term", 3)
-        out += (
-            rational(c, "a coefficient")
-            * P_ ** integer(i, 0, 12, "a power of P")
-            * S_ ** integer(j, 0, 6, "a power of s")
-        )
-    return out
+def damped(D: Any, strictly: bool) -> bool:
+    """D(ip, ·) has no root Re s > 0 for any real p; strictly: no root Re s ≥ 0. Exact."""
+    top, *others = hurwitz(RING, D, ())
+    return positive(top, (), True) and all(f and positive(f, (), strictly) for f in others)
 
 
 def check_no_cut(track: Track, height: Any) -> None:
     """No p-root is real, and lead(σ) ≠ 0, for Im q < 0, or, for height > 0, for Im q ≤ height."""
-    strictly = height > 0
-    shifted = track.D.compose(P_, S_ - height, ctx=RING) if strictly else track.D
-    a = in_y(terms(shifted))
-    if a[-1].coeffs()[-1] < 0:
-        a = [-x for x in a]
     require(
-        hurwitz(a, strictly),
+        damped(track.D.compose(P_, S_ - height, ctx=RING), height > 0),
         "a cut of the track may reach into the region: it is undamped, buckles, or is less damped than this",
     )
-    lead = fmpq_poly(track.lead)(fmpq_poly([-height, 1])).coeffs()
-    lead = [-x for x in lead] if lead[-1] < 0 else lead
-    require(hurwitz([fmpq_poly([x]) for x in lead], True), "the highest coefficient of D may vanish in the region")
+    lead = sum((c * (S_ - height) ** j for j, c in enumerate(track.lead)), RING.constant(0))
+    require(damped(lead, True), "the highest coefficient of D may vanish in the region")
 
 
-def check_passive_track(track: Track) -> None:
-    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0: then W = −Im(N conj D) ≥ 0.
+def check_passive(ring: Any, given: Sequence[Sequence[Any]], box: Box) -> None:
+    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0, for all parameters: then W = −Im(N conj D) ≥ 0.
 
     Sufficient and exact: the coefficient of Ω^j vanishes for even j; for odd j its principal minors are ≥ 0.
     """
-    size = len(track.rows)
-    parts: dict[int, list[list[Any]]] = {}
+    size = len(given)
+    parts: dict[int, list[list[dict[Any, Any]]]] = {}
     for r, c in product(range(size), repeat=2):
-        for (i, j), x in terms(track.rows[r][c]).items():
-            rows = parts.setdefault(j, [[RING.constant(0)] * size for _ in range(size)])
-            rows[r][c] += x * P_**i / 2
-            rows[c][r] += x * (-P_) ** i / 2 * (-1) ** (j + 1)
-    for j, rows in parts.items():
+        for (i, j, *e), x in given[r][c].to_dict().items():
+            i, j = int(i), int(j)
+            rows = parts.setdefault(j, [[{} for _ in range(size)] for _ in range(size)])
+            for a, b, y in ((r, c, x / 2), (c, r, x / 2 * (-1) ** (i + j + 1))):
+                rows[a][b][(i, 0, *e)] = rows[a][b].get((i, 0, *e), fmpq(0)) + y
+    for j, entries in parts.items():
+        matrix = [[ring.from_dict({e: c for e, c in x.items() if c != 0}) for x in row] for row in entries]
         if j % 2 == 0:
-            require(
-                not any(x for row in rows for x in row), "the track's matrix is not symmetric: it may not be passive"
-            )
+            odd = any(x for row in matrix for x in row)
+            require(not odd, "the track's matrix is not symmetric: it may not be passive")
             continue
         sign = 1 if j % 4 == 1 else -1
         for k in range(1, size + 1):
             for kept in combinations(range(size), k):
-                minor = in_y(terms(determinant([[sign * rows[r][c] for c in kept] for r in kept])))[0]
-                require(
-                    not minor.coeffs() or nonnegative(minor, False),
-                    "the track may give energy at rest: it is not passive",
-                )
-    require(terms(absorption(track)[0]), "the track absorbs nothing")
+                minor = in_y(determinant([[sign * matrix[r][c] for c in kept] for r in kept], ring.constant(1)))
+                everywhere(never_negative, minor, box, "the track may give energy at rest: it is not passive")
+
+
+def check_passive_track(track: Track) -> None:
+    """The track is passive at rest, absorbs something, and its receptance decays in frequency."""
+    check_passive(RING, track.rows, ())
+    require(absorption(RING, track.D, track.N)[0], "the track absorbs nothing")
     require(
         max(j for _, j in terms(track.N)) < max(j for _, j in terms(track.D)),
         "the track's receptance does not decay in frequency",
     )
 
 
-def absorption(track: Track) -> tuple[Any, Any]:
-    """W = −Im(N conj D) and |D|², exact polynomials in p and Ω (in the places of P and s)."""
+def absorption(ring: Any, D: Any, N: Any) -> tuple[Any, Any]:
+    """W = −Im(N conj D) and |D|², polynomials in p, Ω (in the places of P and s) and the parameters."""
     parts = []
-    for poly in (track.D, track.N):
-        real, imag = RING.constant(0), RING.constant(0)
-        for (i, j), c in terms(poly).items():  # c (ip)^i (iΩ)^j, i even
-            x = c * P_**i * S_**j * (-1) ** ((i + j - j % 2) // 2)
-            real, imag = (real, imag + x) if j % 2 else (real + x, imag)
-        parts.append((real, imag))
+    for poly in (D, N):
+        real_part: dict[Any, Any] = {}
+        imag_part: dict[Any, Any] = {}
+        for (i, j, *e), c in poly.to_dict().items():  # c (ip)^i (iΩ)^j, i even
+            i, j = int(i), int(j)
+            x = c * (-1) ** ((i + j - j % 2) // 2)
+            (imag_part if j % 2 else real_part)[(i, j, *e)] = x
+        parts.append((ring.from_dict(real_part), ring.from_dict(imag_part)))
     (a, b), (c, d) = parts
     return c * b - d * a, a * a + b * b
 
@@ -421,44 +575,92 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any) -> Vehicle:
-    keys(value, "M C K B places compliances")
-    nc = len(items(value["places"], MAX_CONTACTS, "places"))
-    nb = len(items(value["M"], MAX_BODIES, "M"))
-    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
-    M, C, K = (matrix(value[name], nb, nb, name) for name in "MCK")
-    B = matrix(value["B"], nb, nc, "B")
+    bodies = read_bodies(value, basis, 0, (), MAX_BODIES, MAX_CONTACTS)
+    nc, felt = bodies.B.ncols(), bodies.B.nrows()
     places = [rational(x, "a place") for x in value["places"]]
     h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
     require(all(x >= 0 for x in h), "a compliance is negative")
-    for a in (M, C, K):
-        require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
-    require((M + C + K).det() != 0, "a body has no mass, spring or damper")
+    check_forces(bodies.B, [places.index(x) for x in places], h)
+    M, C, K = (part.get((), fmpq_mat(felt, felt)) for part in bodies.parts)
+    return Vehicle(M, C, K, bodies.B, h, places, bodies.neutral, bodies.unfelt)
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """M, C, K as {exponents of the parameters: matrix} and B of the felt coordinates; the last are neutral."""
+
+    parts: list[dict[Exponents, Any]]
+    B: Any
+    neutral: int
+    unfelt: int
+
+
+def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contacts: int) -> Bodies:
+    """Passive for all parameters of the box, and in the basis felt, neutral and unfelt coordinates are apart."""
+    keys(value, "M C K B places compliances")
+    nc, nb = len(items(value["places"], contacts, "places")), len(items(value["M"], most, "M"))
+    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
+    parts, B = [read_matrix(value[name], nb, count, name) for name in "MCK"], matrix(value["B"], nb, nc, "B")
+    check_semidefinite(parts, nb, box)
     neutral = unfelt = 0
     if basis is not None:
         keys(basis, "matrix neutral unfelt")
         neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
         Q = matrix(basis["matrix"], nb, nb, "basis")
         require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
-        M, C, K, B = Q.transpose() * M * Q, Q.transpose() * C * Q, Q.transpose() * K * Q, Q.transpose() * B
+        B, parts = Q.transpose() * B, [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
     felt = nb - unfelt
-    for i, j in product(range(felt, nb), range(nb)):
-        require(j >= felt or M[i, j] == C[i, j] == K[i, j] == 0, "the unfelt coordinates are coupled to the others")
-    for i in range(felt - neutral, nb):
-        require(all(B[i, j] == 0 for j in range(nc)), "an unfelt or neutral coordinate carries a contact")
-        require(i >= felt or all(K[i, j] == 0 for j in range(felt)), "a neutral coordinate has a spring")
-    M, C, K = (fmpq_mat(felt, felt, [a[i, j] for i in range(felt) for j in range(felt)]) for a in (M, C, K))
-    B = fmpq_mat(felt, nc, [B[i, j] for i in range(felt) for j in range(nc)])
-    vehicle = Vehicle(M, C, K, B, h, places, neutral, unfelt)
-    check_forces(vehicle)
-    return vehicle
+    for i, j in product(range(felt - neutral, nb), range(nc)):
+        require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
+    for a in (a for part in parts for a in part.values()):
+        for i, j in product(range(felt, nb), range(felt)):
+            require(a[i, j] == 0, "the unfelt coordinates are coupled to the others")
+    for a in parts[2].values():
+        for i, j in product(range(felt - neutral, felt), range(felt)):
+            require(a[i, j] == 0, "a neutral coordinate has a spring")
+    parts = [{e: corner(a, felt, felt) for e, a in part.items()} for part in parts]
+    return Bodies(parts, corner(B, felt, nc), neutral, unfelt)
 
 
-def check_forces(vehicle: Vehicle) -> None:
-    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0."""
-    nc, nb = len(vehicle.h), vehicle.B.nrows()
-    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
-    rows += [[fmpq(int(x == site)) for x in vehicle.places] for site in vehicle.sites]
-    rows += [[h if i == j else fmpq(0) for j in range(nc)] for i, h in enumerate(vehicle.h)]
+def corner(a: Any, height: int, width: int) -> Any:
+    return fmpq_mat(height, width, [a[i, j] for i in range(height) for j in range(width)])
+
+
+def read_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
+    """{exponents: matrix}, linear in each parameter."""
+    out: dict[Exponents, Any] = {}
+    for i, row in enumerate(items(value, size, name, size)):
+        for j, x in enumerate(items(row, size, name, size)):
+            for e, c in free(x, count, name).items():
+                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
+                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
+    for a in out.values():
+        require_short(a, name)
+    return out
+
+
+def check_semidefinite(parts: Sequence[dict[Exponents, Any]], size: int, box: Box) -> None:
+    """M, C, K ≥ 0 and M + C + K > 0: at all corners of the box, and so everywhere, being linear in each parameter."""
+    used = [k for k in range(len(box)) if any(e[k] for part in parts for e in part)]
+    for ends in product((0, 1), repeat=len(used)):
+        chosen = dict(zip(used, ends, strict=True))
+        x, total = [pair[chosen.get(k, 0)] for k, pair in enumerate(box)], fmpq_mat(size, size)
+        for part in parts:
+            a = sum((c * at({e: fmpq(1)}, x) for e, c in part.items()), fmpq_mat(size, size))
+            require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
+            total = total + a
+        require(total.det() != 0, "a body has no mass, spring or damper")
+
+
+def check_forces(B: Any, sites: Sequence[int], soft: Sequence[Any]) -> None:
+    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0.
+
+    sites: the number of each contact's place; soft: whether its compliance is not 0.
+    """
+    nc = len(soft)
+    rows = [[B[i, j] for j in range(nc)] for i in range(B.nrows())]
+    rows += [[fmpq(int(x == site)) for x in sites] for site in sorted(set(sites))]
+    rows += [[fmpq(int(i == j and bool(h))) for j in range(nc)] for i, h in enumerate(soft)]
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
@@ -559,7 +761,7 @@ class Nodes:
         self.values = (acb_mat(n, n + 1, vander) * local.d).tolist()  # D(z_k, m + t), ascending in t
 
     def split(self, r: Any) -> Split:
-        """The pair on |σ − m| ≤ r, or Refused. β is found by iteration; what counts is the last inequality."""
+        """The pair on |σ − m| ≤ r, or Refused."""
         require(r.is_zero() or not self.local.thin, "a splitting at one point is not one on a disc")
         sizes = [arb(1)]
         for _ in range(self.local.d.ncols() - 1):
@@ -572,17 +774,49 @@ class Nodes:
         low = 2 * abs(lead[0]) - bound(lead)
         require(low > 0, "the highest coefficient may vanish on a piece")
         w = [(bound(row) / (size * low)).upper() for row, size in zip(self.values, self.all, strict=True)]
-        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
-        beta = [(x * 1.2 + tiny).upper() for x in w]
-        for _ in range(10):
-            s = (self.inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-            if not all(x < 0.5 for x in s):
-                break
-            tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
-            if all(x < y for x, y in zip(tau, beta, strict=True)):
-                return Split(self, beta, tau)
-            beta = [(x * 1.15 + tiny).upper() for x in tau]
-        raise Refused("the p-roots of both sides are not kept apart on a piece: it is too long")
+        found = contraction(w, self.inverse, tiny(self.z))
+        require(found, "the p-roots of both sides are not kept apart on a piece: it is too long")
+        return Split(self, *(found or ([], [])))
+
+
+def tiny(z: Sequence[Any]) -> Any:
+    return max((abs(x).upper() for x in z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
+
+
+def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
+    """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
+
+    β is found by iteration; what counts is the last inequality.
+    """
+    beta = [(x * 1.2 + tiny).upper() for x in w]
+    for _ in range(10):
+        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+        if not all(x < 0.5 for x in s):
+            return None
+        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
+        if all(x < y for x, y in zip(tau, beta, strict=True)):
+            return beta, tau
+        beta = [(x * 1.15 + tiny).upper() for x in tau]
+    return None
+
+
+def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: range) -> list[Any]:
+    """Radii of disjoint discs round the nodes of one side, one root of its factor in each (Lemma 2); or Refused."""
+    radii = []
+    for k in side:
+        for widening in (1.02, 1.1, 1.5, 3):
+            e = (tight[k] * widening).upper()
+            near = [(tight[j], distance[k][j] - e) for j in side if j != k]
+            if all(gap > 0 for _, gap in near):
+                g = sum((t / gap for t, gap in near), arb(0))
+                if g < 1 and (tight[k] < e * (1 - g) or tight[k] == 0):
+                    radii.append(e)
+                    break
+        else:
+            raise Refused("p-roots of one side meet")
+    for (i, e), (k, f) in combinations(list(zip(side, radii, strict=True)), 2):
+        require(distance[i][k] > e + f, "p-roots of one side meet")
+    return radii
 
 
 @dataclass
@@ -607,22 +841,7 @@ class Split:
         return True
 
     def isolated(self, side: range) -> list[Any]:
-        """Radii of disjoint discs round the nodes of one side, one root of its factor in each; or Refused."""
-        distance, radii = self.nodes.distance, []
-        for k in side:
-            for widening in (1.02, 1.1, 1.5, 3):
-                e = (self.tight[k] * widening).upper()
-                near = [(self.tight[j], distance[k][j] - e) for j in side if j != k]
-                if all(gap > 0 for _, gap in near):
-                    g = sum((t / gap for t, gap in near), arb(0))
-                    if g < 1 and (self.tight[k] < e * (1 - g) or self.tight[k] == 0):
-                        radii.append(e)
-                        break
-            else:
-                raise Refused("p-roots of one side meet")
-        for (i, e), (k, f) in combinations(list(zip(side, radii, strict=True)), 2):
-            require(distance[i][k] > e + f, "p-roots of one side meet")
-        return radii
+        return isolated(self.tight, self.nodes.distance, side)
 
 
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
@@ -992,14 +1211,14 @@ class Bordered:
         return [acb_mat(full[0]), acb_mat(full[1]), arb_mat(full[2])]
 
 
-def direct_contacts(vehicle: Vehicle) -> dict[int, int]:
+def direct_contacts(vehicle: Any) -> dict[int, int]:
     """Each contact that is tight and alone on a body with no other contact, and that body."""
     nb, nc = vehicle.B.nrows(), len(vehicle.h)
     touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
     out = {}
     for j in range(nc):
         bodies = [i for i in range(nb) if j in touched[i]]
-        if vehicle.h[j] == 0 and len(bodies) == 1 and touched[bodies[0]] == [j]:
+        if not vehicle.h[j] and len(bodies) == 1 and touched[bodies[0]] == [j]:
             out[j] = bodies[0]
     return out
 
@@ -1165,8 +1384,9 @@ class Walker:
             total += turned
             if k == back:
                 self.marks[b], part = mark, total
-        local = self.waves.near(at_q(first.q))  # a small disc round the point: of one pair at the point itself
-        about = Nodes([acb(x) for x in first.z], self.up, local).split(abs(local.m) * 2.0**-30)
+        local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point
+        small = abs(local.m) * arb(loop.radius / loop.centre) / 64
+        about = Nodes([acb(x) for x in first.z], self.up, local).split(small)
         same = about.links(first.split) and about.links(mark.split)
         require(same, "a loop does not come back to the splitting that it began with")
         return total, part
@@ -1305,14 +1525,15 @@ def bernstein(n: int, a: float, b: float) -> Any:
     return arb_mat(basis) * arb_mat(moved)
 
 
-def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], product_below: Any, name: str) -> None:
+def check_positive(f: Terms, box: Box, product_below: Any, name: str) -> None:
     """Σ c x^i y^j > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+    x, y = ((-above(-arb(a)), above(arb(b))) for a, b in box)
     n, m = (max(k[i] for k in f) for i in (0, 1))
-    c = arb_mat(n + 1, m + 1, [f.get((i, j), arb(0)) for i in range(n + 1) for j in range(m + 1)])
+    c = arb_mat(n + 1, m + 1, [f.get((i, j), 0) for i in range(n + 1) for j in range(m + 1)])
     stack, number = [(x, y, 0)], 0
     while stack:
         (x0, x1), (y0, y1), depth = stack.pop()
-        if product_below is not None and arb(x0) * arb(y0) > product_below:
+        if product_below is not None and arb(x0) * arb(y0) > arb(product_below):
             continue
         number += 1
         b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
@@ -1337,97 +1558,143 @@ def above(x: Any) -> float:
     return near + abs(near) * 2.0**-50 + 1e-300
 
 
-def in_block(t: Terms, v: Any, k: int, m: int) -> tuple[Terms, int]:
-    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z and τ = q^{−1/m}."""
-    top = max(k * i + m * j for i, j in t)
-    out: Terms = {}
-    for (i, j), c in t.items():
+def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
+    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z, τ = q^{−1/m} and θ."""
+    top = max(k * e[0] + m * e[1] for e in t)
+    out: Free = {}
+    for (i, j, *e), c in t.items():
+        power: Free = {tuple(e): c}
         for a in range(j + 1):
-            at = (i + a, top - k * i - m * j + (m - k) * a)
-            out[at] = out.get(at, fmpq(0)) + c * comb(j, a) * (-v) ** a
-    return out, top
+            for own, x in power.items():
+                key = (i + a, top - k * i - m * j + (m - k) * a, *own)
+                out[key] = out.get(key, fmpq(0)) + x * comb(j, a)
+            power = times(power, {f: -y for f, y in v.items()})
+    return {e: c for e, c in out.items() if c != 0}, top
 
 
 def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None:
     """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
     keys(theorem, "gamma blocks alpha omega envelope")
-    k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
+    C, v = dyadic(theorem["envelope"], "envelope"), track.v
+    require(min(C, X) > 0, "the theorem's numbers are out of range")
+    gap = min((b - a for a, b in pairwise(sites)), default=None)
+    parts = absorption(RING, track.D, track.N)
+    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], (), check_positive)
+
+
+def tail_alpha(
+    content: Any,
+    least_alpha: int,
+    parts: Sequence[Any],
+    v: Free,
+    fastest: Any,
+    Q: Any,
+    gap: Any,
+    bounds: Sequence[tuple[Any, Any]],
+    box: Box,
+    positive_on: Callable[[Free, Box, Any, str], None],
+) -> int:
+    """α, if the theorem at large q (section 6.2) holds for q ≥ Q and all parameters of the box.
+
+    parts: W and |D|². v ≤ fastest: the velocity. gap: the least distance of two places, None of one alone.
+    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀. positive_on shows a polynomial to be positive on a box of (z, τ),
+    or of a chart, and of the parameters.
+    """
+    k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
+    omega, alpha = dyadic(content["omega"], "omega"), integer(content["alpha"], least_alpha, 64, "alpha")
     blocks = [
-        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")
+        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
     ]
-    omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
-    alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
-    require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
+    require(0 <= k <= m and m > 0 and blocks and min(omega, Q) > 0, "the theorem's numbers are out of range")
     require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
     require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
-    w, d = (terms(x) for x in absorption(track))
-    (block_w, top_w), (block_d, top_d) = in_block(w, v, k, m), in_block(d, v, k, m)
-    x = arb(X)
-    growth = x ** arb(fmpq(k, m))
-    between = 2 * arb.pi() / arb(min(b - a for a, b in pairwise(sites))) if len(sites) > 1 else arb(0)
-    require(arb(v * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
+    require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
+    w, d = (terms(x) for x in parts)
+    (block_w, top_w), (block_d, top_d) = (in_block(x, v, k, m) for x in (w, d))
+    x = arb(Q)
+    growth, tau = x ** arb(fmpq(k, m)), no_less(x ** arb(fmpq(-1, m)))
+    between = 2 * arb.pi() / arb(gap) if gap is not None else arb(0)
+    require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
-    tau = above(x ** arb(fmpq(-1, m)))
     for z1, z2, kappa in blocks:
-        difference = {
-            at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}
-        }
-        check_positive(
-            difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa"
-        )
-    iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
+        difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
+        positive_on(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
+    iw, id_ = (max(e[0] for e in t) for t in (w, d))
+    nw, nd = (max(e[0] + e[1] for e in t) for t in (w, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    near: Terms = {}
-    far: Terms = {}
-    for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
-        for (i, j), c in source.items():
-            for chart, at in ((near, (id_ - less - i, j)), (far, (id_ - less - i, nd - less - i - j))):
-                chart[at] = chart.get(at, fmpq(0)) + factor * c * (-1) ** j
-    reach = arb(v / X)
-    give = "the giving part may exceed the envelope"
-    check_positive(
-        {at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), arb(v), give
-    )  # −Ω ≤ v p: u·(−Ω) ≤ v
-    check_positive(
-        {at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give
-    )
+    for p0, C in bounds:
+        near: Free = {}
+        far: Free = {}
+        for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
+            for (i, j, *e), c in source.items():
+                for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
+                    chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
+        give = "the giving part may exceed the envelope"
+        positive_on(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
+        positive_on(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
+    require(known, "short waves are not bounded beyond Q")
+    turn = arb(Q / fastest)
     absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
     takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
-    gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
+    gives = known[-1] * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
     require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
     require(
         (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
     )
+    return alpha
 
 
-def check_decay(track: Track) -> None:
-    """G(ξ, σ) → 0 as σ → +∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple, and weights N/D_P fall.
+def no_less(x: Any) -> Any:
+    """A rational number that is no less, with few digits."""
+    mantissa, exponent = x.upper().man_exp()
+    return fmpq(int(mantissa)) * power_of_2(int(exponent))
 
-    Roots with s = σ − vP = o(σ) (several have c = 1/v) are taken in s and σ, P = (σ − s)/v.
+
+def check_decay(ring: Any, D: Any, N: Any, v: Any) -> None:
+    """G(ξ, σ) → 0 as σ → ∞: on each edge of the Newton polygon roots P ~ cσ^θ are simple, and weights N/D_P fall.
+
+    Roots with s = σ − vP = o(σ) (several have c = 1/v) are taken in s and σ, P = (σ − s)/v. With parameters: for all
+    of them but those of a set without inner points (over their rational functions).
     """
-    check_edges(track.d, track.n, track.v, False)
-    moved = [terms(p.compose((S_ - P_) / track.v, P_, ctx=RING)) for p in (track.D, track.N)]
-    check_edges(moved[0], moved[1], track.v, True)
+    P, s, *x = ring.gens()
+    d, n = (p.compose(P, s - v * P, *x, ctx=ring) for p in (D, N))
+    check_edges(d, n, v, ring, False)
+    slow = []
+    for p in (D, N):  # at P = (σ − s)/v, times a power of v
+        terms, top = p.to_dict(), max(int(e[0]) for e in p.to_dict())
+        total = ring.constant(0)
+        for (i, j, *e), c in terms.items():
+            total += c * (s - P) ** int(i) * v ** (top - int(i)) * P ** int(j) * monomial(x, list(map(int, e)))
+        slow.append(total)
+    check_edges(slow[0], slow[1], v, ring, True)
 
 
-def check_edges(d: Terms, n: Terms, v: Any, slow: bool) -> None:
-    """The edges of d (of exponent θ < 1 only, if slow; else without the roots c = 1/v where θ = 1)."""
+def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
+    """The edges of Newton's polygon of d (of exponent θ < 1 only, if slow; else without roots 1/v where θ = 1)."""
+    at_: dict[tuple[int, int], dict[Any, Any]] = {}
+    for (i, j, *e), c in d.to_dict().items():
+        at_.setdefault((int(i), int(j)), {})[(0, 0, *e)] = c
     top: dict[int, int] = {}
-    for i, j in d:
+    for i, j in at_:
         top[i] = max(top.get(i, j), j)
+    support = {(int(e[0]), int(e[1])) for e in n.to_dict()}
     require(0 in top, "0 is a root for every frequency")
-    i = 0
+    P, i = ring.gens()[0], 0
     while i < max(top):
         slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)  # −θ
-        on = {a: d[a, b] for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
-        edge, resting = fmpq_poly([on.get(a, fmpq(0)) for a in range(i, max(on) + 1)]), fmpq_poly([1, -v])
+        on = {a for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
+        edge = sum((ring.from_dict(at_[a, top[a]]) * P ** (a - i) for a in on), ring.constant(0))
         if slope == -1:
-            while (edge % resting).degree() < 0:
-                edge = edge // resting
+            while True:
+                quotient, rest = divmod(edge, 1 - v * P)
+                if rest:
+                    break
+                edge = quotient
         if slope > -1 or not slow:
-            simple = edge.degree() == 0 or edge.gcd(edge.derivative()).degree() == 0
-            require(simple, "waves of one speed at high frequency: decay is not proved")
-            weight = max(b - slope * a for a, b in n) - (top[i] - slope * i + slope)
+            common = edge.gcd(edge.derivative(0)) if edge.degrees()[0] else ring.constant(1)
+            require(common.degrees()[0] == 0, "waves of one speed at high frequency: decay is not proved")
+            weight = max(b - slope * a for a, b in support) - (top[i] - slope * i + slope)
             require(weight < 0, "the receptance does not decay at high frequency")
         i = max(on)
 
@@ -1651,7 +1918,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
         with precision(128):
             check_passive_track(track)
             if track.v != 0:
-                check_decay(track)
+                check_decay(RING, track.D, track.N, RING.constant(track.v))
                 check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
         rho = paths[1].points[-1][0]
         closed = closing(b, walker.waves, walker.marks[rho, fmpq(0)])
@@ -1684,7 +1951,8 @@ class Sheet:
         height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
         rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
         undamped = moving_track(rows, track.loaded, track.v)
-        require(height >= 0 and nonnegative(in_y(terms(undamped.D))[0], True), "the cuts do not lie on one line")
+        static = in_y(undamped.D.subs({"s": 0}))
+        require(height >= 0 and positive(static, (), True), "the cuts do not lie on one line")
         require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
         M, C, K = vehicle.M, vehicle.C, vehicle.K
         C, K = C - 2 * height * M, K - height * C + height * height * M

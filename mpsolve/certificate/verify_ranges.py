@@ -24,7 +24,7 @@ from math import asinh, comb, sinh
 from typing import Any
 
 import flint
-from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
+from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq
 
 if __package__:
     from mpsolve.certificate import verify2 as spectra
@@ -38,11 +38,10 @@ require, keys, items, integer, rational, dyadic, listed = (
 
 KEYS = "format version kind sha256 equations basis range base tail X beyond tree zeros claim"
 MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
-MAX_ROWS, MAX_TERMS, MAX_DEGREE, MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 4, 120, 24, 24, 12, 400
+MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
-MAX_SIZE = 20_000  # of a polynomial in the parameters
-BOXES = 20_000  # that a polynomial's positivity may take
+BOXES = 20_000  # that positivity at large q may take
 BITS = 64
 POINTS, TOGETHER, FIRST, SMALL = (
     24,
@@ -67,107 +66,6 @@ def verify_bytes(raw: bytes, most: int | None = None) -> Any:
     may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
     claim = lambda: checked(spectra.opened(raw, ("crossings", "stable"), KEYS), most)  # noqa: E731
     return spectra.judged(raw, claim, MAX_BYTES)
-
-
-# --- polynomials in the parameters, exact -----------------------------------------------------------------
-
-
-def free(value: Any, count: int, name: str, least: int = 0) -> Free:
-    """A polynomial in the parameters: "c", or [[e1, …, em, "c"], …]."""
-    if isinstance(value, str):
-        c = rational(value, name)
-        return {(0,) * count: c} if c != 0 else {}
-    out: Free = {}
-    for term in items(value, 40, name):
-        *powers, c = items(term, count + 1, name, count + 1)
-        key = tuple(integer(e, least, 4, name) for e in powers)
-        require(key not in out, f"{name}: a power stands twice")
-        out[key] = rational(c, name)
-        require(out[key] != 0, f"{name}: a coefficient is 0")
-    return out
-
-
-def at(f: Free, x: Sequence[Any]) -> Any:
-    """The value at exact parameters."""
-    total = fmpq(0)
-    for powers, c in f.items():
-        for y, e in zip(x, powers, strict=True):
-            c = c * y**e if e > 0 else c / y ** (-e) if e < 0 else c
-        total += c
-    return total
-
-
-def least(f: Free, box: Box) -> Any:
-    """A lower bound over a box: the least Bernstein coefficient."""
-    if not f:
-        return fmpq(0)
-    table = dict(f)
-    degrees = [max(e[k] for e in f) for k in range(len(box))]
-    size = 1
-    for d in degrees:
-        size *= d + 1
-    require(size <= MAX_SIZE, "a polynomial in the parameters has too high degrees")
-    for k, (low, high) in enumerate(box):
-        if not degrees[k]:
-            continue
-        moved: Free = {}
-        for e, c in table.items():
-            for n in range(e[k] + 1):  # (low + (high − low) t)^e
-                key = (*e[:k], n, *e[k + 1 :])
-                step = c * comb(e[k], n) * low ** (e[k] - n) * (high - low) ** n
-                moved[key] = moved.get(key, fmpq(0)) + step
-        table = {}
-        for e, c in moved.items():
-            for n in range(e[k], degrees[k] + 1):
-                key = (*e[:k], n, *e[k + 1 :])
-                share = fmpq(comb(n, e[k]), comb(degrees[k], e[k]))
-                table[key] = table.get(key, fmpq(0)) + c * share
-    return min(table.get(key, fmpq(0)) for key in product(*(range(d + 1) for d in degrees)))
-
-
-def everywhere(test: Any, box: Box, used: Sequence[int], why: str) -> None:
-    """test(box) is true on parts that together are the box; those where it is not are halved along the used axes."""
-    stack, number = [(box, 0)], 0
-    while stack:
-        here, depth = stack.pop()
-        number += 1
-        if test(here):
-            continue
-        require(used and depth < 8 * len(used) and number < BOXES, why)
-        stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
-
-
-def halved(box: Box, k: int) -> list[Box]:
-    low, high = box[k]
-    middle = (low + high) / 2
-    return [(*box[:k], (low, middle), *box[k + 1 :]), (*box[:k], (middle, high), *box[k + 1 :])]
-
-
-def in_y(p: Any) -> list[Free]:
-    """Of a polynomial in P and the parameters, even in P: for each power of y = −P² what stands with it."""
-    out: dict[int, Free] = {}
-    for (i, _, *e), c in p.to_dict().items():
-        out.setdefault(int(i) // 2, {})[tuple(map(int, e))] = c * (-1) ** (int(i) // 2)
-    return [out.get(k, {}) for k in range(max(out, default=-1) + 1)]
-
-
-def positive(rows: Sequence[Free], box: Box, strictly: bool) -> bool:
-    """Σ f_k y^k > 0 (or ≥ 0) for all y ≥ 0 and all parameters of the box: by lower bounds of the f_k."""
-    low = [least(f, box) for f in rows]
-    if not strictly and all(x >= 0 for x in low):
-        return True
-    return bool(spectra.nonnegative(fmpq_poly(low), strictly))
-
-
-def determinant(rows: Sequence[Sequence[Any]], one: Any) -> Any:
-    """Of polynomials, along the first row."""
-    if not rows:
-        return one
-    total = one - one
-    for k, x in enumerate(rows[0]):
-        if x:
-            total += (-1) ** k * x * determinant([[*r[:k], *r[k + 1 :]] for r in rows[1:]], one)
-    return total
 
 
 # --- the equations ----------------------------------------------------------------------------------------
@@ -200,13 +98,8 @@ class Track:
         """W at Ω = q − vp: for each power of p what stands with it, exponents of (q, θ)."""
         ring = self.ring
         P, s, *x = ring.gens()
-        v = sum((c * monomial(x, e) for e, c in self.v.items()), ring.constant(0))
-        return by_power(absorption(self)[0].compose(P, s - v * P, *x, ctx=ring))
-
-    @cached_property
-    def used(self) -> list[int]:
-        """The parameters that D and N at rest hold."""
-        return [k for k in range(self.count) if any(e[2 + k] for p in (self.D, self.N) for e in p.to_dict())]
+        v = speed(ring, self.v)
+        return by_power(spectra.absorption(ring, self.D, self.N)[0].compose(P, s - v * P, *x, ctx=ring))
 
 
 def by_power(p: Any) -> list[Free]:
@@ -217,68 +110,36 @@ def by_power(p: Any) -> list[Free]:
 
 
 def read_track(value: Any, velocity: Any, count: int) -> Track:
-    keys(value, "matrix loaded")
-    ring = fmpq_mpoly_ctx.get(("P", "s", *(f"x{k}" for k in range(count))), "lex")
+    ring, rows, loaded = spectra.read_rows(value, count)
     P, s, *x = ring.gens()
-    size = len(items(value["matrix"], MAX_ROWS, "the track's matrix"))
-    require(size > 0, "the track has no equations")
-    loaded, number = integer(value["loaded"], 0, size - 1, "loaded"), 0
-    rows = []
-    for row in value["matrix"]:
-        entries = []
-        for entry in items(row, size, "a row", size):
-            terms: dict[Exponents, Any] = {}
-            for term in items(entry, 40, "an entry of the track"):
-                i, j, c = items(term, 3, "a term", 3)
-                i, j = integer(i, 0, 12, "a power of P"), integer(j, 0, 6, "a power of s")
-                for powers, coefficient in free(c, count, "a coefficient").items():
-                    key = (i, j, *powers)
-                    require(key not in terms, "a term stands twice")
-                    terms[key], number = coefficient, number + 1
-            entries.append(ring.from_dict(terms))
-        rows.append(entries)
-    require(number <= MAX_TERMS, "the track's matrix has too many terms")
-    one = ring.constant(1)
-    D = determinant(rows, one)
-    N = determinant([[x for k, x in enumerate(r) if k != loaded] for i, r in enumerate(rows) if i != loaded], one)
-    require(D and N, "the track's determinant or cofactor vanishes")
-    for p in (D, N):
-        require(p.degrees()[1] <= 8 and len(p) <= 600, "the track's determinant is too long")
-        require(sum(p.degrees()[:2]) <= MAX_DEGREE, "the track's determinant has too high a degree")
-        require(all(int(e[0]) % 2 == 0 for e in p.to_dict()), "D or N is not even in P")
-    v = free(velocity, count, "velocity")
+    D, N = spectra.dispersion(ring, rows, loaded)
+    v = spectra.free(velocity, count, "velocity")
     require(v, "the velocity is 0 throughout: at rest nothing grows")
-    moved = s - sum((c * monomial(x, e) for e, c in v.items()), ring.constant(0)) * P
+    moved = s - speed(ring, v) * P
     d, n = (p.compose(P, moved, *x, ctx=ring) for p in (D, N))
     track = Track(ring, rows, D, N, v, d, n, count)
     require(len(track.powers[1]) + 1 <= track.degree, "N/D does not decay as 1/p²")
     return track
 
 
-def monomial(x: Sequence[Any], e: Sequence[int]) -> Any:
-    out = 1
-    for y, k in zip(x, e, strict=True):
-        out = out * y**k if k else out
-    return out
+def speed(ring: Any, v: Free) -> Any:
+    """The velocity as a polynomial of the ring."""
+    return ring.from_dict({(0, 0, *e): c for e, c in v.items()})
 
 
 def check_track(track: Track, box: Box) -> None:
     """For all parameters: v ≥ 0, passive at rest, no p-root real for Re σ ≥ 0, and none lost (section 10.2)."""
-    everyone = range(track.count)
-    used = [k for k in everyone if any(e[k] for e in track.v)]
-    everywhere(lambda part: least(track.v, part) >= 0, box, used, "the velocity may be negative")
+    spectra.everywhere(spectra.never_negative, [track.v], box, "the velocity may be negative")
     lead = track.powers[0][-1]
     require(all(e[0] == 0 for e in lead), "the highest coefficient of D depends on the frequency")
     top = {e[1:]: c for e, c in lead.items()}
-    if at(top, [(a + b) / 2 for a, b in box]) < 0:
+    if spectra.at(top, [(a + b) / 2 for a, b in box]) < 0:
         top = {e: -c for e, c in top.items()}
-    used = [k for k in everyone if any(e[k] for e in top)]
-    everywhere(lambda part: least(top, part) > 0, box, used, "a wave speed may lie in the range")
-    for rows in hurwitz(track, box):
-        used = [k for k in everyone if any(e[k] for f in rows for e in f)]
-        everywhere(lambda part, f=rows: positive(f, part, True), box, used,
-                   "the track is not proved stable and damped for all these parameters")  # fmt: skip
-    check_passive(track, box)
+    spectra.everywhere(spectra.always_positive, [top], box, "a wave speed may lie in the range")
+    for rows in spectra.hurwitz(track.ring, track.D, box):
+        why = "the track is not proved stable and damped for all these parameters"
+        spectra.everywhere(spectra.always_positive, rows, box, why)
+    spectra.check_passive(track.ring, track.rows, box)
     check_inertia(track, box)
 
 
@@ -292,106 +153,8 @@ def check_inertia(track: Track, box: Box) -> None:
         tops.append((top, {e[2:]: c for e, c in terms_.items()}))
     (d, big), (n, small) = tops
     require(d == n + 2, "the track's receptance does not fall as a mass's at high frequency")
-    both = times(big, small)
-    used = [k for k in range(track.count) if any(e[k] for e in both)]
-    everywhere(lambda part: least(both, part) > 0, box, used, "the inertia of the track may vanish")
-
-
-def hurwitz(track: Track, box: Box) -> list[list[Free]]:
-    """Polynomials in y and the parameters, which must be positive that D(ip, ·) has roots Re s < 0 only."""
-    D: dict[int, Any] = {}
-    for (i, j, *e), c in track.D.to_dict().items():
-        D.setdefault(int(j), {})[(int(i), 0, *map(int, e))] = c
-    n, zero = max(D), track.ring.constant(0)
-    a = [track.ring.from_dict(D[j]) if j in D else zero for j in range(n + 1)]
-    a = [real(track.ring, x) for x in a]
-    if at(in_y(real(track.ring, a[n]))[-1], [(p + q) / 2 for p, q in box]) < 0:
-        a = [-x for x in a]
-    h = [[a[n - 2 * j + i] if 0 <= n - 2 * j + i <= n else zero for j in range(1, n + 1)] for i in range(1, n + 1)]
-    minors, before = [a[n], a[0]], track.ring.constant(1)
-    for k in range(n - 1):  # the last one is the one before it times a[0]
-        pivot = h[k][k]
-        minors.append(pivot)
-        require(pivot, "the track is not damped")
-        require(len(pivot) <= MAX_SIZE, "the track's equations are too long")
-        for i in range(k + 1, n):
-            h[i] = [(pivot * h[i][j] - h[i][k] * h[k][j]) // before if j > k else zero for j in range(n)]
-        before = pivot
-    return [in_y(real(track.ring, x)) for x in minors]
-
-
-def real(ring: Any, p: Any) -> Any:
-    """A polynomial even in P with P² = −y put for it, y standing as P²: its own inverse."""
-    return ring.from_dict({e: c * (-1) ** (int(e[0]) // 2) for e, c in p.to_dict().items()})
-
-
-def check_passive(track: Track, box: Box) -> None:
-    """(A − A*)/2i ≥ 0 at P = ip, s = iΩ for all real p and Ω > 0 (section 6.1), for all parameters."""
-    size, ring = len(track.rows), track.ring
-    parts: dict[int, list[list[dict[Any, Any]]]] = {}
-    for r, c in product(range(size), repeat=2):
-        for (i, j, *e), x in track.rows[r][c].to_dict().items():
-            i, j = int(i), int(j)
-            rows = parts.setdefault(j, [[{} for _ in range(size)] for _ in range(size)])
-            for a, b, y in ((r, c, x / 2), (c, r, x / 2 * (-1) ** (i + j + 1))):
-                rows[a][b][(i, 0, *e)] = rows[a][b].get((i, 0, *e), fmpq(0)) + y
-    for j, entries in parts.items():
-        matrix = [[ring.from_dict({e: c for e, c in x.items() if c != 0}) for x in row] for row in entries]
-        if j % 2 == 0:
-            require(not any(x for row in matrix for x in row), "the track's matrix is not symmetric: not passive")
-            continue
-        sign = 1 if j % 4 == 1 else -1
-        for k in range(1, size + 1):
-            for kept in combinations(range(size), k):
-                minor = in_y(determinant([[sign * matrix[r][c] for c in kept] for r in kept], ring.constant(1)))
-                used = [k for k in range(track.count) if any(e[k] for f in minor for e in f)]
-                everywhere(lambda part, f=minor: positive(f, part, False), box, used,
-                           "the track may give energy at rest: it is not passive")  # fmt: skip
-
-
-def check_decay(track: Track) -> None:
-    """G → 0 as σ → ∞ for all parameters but those of a set without inner points: section 6.3 over Q(θ)."""
-    ring = track.ring
-    P, s, *x = ring.gens()
-    v = sum((c * monomial(x, e) for e, c in track.v.items()), ring.constant(0))
-    check_edges(track.d, track.n, v, ring, False)
-    slow = []
-    for p in (track.D, track.N):  # at P = (σ − s)/v, times a power of v
-        terms, top = p.to_dict(), max(int(e[0]) for e in p.to_dict())
-        total = ring.constant(0)
-        for (i, j, *e), c in terms.items():
-            total += c * (s - P) ** int(i) * v ** (top - int(i)) * P ** int(j) * monomial(x, list(map(int, e)))
-        slow.append(total)
-    check_edges(slow[0], slow[1], v, ring, True)
-
-
-def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
-    """The edges of Newton's polygon of d (of exponent θ < 1 only, if slow; else without roots 1/v where θ = 1)."""
-    at_: dict[tuple[int, int], dict[Any, Any]] = {}
-    for (i, j, *e), c in d.to_dict().items():
-        at_.setdefault((int(i), int(j)), {})[(0, 0, *e)] = c
-    top: dict[int, int] = {}
-    for i, j in at_:
-        top[i] = max(top.get(i, j), j)
-    support = {(int(e[0]), int(e[1])) for e in n.to_dict()}
-    require(0 in top, "0 is a root for every frequency")
-    P, i = ring.gens()[0], 0
-    while i < max(top):
-        slope = max(fmpq(top[a] - top[i], a - i) for a in top if a > i)  # −θ
-        on = {a for a, b in top.items() if a >= i and b - top[i] == slope * (a - i)}
-        edge = sum((ring.from_dict(at_[a, top[a]]) * P ** (a - i) for a in on), ring.constant(0))
-        if slope == -1:
-            while True:
-                quotient, rest = divmod(edge, 1 - v * P)
-                if rest:
-                    break
-                edge = quotient
-        if slope > -1 or not slow:
-            common = edge.gcd(edge.derivative(0)) if edge.degrees()[0] else ring.constant(1)
-            require(common.degrees()[0] == 0, "waves of one speed at high frequency: decay is not proved")
-            weight = max(b - slope * a for a, b in support) - (top[i] - slope * i + slope)
-            require(weight < 0, "the receptance does not decay at high frequency")
-        i = max(on)
+    both = spectra.times(big, small)
+    spectra.everywhere(spectra.always_positive, [both], box, "the inertia of the track may vanish")
 
 
 @dataclass(frozen=True)
@@ -419,101 +182,28 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
-    keys(value, "M C K B places compliances")
-    nc = len(items(value["places"], MAX_CONTACTS, "places"))
-    nb = len(items(value["M"], MAX_BODIES, "M"))
-    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
-    B = spectra.matrix(value["B"], nb, nc, "B")
-    places = [free(x, count, "a place") for x in value["places"]]
-    h = [free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
+    bodies = spectra.read_bodies(value, basis, count, box, MAX_BODIES, MAX_CONTACTS)
+    nc = bodies.B.ncols()
+    places = [spectra.free(x, count, "a place") for x in value["places"]]
+    h = [spectra.free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
     for f in h:
         for powers, c in f.items():
             fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
             require(fine, "a compliance may be negative, or infinite")
-    neutral = unfelt = 0
-    Q = fmpq_mat(nb, nb, [int(i == j) for i in range(nb) for j in range(nb)])
-    if basis is not None:
-        keys(basis, "matrix neutral unfelt")
-        neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
-        Q = spectra.matrix(basis["matrix"], nb, nb, "basis")
-        require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
-    B, felt = Q.transpose() * B, nb - unfelt
-    for i, j in product(range(felt - neutral, nb), range(nc)):
-        require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
-    parts = [read_free_matrix(value[name], nb, count, name) for name in "MCK"]
-    parts = [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
-    for part in parts:
-        for a in part.values():
-            for i, j in product(range(felt, nb), range(felt)):
-                require(a[i, j] == 0 == a[j, i], "the unfelt coordinates are coupled to the others")
-    M, C, K = parts
-    for a in K.values():
-        for i, j in product(range(felt - neutral, felt), range(felt)):
-            require(a[i, j] == 0, "a neutral coordinate has a spring")
-    check_semidefinite(parts, nb, box)
-    M, C, K = ({e: cut(a, felt, felt) for e, a in part.items()} for part in parts)
-    vehicle = Vehicle(M, C, K, cut(B, felt, nc), h, places, neutral)
+    M, C, K = bodies.parts
+    vehicle = Vehicle(M, C, K, bodies.B, h, places, bodies.neutral)
     check_places(vehicle, box)
     return vehicle
-
-
-def read_free_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
-    """{exponents: matrix}, linear in each parameter."""
-    out: dict[Exponents, Any] = {}
-    for i, row in enumerate(items(value, size, name, size)):
-        for j, x in enumerate(items(row, size, name, size)):
-            for e, c in free(x, count, name).items():
-                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
-                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
-    return out
-
-
-def cut(a: Any, height: int, width: int) -> Any:
-    return fmpq_mat(height, width, [a[i, j] for i in range(height) for j in range(width)])
-
-
-def corners(box: Box, used: Sequence[int]) -> Iterator[list[Any]]:
-    """All corners along the axes that are used."""
-    for ends in product((0, 1), repeat=len(used)):
-        chosen = dict(zip(used, ends, strict=True))
-        yield [pair[chosen.get(k, 0)] for k, pair in enumerate(box)]
-
-
-def check_semidefinite(parts: Sequence[dict[Exponents, Any]], size: int, box: Box) -> None:
-    """M, C, K ≥ 0 and M + C + K > 0: at all corners, and so everywhere, being linear in each parameter."""
-    used = [k for k in range(len(box)) if any(e[k] for part in parts for e in part)]
-    for x in corners(box, used):
-        total = fmpq_mat(size, size)
-        for part in parts:
-            a = fmpq_mat(size, size)
-            for e, c in part.items():
-                a = a + c * at({e: fmpq(1)}, x)
-            require(spectra.semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
-            total = total + a
-        require(total.det() != 0, "a body has no mass, spring or damper")
 
 
 def check_places(vehicle: Vehicle, box: Box) -> None:
     """Different places stay apart, and no contact force is indeterminate (section 2.2)."""
     kept = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
     middle = [(a + b) / 2 for a, b in box]
-    kept.sort(key=lambda f: at(f, middle))
+    kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
-        gap = minus(other, one)
-        used = [k for k in range(len(box)) if any(e[k] for e in gap)]
-        everywhere(lambda part, f=gap: least(f, part) > 0, box, used, "two places may meet")
-    nb, nc = vehicle.B.nrows(), len(vehicle.h)
-    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
-    rows += [[fmpq(int(x == site)) for x in vehicle.sites] for site in sorted(set(vehicle.sites))]
-    rows += [[fmpq(1) if i == j and f else fmpq(0) for j in range(nc)] for i, f in enumerate(vehicle.h)]
-    require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
-
-
-def minus(a: Free, b: Free) -> Free:
-    out = dict(a)
-    for e, c in b.items():
-        out[e] = out.get(e, fmpq(0)) - c
-    return {e: c for e, c in out.items() if c != 0}
+        spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
+    spectra.check_forces(vehicle.B, vehicle.sites, vehicle.h)
 
 
 # --- Taylor forms of second order -------------------------------------------------------------------------
@@ -710,7 +400,7 @@ class Waves:
         for a in places:
             row = []
             for b in places:
-                gap = minus(a, b)
+                gap = spectra.minus(a, b)
                 if gap not in kept:
                     kept.append(gap)
                 row.append(kept.index(gap))
@@ -721,7 +411,7 @@ class Waves:
         """(whether it is ≥ 0, in balls) of each distance; x: any parameters of the range."""
         if not self.distances:
             for gap in self._kept:
-                value = at(gap, [fmpq(0), *x])
+                value = spectra.at(gap, [fmpq(0), *x])
                 self.distances.append((value >= 0, balls(gap)))
         return self.distances
 
@@ -746,6 +436,8 @@ class Split:
         self.z, self.up = z, sum(bool(x.real < 0) for x in z)
         self.sides = [range(self.up), range(self.up, n)]
         self.gap = [[abs(z[i] - z[k]) if i != k else arb(1) for k in range(n)] for i in range(n)]
+        apart = [1 / self.gap[k][i] if (i < self.up) != (k < self.up) else ZERO for k in range(n) for i in range(n)]
+        self.inverse = arb_mat(n, n, apart)
         self.values = [self.about(z_, 0) for z_ in z]
         self.box, self.tight = self.contraction(throughout)
 
@@ -786,21 +478,8 @@ class Split:
         return wide
 
     def solved(self, w: list[Any]) -> tuple[list[Any], list[Any]] | None:
-        """(β, τ) of Lemma 1 for |W_k| ≤ w_k; β by iteration, what counts is the last inequality."""
-        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
-        beta = [(x * 1.2 + tiny).upper() for x in w]
-        for _ in range(10):
-            tau = []
-            for side, other in ((0, 1), (1, 0)):
-                for k in self.sides[side]:
-                    s = sum((beta[j] / self.gap[k][j] for j in self.sides[other]), ZERO)
-                    if not s < 0.5:
-                        return None
-                    tau.append((w[k] / (1 - s)).upper())
-            if all(x < y for x, y in zip(tau, beta, strict=True)):
-                return beta, tau
-            beta = [(x * 1.15 + tiny).upper() for x in tau]
-        return None
+        """(β, τ) of Lemma 1 for |W_k| ≤ w_k."""
+        return spectra.contraction(w, self.inverse, spectra.tiny(self.z))
 
     def apart(self, tau: list[Any]) -> bool:
         """Each root of U lies within (their number)·τ_k of some node: all have Re P < 0, those of L Re P > 0."""
@@ -866,22 +545,10 @@ class Split:
 
     def isolated(self, side: range) -> list[Any]:
         """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
-        radii = []
-        for k in side:
-            for widening in (1.02, 1.1, 1.5, 3):
-                e = (self.tight[k] * widening).upper()
-                near = [(self.tight[j], self.gap[k][j] - e) for j in side if j != k]
-                if all(gap > 0 for _, gap in near):
-                    g = sum((t / gap for t, gap in near), ZERO)
-                    if g < 1 and self.tight[k] < e * (1 - g):
-                        radii.append(e)
-                        break
-            else:
-                raise Wide("two p-roots of one side meet over a box", self.strain())
-        both = combinations(range(len(radii)), 2)
-        apart = all(self.gap[side[i]][side[k]] > radii[i] + radii[k] for i, k in both)
-        require(apart, "two p-roots of one side meet over a box")
-        return radii
+        try:
+            return spectra.isolated(self.tight, self.gap, side)
+        except Refused as error:
+            raise Wide(str(error), self.strain()) from None
 
     def sharp(self, k: int, e: Any, N: list[Form]) -> tuple[Form, Form]:
         """The root in the disc of radius e round node k, and N/D_P there, as forms: with D(z + h) = Σ E_i h^i,
@@ -1072,12 +739,8 @@ class Matrix:
     def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
         nb, nc = vehicle.B.nrows(), len(vehicle.h)
         self.vehicle, self.waves, self.nc = vehicle, waves, nc
-        touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
-        self.direct: list[tuple[int, int, Any]] = []
-        for j in range(nc):
-            bodies = [i for i in range(nb) if j in touched[i]]
-            if not vehicle.h[j] and len(bodies) == 1 and touched[bodies[0]] == [j]:
-                self.direct.append((bodies[0], j, arb(-1 / vehicle.B[bodies[0], j])))
+        contacts = spectra.direct_contacts(vehicle).items()
+        self.direct = [(body, j, arb(-1 / vehicle.B[body, j])) for j, body in contacts]
         gone = [i for i, _, _ in self.direct]
         self.kept = [i for i in range(nb) if i not in gone]
         self.indirect = [j for j in range(nc) if j not in [k for _, k, _ in self.direct]]
@@ -1508,7 +1171,7 @@ def by_cells(problem: Family, box: Box, place: Place) -> None:
             error.weights = [x + y for x, y in zip(error.weights, cell.costs(), strict=True)]
         weight = sum(abs(float(cell.a) * float(cell.middle)) * 2 * float(cell.half) for cell in found[:chosen])
         for one, other in pairwise(problem.sites):
-            gap = place.value([((0, *e), arb(c)) for e, c in minus(other, one).items()])
+            gap = place.value([((0, *e), arb(c)) for e, c in spectra.minus(other, one).items()])
             steps = [weight * float(abs(x)) for x in gap.k[1 : 1 + m]]
             error.weights = [x + y for x, y in zip(error.weights, steps, strict=True)]
         raise
@@ -1525,7 +1188,7 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
     E = [[ZERO] * n for _ in range(n)]
     known: dict[Any, tuple[list[Any], Any]] = {}
     for i, j in combinations(range(n), 2):
-        gap = minus(problem.sites[j], problem.sites[i])
+        gap = spectra.minus(problem.sites[j], problem.sites[i])
         key = frozenset((e, str(c)) for e, c in gap.items())
         if key not in known:
             known[key] = integrals(place.value([((0, *e), arb(c)) for e, c in gap.items()]), found, m)
@@ -1561,48 +1224,6 @@ def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any],
 # --- large q (section 6.2 over all parameters) ------------------------------------------------------------
 
 
-def absorption(track: Track) -> tuple[Any, Any]:
-    """W = −Im(N conj D) and |D|², polynomials in p, Ω (in the places of P and s) and the parameters."""
-    ring, parts = track.ring, []
-    for poly in (track.D, track.N):
-        real_part: dict[Any, Any] = {}
-        imag_part: dict[Any, Any] = {}
-        for (i, j, *e), c in poly.to_dict().items():  # c (ip)^i (iΩ)^j, i even
-            i, j = int(i), int(j)
-            x = c * (-1) ** ((i + j - j % 2) // 2)
-            (imag_part if j % 2 else real_part)[(i, j, *e)] = x
-        parts.append((ring.from_dict(real_part), ring.from_dict(imag_part)))
-    (a, b), (c, d) = parts
-    return c * b - d * a, a * a + b * b
-
-
-def terms(p: Any) -> Free:
-    return {tuple(map(int, e)): c for e, c in p.to_dict().items()}
-
-
-def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
-    """A polynomial in p, Ω at p = zq^γ, Ω = q − vp, γ = k/m, over q^{top/m}: in z, τ = q^{−1/m} and θ."""
-    top = max(k * e[0] + m * e[1] for e in t)
-    out: Free = {}
-    for (i, j, *e), c in t.items():
-        power: Free = {tuple(e): c}
-        for a in range(j + 1):
-            for own, x in power.items():
-                key = (i + a, top - k * i - m * j + (m - k) * a, *own)
-                out[key] = out.get(key, fmpq(0)) + x * comb(j, a)
-            power = times(power, {f: -y for f, y in v.items()})
-    return {e: c for e, c in out.items() if c != 0}, top
-
-
-def times(a: Free, b: Free) -> Free:
-    out: Free = {}
-    for d, x in a.items():
-        for e, y in b.items():
-            key = tuple(i + j for i, j in zip(d, e, strict=True))
-            out[key] = out.get(key, fmpq(0)) + x * y
-    return out
-
-
 def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
     """f > 0 on a box of real variables (where x·y ≤ product_below, if given), by forms and bisection."""
     coefficients, stack, number_ = balls(f), [(box, 0)], 0
@@ -1621,73 +1242,25 @@ def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
             moved[j - 1] += float(abs(value.k[n]))
         size = [float(b - a) for a, b in here]
         moved = [x if y > 0 else -1.0 for x, y in zip(moved, size, strict=True)]
-        stack += [(half, depth + 1) for half in halved(here, moved.index(max(moved)))]
+        stack += [(half, depth + 1) for half in spectra.halved(here, moved.index(max(moved)))]
 
 
 def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
     """The envelope, and Q with −Im G > 0 for all q ≥ Q and all parameters: both checked."""
     keys(content, "Q gamma blocks alpha omega bounds")
-    k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
-    Q, omega = dyadic(content["Q"], "Q"), dyadic(content["omega"], "omega")
-    alpha = integer(content["alpha"], 4, 64, "alpha")
-    blocks = [
-        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
+    Q = dyadic(content["Q"], "Q")
+    bounds = [
+        (dyadic(p, "a bound"), dyadic(C, "a bound"))
+        for p, C in (items(one, 2, "a bound", 2) for one in items(content["bounds"], 20, ""))
     ]
-    bounds = [[dyadic(x, "a bound") for x in items(one, 2, "a bound", 2)] for one in items(content["bounds"], 20, "")]
-    require(
-        0 <= k <= m and m > 0 and blocks and bounds and min(omega, Q) > 0, "the theorem's numbers are out of range"
-    )
-    require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
-    require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
-    require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
-    fastest = -least({e: -c for e, c in track.v.items()}, box)
+    fastest = -spectra.least({e: -c for e, c in track.v.items()}, box)
     require(fastest > 0, "the velocity is 0 throughout")
-    W, square = absorption(track)
-    w, d = terms(W), terms(square)
-    (block_w, top_w), (block_d, top_d) = in_block(w, track.v, k, m), in_block(d, track.v, k, m)
-    x = arb(Q)
-    growth, tau = x ** arb(fmpq(k, m)), above(x ** arb(fmpq(-1, m)))
-    between = ZERO
-    if len(sites) > 1:
-        gap = min(least(minus(b, a), box) for a, b in pairwise(sites))  # a lower bound, which may be negative
-        require(gap > 0, "the theorem at large q: no least distance of two contacts is seen over the range")
-        between = 2 * arb.pi() / arb(gap)
-    require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
-    require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
-    for z1, z2, kappa in blocks:
-        difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
-        check_positive(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
-    iw, nw = max(e[0] for e in w), max(e[0] + e[1] for e in w)
-    id_, nd = max(e[0] for e in d), max(e[0] + e[1] for e in d)
-    require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    for p0, C in bounds:
-        near: Free = {}
-        far: Free = {}
-        for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
-            for (i, j, *e), c in source.items():
-                for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
-                    chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
-        give = "the giving part may exceed the envelope"
-        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
-        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
-    turn = arb(Q / fastest)
-    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
-    require(known, "short waves are not bounded beyond Q")
-    C = known[-1]
-    absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), ZERO)
-    takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
-    gives = C * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
-    require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
-    require(
-        (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
-    )
+    gap = min((spectra.least(spectra.minus(b, a), box) for a, b in pairwise(sites)), default=None)  # may be < 0
+    seen = gap is None or gap > 0
+    require(seen, "the theorem at large q: no least distance of two contacts is seen over the range")
+    parts = spectra.absorption(track.ring, track.D, track.N)
+    alpha = spectra.tail_alpha(content, 4, parts, track.v, fastest, Q, gap, bounds, box, check_positive)
     return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
-
-
-def above(x: Any) -> Any:
-    """A rational number that is no less, with few digits."""
-    mantissa, exponent = x.upper().man_exp()
-    return fmpq(int(mantissa)) * spectra.power_of_2(int(exponent))
 
 
 # --- boxes of (q, parameters) -----------------------------------------------------------------------------
@@ -1749,7 +1322,7 @@ class Family:
             except Refused as error:
                 where = ", ".join(f"{float(arb(a)):.6g}…{float(arb(b)):.6g}" for a, b in here)
                 require(depth < DEPTH, f"the box of q and parameters {where}: {error}")
-                stack += [(half, depth + 1) for half in halved(here, self.axis(here, error))]
+                stack += [(half, depth + 1) for half in spectra.halved(here, self.axis(here, error))]
 
     def axis(self, box: Box, error: Any) -> int:
         """Along which variable to halve: where most is to be won, or the longest."""
@@ -1773,7 +1346,7 @@ def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box]]:
             yield mark, here
             continue
         require(mark in "0123456"[: len(box)] and depth < 200, "a mark of the tree is not known")
-        low, high = halved(here, int(mark))
+        low, high = spectra.halved(here, int(mark))
         stack += [(high, depth + 1), (low, depth + 1)]
     require(not stack, "the tree ends before its last leaf")
 
@@ -1893,11 +1466,11 @@ def checked(content: dict[str, Any], most: int | None) -> str:
     track = read_track(content["equations"]["track"], content["equations"]["velocity"], count)
     vehicle = read_vehicle(content["equations"]["vehicle"], content["basis"], count, box)
     check_track(track, box)
-    check_decay(track)
+    spectra.check_decay(track.ring, track.D, track.N, speed(track.ring, track.v))
     at_, unstable = check_base(content, count, box)
     middle = [(a + b) / 2 for a, b in box]
     sites = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
-    sites.sort(key=lambda f: at(f, middle))
+    sites.sort(key=lambda f: spectra.at(f, middle))
     envelope, Q = read_tail(content["tail"], track, sites, box)
     waves = Waves(track, vehicle)
     family = Family(track, vehicle, box, envelope, waves, Matrix(vehicle, waves), sites)
@@ -1951,7 +1524,7 @@ def same(ours: Any, other: Any, x: Sequence[Any], count: int) -> bool:
     """The equations with free parameters are those of the base at its point: entry by entry, exact."""
 
     def value(f: Any, name: str) -> Any:
-        return at(free(f, count, name, -4), x)
+        return spectra.at(spectra.free(f, count, name, -4), x)
 
     def rows(name: str) -> bool:
         a, b = ours["vehicle"][name], other["vehicle"][name]

@@ -34,6 +34,10 @@ class Receptances:
     good: Any
     strain: Any
 
+    def take(self, rows: Any) -> Receptances:
+        """Those of some boxes."""
+        return Receptances(self.G[rows], self.good[rows], self.strain[:, rows])
+
 
 @dataclass(frozen=True)
 class FreeReceptance:
@@ -105,10 +109,10 @@ def _residues(roots: Roots, rows: Any, own: Any, xi: Quadratic, fixed: bool) -> 
     x = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m)
     phase = P.times(xi.a[:, None, :]) if fixed else P * x
     turned = (np.abs(phase.b) * np.exp(np.minimum(phase.a.real, 0.0))).max((2, 3))
-    return _grown(phase, weight).sum(-2), turned
+    return grown(phase, weight).sum(-2), turned
 
 
-def _grown(phase: Quadratic, weight: Quadratic) -> Quadratic:
+def grown(phase: Quadratic, weight: Quadratic) -> Quadratic:
     """weight e^phase; a wave that has all but died away is bounded only, where it turns too fast to be followed."""
     model = phase.exp() * weight
     most = phase.a.real + phase.spread

@@ -18,13 +18,14 @@ import numpy as np
 from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import NOISE, aliasing, circles_of, samples, summed
 from mpsolve.characteristic.free_matrix import FreeMatrix
-from mpsolve.characteristic.free_receptance import Receptances, may_meet
+from mpsolve.characteristic.free_receptance import Receptances, grown, may_meet
 from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.endless.lattice import first_force
 from mpsolve.numbers.jets import TINY, UP, U, exponential, nearest
 from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted
 from mpsolve.problem.family import Family
 
+_WIDE = 0.75  # half an arc: more of it is bounded only
 _LOOSE = 2.0**-8  # of the sum: where roots that nearly meet leave out more, circles may leave out less
 Around = tuple[Quadratic, Quadratic]
 """(z, 1/z) as models of shape (boxes,)."""
@@ -74,7 +75,8 @@ class RowReceptance:
                 P, w = roots.P[alone], roots.weight[alone]
                 found = self._alone(P, w, _turns(boxes.take(alone)))
                 k[:, alone], e[alone] = found.k, found.e
-            strain += _moved(roots, self.track.up, boxes, nearest(self.row.step))
+            gap = self.row.step - self.row.distances[0][-1]
+            strain += _moved(roots, self.track.up, boxes, nearest(self.row.step), nearest(gap))
             loose = ~(e <= _LOOSE * np.abs(k[0])).all(1)
             rest = np.flatnonzero(loose & may_meet(z, self.track.up))
             whole = self.track.split(own.take(rest))
@@ -103,12 +105,13 @@ class RowReceptance:
         (point, back), m = around, around[0].m
         P, w = lifted(P, m), lifted(w, m)
         columns: list[list[Quadratic]] = [[] for _ in self.row.distances[0]]
+        one = constant(1.0, len(P.e), m)[:, None]
         for ahead, mask, first in self._sides():
             sign, own = (1.0 if ahead else -1.0), P[:, mask]
-            ratio = own.times(nearest(self.row.step) * sign).exp() * (back if ahead else point)[:, None]
+            ratio = grown(own.times(nearest(self.row.step) * sign), one) * (back if ahead else point)[:, None]
             heavy = w[:, mask].times(sign) * one_less(ratio).inverse()
             for column, (xi, factor) in zip(columns, first, strict=True):
-                term = heavy if not xi else own.times(nearest(xi)).exp() * heavy
+                term = grown(own.times(nearest(xi)), heavy) if xi else heavy
                 column.append(_turned(term.sum(-1), factor, around))
         return joined([_total(column)[:, None] for column in columns], -1)
 
@@ -145,11 +148,15 @@ def _total(parts: list[Quadratic]) -> Quadratic:
 
 
 def _turns(boxes: Boxes) -> Around:
-    m = len(boxes.m)
+    """As θ is real, |e^{iy} − 1 − iy + y²/2| ≤ |y|³/6; of a wide arc no more is said than |z| = 1."""
+    m, r = len(boxes.m), boxes.r[-1]
+    middle, lost = exponential(1j * boxes.m[-1])
     k = np.zeros((len(constant(0.0, 1, m).k), boxes.count), complex)
-    k[0], k[m] = 1j * boxes.m[-1], 1j * boxes.r[-1]
-    angle = Quadratic(k, 4 * U * np.abs(boxes.m[-1]), m)
-    return angle.exp(), (-angle).exp()
+    k[0], k[m], k[-1] = middle, 1j * r * middle, -r * r / 2 * middle
+    e = (r**3 / 6 + (lost + 64 * U) * (1 + r) * (1 + r)) * UP + TINY
+    wide = r > _WIDE
+    k, e = np.where(wide, 0, k), np.where(wide, 1 + 64 * U, e)
+    return Quadratic(k, e, m), Quadratic(k.conj(), e, m)
 
 
 def _turned(term: Quadratic, factor: int, around: Around) -> Quadratic:
@@ -163,14 +170,16 @@ def one_less(ratio: Quadratic) -> Quadratic:
     return Quadratic(k, (ratio.e + 4 * U * np.abs(k).sum(0)) * UP + TINY, ratio.m)
 
 
-def _moved(roots: Roots, up: int, boxes: Boxes, step: float) -> Any:
-    """In floats: how far each variable moves 1/(1 − e^{Pd}/z) relative to itself, at most, for any root."""
-    P = roots.P.a
-    ratio = np.exp(np.where(np.arange(P.shape[1]) < up, P, -P) * step)
-    ratio = ratio * np.exp(1j * np.where(np.arange(P.shape[1]) < up, -1, 1) * boxes.m[-1][:, None])
-    share = np.abs(ratio / (1 - ratio))
-    angle = np.broadcast_to(boxes.r[-1][:, None], share.shape)
-    moved = (np.concatenate([np.abs(roots.P.b) * step, angle[None]]) * share).max(2)
+def _moved(roots: Roots, up: int, boxes: Boxes, step: float, gap: float) -> Any:
+    """In floats: how far each variable moves the sum, at most, for any root: 1/(1 − e^{Pd}/z) relative to itself, and
+    θ what comes from the next vehicle, over the gap to it."""
+    sign = np.where(np.arange(roots.P.a.shape[1]) < up, 1, -1)
+    P = roots.P.a * sign
+    ratio = np.exp(P * step - 1j * sign * boxes.m[-1][:, None])
+    over = 1 / np.abs(1 - ratio)
+    moved = (np.abs(roots.P.b) * step * np.abs(ratio) * over).max(2)
+    turned = boxes.r[-1] * (np.exp(P.real * gap) * over).max(1)
+    moved = np.concatenate([moved, turned[None]])
     return np.where(np.isfinite(moved), moved, 0.0)
 
 

@@ -15,11 +15,13 @@ from mpsolve.endless.boxes import ROUND
 from mpsolve.endless.free_row import RowMatrix
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.jets import UP
 from mpsolve.passivity.decay import edges, vanishes
 from mpsolve.passivity.far import far
+from mpsolve.passivity.hermitian import positive_definite
 from mpsolve.problem.family import Family, family_of
 from mpsolve.proof.vanishing import Scalar, nonzero, scalar
-from mpsolve.ranges.judge import NONZERO, boxes_of
+from mpsolve.ranges.judge import NONZERO, PASSIVE, boxes_of
 from mpsolve.ranges.scope import Scope, scope_of
 
 _SLOWEST = -2  # G(0, s) must fall more slowly than s^−2 for real s → ∞
@@ -35,7 +37,7 @@ class RowScope:
 
     @cached_property
     def matrix(self) -> RowMatrix:
-        return RowMatrix(self.family, self.row.spacing / Fraction(2) ** self.family.base.guide.length)
+        return RowMatrix(self.family, step=self.row.spacing / Fraction(2) ** self.family.base.guide.length)
 
     @cached_property
     def ends(self) -> tuple[float, float]:
@@ -80,18 +82,32 @@ def _require_decay(family: Family) -> None:
 
 @dataclass
 class RowJudge:
-    """Judges boxes (q̂, v̂, θ): NONZERO where no root is real. width: half of the whole."""
+    """Judges boxes (q̂, v̂, θ): where no root is real.
+
+    PASSIVE: whatever the vehicle, as the row takes energy from any forces; NONZERO: Δ̂ does not vanish. width: half of
+    the whole.
+    """
 
     matrix: RowMatrix
     width: Any
 
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         boxes = boxes_of(low, high)
-        A, G = self.matrix(boxes)
-        s = scalar(A, G.good)
+        G = self.matrix.receptance(boxes)
+        H, E = absorbed(G)
+        kind = np.where(G.good & (low[0] > 0) & positive_definite(H, E), PASSIVE, 0).astype(np.int8)
+        axis = np.zeros(len(kind), np.int8)
+        rest = np.flatnonzero(kind == 0)
+        if len(rest):
+            kind[rest], axis[rest] = self._regular(boxes.take(rest), G.take(rest))
+        return kind, axis
+
+    def _regular(self, boxes: Boxes, G: Receptances) -> tuple[Any, Any]:
+        s = scalar(self.matrix.assembled(G.G, *boxes.variables), G.good)
         verdict = nonzero(s.s)
         with np.errstate(all="ignore"):
             amount = self._amount(s)
+            amount[-1] = np.maximum(amount[-1], G.strain[-1] * np.abs(s.s.a))  # wide arcs are bounded only
             weight = verdict.weight + s.s.e * amount / amount.sum(0)
         kind = np.where(s.good & verdict.nonzero, NONZERO, 0).astype(np.int8)
         return kind, self._axis(boxes, G, s, weight)
@@ -115,6 +131,14 @@ class RowJudge:
             width = boxes.r / self.width[:, None]
             share = weight / weight.max(0) + width * 1e-9
             return np.where(np.isfinite(share), share, width).argmax(0).astype(np.int8)
+
+
+def absorbed(G: Receptances) -> tuple[Any, Any]:
+    """(the coefficients of −Im Ĝ along the variables, a bound of what they leave out), see `positive_definite`."""
+    with np.errstate(all="ignore"):
+        H = (G.G.k - np.swapaxes(G.G.k.conj(), 2, 3)) * 0.5j
+        E = (G.G.e + np.swapaxes(G.G.e, 1, 2)) / 2 * UP
+    return np.swapaxes(H, 0, 1), E
 
 
 def judge_of(scope: RowScope) -> RowJudge:

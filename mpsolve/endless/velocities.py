@@ -68,7 +68,8 @@ class TrainVelocities(Result):
     def words(self) -> str:
         """What is known, in one sentence."""
         if self.reason is not None:
-            return f"undecided: {self.reason}"
+            part = "" if self.stable_to is None else f" from v = {float(self.stable_to):.6g} on, stable up to there"
+            return f"undecided{part}: {self.reason}"
         if self.threshold is not None:
             stable = f"no motion grows along the row from v = {shown(self.low)} on"
             return f"{stable} to the threshold, {self.threshold.str(12)}, above which one does"
@@ -120,7 +121,12 @@ def _concluded(known: TrainVelocities, found: Covered) -> TrainVelocities:
     reason = found.reason or (None if calm is None else calm.reason)
     if calm is not None and calm.stable is True and top is not None:
         known = replace(known, stable_to=min(top, known.high))
-        if known.convective is not None and grows is not None and grows.problem.v is not None:
+        if (
+            found.reason is None
+            and known.convective is not None
+            and grows is not None
+            and grows.problem.v is not None
+        ):
             return replace(known, status=Status.UNVERIFIED, threshold=_ball(top, grows.problem.v))
         if known.convective is None and found.reason is None:
             return replace(known, status=Status.UNVERIFIED)

@@ -7,22 +7,20 @@ Tried beside Panel with the same page (a number field that redraws a picture of 
 from __future__ import annotations
 
 import tempfile
-from contextlib import suppress
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from nicegui import events, run, ui
 
 from mpsolve.errors import InputError, MpsolveError
+from mpsolve.explorer.begin import problem_of
+from mpsolve.explorer.form import Form, heading
+from mpsolve.explorer.proof_panel import ProofPanel
 from mpsolve.explorer.session import Session
-from mpsolve.explorer.words import region_told, told, vibration
-from mpsolve.numbers.spoken import rounded
+from mpsolve.explorer.words import vibration
 from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
-from mpsolve.presets.written import input_file
 from mpsolve.problem.inputfile import read_problem
-from mpsolve.problem.outputfile import number
 from mpsolve.problem.problem import Problem
 
 _TICK = 0.04
@@ -31,8 +29,11 @@ _CSS = (
     + """
 :root { --blue: #0072b2; --red: #c44e00; --green: #00805f; --pink: #a8588a; --faint: #6d747b; --soft: #55606b; }
 .body--dark { --blue: #64b5f0; --red: #ff9a57; --green: #4fd1a5; --pink: #e39ac6; --faint: #97a0a8; --soft: #a9b2bb; }
+.q-btn { text-transform: none; }
+#plane svg, #shape svg, #chart svg, #motion svg { max-width: 46rem; }
 """
 )
+_BLUE = "#1f5f99"
 
 
 def serve(problem: Problem, title: str, port: int, show: bool) -> None:
@@ -54,14 +55,12 @@ class Tab:
 
     def __init__(self, session: Session) -> None:
         self.session = session
-        self.pending: dict[str, object] = {}
         self.busy = False
-        self.bases: dict[str, Fraction] = {}
-        self.fields: dict[str, Any] = {}
 
     # --- what stands where ---------------------------------------------------------------------------------
 
     def build(self) -> None:
+        ui.colors(primary=_BLUE)
         with ui.header().classes("items-center gap-2"):
             ui.label("mpsolve explorer").classes("text-lg font-bold").props("role=heading aria-level=1")
             ui.space()
@@ -71,10 +70,10 @@ class Tab:
         with ui.element("main").classes("w-full grid grid-cols-1 lg:grid-cols-3 gap-4 max-w-screen-2xl"):
             with ui.column().classes("w-full"):
                 self._sources()
-                self.form = ui.column().classes("w-full gap-1")
-            with ui.column().classes("w-full lg:col-span-2"):
+                self.form = Form(self.session)
+            with ui.column().classes("w-full lg:col-span-2 order-first lg:order-none"):
                 self._results()
-        self.draw_form()
+        self.form.draw()
         self.draw()
         ui.timer(_TICK, self.tick)
         ui.context.client.on_disconnect(self.session.stop_proof)
@@ -92,6 +91,8 @@ class Tab:
 
     def _results(self) -> None:
         self.verdict = ui.label().classes("text-base font-bold").props("aria-live=polite id=verdict role=status")
+        self.proof = ProofPanel(self.session, self.draw_chart, self.show_chart)
+        heading("Vibrations, and the cuts of the track")
         with ui.row().classes("gap-2"):
             ui.button("Zoom in", on_click=lambda: self.zoom(0.5)).props("outline dense id=zoom-in")
             ui.button("Zoom out", on_click=lambda: self.zoom(2.0)).props("outline dense id=zoom-out")
@@ -103,67 +104,27 @@ class Tab:
             .props("id=roots")
         )
         self.shape = ui.html("", sanitize=False).classes("w-full").props("id=shape")
+        heading("Growing vibrations over two parameters")
         with ui.row().classes("items-center gap-2 w-full"):
-            paths = [path for path, value in self.session.parameters().items() if value > 0]
-            second = next((path for path in paths if "wheel" in path or path.endswith(".M")), paths[-1])
-            self.chart_x = ui.select(paths, value="v" if "v" in paths else paths[0], label="Chart over").classes(
-                "w-40"
-            )
-            self.chart_y = ui.select(paths, value=second, label="and over").classes("w-56")
+            self.chart_x = ui.select({}, label="Chart over").classes("w-64")
+            self.chart_y = ui.select({}, label="and over").classes("w-64")
+            self.draw_axes()
             ui.button("Draw the chart", on_click=self.draw_chart).props("outline id=draw-chart")
         self.chart = ui.html("", sanitize=False).classes("w-full").props("id=chart")
+        heading("The motion in time")
         with ui.row().classes("items-center gap-2"):
             self.duration = ui.input(label="Time after it is put on the track", value="2 s").props(
                 "for=duration dense"
             )
             ui.button("Show the motion", on_click=self.draw_motion).props("outline id=draw-motion")
         self.motion = ui.html("", sanitize=False).classes("w-full").props("id=motion")
-        with ui.row().classes("items-center gap-2"):
-            ui.button("Prove what is shown", on_click=self.prove).props("id=prove")
-            self.stop = ui.button("Stop", on_click=self.session_stop).props("outline id=stop")
-            self.progress = (
-                ui.linear_progress(value=0, show_value=False)
-                .classes("w-40")
-                .props('aria-label="progress of the proof"')
-            )
-        self.proof = ui.label().classes("whitespace-pre-line").props("aria-live=polite id=proof role=status")
-        with ui.row().classes("gap-2"):
-            self.certificate = ui.button("Certificate", on_click=self.save_certificate).props(
-                "outline id=certificate"
-            )
-            self.report = ui.button("Report", on_click=self.session.start_report).props("outline id=report")
-            self.writing = ui.label().props("aria-live=polite id=writing role=status")
-        self.stop.set_visibility(False)
-        self.progress.set_visibility(False)
-        self.certificate.set_visibility(False)
 
-    def draw_form(self) -> None:
-        """A field and, for a positive number, a slider for each parameter: from a tenth to ten times its value."""
-        self.form.clear()
-        self.fields.clear()
-        self.bases = self.session.parameters()
-        with self.form:
-            for path, value in self.bases.items():
-                quantity = self.session.problem.quantity(path)
-                said = f"{quantity.meaning[:1].upper()}{quantity.meaning[1:]}" + (
-                    f", {quantity.unit}" if quantity.unit else ""
-                )
-                key = path.replace("[", "-").replace("]", "").replace(".", "-")
-                entry = (
-                    ui.input(label=f"{said} ({path})", value=number(value).strip('"'))
-                    .classes("w-full")
-                    .props(f"dense for=field-{key}")
-                )
-                entry.on("change", lambda _, p=path, e=entry: self.typed(p, e.value))
-                slider = None
-                if value > 0:
-                    slider = (
-                        ui.slider(min=-100, max=100, value=0)
-                        .props(f'id=slider-{key} aria-label="{said}"')
-                        .classes("w-full")
-                    )
-                    slider.on_value_change(lambda event, p=path: self.moved(p, event.value))
-                self.fields[path] = (entry, slider)
+    def draw_axes(self) -> None:
+        """The parameters that a chart can be over; those that were chosen stay, where the problem has them."""
+        axes = self.session.axes()
+        second = next((path for path in axes if "wheel" in path or path.endswith(".M")), list(axes)[-1])
+        for select, usual in ((self.chart_x, next(iter(axes))), (self.chart_y, second)):
+            select.set_options(axes, value=select.value if select.value in axes else usual)
 
     def draw(self) -> None:
         session = self.session
@@ -173,45 +134,29 @@ class Tab:
         labels = {} if view is None else {k: vibration(q) for k, q in enumerate(view.roots) if q.real >= 0}
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
-        self.chart.set_content(session.chart_picture())
+        self.show_chart()
         self.motion.set_content(session.motion)
 
     # --- what is done --------------------------------------------------------------------------------------
 
-    def typed(self, path: str, text: str) -> None:
-        """A value from a field, with or without a unit."""
-        self.pending[path] = text.replace(",", ".")
-
-    def moved(self, path: str, position: float) -> None:
-        """A value from a slider: four figures of base · 10^(position/100)."""
-        base = self.bases.get(path)
-        if base and position is not None:
-            self.pending[path] = rounded(base * Fraction(10 ** (float(position) / 100)), 4)
-
     async def tick(self) -> None:
         """Take what was typed and moved since; of many quick changes only the last one counts."""
-        self.watch_proof()
-        self.watch_report()
-        if self.busy or not self.pending:
+        self.proof.watch()
+        if self.busy or not (self.form.pending or self.session.quick):
             return
         self.busy = True
-        changes, self.pending = self.pending, {}
+        changes = self.form.taken()
         try:
             for path, value in changes.items():
                 await run.io_bound(self.session.nudge, path, value)
-                self.follow(path)
+                self.form.follow(path)
+            if not changes:
+                await run.io_bound(self.session.settle)
             self.draw()
         except InputError as error:
             self.verdict.set_text(str(error))
         finally:
             self.busy = False
-
-    def follow(self, path: str) -> None:
-        """The field shows what the slider gave."""
-        entry, _ = self.fields.get(path, (None, None))
-        value = self.session.problem.parameters.get(path)
-        if entry is not None and value is not None:
-            entry.set_value(number(value).strip('"'))
 
     def undo(self) -> None:
         self.session.undo()
@@ -222,8 +167,8 @@ class Tab:
         self.redraw()
 
     def redraw(self) -> None:
-        self.pending.clear()
-        self.draw_form()
+        self.draw_axes()
+        self.form.draw()
         self.draw()
 
     def zoom(self, factor: float | None) -> None:
@@ -241,15 +186,11 @@ class Tab:
             self.verdict.set_text("Choose a track first.")
             return
         vehicle = None if self.vehicle.value == "its usual one" else self.vehicle.value
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / f"{self.track.value}.toml"
-            try:
-                path.write_text(input_file(self.track.value, vehicle), encoding="utf-8")
-                read = read_problem(path)
-                self.session.open(read.problem, read.title)
-            except InputError as error:
-                self.verdict.set_text(str(error))
-                return
+        try:
+            self.session.open(*problem_of(self.track.value, vehicle))
+        except InputError as error:
+            self.verdict.set_text(str(error))
+            return
         self.redraw()
 
     async def open_file(self, event: events.UploadEventArguments) -> None:
@@ -275,6 +216,9 @@ class Tab:
             await run.io_bound(self.session.draw_chart, self.chart_x.value, self.chart_y.value)
         except InputError as error:
             self.verdict.set_text(str(error))
+        self.show_chart()
+
+    def show_chart(self) -> None:
         self.chart.set_content(self.session.chart_picture())
 
     async def draw_motion(self) -> None:
@@ -283,60 +227,3 @@ class Tab:
         except (MpsolveError, ArithmeticError) as error:
             self.verdict.set_text(str(error))
         self.motion.set_content(self.session.motion)
-
-    async def prove(self) -> None:
-        if self.session.chart is None:
-            await self.draw_chart()
-        chart = self.session.chart
-        self.session.start_proof(() if chart is None else (chart.x, chart.y))
-        self.certificate.set_visibility(False)
-        self.stop.set_visibility(True)
-        self.progress.set_visibility(True)
-        self.proof.set_text("Proving …")
-
-    def session_stop(self) -> None:
-        self.session.stop_proof()
-
-    def watch_proof(self) -> None:
-        proving = self.session.proving
-        if proving is None:
-            return
-        proving.poll()
-        self.progress.set_value(proving.fraction)
-        if self.session.note_proof():
-            self.chart.set_content(self.session.chart_picture())
-        if proving.running:
-            self.proof.set_text(f"Proving: {proving.stage}")
-            return
-        self.stop.set_visibility(False)
-        self.progress.set_visibility(False)
-        text = told(proving.answer) if proving.answer is not None else f"The proof ended: {proving.failure}"
-        text += region_told(proving)
-        if proving.problem != self.session.problem:
-            text += "\n(of the state at which it was started)"
-        self.proof.set_text(text)
-        self.certificate.set_visibility(proving.answer is not None and proving.answer.certificate is not None)
-
-    def watch_report(self) -> None:
-        """Say how far the report is, and hand it out once."""
-        writing = self.session.reporting
-        if writing is None:
-            return
-        writing.poll()
-        if writing.running:
-            self.writing.set_text(f"Report: {writing.stage}")
-            return
-        self.session.reporting = None
-        if writing.answer is None:
-            self.writing.set_text(f"The report ended: {writing.failure}")
-        else:
-            self.writing.set_text("The report is written.")
-            ui.download(writing.answer.encode(), "report.html")
-
-    def save_certificate(self) -> None:
-        proving = self.session.proving
-        if proving is None or proving.answer is None:
-            return
-        with tempfile.TemporaryDirectory() as folder, suppress(MpsolveError):
-            path = Path(proving.answer.certificate.save(Path(folder) / "certificate.json"))
-            ui.download(path.read_bytes(), "certificate.json")

@@ -17,7 +17,7 @@ from mpsolve.explorer.moving import motion_pictures
 from mpsolve.explorer.proving import Proving, report
 from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture
-from mpsolve.pictures.shape import moving_shape
+from mpsolve.pictures.shape import moving_shape, numbered
 from mpsolve.problem.outputfile import problem_toml
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.shape import root_shape
@@ -41,6 +41,7 @@ class Session:
     chart: Chart | None = None
     proved: tuple[ProvedPoint, ...] = ()
     motion: str = ""
+    quick: bool = False
     _moving: Problem | None = field(default=None, repr=False)
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
@@ -60,20 +61,25 @@ class Session:
         own = self.problem.parameters
         return {path: x for path, x in own.items() if not path.startswith(("scale.", "vehicles."))}
 
-    def change(self, path: str, value: object, step: bool = True) -> None:
+    def axes(self) -> dict[str, str]:
+        """The paths that a chart can be over, and what they are called: what is above 0 now."""
+        quantity = self.problem.quantity
+        return {path: f"{quantity(path).meaning} ({path})" for path, value in self.parameters().items() if value > 0}
+
+    def change(self, path: str, value: object, step: bool = True, quick: bool = False) -> None:
         """Set a parameter; InputError says why it cannot be. step: whether undo comes back to what was before."""
         problem = self.problem.changed(path, value)
         if step:
             self.history.change(problem)
         else:
             self.history.replace(problem)
-        self.refresh()
+        self.refresh(quick)
 
     def nudge(self, path: str, value: object) -> None:
-        """As `change`; moves of one parameter that follow each other quickly are one step for undo."""
+        """As `change`, looked at quickly; moves of one parameter that follow each other are one step for undo."""
         now = time.monotonic()
         same = path == self._moved[0] and now < self._moved[1]
-        self.change(path, value, step=not same)
+        self.change(path, value, step=not same, quick=True)
         done = time.monotonic()
         self._moved = (path, done + max(_QUICK, 3 * (done - now)))  # a slow machine is no reason for more steps
 
@@ -96,12 +102,19 @@ class Session:
         self.window = None if factor is None or self.view is None else self.view.window.zoomed(factor)
         self.refresh()
 
-    def refresh(self) -> View:
+    def settle(self) -> bool:
+        """Look thoroughly at what was looked at quickly; whether that was so."""
+        if not self.quick:
+            return False
+        self.refresh()
+        return True
+
+    def refresh(self, quick: bool = False) -> View:
         """Compute what is to be seen now."""
         q = self._chosen_root()
         if self.problem != self._moving:
             self.motion = ""
-        self.view = look(self.problem, self.window, self._near)
+        self.view, self.quick = look(self.problem, self.window, self._near, quick), quick
         self.window = self.view.window
         self._near = self.view.roots
         self.chosen = self._choice(q)
@@ -169,8 +182,15 @@ class Session:
         """Count over two parameters round the present problem; InputError says why that cannot be."""
         self.chart = chart_of(self.problem, x, y)
 
+    def chart_axes(self) -> tuple[str, str] | None:
+        """The two parameters of the chart, None where there is none of this kind of problem."""
+        chart = self.chart
+        return (chart.x, chart.y) if chart is not None and {chart.x, chart.y} <= set(self.axes()) else None
+
     def chart_picture(self) -> str:
-        return "" if self.chart is None else self.chart.picture(self.problem, self.proved)
+        return (
+            "" if self.chart is None or self.chart_axes() is None else self.chart.picture(self.problem, self.proved)
+        )
 
     def note_proof(self) -> bool:
         """Keep what a proof has shown so far, once; whether there was something new."""
@@ -220,4 +240,4 @@ def _shape(problem: Problem, q: complex) -> str:
     shape = root_shape(problem, ball, places=[*x.tolist(), *places])
     rail = np.array([complex(w.mid()) for w in shape.rail[: len(x)]])
     bodies = {name: complex(a.mid()) for name, a in shape.bodies.items()}
-    return moving_shape(x, rail, places, bodies, 2.0)
+    return moving_shape(x, rail, places, bodies, 2.0) + numbered(bodies)

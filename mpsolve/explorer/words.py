@@ -23,9 +23,8 @@ def region_told(proving: Proving) -> str:
 
 
 def told(answer: Any) -> str:
-    """The verdict of a proof, what is proved, and what has confirmed it."""
+    """The verdict of a proof, what is proved, and what has confirmed it; the equations stand in the certificate."""
     from mpsolve.report import spectrum_words
 
-    return "\n".join(
-        [spectrum_words.verdict(answer), *spectrum_words.proved(answer), spectrum_words.verified(answer)]
-    )
+    confirmed = spectrum_words.verified(answer).split("\n")[0]
+    return "\n".join([spectrum_words.verdict(answer), *spectrum_words.proved(answer), confirmed])

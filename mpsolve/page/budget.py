@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
+import numpy as np
 from numpy.linalg import LinAlgError
 
 from mpsolve.errors import MpsolveError
@@ -65,7 +66,7 @@ class Budget:
         start = self.clock()
         seconds = max(share * left, least)
         try:
-            with deadline(min((1 + _GRACE) * seconds, left)):
+            with np.errstate(all="ignore"), deadline(min((1 + _GRACE) * seconds, left)):  # odd values overflow
                 value = make(seconds)
         except TimeUpError:
             return Part(name, reason=_NO_TIME, late=True, seconds=self.clock() - start)

@@ -147,6 +147,7 @@ def _bend(x: Any) -> tuple[Any, Any]:
     return np.where(small, series, far), np.where(small, 64 * U, lost * 4 + 64 * U)
 
 
+@np.errstate(all="ignore")
 def positive_definite(H: Any, E: Any) -> Any:
     """Whether H₀ + Σ ε_k H_k + R is positive definite for all |ε_k| ≤ 1 and Hermitian |R| ≤ E, entry by entry.
 
@@ -155,14 +156,10 @@ def positive_definite(H: Any, E: Any) -> Any:
     n = H.shape[2]
     finite = np.isfinite(H).all((1, 2, 3)) & np.isfinite(E).all((1, 2))
     H0 = np.where(finite[:, None, None], H[:, 0], -np.eye(n))
-    sane = np.linalg.eigvalsh(H0)[:, 0] > 0
-    X = np.zeros_like(H0)
-    X[:] = np.eye(n)
-    for k in np.flatnonzero(sane).tolist():
-        try:
-            X[k] = np.linalg.inv(np.linalg.cholesky(H0[k]))
-        except np.linalg.LinAlgError:
-            sane[k] = False
+    values, vectors = np.linalg.eigh(H0)
+    sane = values[:, 0] > 0
+    values = np.where(sane[:, None], values, 1.0)
+    X = np.swapaxes(vectors.conj(), 1, 2) / np.sqrt(values)[:, :, None]
     size, Xh = np.abs(X), np.swapaxes(X.conj(), 1, 2)
     whole = np.abs(H).sum(1)
     lost = 64 * (n + 4) * U

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from mpsolve.display import card
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import fixed_digits, working_bits
@@ -56,6 +57,10 @@ class Table(Tabled):
     digits: int
     entries: tuple[tuple[Entry, ...], ...]
     title: str = ""
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return card(self)
 
     @property
     def status(self) -> Status:

@@ -101,6 +101,12 @@ def lowest_cut(track: Track | Waveguide, bits: int = 20) -> tuple[Fraction, Frac
 
 
 def rows_of(waveguide: Waveguide) -> Row:
+    """As `_rows_of`, which keeps the answers of the last tracks."""
+    return list(_rows_of(waveguide))
+
+
+@lru_cache(maxsize=64)
+def _rows_of(waveguide: Waveguide) -> Row:
     """D(ip, s) over y, with a leading coefficient that is positive for all y ≥ 0; InputError where there is none."""
     rows = in_squares(waveguide.dispersion, "D")
     if not rows:

@@ -90,7 +90,7 @@ class Waveguide:
     @property
     def dispersion(self) -> Polynomial:
         """D(P, s) = det A."""
-        return determinant(self.matrix)
+        return dict(_dispersion(self))
 
     @property
     def numerator(self) -> Polynomial:
@@ -128,6 +128,12 @@ def mapped(a: Polynomial, change: Callable[[int, int, Fraction], Fraction]) -> P
     """Each coefficient c of P^i s^j replaced by change(i, j, c)."""
     out = {(i, j): change(i, j, value) for (i, j), value in a.items()}
     return {key: value for key, value in out.items() if value}
+
+
+@lru_cache(maxsize=64)
+def _dispersion(waveguide: Waveguide) -> Polynomial:
+    """Kept, as the same few tracks are asked for it again and again."""
+    return determinant(waveguide.matrix)
 
 
 def determinant(matrix: Matrix) -> Polynomial:

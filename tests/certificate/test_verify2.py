@@ -389,7 +389,7 @@ def test_hurwitz_agrees_with_roots():
         stable = bool(np.all(np.roots(c[::-1]).real < -1e-9))
         near = np.any(np.abs(np.roots(c[::-1]).real) < 1e-6)
         if not near:
-            assert v2.hurwitz([fmpq_poly([k]) for k in c], True) == stable
+            assert v2.damped(sum((k * v2.S_**j for j, k in enumerate(c)), v2.RING.constant(0)), True) == stable
             seen.add(stable)
     assert seen == {True, False}
 
@@ -430,7 +430,7 @@ def test_kernels_hold_the_integral(track, velocity, q):
                 assert rest < 0.05 * abs(complex(a))
     D, N = t.d, t.n
     for xi, ball in zip((-1.5, 0.0, 1.5), thin, strict=True):
-        P = np.linspace(-4000, 4000, 4_000_001) * unit / 40
+        P = np.linspace(-4000, 4000, 400_001) * unit / 40
         values = sum(float(arb(c)) * (1j * P) ** i * (1j * q) ** j for (i, j), c in N.items()) / sum(
             float(arb(c)) * (1j * P) ** i * (1j * q) ** j for (i, j), c in D.items()
         )

@@ -42,6 +42,14 @@ def test_a_damped_beam(v: str, masses: int, count: int, unstable: int) -> None:
     assert "no root has |q − 0.05i| ≥" in found.closing
 
 
+def test_a_loop_much_smaller_than_its_place_is_verified() -> None:
+    """Strong tension: the two p-roots that meet at the tip of the cut are 10⁹ times smaller than the others."""
+    beam = tracks.EulerBernoulli(**PAPER, c="0.4", kp="1e5")
+    pair = [vehicles.Mass(40).at(0), vehicles.Mass(40).at("0.02")]
+    found = certify_problem(Problem(beam, pair, v="0.7"), region="sheet", digits=15)
+    assert (found.status, found.count) == (Status.PROVED, 2)
+
+
 def test_without_damping_roots_in_the_gap_are_real_and_others_come_in_fours() -> None:
     slow, fast = answer("0.67", "0"), answer("1.2", "0")
     assert (slow.proved, slow.count, slow.unstable) == (True, 4, 0)

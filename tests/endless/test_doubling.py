@@ -50,3 +50,11 @@ def test_a_resonance_that_each_vehicle_has_is_followed() -> None:
     bogie = vehicles.Bogie(wheel=900, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="1e4", k_contact="1e9")
     row = row_of(Problem(layers, bogie, v=100), 6)
     assert growing_in_floats(Bloch(row), 16, 1.0, 1.0) == 0
+
+
+@pytest.mark.slow
+def test_counts_of_64_masses_that_are_proved_lie_above_the_limit() -> None:
+    for v, growing in (("0.452", 0), ("0.455", 4)):
+        found = certify(masses(v).train(64), region="unstable", digits=15, check=False)
+        assert found.proved
+        assert found.count == growing

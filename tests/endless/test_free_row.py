@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from endless_rows import bogies, masses
 
+from mpsolve import Problem, tracks, vehicles
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.free_row import RowMatrix
 from mpsolve.endless.lattice import Lattice
-from mpsolve.endless.row import Row
+from mpsolve.endless.row import Row, row_of
 from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.problem.family import family_of
 
@@ -23,7 +24,7 @@ CASES = [(masses("0.3"), ("0.1", "0.3")), (bogies("0.4"), ("0.1", "0.5"))]
 
 def _matrix(row: Row, ends: tuple[str, str]) -> RowMatrix:
     family = family_of(row.problem, {"v": (Fraction(ends[0]), Fraction(ends[1]))})
-    return RowMatrix(family, row.spacing / Fraction(2) ** family.base.guide.length)
+    return RowMatrix(family, step=row.spacing / Fraction(2) ** family.base.guide.length)
 
 
 def _value(f: Quadratic, box: int, u: Any) -> Any:
@@ -70,10 +71,35 @@ def test_boxes_hold_the_sum_over_the_row(row: Row, ends: tuple[str, str]) -> Non
 
 
 def test_a_wave_that_fits_the_row_is_not_bounded() -> None:
-    matrix = _matrix(masses("0.3"), ("0.1", "0.3"))
+    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.01")
+    faint = row_of(Problem(beam, vehicles.Mass(40), v="0.3"), "1.5")
+    matrix = _matrix(faint, ("0.1", "0.3"))
     wide = Boxes(np.array([[1.5], [0.8], [0.0]]), np.array([[1e-6], [1e-6], [3.2]]))
     assert not matrix.receptance(wide).good[0]  # every z: some wave of the lightly damped track nearly fits
     assert matrix.receptance(Boxes(wide.m, np.full((3, 1), 1e-6))).good[0]
+
+
+def test_a_whole_circle_is_bounded_where_waves_die_out_on_the_way_to_the_next_vehicle() -> None:
+    row, ends = CASES[0]
+    matrix, rng = _matrix(row, ends), np.random.default_rng(7)
+    wide = Boxes(np.array([[0.4], [0.8], [0.0]]), np.array([[1e-3], [1e-3], [3.2]]))
+    found = matrix.receptance(wide)
+    assert found.good[0]
+    for _ in range(20):
+        u = rng.uniform(-1, 1, 3)
+        truth = _truth(row, matrix, wide.m[:, 0] + wide.r[:, 0] * u)
+        assert (np.abs(_value(found.G, 0, u) - truth) <= found.G.e[0]).all()
+
+
+def test_where_roots_all_but_meet_circles_leave_out_less_than_residues() -> None:
+    layers = tracks.TwoLayer(
+        EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
+    )
+    matrix = _matrix(row_of(Problem(layers, vehicles.Mass(900), v=100), 3), ("50", "150"))
+    near = np.array([[0.384963769], [0.6001139532], [0.5]])  # two roots of one side are 0.001 apart
+    found = matrix.receptance(Boxes(near, np.array([[1e-8], [1e-8], [1e-6]])))
+    assert found.good[0]
+    assert found.G.e[0, 0, 0] < 1e-6 * abs(found.G.a[0, 0, 0])
 
 
 def test_the_determinant_is_that_of_the_row() -> None:

@@ -6,13 +6,15 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from endless_rows import masses
+from endless_rows import bogies, masses
 
 from mpsolve import InputError, Problem, tracks, vehicles
+from mpsolve.characteristic.boxes import Boxes
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.row import row_of
-from mpsolve.endless.row_scope import row_scope
+from mpsolve.endless.row_scope import judge_of, row_scope
 from mpsolve.errors import PrecisionError
+from mpsolve.ranges.judge import NONZERO, PASSIVE
 
 
 def test_beyond_the_bound_every_motion_decays() -> None:
@@ -35,3 +37,20 @@ def test_refusals() -> None:
     row = row_of(Problem(string, vehicles.Mass(3), v="0.3"), 2)
     with pytest.raises(InputError, match="speed"):
         row_scope(row, Fraction("0.5"), Fraction("1.5"))
+
+
+def test_passive_boxes_are_passive_and_those_of_slow_motions_are_not() -> None:
+    """By floats: −Im Ĝ at points of each box that is told so, for one and for two contacts; never below v times some
+    wavenumber, where the row gives."""
+    rng = np.random.default_rng(3)
+    for row, (a, b) in ((masses("0.3"), ("0.1", "0.3")), (bogies("0.4"), ("0.2", "0.5"))):
+        scope = row_scope(row, Fraction(a), Fraction(b))
+        judge, (low, high) = judge_of(scope), scope.corners(scope.ends[1])
+        m = low[:, None] + (high - low)[:, None] * rng.uniform(0.02, 0.98, (3, 300))
+        kind, _ = judge(m - 0.004, m + 0.004)
+        assert (kind == PASSIVE).sum() > 50
+        assert (kind == NONZERO).sum() > 5
+        for k in np.flatnonzero(kind == PASSIVE):
+            point = m[:, k] + rng.uniform(-0.004, 0.004, 3)
+            G = scope.matrix.receptance(Boxes(point[:, None], np.full((3, 1), 1e-12))).G.a[0]
+            assert np.linalg.eigvalsh((G - G.conj().T) * 0.5j)[0] > 0

@@ -9,7 +9,7 @@ import pytest
 from endless_rows import masses
 from flint import arb
 
-from mpsolve import Effort, InputError, train_velocities
+from mpsolve import Effort, InputError, Problem, tracks, train_velocities, vehicles
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.curve import around
 
@@ -74,3 +74,32 @@ def test_ranges() -> None:
     for wrong in ((1, 0), 3, ("a", "b")):
         with pytest.raises(InputError, match="v"):
             train_velocities(masses("0.3").problem, "1.5", wrong)  # type: ignore[arg-type]
+
+
+@pytest.mark.slow
+def test_a_rail_on_sleepers_and_one_on_soft_ground_in_si() -> None:
+    layers = tracks.TwoLayer(
+        EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
+    )
+    soft = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
+    bogie = vehicles.Bogie(wheel=900, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="1e4", k_contact="1e9")
+    coach = vehicles.Coach(body=30000, inertia="1e6", bogie=bogie, pivots=17, k2="0.4e6", c2="2e4")
+    for track, vehicle, spacing, v, threshold in (
+        (layers, vehicles.Mass(900), 3, (10, 1500), 502.344242),
+        (soft, vehicles.Mass(10000), 3, (1, 400), 38.1196463),
+        (layers, coach, 25, (400, 800), 590.0),
+    ):
+        found = train_velocities(Problem(track, vehicle, v=v[0]), spacing, v)
+        assert found.proved
+        assert found.threshold.contains(arb(found.convective))
+        assert abs(found.convective - threshold) < 2e-6 * threshold
+
+
+def test_a_threshold_on_a_layered_track_is_enclosed() -> None:
+    layers = tracks.TwoLayer(
+        EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
+    )
+    found = train_velocities(Problem(layers, vehicles.Mass(900), v=100), 3, (490, 510))
+    assert found.proved
+    assert found.threshold.contains(arb(found.convective))
+    assert abs(found.convective - 502.344242) < 1e-5

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from mpsolve import InputError
-from mpsolve.explorer.begin import begun
+from mpsolve.explorer.begin import begun, problem_of
 
 
 def test_a_file_and_a_preset() -> None:
@@ -20,3 +20,9 @@ def test_a_file_and_a_preset() -> None:
 def test_a_file_that_is_none(tmp_path: Path) -> None:
     with pytest.raises(InputError):
         begun(tmp_path / "none.toml")
+
+
+def test_a_preset_with_another_vehicle() -> None:
+    usual, other = problem_of("ballasted")[0], problem_of("ballasted", "shinkansen")[0]
+    assert usual.track == other.track
+    assert usual.pencil.M != other.pencil.M

@@ -122,6 +122,17 @@ def test_a_slider_moves_and_undo_comes_back(seen: Seen) -> None:
     seen.page.wait_for_function("v => document.querySelector('#field-v').value === v", arg=before, timeout=60_000)
 
 
+def test_a_slider_stands_for_every_parameter_and_where_a_field_says(seen: Seen) -> None:
+    assert seen.page.locator("input[id^=field-]").count() == seen.page.locator("[id^=slider-]").count() > 10
+    seen.type("track-eta", "0.0001")  # it was 0
+    seen.page.wait_for_function(
+        """() => { const root = document.querySelector('#slider-track-eta');
+        const e = root.matches('[aria-valuenow]') ? root : root.querySelector('[aria-valuenow]');
+        return e && +e.getAttribute('aria-valuenow') > 10 }"""
+    )
+    assert float(seen.page.input_value("#field-track-eta")) == 0.0001
+
+
 def test_a_hundred_quick_changes_end_at_the_last(seen: Seen) -> None:
     for k in range(100):
         seen.type("v", str(100 + k))
@@ -153,7 +164,7 @@ def test_the_proved_region_is_marked_and_a_report_handed_out(seen: Seen, tmp_pat
     seen.page.click("#prove")
     seen.page.wait_for_selector("#chart path.sure", state="attached", timeout=90_000)
     seen.page.wait_for_function("document.querySelector('#proof').innerText.includes('Stable all over')")
-    with seen.page.expect_download(timeout=120_000) as loading:
+    with seen.page.expect_download(timeout=240_000) as loading:
         seen.page.click("#report")
     loading.value.save_as(tmp_path / "report.html")
     text = (tmp_path / "report.html").read_text("utf-8")
@@ -190,6 +201,8 @@ def test_a_preset_is_opened(seen: Seen) -> None:
     seen.page.wait_for_selector("#field-track-c", timeout=30_000)
     assert float(seen.page.input_value("#field-v")) == 100
     assert "gap" in seen.page.inner_text("main")
+    seen.page.get_by_label("and over", exact=True).click()
+    assert seen.page.get_by_role("option", name="(track.c)").count() == 1  # axes are those of the new problem
 
 
 def test_the_motion_is_shown(seen: Seen) -> None:

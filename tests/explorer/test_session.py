@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
 
-from mpsolve import InputError, read_problem
+from mpsolve import InputError, Problem, read_problem, tracks, vehicles
+from mpsolve.explorer.begin import problem_of
 from mpsolve.explorer.session import Session
+from mpsolve.presets.catalogue import names
 
 PROBLEM = read_problem("examples/two_layer_bogie.toml").problem
 
@@ -73,3 +76,54 @@ def test_zoom() -> None:
     assert session.view.window.width == width / 2
     session.zoom(None)
     assert session.view.window.width == width
+
+
+BARE = {
+    "rayleigh": tracks.Rayleigh(EI="6.4e6", m=60, k="1e6", c=770, J="0.24"),
+    "timoshenko": tracks.Timoshenko(EI="6.4e6", m=60, k="1e6", c=770, J="0.24", S="4e8"),
+}
+TRACKS = [*BARE, *(name for name in names("track") if name not in ("embankment", "paper"))]
+
+
+def track_of(name: str) -> object:
+    return BARE[name] if name in BARE else problem_of(name)[0].track
+
+
+def test_every_track_is_among_them() -> None:
+    assert {type(track_of(name)) for name in TRACKS} == set(tracks.CATALOGUE)
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_a_change_under_two_contacts_takes_less_than_a_tenth_of_a_second(name: str) -> None:
+    """Of the processor, the best of ten: what a slider asks for at each move, pictures included."""
+    pair = vehicles.train(vehicles.Mass(8 if name == "contact-wire" else 1000), 2, "2.5")
+    session, taken = Session.of(Problem(track_of(name), pair, v=20)), []
+    for k in range(10):
+        start = time.process_time()
+        session.nudge("v", 21 + k)
+        session.plane(), session.shape(), session.verdict(), session.chart_picture()
+        taken.append(time.process_time() - start)
+    assert min(taken) < 0.1
+
+
+def test_a_quick_look_is_followed_by_a_thorough_one() -> None:
+    session = Session.of(PROBLEM)
+    session.nudge("v", 1400)
+    assert session.quick
+    assert session.settle()
+    assert not session.quick
+    assert session.view is not None
+    assert session.view.growing == 4
+    assert not session.settle()
+
+
+def test_a_chart_of_another_kind_of_problem_is_not_shown() -> None:
+    session = Session.of(PROBLEM)
+    assert session.chart_axes() is None
+    session.draw_chart("v", "vehicles[0].wheel")
+    assert session.chart_axes() == ("v", "vehicles[0].wheel")
+    session.open(*problem_of("paper"))
+    assert session.chart_axes() is None
+    assert session.chart_picture() == ""
+    session.undo()
+    assert session.chart_picture().startswith("<svg")

@@ -19,6 +19,8 @@ def test_a_vibration_grows_or_decays() -> None:
 def test_a_proof_and_its_region() -> None:
     answer = certify(PROBLEM, region="unstable", digits=15)
     assert told(answer).startswith("STABLE")
+    assert "verifier confirms" in told(answer)
+    assert len(told(answer).splitlines()) < 8  # no equations
     proving = Proving(PROBLEM)
     assert region_told(proving) == ""
     proving.region = {"v": (Fraction(50), Fraction(150)), "vehicles[0].wheel": (Fraction(1, 3), Fraction(2))}

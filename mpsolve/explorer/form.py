@@ -1,0 +1,102 @@
+"""The column of the page with a field and a slider for every parameter: what was typed and moved waits here."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from nicegui import ui
+
+from mpsolve.explorer.knobs import ENDS, Knob, field_text, knobs
+from mpsolve.explorer.session import Session
+
+PARTS = {"v": "Velocity", "track": "Track", "vehicles": "Vehicle", "gap": "Gap"}
+
+
+def heading(text: str) -> None:
+    ui.label(text).classes("text-sm font-bold mt-3").props("role=heading aria-level=2")
+
+
+class Form:
+    """Fields and sliders; `pending` holds the changes that have not been taken yet, the last one of each path."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.pending: dict[str, object] = {}
+        self.place = ui.column().classes("w-full gap-1")
+        self.knobs: dict[str, Knob] = {}
+        self.fields: dict[str, Any] = {}
+        self.slid: set[str] = set()
+        self.setting = ""
+
+    def draw(self) -> None:
+        """Anew, round the present values; only a negative number has no slider."""
+        self.pending.clear()
+        self.place.clear()
+        self.fields.clear()
+        values = self.session.parameters()
+        self.knobs = knobs(self.session.problem, values)
+        part = ""
+        with self.place:
+            for path, value in values.items():
+                if path.split(".")[0] != part:
+                    part = path.split(".")[0]
+                    heading(_told(part))
+                quantity = self.session.problem.quantity(path)
+                said = f"{quantity.meaning[:1].upper()}{quantity.meaning[1:]}" + (
+                    f", {quantity.unit}" if quantity.unit else ""
+                )
+                self.fields[path] = (self._entry(path, said, field_text(value)), self._slider(path, said))
+
+    def _entry(self, path: str, said: str, value: str) -> Any:
+        entry = (
+            ui.input(label=f"{said} ({path})", value=value).classes("w-full").props(f"dense for=field-{key(path)}")
+        )
+        entry.on("change", lambda _: self.typed(path, entry.value))
+        return entry
+
+    def _slider(self, path: str, said: str) -> Any:
+        if path not in self.knobs:
+            return None
+        slider = ui.slider(min=self.knobs[path].least, max=ENDS, value=0).classes("w-full")
+        slider.props(f'id=slider-{key(path)} aria-label="{said}"')
+        slider.on_value_change(lambda event: self.moved(path, event.value))
+        return slider
+
+    def taken(self) -> dict[str, object]:
+        """What waited."""
+        changes, self.pending = self.pending, {}
+        return changes
+
+    def typed(self, path: str, text: str) -> None:
+        """A value from a field, with or without a unit."""
+        self.pending[path] = text.replace(",", ".")
+        self.slid.discard(path)
+
+    def moved(self, path: str, position: float | None) -> None:
+        """A value from a slider, which the page itself has not set."""
+        if position is not None and path != self.setting:
+            self.pending[path] = self.knobs[path].value(float(position))
+            self.slid.add(path)
+
+    def follow(self, path: str) -> None:
+        """The field shows what the slider gave, and the slider stands where the field says."""
+        entry, slider = self.fields.get(path, (None, None))
+        value = self.session.problem.parameters.get(path)
+        if entry is None or value is None:
+            return
+        entry.set_value(field_text(value))
+        if slider is not None and path not in self.slid:
+            self.setting = path
+            slider.set_value(self.knobs[path].position(value))
+            self.setting = ""
+
+
+def key(path: str) -> str:
+    """A path as part of an id."""
+    return path.replace("[", "-").replace("]", "").replace(".", "-")
+
+
+def _told(part: str) -> str:
+    """What a group of fields is called."""
+    name, _, rest = part.partition("[")
+    return f"{PARTS.get(name, name)} {rest.rstrip(']')}".strip()
