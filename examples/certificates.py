@@ -33,6 +33,7 @@ def pair(alpha: str, eta_b: str, eta_m: str, d: str) -> Case:
 
 MASS = vehicles.Mass("10e3")
 TIMOSHENKO = tracks.Timoshenko(EI="6377700", m="60.2", S="243.46e6", J="0.23871", k="1e6", c="770")
+ICE = tracks.FloatingIce(B="5e7", h="0.6", rho_ice=917, rho_water=1025, depth="6.8", c=10, eta="0.01")
 JOINED = vehicles.Vehicle(
     M=[[10, 0], [0, 10]], C=[[0, 0], [0, 0]], K=[[10, -10], [-10, 10]], B=[[1, 0], [0, 1]], places=[0, "1.5"]
 )
@@ -63,6 +64,7 @@ CASES: dict[str, Case | PhysicalCase | Problem] = {
         tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770, eta="1e-4"), [MASS.at(0), MASS.at("3.4")], v=198
     ),
     "joined_masses": Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1, c=1), [JOINED], v="1.3"),  # an odd count
+    "floating_ice": Problem(ICE, vehicles.Oscillator(wheel=1000, body=50_000, k="1e5", c=1000), v=20),
 }
 REGIONS: dict[str, object] = {
     "overdamped_line": "unstable",
@@ -70,6 +72,7 @@ REGIONS: dict[str, object] = {
     "timoshenko_stable": "unstable",
     "timoshenko_unstable": "unstable",
     "joined_masses": "unstable",
+    "floating_ice": "unstable",
 }
 DIGITS = {"thousand_digits": 1000}
 

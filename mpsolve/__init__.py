@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from mpsolve.certificate.roots import roots
     from mpsolve.certificate.verify import Verdict
     from mpsolve.characteristic.forced import receptance
+    from mpsolve.cuts.answer import CutPoint, CutPoints
+    from mpsolve.cuts.points import cut_points
     from mpsolve.endless.amplification import Amplification, amplification
     from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
     from mpsolve.endless.velocities import TrainVelocities, train_velocities
@@ -41,9 +43,6 @@ if TYPE_CHECKING:
     from mpsolve.ranges.table import Table, stability_table
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
-    from mpsolve.stability.cuts import cut_points
-    from mpsolve.stability.masses import crossing_masses
-    from mpsolve.stability.table import onset_table
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
@@ -100,7 +99,6 @@ __all__ = [
     "TrainVelocities",
     "amplification",
     "Amplification",
-    "crossing_masses",
     "onset",
     "unstable_ranges",
     "worst",
@@ -109,11 +107,12 @@ __all__ = [
     "prove_stable",
     "sensitivity",
     "cut_points",
+    "CutPoints",
+    "CutPoint",
     "frequency_lines",
     "FrequencyLines",
     "FrequencyLine",
     "LineEnd",
-    "onset_table",
     "stability_chart",
     "Onset",
     "Unstable",
@@ -201,18 +200,18 @@ _HOME = {
     "TrainVelocities": "endless.velocities",
     "amplification": "endless.amplification",
     "Amplification": "endless.amplification",
-    "crossing_masses": "stability.masses",
     "onset": "ranges.onset",
     "unstable_ranges": "ranges.onset",
     "crossings": "ranges.crossings",
     "prove_stable": "ranges.robust",
     "sensitivity": "ranges.sensitivity",
-    "cut_points": "stability.cuts",
+    "cut_points": "cuts.points",
+    "CutPoint": "cuts.answer",
+    "CutPoints": "cuts.answer",
     "frequency_lines": "loci.lines",
     "FrequencyLines": "loci.answer",
     "FrequencyLine": "loci.answer",
     "LineEnd": "loci.answer",
-    "onset_table": "stability.table",
     "stability_chart": "ranges.chart",
     "Onset": "ranges.onset",
     "Unstable": "ranges.onset",

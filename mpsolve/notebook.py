@@ -1,4 +1,4 @@
-"""What a notebook shows of a Spectrum, a Response, an OnsetTable: a table, and a figure where it says more.
+"""What a notebook shows of a Spectrum, a Response, a Table: a table, and a figure where it says more.
 
 Pictures that results save by themselves are listed here too. Only mpsolve/display.py loads this module.
 """
@@ -14,17 +14,18 @@ from typing import TYPE_CHECKING, Any
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits
+from mpsolve.numbers.spoken import decimal
+from mpsolve.ranges.table import Table
 from mpsolve.report import spectrum_words as words
 from mpsolve.report.figures import figure_of
 from mpsolve.report.figures_plane import q_plane
 from mpsolve.report.figures_response import displacements
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.html_environment import rendered_template
+from mpsolve.report.range_table import WITHOUT
 from mpsolve.report.vibration import in_words, motion_rows, vibrations
 from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.stability.table import OnsetTable
-from mpsolve.stability.table_text import notes, proved_sentence
 from mpsolve.vibration.case_motion import Response
 
 if TYPE_CHECKING:
@@ -98,22 +99,19 @@ def response_card(response: Response) -> str:
 
 
 @card.register
-def table_card(table: OnsetTable) -> str:
+def table_card(table: Table) -> str:
     """The entries as they stand in the table, and what they mean."""
-    rows = [
-        (label, *(entry.text for entry in row))
-        for label, row in zip(table.row_grid.labels, table.entries, strict=True)
-    ]
-    remarks = [
-        f"{table.row_grid.labels[i]}, {table.column_grid.labels[j]}: {reason}" for i, j, reason in notes(table)
-    ]
+    (path, values), (column, labels) = table.rows, table.columns
+    unit = f" [{table.over.unit}]" if table.over.unit else ""
     return rendered_template(
         _TEMPLATE,
         head=table.title or table.quantity,
-        caption=", ".join((table.quantity, *(f"{name} = {value}" for name, value in table.fixed.items()))),
-        headings=(f"{table.row_grid.parameter} \\ {table.column_grid.parameter}", *table.column_grid.labels),
-        rows=rows,
-        notes=[proved_sentence(table), *remarks],
+        caption=f"{table.quantity} of {table.over.path}{unit}",
+        headings=(f"{path} \\ {column}", *map(decimal, labels)),
+        rows=[
+            (decimal(value), *(entry.text for entry in row)) for value, row in zip(values, table.entries, strict=True)
+        ],
+        notes=[WITHOUT],
         svg="",
     )
 

@@ -31,7 +31,6 @@ OUTPUTS = {
     "roots": "roots z^2-2 --rectangle -3 3 -1 1 --json",
     "audit": f"audit {ROOT / 'tests/claims/toy'} --workers 1 --json",
     "table": f"table {EXAMPLES / 'rail_table.toml'} --workers 1 -o table.json",
-    "ratio-table": f"table {EXAMPLES / 'onset_table.toml'} --workers 1 -o ratios.json",
     "response": f"response {BOGIE} --to=0.1s --points 5 -o response.json",
     "page": f"report {PAIR} --effort 3 -o page.html",
     "zeros-certificate": "roots z^2-2 --rectangle -3 3 -1 1 -o zeros.json",

@@ -14,7 +14,6 @@ from click.testing import CliRunner, Result
 from flint import arb
 
 from mpsolve.cli import cli
-from mpsolve.stability.velocities import onset_velocity, unstable_velocities
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RAIL, PLAIN = EXAMPLES / "rail_60e1.toml", EXAMPLES / "dimensionless.toml"
@@ -48,6 +47,8 @@ values = [1.5]
 parameter = "scale.mass"
 values = [0.1, 1]
 """
+ONSET = 0.66691895728454957
+"""Of two masses 70 at the distance 1.5, η_b = 0.05; found by an engine of its own for this beam, now gone."""
 Run = Callable[..., Result]
 
 
@@ -76,13 +77,11 @@ def test_an_answer_without_certificate_says_why(run: Run) -> None:
 
 
 def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
-    """In the paper's ratios, to 1e-12 of what another program with its own certificate proves."""
+    """In the paper's ratios, as another program with certificates of its own had it."""
     data = json.loads(run("onset", PLAIN, "--over", "v=0.6..0.7", "--digits", 20, "--json").stdout)
-    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"), digits=20)
     value = data["answer"]["value"]
-    assert truth.alpha is not None
-    assert abs(float(value["decimal"]) - float(truth.alpha.mid())) < 1e-12
-    assert value["lower"] <= float(truth.alpha.mid()) <= value["upper"]
+    assert value["decimal"].startswith("0.66691895728454957")
+    assert value["lower"] <= ONSET <= value["upper"]
     assert len(data["certificate"]) == 64
     assert data["trust"].startswith("Proved: a certificate")
     assert data["ranges"]["v"]["high"] == {"exact": "7/10", "decimal": "0.7"}
@@ -91,9 +90,7 @@ def test_the_onset_is_that_of_the_paper_s_own_proof(run: Run) -> None:
 def test_the_crossings_are_those_of_the_paper_s_own_proof(run: Run) -> None:
     result = run("crossings", PLAIN, "--over", "v=0.6..0.7", "--json", "-o", "c.csv")
     found = json.loads(result.stdout)["answer"]["crossings"]
-    truth = unstable_velocities("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"))
-    ends = [float(interval.start.mid()) for interval in truth if interval.q_start is not None]
-    assert [abs(float(one["value"]["decimal"]) - end) < 1e-12 for one, end in zip(found, ends, strict=True)] == [True]
+    assert [abs(float(one["value"]["decimal"]) - ONSET) < 1e-12 for one in found] == [True]
     with Path("c.csv").open(encoding="utf-8", newline="") as file:
         heading, *rows = csv.reader(file)
     assert heading == ["v", "q [√(k/m)]", "direction"]
@@ -193,9 +190,7 @@ def test_a_table_of_any_problem(run: Run) -> None:
     assert "2 entries: 1 proved, 1 stable." in result.stdout
     entry = json.loads(Path("t.json").read_text("utf-8"))["entries"][0][1]
     middle, radius = ((int(x), e) for x, e in entry["balls"][0])
-    truth = onset_velocity("0.05", (70, 70), (0, "1.5"), alpha=("0.6", "0.7"), digits=20).alpha
-    assert truth is not None
-    assert arb(middle, radius).overlaps(truth)
+    assert arb(middle, radius).overlaps(arb("0.66691895728454957 +/- 1e-17"))
 
 
 @pytest.mark.parametrize(
@@ -215,10 +210,8 @@ def test_a_table_of_any_problem(run: Run) -> None:
         (["robust", PLAIN], "--over", "is missing"),
         (["chart", PLAIN, "-o", "c.png"], "output", ".svg"),
         (["chart", PLAIN, "--over", "v=0..1"], "over", "a chart is over two parameters"),
-        (["table", "pair.toml"], "pair.toml", "use mpsolve certify"),
-        (["table", "table.toml", "-o", "a.tex"], "output", ".csv, .json"),
+        (["table", "table.toml", "-o", "a.txt"], "output", ".csv, .json"),
         (["table", "table.toml", "--workers", "0"], "workers", ""),
-        (["table", "table.toml", "--certificates", "certs"], "certificates", "none for this kind"),
     ],
 )
 def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[object], key: str, said: str) -> None:

@@ -21,9 +21,6 @@ from mpsolve.certificate import verify2
 from mpsolve.certificate.format import digest
 from mpsolve.errors import ContradictionError, InputError
 from mpsolve.numbers.exact import Exact
-from mpsolve.stability.family import Family
-from mpsolve.stability.passages import counted
-from mpsolve.stability.zero import Zero
 
 def holds(condition, name):
     if not condition:
@@ -48,14 +45,6 @@ def no_number(content):
 holds(verdict(lambda content: None), "the certificate itself was refused")
 holds(not verdict(six), "a wrong count was accepted")
 holds(not verdict(no_number), "a number that is none was accepted")
-family, t = Family(Case(alpha=0, eta_b="0.1", eta_m=1), "alpha"), flint.arb("0.5")
-leaves = Zero(flint.arb("0.2"), t, (Fraction(1, 5), Fraction(1, 2)), (0.01, 0.01), -1)
-try:
-    counted(family, Exact(0), Exact(1), 10.0, [leaves], [], 1, 0)
-except ContradictionError as error:
-    holds("contradict" in str(error) and "fault" in str(error), "the words")
-else:
-    holds(False, "two roots left where none was")
 try:
     Case(alpha=-1, eta_b="0.1", eta_m=1)
 except InputError:

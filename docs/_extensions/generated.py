@@ -16,10 +16,14 @@ DOCS = ROOT / "docs"
 
 def generate(_app: Any) -> None:
     reference, gallery = (DOCS / name / "_generated" for name in ("reference", "gallery"))
-    for name, made in (("models", models), ("commands", commands), ("library", names), ("schemas", schemas)):
+    for name, made in (("models", models), ("commands", commands), ("library", names)):
         write(reference / f"{name}.md", made())
-    for source in sorted((ROOT / "certs").glob("SPEC*.md")):  # the formats, as they stand beside the certificates
-        write(reference / source.name.lower(), source.read_text(encoding="utf-8"))
+    write(reference / "schemas.md", schemas(reference / "schemas"))
+    specifications = {one.name.lower(): one for one in (ROOT / "certs").glob("SPEC*.md")}
+    for name, source in specifications.items():  # the formats, as they stand beside the certificates
+        write(reference / name, source.read_text(encoding="utf-8"))
+    for gone in {one.name for one in reference.glob("spec*.md")} - set(specifications):
+        (reference / gone).unlink()
     write(DOCS / "about" / "_generated" / "layout.md", layout_page())
     for name, page in galleries(gallery).items():
         write(gallery / f"{name}.md", page)

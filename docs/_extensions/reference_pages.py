@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import inspect
+import json
+from pathlib import Path
 from typing import Any
 
 import click
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def models() -> str:
@@ -58,7 +62,7 @@ def names() -> str:
     lines = ["# The library", "", "Everything that `mpsolve` exports.", ""]
     for name in mpsolve.__all__:
         value = getattr(mpsolve, name)
-        lines += [f"## {name}", ""]
+        lines += [f"## {name}", "", *source(value)]
         if inspect.ismodule(value):
             lines += [f"{first_line(value)} See [](models.md).", ""]
         else:
@@ -81,6 +85,15 @@ def described(name: str, value: Any) -> list[str]:
         head = f"**{key}**" if isinstance(member, property) else f"**{key}**`{shape(inner)}`"
         lines += [f"- {head}: {escaped(' '.join(documented.split()))}"]
     return [*lines, ""]
+
+
+def source(value: Any) -> list[str]:
+    """The file in which it stands."""
+    try:
+        place = Path(inspect.getsourcefile(value) or "").resolve()
+    except TypeError:
+        return []
+    return [f"In `{place.relative_to(ROOT)}`.", ""] if place.is_relative_to(ROOT) else []
 
 
 def shape(value: Any) -> str:
@@ -122,14 +135,17 @@ def first_line(value: Any) -> str:
     return (inspect.getdoc(value) or "").split("\n")[0]
 
 
-def schemas() -> str:
-    """Every schema with its version and its keys at the top."""
+def schemas(folder: Path) -> str:
+    """Every schema with its version and its keys at the top; the schemas themselves go into `folder`."""
     from mpsolve.schemas.catalogue import CATALOGUE
 
-    lines = ["# Schemas", "", "`mpsolve schema NAME` prints a JSON Schema (draft 2020-12) of:", ""]
+    folder.mkdir(parents=True, exist_ok=True)
+    lines = ["# Schemas", "", "JSON Schemas (draft 2020-12), as `mpsolve schema NAME` prints them:", ""]
     lines += ["| NAME | of | version | keys |", "|---|---|---|---|"]
     for name, (told, make) in CATALOGUE.items():
         made = make()
         keys = ", ".join(f"`{key}`" for key in made.get("properties", {})) or "one of several forms"
-        lines.append(f"| `{name}` | {told} | {made['$id'].rsplit('/', 1)[1]} | {keys} |")
+        (folder / f"{name}.json").write_text(json.dumps(made, indent=1, ensure_ascii=False), encoding="utf-8")
+        link, version = f"{{download}}`{name} <{folder.name}/{name}.json>`", made["$id"].rsplit("/", 1)[1]
+        lines.append(f"| {link} | {told} | {version} | {keys} |")
     return "\n".join([*lines, "", "A later version of a kind adds keys, and changes the meaning of none.", ""])

@@ -31,9 +31,9 @@ def check() -> None:
     assert [unstable["1"][0], unstable["1.5"][0], unstable["0.5"]] == [0.97, 0.67, []]
     for place in ("0.66", "0.67", "0.99"):
         check_lines(found["1.5"], pair_of_masses(place, 70, "1.5", ETA_B))
-    (end,) = cut_points(ETA_B, (70, 70), (0, "1.5"), alpha=("0.9", "0.99"), digits=15)
+    (end,) = cut_points(pair_of_masses("0.95", 70, "1.5", ETA_B), over={"v": ("0.9", "0.99")}).points
     ended = min(found["1.5"], key=lambda line: line.alpha[-1])
-    assert ended.alpha[-1] < end.alpha < ended.alpha[-1] + 0.01
+    assert ended.alpha[-1] < end.value < ended.alpha[-1] + 0.01
     assert ended.q[-1].imag < float(ETA_B)  # where it is cut (conclusion (iv))
     past = [drawn(found["1"], a)[-1].real - limiting(ETA_B, np.array([a]))[0] for a in (0.5, 0.97)]
     assert past[0] < 0 < past[1]  # Section 4.3: the real part can cross q_lm

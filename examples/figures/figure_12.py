@@ -17,7 +17,7 @@ from kernels import kernels
 from style import LIMIT, SINGLE, agree, greys, page, run
 from vibration import pair_of_masses
 
-from mpsolve import Case, certify, onset, onset_table
+from mpsolve import Case, certify, onset, stability_table
 
 ETA_B = 0.05
 DISTANCES = ("0.5", "1", "1.25", "1.5", "1.75", "2")
@@ -29,18 +29,13 @@ FREQUENCIES: Any = np.linspace(0.01, 1.5, 300)
 
 def onsets(masses: Sequence[int] = MASSES, distances: Sequence[str] = DISTANCES) -> Any:
     """The proved first onset of one mass (column 0) and of two at each distance, shape (masses, 1 + distances)."""
-    table = onset_table(
-        {
-            "quantity": "onset velocity",
-            "digits": 10,
-            "fixed": {"eta_b": str(ETA_B), "alpha": [0, 2]},
-            "rows": {"parameter": "eta_m", "values": list(masses)},
-            "columns": {"parameter": "d", "values": ["one mass", *distances]},
-        }
-    )
-    return np.array(
-        [[np.nan if entry.value is None else float(entry.value) for entry in row] for row in table.entries]
-    )
+    over: Any = {"v": (0, 2)}
+    pair = Case(alpha="0.5", eta_b=str(ETA_B), eta_m=(1, 1), positions=(0, 1))
+    table = stability_table(pair, over=over, rows={"eta_m": list(masses)}, columns={"d": list(distances)})
+    alone = [onset(Case(alpha="0.5", eta_b=str(ETA_B), eta_m=m), over=over, check=False).value for m in masses]
+    single = [np.nan if value is None else float(value.mid()) for value in alone]
+    proved = [[float(e.text) if e.status == "proved" else np.nan for e in row] for row in table.entries]
+    return np.column_stack([single, proved])
 
 
 def limit(d: str | None, alpha: Any = ALPHA) -> Any:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from style import DOUBLED, LIMIT, SINGLE, agree, greys
 
-from mpsolve import Case, Frequencies, Problem, certify, cut_points, frequencies, tracks, vehicles
+from mpsolve import Case, CutPoint, Frequencies, Problem, certify, cut_points, frequencies, tracks, vehicles
 
 ALPHA: Any = np.arange(1, 141) / 100
 # Section 4.2, η_M and d: the last velocity ratio of the grid 0.01 with both pairs, all confirmed
@@ -73,8 +73,17 @@ def on_sheet(alpha: Any, eta_b: Any, eta_m: Any, d: Any) -> Frequencies:
 
 def end_of_line(eta_m: int, d: str) -> float:
     """The proved velocity ratio at which the line of the higher pair meets q_lm, without damping."""
-    (end,) = cut_points(0, (eta_m, eta_m), (0, d), alpha=("0.01", "0.99"), digits=15)
-    return float(end.alpha.mid())
+    (end,) = _ends(eta_m, d, 0.01, 0.99)
+    return float(end.value.mid())
+
+
+def _ends(eta_m: int, d: str, low: float, high: float) -> Sequence[CutPoint]:
+    """All points at which a line meets q_lm, without damping."""
+    case = Case(alpha="0.5", eta_b=0, eta_m=(eta_m, eta_m), positions=(0, d))
+    found = cut_points(case, over={"v": (str(low), str(high))})
+    if not found.proved:
+        raise SystemExit(str(found.reason))
+    return found.points
 
 
 def drawn(found: Sequence[Line], alpha: float) -> Any:
@@ -120,8 +129,8 @@ def _ahead(alpha: list[float], q: list[complex], a: float) -> complex:
 def _to_the_cut(joined: list[Line], eta_m: int, d: str, alpha: Any) -> list[Line]:
     """The same lines, without damping, each with the proved point at which it ends or begins at q_lm."""
     last = min(float(alpha[-1]), 0.99)  # below α_C = 1, where q_lm = 0
-    for point in cut_points(0, (eta_m, eta_m), (0, d), alpha=(float(alpha[0]), last), digits=15):
-        a, q = float(point.alpha.mid()), complex(point.q)
+    for point in _ends(eta_m, d, float(alpha[0]), last):
+        a, q = float(point.value.mid()), complex(point.q)
         end = 0 if point.appears else -1
         k = int(np.argmin([abs(line.q[end] - q) + abs(line.alpha[end] - a) for line in joined]))
         line = joined[k]

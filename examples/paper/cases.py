@@ -8,12 +8,11 @@ from typing import Any
 
 import flint
 
-from mpsolve import Spectrum, certify
+from mpsolve import CutPoint, CutPoints, Spectrum, certify, cut_points
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim
 from mpsolve.errors import PrecisionError
 from mpsolve.problem.case import Case
-from mpsolve.stability.cuts import CutPoint, cut_points
 
 MASSES = ("10", "40", "70")  # η_M = 10:30:70, Section 4.1
 DISTANCES = tuple(str(Fraction(k, 2).limit_denominator()) if k % 2 == 0 else f"{k / 2}" for k in range(1, 10))
@@ -71,10 +70,15 @@ def ahead(case: Case) -> list[Any]:
 @lru_cache(maxsize=128)
 def gap_ends(eta_m: str, d: str) -> tuple[CutPoint, ...]:
     """Undamped, α = 0.01 to 0.999: all velocity ratios at which a frequency line ends at q_lm."""
-    found = cut_points(0, (eta_m, eta_m), (0, d), alpha=("0.01", _GRID_END), digits=DIGITS)
+    return cuts(pair("0.5", "0", eta_m, d), "0.01", _GRID_END, DIGITS).points
+
+
+def cuts(case: Case, low: str, high: str, digits: int = 15) -> CutPoints:
+    """All cut points of a range of velocity ratios. PrecisionError if the list is not proved."""
+    found = cut_points(case, over={"v": (low, high)}, digits=digits)
     if not found.proved:
-        raise PrecisionError(found.reason)
-    return found.points
+        raise PrecisionError(str(found.reason))
+    return found
 
 
 def higher_end(eta_m: str, d: str) -> Any:
@@ -82,7 +86,7 @@ def higher_end(eta_m: str, d: str) -> Any:
     ends = gap_ends(eta_m, d)
     if len(ends) != 1 or ends[0].appears:
         raise PrecisionError(f"the higher line has {len(ends)} ends for eta_M = {eta_m}, d = {d}")
-    return ends[0].alpha
+    return ends[0].value
 
 
 def ball(text: str) -> Any:

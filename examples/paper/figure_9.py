@@ -8,10 +8,8 @@ from fractions import Fraction
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, first_on_grid, grid, shown
-from mpsolve.errors import PrecisionError
-from mpsolve.stability.cuts import cut_points
 
-from .cases import ahead, certificate, lowest, pair, spectrum
+from .cases import ahead, certificate, cuts, lowest, pair, spectrum
 
 Certificates = list[tuple[str, Certificate | None]]
 _STEP = Fraction(1, 100)
@@ -73,17 +71,15 @@ def usually_cut(claim: Claim) -> Finding:
     numbers, certificates = [], []
     for text in claim.values("lines"):
         eta_m, d = text.split()
-        found = cut_points(eta_b, (eta_m, eta_m), (0, d), alpha=(claim.number("from"), claim.number("to")), digits=15)
-        if not found.proved:
-            raise PrecisionError(found.reason)
+        found = cuts(pair("0.5", eta_b, eta_m, d), claim.number("from"), claim.number("to"))
         name, higher = f"η_M = {eta_m}, d = {d}", False
-        for point in found:
-            after = decimal(first_on_grid(point.alpha, _STEP))
+        for point in found.points:
+            after = decimal(first_on_grid(point.value, _STEP))
             case = pair(after, eta_b, eta_m, d)
             left = ahead(case)
             higher = higher or any(below(q.real, point.q.real) for q in left)
             numbers.append(
-                (f"{name}: a line ends at α, with Re q", f"{shown(point.alpha, 10)}, {shown(point.q.real, 8)}")
+                (f"{name}: a line ends at α, with Re q", f"{shown(point.value, 10)}, {shown(point.q.real, 8)}")
             )
             numbers.append((f"  left at α = {after}, Re q", "; ".join(shown(q.real, 8) for q in left) or "none"))
             certificates.append((f"{claim.id}_eta{eta_m}_d{d}_alpha{after}", certificate(case)))

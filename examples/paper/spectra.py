@@ -12,9 +12,8 @@ from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
 from mpsolve.derivation.paper import dispersion
 from mpsolve.numbers.balls import precision
-from mpsolve.stability.cuts import cut_points
 
-from .cases import DISTANCES, MASSES, ahead, ball, certificate, listed, pair, single, spectrum
+from .cases import DISTANCES, MASSES, ahead, ball, certificate, cuts, listed, pair, single, spectrum
 from .limits import critical_velocity_ratio, limiting_frequency
 from .theory import symmetries
 
@@ -40,14 +39,14 @@ def cut_at_damping(claim: Claim) -> Finding:
     eta_b, eta_m, d = claim.numbers("eta_b", "eta_m", "d")
     numbers = []
     certificates: list[tuple[str, Certificate | None]] = []
-    found = cut_points(eta_b, (eta_m, eta_m), (0, d), alpha=("0.9", "1.3"), digits=15)
-    for point in found:
-        last = last_on_grid(point.alpha, Fraction(1, 100))
+    found = cuts(pair("0.95", eta_b, eta_m, d), "0.9", "0.99")
+    for point in found.points:
+        last = last_on_grid(point.value, Fraction(1, 100))
         certificates += [
             (f"{claim.id}_alpha{decimal(alpha)}", certificate(pair(decimal(alpha), eta_b, eta_m, d)))
             for alpha in (last, last + Fraction(1, 100))
         ]
-        numbers.append(("cut point: α", shown(point.alpha, 12)))
+        numbers.append(("cut point: α", shown(point.value, 12)))
         numbers.append(("there Re q", shown(point.q.real, 12)))
     steps = (
         "With q = x + i(η_b + y): Im D(p, q) = −8y(x − αp) and, at p = x/α, Re D = p⁴ + 4y² + 4 − 4η_b² "
@@ -58,7 +57,7 @@ def cut_at_damping(claim: Claim) -> Finding:
         "For η_b < 1 and y ≠ 0 D has no real p-root, so K and Δ are analytic off the line Im q = η_b; on it they are "
         "where |Re q| < q_lm. A root can leave the sheet only at Im q = η_b, |Re q| ≥ q_lm.",
     )
-    holds = sp.simplify(offset) == 0 and positive == 0 and gap == 0 and found.proved and len(found) > 0
+    holds = sp.simplify(offset) == 0 and positive == 0 and gap == 0 and len(found.points) > 0
     if not holds:
         return Finding(Verdict.UNDECIDABLE, "Not confirmed.", numbers, steps)
     sentence = (

@@ -56,7 +56,7 @@ def cut_at_the_limit(claim: Claim) -> Finding:
         return Finding(Verdict.REFUTED, "The gap ends at q_lm.")
     if not proof.holds or any(point.side != "gap" or point.appears for _, _, point in ends):
         return Finding(Verdict.UNDECIDABLE, "A step of the proof, or a cut point, was not confirmed.")
-    numbers = tuple((f"η_M = {m}, d = {d}: ends at α", shown(point.alpha, 12)) for m, d, point in ends)
+    numbers = tuple((f"η_M = {m}, d = {d}: ends at α", shown(point.value, 12)) for m, d, point in ends)
     sentence = (
         "Below α_C every root is real and lies in the gap |q| < q_lm, where Δ is analytic, so a line can end at q_lm "
         f"only (theorem). In the 27 cases of the paper {len(ends)} lines do, each once, and none begins: the "
@@ -87,7 +87,7 @@ def two_pairs_then_one(claim: Claim) -> Finding:
             below, above = (len(ahead(pair(alpha, "0", eta_m, d))) for alpha in ("0.05", "0.98"))
             if len(ends) != 1 or (str(below), str(above)) != (many, few):
                 wrong.append(f"η_M = {eta_m}, d = {d}: {below} pairs at α = 0.05, {above} at 0.98, {len(ends)} ends")
-            numbers.append((f"η_M = {eta_m}, d = {d}: two pairs up to α", shown(ends[0].alpha, 10)))
+            numbers.append((f"η_M = {eta_m}, d = {d}: two pairs up to α", shown(ends[0].value, 10)))
     if wrong:
         return Finding(Verdict.REFUTED, "; ".join(wrong), numbers)
     sentence = (

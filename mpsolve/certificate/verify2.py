@@ -191,10 +191,14 @@ def point(value: Any) -> Point:
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
     rows = items(rows, height, name, height)
     entries = fmpq_mat(height, width, [rational(x, name) for row in rows for x in items(row, width, name, width)])
+    require_short(entries, name)
+    return entries
+
+
+def require_short(entries: Any, name: str) -> None:
     numerators, denominator = entries.numer_denom()
     bits = max([int(denominator).bit_length(), *(int(x).bit_length() for x in numerators.entries())])
-    require(bits * max(height, width) <= 8_000, f"{name} has too many digits")
-    return entries
+    require(bits * max(entries.nrows(), entries.ncols()) <= 8_000, f"{name} has too many digits")
 
 
 def at_q(z: Point) -> Any:
@@ -571,44 +575,92 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any) -> Vehicle:
-    keys(value, "M C K B places compliances")
-    nc = len(items(value["places"], MAX_CONTACTS, "places"))
-    nb = len(items(value["M"], MAX_BODIES, "M"))
-    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
-    M, C, K = (matrix(value[name], nb, nb, name) for name in "MCK")
-    B = matrix(value["B"], nb, nc, "B")
+    bodies = read_bodies(value, basis, 0, (), MAX_BODIES, MAX_CONTACTS)
+    nc, felt = bodies.B.ncols(), bodies.B.nrows()
     places = [rational(x, "a place") for x in value["places"]]
     h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
     require(all(x >= 0 for x in h), "a compliance is negative")
-    for a in (M, C, K):
-        require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
-    require((M + C + K).det() != 0, "a body has no mass, spring or damper")
+    check_forces(bodies.B, [places.index(x) for x in places], h)
+    M, C, K = (part.get((), fmpq_mat(felt, felt)) for part in bodies.parts)
+    return Vehicle(M, C, K, bodies.B, h, places, bodies.neutral, bodies.unfelt)
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """M, C, K as {exponents of the parameters: matrix} and B of the felt coordinates; the last are neutral."""
+
+    parts: list[dict[Exponents, Any]]
+    B: Any
+    neutral: int
+    unfelt: int
+
+
+def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contacts: int) -> Bodies:
+    """Passive for all parameters of the box, and in the basis felt, neutral and unfelt coordinates are apart."""
+    keys(value, "M C K B places compliances")
+    nc, nb = len(items(value["places"], contacts, "places")), len(items(value["M"], most, "M"))
+    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
+    parts, B = [read_matrix(value[name], nb, count, name) for name in "MCK"], matrix(value["B"], nb, nc, "B")
+    check_semidefinite(parts, nb, box)
     neutral = unfelt = 0
     if basis is not None:
         keys(basis, "matrix neutral unfelt")
         neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
         Q = matrix(basis["matrix"], nb, nb, "basis")
         require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
-        M, C, K, B = Q.transpose() * M * Q, Q.transpose() * C * Q, Q.transpose() * K * Q, Q.transpose() * B
+        B, parts = Q.transpose() * B, [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
     felt = nb - unfelt
-    for i, j in product(range(felt, nb), range(nb)):
-        require(j >= felt or M[i, j] == C[i, j] == K[i, j] == 0, "the unfelt coordinates are coupled to the others")
-    for i in range(felt - neutral, nb):
-        require(all(B[i, j] == 0 for j in range(nc)), "an unfelt or neutral coordinate carries a contact")
-        require(i >= felt or all(K[i, j] == 0 for j in range(felt)), "a neutral coordinate has a spring")
-    M, C, K = (fmpq_mat(felt, felt, [a[i, j] for i in range(felt) for j in range(felt)]) for a in (M, C, K))
-    B = fmpq_mat(felt, nc, [B[i, j] for i in range(felt) for j in range(nc)])
-    vehicle = Vehicle(M, C, K, B, h, places, neutral, unfelt)
-    check_forces(vehicle)
-    return vehicle
+    for i, j in product(range(felt - neutral, nb), range(nc)):
+        require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
+    for a in (a for part in parts for a in part.values()):
+        for i, j in product(range(felt, nb), range(felt)):
+            require(a[i, j] == 0, "the unfelt coordinates are coupled to the others")
+    for a in parts[2].values():
+        for i, j in product(range(felt - neutral, felt), range(felt)):
+            require(a[i, j] == 0, "a neutral coordinate has a spring")
+    parts = [{e: corner(a, felt, felt) for e, a in part.items()} for part in parts]
+    return Bodies(parts, corner(B, felt, nc), neutral, unfelt)
 
 
-def check_forces(vehicle: Vehicle) -> None:
-    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0."""
-    nc, nb = len(vehicle.h), vehicle.B.nrows()
-    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
-    rows += [[fmpq(int(x == site)) for x in vehicle.places] for site in vehicle.sites]
-    rows += [[h if i == j else fmpq(0) for j in range(nc)] for i, h in enumerate(vehicle.h)]
+def corner(a: Any, height: int, width: int) -> Any:
+    return fmpq_mat(height, width, [a[i, j] for i in range(height) for j in range(width)])
+
+
+def read_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
+    """{exponents: matrix}, linear in each parameter."""
+    out: dict[Exponents, Any] = {}
+    for i, row in enumerate(items(value, size, name, size)):
+        for j, x in enumerate(items(row, size, name, size)):
+            for e, c in free(x, count, name).items():
+                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
+                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
+    for a in out.values():
+        require_short(a, name)
+    return out
+
+
+def check_semidefinite(parts: Sequence[dict[Exponents, Any]], size: int, box: Box) -> None:
+    """M, C, K ≥ 0 and M + C + K > 0: at all corners of the box, and so everywhere, being linear in each parameter."""
+    used = [k for k in range(len(box)) if any(e[k] for part in parts for e in part)]
+    for ends in product((0, 1), repeat=len(used)):
+        chosen = dict(zip(used, ends, strict=True))
+        x, total = [pair[chosen.get(k, 0)] for k, pair in enumerate(box)], fmpq_mat(size, size)
+        for part in parts:
+            a = sum((c * at({e: fmpq(1)}, x) for e, c in part.items()), fmpq_mat(size, size))
+            require(semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
+            total = total + a
+        require(total.det() != 0, "a body has no mass, spring or damper")
+
+
+def check_forces(B: Any, sites: Sequence[int], soft: Sequence[Any]) -> None:
+    """No contact force is indeterminate: B f = 0, h f = 0 and no resultant at any place means f = 0.
+
+    sites: the number of each contact's place; soft: whether its compliance is not 0.
+    """
+    nc = len(soft)
+    rows = [[B[i, j] for j in range(nc)] for i in range(B.nrows())]
+    rows += [[fmpq(int(x == site)) for x in sites] for site in sorted(set(sites))]
+    rows += [[fmpq(int(i == j and bool(h))) for j in range(nc)] for i, h in enumerate(soft)]
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
@@ -709,7 +761,7 @@ class Nodes:
         self.values = (acb_mat(n, n + 1, vander) * local.d).tolist()  # D(z_k, m + t), ascending in t
 
     def split(self, r: Any) -> Split:
-        """The pair on |σ − m| ≤ r, or Refused. β is found by iteration; what counts is the last inequality."""
+        """The pair on |σ − m| ≤ r, or Refused."""
         require(r.is_zero() or not self.local.thin, "a splitting at one point is not one on a disc")
         sizes = [arb(1)]
         for _ in range(self.local.d.ncols() - 1):
@@ -722,17 +774,49 @@ class Nodes:
         low = 2 * abs(lead[0]) - bound(lead)
         require(low > 0, "the highest coefficient may vanish on a piece")
         w = [(bound(row) / (size * low)).upper() for row, size in zip(self.values, self.all, strict=True)]
-        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
-        beta = [(x * 1.2 + tiny).upper() for x in w]
-        for _ in range(10):
-            s = (self.inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-            if not all(x < 0.5 for x in s):
-                break
-            tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
-            if all(x < y for x, y in zip(tau, beta, strict=True)):
-                return Split(self, beta, tau)
-            beta = [(x * 1.15 + tiny).upper() for x in tau]
-        raise Refused("the p-roots of both sides are not kept apart on a piece: it is too long")
+        found = contraction(w, self.inverse, tiny(self.z))
+        require(found, "the p-roots of both sides are not kept apart on a piece: it is too long")
+        return Split(self, *(found or ([], [])))
+
+
+def tiny(z: Sequence[Any]) -> Any:
+    return max((abs(x).upper() for x in z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
+
+
+def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
+    """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
+
+    β is found by iteration; what counts is the last inequality.
+    """
+    beta = [(x * 1.2 + tiny).upper() for x in w]
+    for _ in range(10):
+        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+        if not all(x < 0.5 for x in s):
+            return None
+        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
+        if all(x < y for x, y in zip(tau, beta, strict=True)):
+            return beta, tau
+        beta = [(x * 1.15 + tiny).upper() for x in tau]
+    return None
+
+
+def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: range) -> list[Any]:
+    """Radii of disjoint discs round the nodes of one side, one root of its factor in each (Lemma 2); or Refused."""
+    radii = []
+    for k in side:
+        for widening in (1.02, 1.1, 1.5, 3):
+            e = (tight[k] * widening).upper()
+            near = [(tight[j], distance[k][j] - e) for j in side if j != k]
+            if all(gap > 0 for _, gap in near):
+                g = sum((t / gap for t, gap in near), arb(0))
+                if g < 1 and (tight[k] < e * (1 - g) or tight[k] == 0):
+                    radii.append(e)
+                    break
+        else:
+            raise Refused("p-roots of one side meet")
+    for (i, e), (k, f) in combinations(list(zip(side, radii, strict=True)), 2):
+        require(distance[i][k] > e + f, "p-roots of one side meet")
+    return radii
 
 
 @dataclass
@@ -757,22 +841,7 @@ class Split:
         return True
 
     def isolated(self, side: range) -> list[Any]:
-        """Radii of disjoint discs round the nodes of one side, one root of its factor in each; or Refused."""
-        distance, radii = self.nodes.distance, []
-        for k in side:
-            for widening in (1.02, 1.1, 1.5, 3):
-                e = (self.tight[k] * widening).upper()
-                near = [(self.tight[j], distance[k][j] - e) for j in side if j != k]
-                if all(gap > 0 for _, gap in near):
-                    g = sum((t / gap for t, gap in near), arb(0))
-                    if g < 1 and (self.tight[k] < e * (1 - g) or self.tight[k] == 0):
-                        radii.append(e)
-                        break
-            else:
-                raise Refused("p-roots of one side meet")
-        for (i, e), (k, f) in combinations(list(zip(side, radii, strict=True)), 2):
-            require(distance[i][k] > e + f, "p-roots of one side meet")
-        return radii
+        return isolated(self.tight, self.nodes.distance, side)
 
 
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
@@ -1142,14 +1211,14 @@ class Bordered:
         return [acb_mat(full[0]), acb_mat(full[1]), arb_mat(full[2])]
 
 
-def direct_contacts(vehicle: Vehicle) -> dict[int, int]:
+def direct_contacts(vehicle: Any) -> dict[int, int]:
     """Each contact that is tight and alone on a body with no other contact, and that body."""
     nb, nc = vehicle.B.nrows(), len(vehicle.h)
     touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
     out = {}
     for j in range(nc):
         bodies = [i for i in range(nb) if j in touched[i]]
-        if vehicle.h[j] == 0 and len(bodies) == 1 and touched[bodies[0]] == [j]:
+        if not vehicle.h[j] and len(bodies) == 1 and touched[bodies[0]] == [j]:
             out[j] = bodies[0]
     return out
 
@@ -1456,14 +1525,15 @@ def bernstein(n: int, a: float, b: float) -> Any:
     return arb_mat(basis) * arb_mat(moved)
 
 
-def check_positive(f: Terms, x: tuple[float, float], y: tuple[float, float], product_below: Any, name: str) -> None:
+def check_positive(f: Terms, box: Box, product_below: Any, name: str) -> None:
     """Σ c x^i y^j > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+    x, y = ((-above(-arb(a)), above(arb(b))) for a, b in box)
     n, m = (max(k[i] for k in f) for i in (0, 1))
-    c = arb_mat(n + 1, m + 1, [f.get((i, j), arb(0)) for i in range(n + 1) for j in range(m + 1)])
+    c = arb_mat(n + 1, m + 1, [f.get((i, j), 0) for i in range(n + 1) for j in range(m + 1)])
     stack, number = [(x, y, 0)], 0
     while stack:
         (x0, x1), (y0, y1), depth = stack.pop()
-        if product_below is not None and arb(x0) * arb(y0) > product_below:
+        if product_below is not None and arb(x0) * arb(y0) > arb(product_below):
             continue
         number += 1
         b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
@@ -1505,53 +1575,80 @@ def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
 def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None:
     """The receptance matrix is passive at all real q ≥ X: what a block of p absorbs exceeds what p ≥ q/v gives."""
     keys(theorem, "gamma blocks alpha omega envelope")
-    k, m = (integer(x, 0, 12, "gamma") for x in items(theorem["gamma"], 2, "gamma", 2))
+    C, v = dyadic(theorem["envelope"], "envelope"), track.v
+    require(min(C, X) > 0, "the theorem's numbers are out of range")
+    gap = min((b - a for a, b in pairwise(sites)), default=None)
+    parts = absorption(RING, track.D, track.N)
+    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], (), check_positive)
+
+
+def tail_alpha(
+    content: Any,
+    least_alpha: int,
+    parts: Sequence[Any],
+    v: Free,
+    fastest: Any,
+    Q: Any,
+    gap: Any,
+    bounds: Sequence[tuple[Any, Any]],
+    box: Box,
+    positive_on: Callable[[Free, Box, Any, str], None],
+) -> int:
+    """α, if the theorem at large q (section 6.2) holds for q ≥ Q and all parameters of the box.
+
+    parts: W and |D|². v ≤ fastest: the velocity. gap: the least distance of two places, None of one alone.
+    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀. positive_on shows a polynomial to be positive on a box of (z, τ),
+    or of a chart, and of the parameters.
+    """
+    k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
+    omega, alpha = dyadic(content["omega"], "omega"), integer(content["alpha"], least_alpha, 64, "alpha")
     blocks = [
-        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(theorem["blocks"], 200, "blocks")
+        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
     ]
-    omega, C = (dyadic(theorem[name], name) for name in ("omega", "envelope"))
-    alpha, v = integer(theorem["alpha"], 2, 64, "alpha"), track.v
-    require(0 <= k <= m and m > 0 and blocks and min(omega, C, X) > 0, "the theorem's numbers are out of range")
+    require(0 <= k <= m and m > 0 and blocks and min(omega, Q) > 0, "the theorem's numbers are out of range")
     require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
     require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
-    w, d = (terms(x) for x in absorption(RING, track.D, track.N))
-    (block_w, top_w), (block_d, top_d) = (in_block(x, {(): v} if v else {}, k, m) for x in (w, d))
-    x = arb(X)
-    growth = x ** arb(fmpq(k, m))
-    between = 2 * arb.pi() / arb(min(b - a for a, b in pairwise(sites))) if len(sites) > 1 else arb(0)
-    require(arb(v * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
+    require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
+    w, d = (terms(x) for x in parts)
+    (block_w, top_w), (block_d, top_d) = (in_block(x, v, k, m) for x in (w, d))
+    x = arb(Q)
+    growth, tau = x ** arb(fmpq(k, m)), no_less(x ** arb(fmpq(-1, m)))
+    between = 2 * arb.pi() / arb(gap) if gap is not None else arb(0)
+    require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
-    tau = above(x ** arb(fmpq(-1, m)))
     for z1, z2, kappa in blocks:
-        difference = {
-            at: arb(block_w.get(at, fmpq(0)) - kappa * block_d.get(at, fmpq(0))) for at in {*block_w, *block_d}
-        }
-        check_positive(
-            difference, (-above(-arb(z1)), above(arb(z2))), (0.0, tau), None, "a block absorbs less than kappa"
-        )
-    iw, nw, id_, nd = max(i for i, _ in w), max(map(sum, w)), max(i for i, _ in d), max(map(sum, d))
+        difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
+        positive_on(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
+    iw, id_ = (max(e[0] for e in t) for t in (w, d))
+    nw, nd = (max(e[0] + e[1] for e in t) for t in (w, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    near: Terms = {}
-    far: Terms = {}
-    for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
-        for (i, j), c in source.items():
-            for chart, at in ((near, (id_ - less - i, j)), (far, (id_ - less - i, nd - less - i - j))):
-                chart[at] = chart.get(at, fmpq(0)) + factor * c * (-1) ** j
-    reach = arb(v / X)
-    give = "the giving part may exceed the envelope"
-    check_positive(
-        {at: arb(c) for at, c in near.items()}, (0.0, above(reach)), (0.0, above(arb(omega))), arb(v), give
-    )  # −Ω ≤ v p: u·(−Ω) ≤ v
-    check_positive(
-        {at: arb(c) for at, c in far.items()}, (0.0, above(arb(v))), (0.0, above(arb(1 / omega))), reach, give
-    )
+    for p0, C in bounds:
+        near: Free = {}
+        far: Free = {}
+        for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
+            for (i, j, *e), c in source.items():
+                for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
+                    chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
+        give = "the giving part may exceed the envelope"
+        positive_on(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
+        positive_on(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
+    require(known, "short waves are not bounded beyond Q")
+    turn = arb(Q / fastest)
     absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), arb(0))
     takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
-    gives = arb(C) * ((arb(v) / x) ** (alpha - 1) / (alpha - 1) + between * (arb(v) / x) ** alpha)
+    gives = known[-1] * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
     require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
     require(
         (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
     )
+    return alpha
+
+
+def no_less(x: Any) -> Any:
+    """A rational number that is no less, with few digits."""
+    mantissa, exponent = x.upper().man_exp()
+    return fmpq(int(mantissa)) * power_of_2(int(exponent))
 
 
 def check_decay(ring: Any, D: Any, N: Any, v: Any) -> None:

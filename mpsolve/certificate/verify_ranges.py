@@ -24,7 +24,7 @@ from math import asinh, comb, sinh
 from typing import Any
 
 import flint
-from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq, fmpq_mat
+from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq
 
 if __package__:
     from mpsolve.certificate import verify2 as spectra
@@ -182,78 +182,18 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
-    keys(value, "M C K B places compliances")
-    nc = len(items(value["places"], MAX_CONTACTS, "places"))
-    nb = len(items(value["M"], MAX_BODIES, "M"))
-    require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
-    B = spectra.matrix(value["B"], nb, nc, "B")
+    bodies = spectra.read_bodies(value, basis, count, box, MAX_BODIES, MAX_CONTACTS)
+    nc = bodies.B.ncols()
     places = [spectra.free(x, count, "a place") for x in value["places"]]
     h = [spectra.free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
     for f in h:
         for powers, c in f.items():
             fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
             require(fine, "a compliance may be negative, or infinite")
-    neutral = unfelt = 0
-    Q = fmpq_mat(nb, nb, [int(i == j) for i in range(nb) for j in range(nb)])
-    if basis is not None:
-        keys(basis, "matrix neutral unfelt")
-        neutral, unfelt = (integer(basis[name], 0, nb, name) for name in ("neutral", "unfelt"))
-        Q = spectra.matrix(basis["matrix"], nb, nb, "basis")
-        require(neutral + unfelt <= nb and Q.det() != 0, "the basis is singular, or names too many coordinates")
-    B, felt = Q.transpose() * B, nb - unfelt
-    for i, j in product(range(felt - neutral, nb), range(nc)):
-        require(B[i, j] == 0, "an unfelt or neutral coordinate carries a contact")
-    parts = [read_free_matrix(value[name], nb, count, name) for name in "MCK"]
-    parts = [{e: Q.transpose() * a * Q for e, a in part.items()} for part in parts]
-    for part in parts:
-        for a in part.values():
-            for i, j in product(range(felt, nb), range(felt)):
-                require(a[i, j] == 0 == a[j, i], "the unfelt coordinates are coupled to the others")
-    M, C, K = parts
-    for a in K.values():
-        for i, j in product(range(felt - neutral, felt), range(felt)):
-            require(a[i, j] == 0, "a neutral coordinate has a spring")
-    check_semidefinite(parts, nb, box)
-    M, C, K = ({e: cut(a, felt, felt) for e, a in part.items()} for part in parts)
-    vehicle = Vehicle(M, C, K, cut(B, felt, nc), h, places, neutral)
+    M, C, K = bodies.parts
+    vehicle = Vehicle(M, C, K, bodies.B, h, places, bodies.neutral)
     check_places(vehicle, box)
     return vehicle
-
-
-def read_free_matrix(value: Any, size: int, count: int, name: str) -> dict[Exponents, Any]:
-    """{exponents: matrix}, linear in each parameter."""
-    out: dict[Exponents, Any] = {}
-    for i, row in enumerate(items(value, size, name, size)):
-        for j, x in enumerate(items(row, size, name, size)):
-            for e, c in spectra.free(x, count, name).items():
-                require(max(e, default=0) <= 1, f"{name} is not linear in each parameter")
-                out.setdefault(e, fmpq_mat(size, size))[i, j] = c
-    return out
-
-
-def cut(a: Any, height: int, width: int) -> Any:
-    return fmpq_mat(height, width, [a[i, j] for i in range(height) for j in range(width)])
-
-
-def corners(box: Box, used: Sequence[int]) -> Iterator[list[Any]]:
-    """All corners along the axes that are used."""
-    for ends in product((0, 1), repeat=len(used)):
-        chosen = dict(zip(used, ends, strict=True))
-        yield [pair[chosen.get(k, 0)] for k, pair in enumerate(box)]
-
-
-def check_semidefinite(parts: Sequence[dict[Exponents, Any]], size: int, box: Box) -> None:
-    """M, C, K ≥ 0 and M + C + K > 0: at all corners, and so everywhere, being linear in each parameter."""
-    used = [k for k in range(len(box)) if any(e[k] for part in parts for e in part)]
-    for x in corners(box, used):
-        total = fmpq_mat(size, size)
-        for part in parts:
-            a = fmpq_mat(size, size)
-            for e, c in part.items():
-                a = a + c * spectra.at({e: fmpq(1)}, x)
-            require(spectra.semidefinite(a), "M, C or K is not symmetric and positive semidefinite")
-            total = total + a
-        require(total.det() != 0, "a body has no mass, spring or damper")
 
 
 def check_places(vehicle: Vehicle, box: Box) -> None:
@@ -263,11 +203,7 @@ def check_places(vehicle: Vehicle, box: Box) -> None:
     kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
         spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
-    nb, nc = vehicle.B.nrows(), len(vehicle.h)
-    rows = [[vehicle.B[i, j] for j in range(nc)] for i in range(nb)]
-    rows += [[fmpq(int(x == site)) for x in vehicle.sites] for site in sorted(set(vehicle.sites))]
-    rows += [[fmpq(1) if i == j and f else fmpq(0) for j in range(nc)] for i, f in enumerate(vehicle.h)]
-    require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
+    spectra.check_forces(vehicle.B, vehicle.sites, vehicle.h)
 
 
 # --- Taylor forms of second order -------------------------------------------------------------------------
@@ -500,6 +436,8 @@ class Split:
         self.z, self.up = z, sum(bool(x.real < 0) for x in z)
         self.sides = [range(self.up), range(self.up, n)]
         self.gap = [[abs(z[i] - z[k]) if i != k else arb(1) for k in range(n)] for i in range(n)]
+        apart = [1 / self.gap[k][i] if (i < self.up) != (k < self.up) else ZERO for k in range(n) for i in range(n)]
+        self.inverse = arb_mat(n, n, apart)
         self.values = [self.about(z_, 0) for z_ in z]
         self.box, self.tight = self.contraction(throughout)
 
@@ -540,21 +478,8 @@ class Split:
         return wide
 
     def solved(self, w: list[Any]) -> tuple[list[Any], list[Any]] | None:
-        """(β, τ) of Lemma 1 for |W_k| ≤ w_k; β by iteration, what counts is the last inequality."""
-        tiny = max((abs(z).upper() for z in self.z), default=arb(1)) * arb(2) ** (-4 * flint.ctx.prec)
-        beta = [(x * 1.2 + tiny).upper() for x in w]
-        for _ in range(10):
-            tau = []
-            for side, other in ((0, 1), (1, 0)):
-                for k in self.sides[side]:
-                    s = sum((beta[j] / self.gap[k][j] for j in self.sides[other]), ZERO)
-                    if not s < 0.5:
-                        return None
-                    tau.append((w[k] / (1 - s)).upper())
-            if all(x < y for x, y in zip(tau, beta, strict=True)):
-                return beta, tau
-            beta = [(x * 1.15 + tiny).upper() for x in tau]
-        return None
+        """(β, τ) of Lemma 1 for |W_k| ≤ w_k."""
+        return spectra.contraction(w, self.inverse, spectra.tiny(self.z))
 
     def apart(self, tau: list[Any]) -> bool:
         """Each root of U lies within (their number)·τ_k of some node: all have Re P < 0, those of L Re P > 0."""
@@ -620,22 +545,10 @@ class Split:
 
     def isolated(self, side: range) -> list[Any]:
         """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
-        radii = []
-        for k in side:
-            for widening in (1.02, 1.1, 1.5, 3):
-                e = (self.tight[k] * widening).upper()
-                near = [(self.tight[j], self.gap[k][j] - e) for j in side if j != k]
-                if all(gap > 0 for _, gap in near):
-                    g = sum((t / gap for t, gap in near), ZERO)
-                    if g < 1 and self.tight[k] < e * (1 - g):
-                        radii.append(e)
-                        break
-            else:
-                raise Wide("two p-roots of one side meet over a box", self.strain())
-        both = combinations(range(len(radii)), 2)
-        apart = all(self.gap[side[i]][side[k]] > radii[i] + radii[k] for i, k in both)
-        require(apart, "two p-roots of one side meet over a box")
-        return radii
+        try:
+            return spectra.isolated(self.tight, self.gap, side)
+        except Refused as error:
+            raise Wide(str(error), self.strain()) from None
 
     def sharp(self, k: int, e: Any, N: list[Form]) -> tuple[Form, Form]:
         """The root in the disc of radius e round node k, and N/D_P there, as forms: with D(z + h) = Σ E_i h^i,
@@ -826,12 +739,8 @@ class Matrix:
     def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
         nb, nc = vehicle.B.nrows(), len(vehicle.h)
         self.vehicle, self.waves, self.nc = vehicle, waves, nc
-        touched = [[j for j in range(nc) if vehicle.B[i, j] != 0] for i in range(nb)]
-        self.direct: list[tuple[int, int, Any]] = []
-        for j in range(nc):
-            bodies = [i for i in range(nb) if j in touched[i]]
-            if not vehicle.h[j] and len(bodies) == 1 and touched[bodies[0]] == [j]:
-                self.direct.append((bodies[0], j, arb(-1 / vehicle.B[bodies[0], j])))
+        contacts = spectra.direct_contacts(vehicle).items()
+        self.direct = [(body, j, arb(-1 / vehicle.B[body, j])) for j, body in contacts]
         gone = [i for i, _, _ in self.direct]
         self.kept = [i for i in range(nb) if i not in gone]
         self.indirect = [j for j in range(nc) if j not in [k for _, k, _ in self.direct]]
@@ -1339,67 +1248,19 @@ def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
 def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
     """The envelope, and Q with −Im G > 0 for all q ≥ Q and all parameters: both checked."""
     keys(content, "Q gamma blocks alpha omega bounds")
-    k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
-    Q, omega = dyadic(content["Q"], "Q"), dyadic(content["omega"], "omega")
-    alpha = integer(content["alpha"], 4, 64, "alpha")
-    blocks = [
-        [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
+    Q = dyadic(content["Q"], "Q")
+    bounds = [
+        (dyadic(p, "a bound"), dyadic(C, "a bound"))
+        for p, C in (items(one, 2, "a bound", 2) for one in items(content["bounds"], 20, ""))
     ]
-    bounds = [[dyadic(x, "a bound") for x in items(one, 2, "a bound", 2)] for one in items(content["bounds"], 20, "")]
-    require(
-        0 <= k <= m and m > 0 and blocks and bounds and min(omega, Q) > 0, "the theorem's numbers are out of range"
-    )
-    require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
-    require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
-    require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
     fastest = -spectra.least({e: -c for e, c in track.v.items()}, box)
     require(fastest > 0, "the velocity is 0 throughout")
-    W, square = spectra.absorption(track.ring, track.D, track.N)
-    w, d = spectra.terms(W), spectra.terms(square)
-    (block_w, top_w), (block_d, top_d) = spectra.in_block(w, track.v, k, m), spectra.in_block(d, track.v, k, m)
-    x = arb(Q)
-    growth, tau = x ** arb(fmpq(k, m)), above(x ** arb(fmpq(-1, m)))
-    between = ZERO
-    if len(sites) > 1:
-        gap = min(spectra.least(spectra.minus(b, a), box) for a, b in pairwise(sites))  # a bound, which may be < 0
-        require(gap > 0, "the theorem at large q: no least distance of two contacts is seen over the range")
-        between = 2 * arb.pi() / arb(gap)
-    require(arb(fastest * blocks[-1][1]) * growth < x, "the blocks reach to where the track gives")
-    require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
-    for z1, z2, kappa in blocks:
-        difference = spectra.minus(block_w, {e: kappa * c for e, c in block_d.items()})
-        check_positive(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
-    iw, nw = max(e[0] for e in w), max(e[0] + e[1] for e in w)
-    id_, nd = max(e[0] for e in d), max(e[0] + e[1] for e in d)
-    require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
-    for p0, C in bounds:
-        near: Free = {}
-        far: Free = {}
-        for source, factor, less in ((d, C, 0), (w, fmpq(1), alpha)):
-            for (i, j, *e), c in source.items():
-                for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
-                    chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
-        give = "the giving part may exceed the envelope"
-        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
-        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
-    turn = arb(Q / fastest)
-    known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
-    require(known, "short waves are not bounded beyond Q")
-    C = known[-1]
-    absorbed = sum(((arb(z2 - z1) * growth - between) * arb(kappa) for z1, z2, kappa in blocks), ZERO)
-    takes = absorbed * x ** arb(fmpq(top_w - top_d, m))
-    gives = C * (turn ** (1 - alpha) / (alpha - 1) + between * turn ** (-alpha))
-    require(takes > gives, "the theorem at large q: the blocks do not absorb what the rest may give")
-    require(
-        (alpha - 1) * m >= top_d - top_w - k, "the theorem at large q: absorption falls faster than what is given"
-    )
+    gap = min((spectra.least(spectra.minus(b, a), box) for a, b in pairwise(sites)), default=None)  # may be < 0
+    seen = gap is None or gap > 0
+    require(seen, "the theorem at large q: no least distance of two contacts is seen over the range")
+    parts = spectra.absorption(track.ring, track.D, track.N)
+    alpha = spectra.tail_alpha(content, 4, parts, track.v, fastest, Q, gap, bounds, box, check_positive)
     return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
-
-
-def above(x: Any) -> Any:
-    """A rational number that is no less, with few digits."""
-    mantissa, exponent = x.upper().man_exp()
-    return fmpq(int(mantissa)) * spectra.power_of_2(int(exponent))
 
 
 # --- boxes of (q, parameters) -----------------------------------------------------------------------------

@@ -34,8 +34,11 @@ class Roots:
     strain: Any
 
 
-def roots_over(D: Quadratic, N: Quadratic, z: Any, low: Any, up: int) -> Roots:
-    """The roots of D near the floats z, the first `up` of them with Re P < 0; low: |lead| is at least this."""
+def roots_over(D: Quadratic, N: Quadratic, z: Any, low: Any, up: int | None) -> Roots:
+    """The roots of D near the floats z, the first `up` of them with Re P < 0; low: |lead| is at least this.
+
+    up: None where nothing is said of sides.
+    """
     d = shifted(D, z)
     first = d[..., 1].a
     delta = _followed(d)
@@ -53,7 +56,9 @@ def roots_over(D: Quadratic, N: Quadratic, z: Any, low: Any, up: int) -> Roots:
     P = Quadratic(k, eps * UP + 4 * U * np.abs(k[0]) + TINY, delta.m)
     off, gap = np.abs(delta.k[0]) + eps, _gaps(z)
     different = (gap > (off[:, :, None] + off[:, None, :]) * UP).all(2)
-    good = alone & different & (low > TINY)[:, None] & _sided(z, off, up)
+    good = alone & different & (low > TINY)[:, None]
+    if up is not None:
+        good = good & _sided(z, off, up)
     strain = (np.abs(d[..., 0].b) / (np.abs(first) * gap.min(2))[None]).max(2)
     return Roots(P, weight, good, strain)
 

@@ -7,7 +7,6 @@ Tried beside Panel with the same page (a number field that redraws a picture of 
 from __future__ import annotations
 
 import tempfile
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,9 @@ from nicegui import events, run, ui
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.begin import problem_of
 from mpsolve.explorer.form import Form, heading
+from mpsolve.explorer.proof_panel import ProofPanel
 from mpsolve.explorer.session import Session
-from mpsolve.explorer.words import region_told, told, vibration
+from mpsolve.explorer.words import vibration
 from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
 from mpsolve.problem.inputfile import read_problem
@@ -91,7 +91,7 @@ class Tab:
 
     def _results(self) -> None:
         self.verdict = ui.label().classes("text-base font-bold").props("aria-live=polite id=verdict role=status")
-        self._proving()
+        self.proof = ProofPanel(self.session, self.draw_chart, self.show_chart)
         heading("Vibrations, and the cuts of the track")
         with ui.row().classes("gap-2"):
             ui.button("Zoom in", on_click=lambda: self.zoom(0.5)).props("outline dense id=zoom-in")
@@ -119,26 +119,6 @@ class Tab:
             ui.button("Show the motion", on_click=self.draw_motion).props("outline id=draw-motion")
         self.motion = ui.html("", sanitize=False).classes("w-full").props("id=motion")
 
-    def _proving(self) -> None:
-        with ui.row().classes("items-center gap-2"):
-            ui.button("Prove what is shown", on_click=self.prove).props("id=prove")
-            self.stop = ui.button("Stop", on_click=self.session_stop).props("outline id=stop")
-            self.progress = (
-                ui.linear_progress(value=0, show_value=False)
-                .classes("w-40")
-                .props('aria-label="progress of the proof"')
-            )
-        self.proof = ui.label().classes("whitespace-pre-line").props("aria-live=polite id=proof role=status")
-        with ui.row().classes("gap-2 items-center"):
-            self.certificate = ui.button("Certificate", on_click=self.save_certificate).props(
-                "outline id=certificate"
-            )
-            self.report = ui.button("Report", on_click=self.session.start_report).props("outline id=report")
-            self.writing = ui.label().props("aria-live=polite id=writing role=status")
-        self.stop.set_visibility(False)
-        self.progress.set_visibility(False)
-        self.certificate.set_visibility(False)
-
     def draw_axes(self) -> None:
         """The parameters that a chart can be over; those that were chosen stay, where the problem has them."""
         axes = self.session.axes()
@@ -154,15 +134,14 @@ class Tab:
         labels = {} if view is None else {k: vibration(q) for k, q in enumerate(view.roots) if q.real >= 0}
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
-        self.chart.set_content(session.chart_picture())
+        self.show_chart()
         self.motion.set_content(session.motion)
 
     # --- what is done --------------------------------------------------------------------------------------
 
     async def tick(self) -> None:
         """Take what was typed and moved since; of many quick changes only the last one counts."""
-        self.watch_proof()
-        self.watch_report()
+        self.proof.watch()
         if self.busy or not (self.form.pending or self.session.quick):
             return
         self.busy = True
@@ -237,6 +216,9 @@ class Tab:
             await run.io_bound(self.session.draw_chart, self.chart_x.value, self.chart_y.value)
         except InputError as error:
             self.verdict.set_text(str(error))
+        self.show_chart()
+
+    def show_chart(self) -> None:
         self.chart.set_content(self.session.chart_picture())
 
     async def draw_motion(self) -> None:
@@ -245,60 +227,3 @@ class Tab:
         except (MpsolveError, ArithmeticError) as error:
             self.verdict.set_text(str(error))
         self.motion.set_content(self.session.motion)
-
-    async def prove(self) -> None:
-        if self.session.chart is None:
-            await self.draw_chart()
-        chart = self.session.chart
-        self.session.start_proof(() if chart is None else (chart.x, chart.y))
-        self.certificate.set_visibility(False)
-        self.stop.set_visibility(True)
-        self.progress.set_visibility(True)
-        self.proof.set_text("Proving …")
-
-    def session_stop(self) -> None:
-        self.session.stop_proof()
-
-    def watch_proof(self) -> None:
-        proving = self.session.proving
-        if proving is None:
-            return
-        proving.poll()
-        self.progress.set_value(proving.fraction)
-        if self.session.note_proof():
-            self.chart.set_content(self.session.chart_picture())
-        if proving.running:
-            self.proof.set_text(f"Proving: {proving.stage}")
-            return
-        self.stop.set_visibility(False)
-        self.progress.set_visibility(False)
-        text = told(proving.answer) if proving.answer is not None else f"The proof ended: {proving.failure}"
-        text += region_told(proving)
-        if proving.problem != self.session.problem:
-            text += "\n(of the state at which it was started)"
-        self.proof.set_text(text)
-        self.certificate.set_visibility(proving.answer is not None and proving.answer.certificate is not None)
-
-    def watch_report(self) -> None:
-        """Say how far the report is, and hand it out once."""
-        writing = self.session.reporting
-        if writing is None:
-            return
-        writing.poll()
-        if writing.running:
-            self.writing.set_text(f"Report: {writing.stage}")
-            return
-        self.session.reporting = None
-        if writing.answer is None:
-            self.writing.set_text(f"The report ended: {writing.failure}")
-        else:
-            self.writing.set_text("The report is written.")
-            ui.download(writing.answer.encode(), "report.html")
-
-    def save_certificate(self) -> None:
-        proving = self.session.proving
-        if proving is None or proving.answer is None:
-            return
-        with tempfile.TemporaryDirectory() as folder, suppress(MpsolveError):
-            path = Path(proving.answer.certificate.save(Path(folder) / "certificate.json"))
-            ui.download(path.read_bytes(), "certificate.json")

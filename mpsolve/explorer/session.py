@@ -17,7 +17,7 @@ from mpsolve.explorer.moving import motion_pictures
 from mpsolve.explorer.proving import Proving, report
 from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture
-from mpsolve.pictures.shape import moving_shape
+from mpsolve.pictures.shape import moving_shape, numbered
 from mpsolve.problem.outputfile import problem_toml
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.shape import root_shape
@@ -182,8 +182,15 @@ class Session:
         """Count over two parameters round the present problem; InputError says why that cannot be."""
         self.chart = chart_of(self.problem, x, y)
 
+    def chart_axes(self) -> tuple[str, str] | None:
+        """The two parameters of the chart, None where there is none of this kind of problem."""
+        chart = self.chart
+        return (chart.x, chart.y) if chart is not None and {chart.x, chart.y} <= set(self.axes()) else None
+
     def chart_picture(self) -> str:
-        return "" if self.chart is None else self.chart.picture(self.problem, self.proved)
+        return (
+            "" if self.chart is None or self.chart_axes() is None else self.chart.picture(self.problem, self.proved)
+        )
 
     def note_proof(self) -> bool:
         """Keep what a proof has shown so far, once; whether there was something new."""
@@ -233,4 +240,4 @@ def _shape(problem: Problem, q: complex) -> str:
     shape = root_shape(problem, ball, places=[*x.tolist(), *places])
     rail = np.array([complex(w.mid()) for w in shape.rail[: len(x)]])
     bodies = {name: complex(a.mid()) for name, a in shape.bodies.items()}
-    return moving_shape(x, rail, places, bodies, 2.0)
+    return moving_shape(x, rail, places, bodies, 2.0) + numbered(bodies)

@@ -10,6 +10,7 @@ from mpsolve.page.parts import Parts, worth_drawing
 from mpsolve.page.picture import Picture
 from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import Sure, chart_picture
+from mpsolve.problem.case import Case
 from mpsolve.ranges.margin import Margin
 from mpsolve.ranges.onset import Kind
 
@@ -89,6 +90,8 @@ def _number(x: Any) -> float:
 
 def _masses(parts: Parts, speak: Speech) -> tuple[float, str]:
     """The mass that the axis tells, and its title: of all bodies together."""
+    if isinstance(parts.given, Case) and len({eta.short() for eta in parts.given.eta_m}) == 1:
+        return float(parts.given.eta_m[0]), "mass ratio η_M of each"
     pencil = parts.problem.pencil
     total = sum(float(pencil.M[k][k]) for k, name in enumerate(pencil.names) if "pitch" not in name)
     return (total / 1000, "mass of all bodies, t") if speak.si else (1.0, "factor on all masses")

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.view import cuts_in, fitting_window, free_height
-from mpsolve.page.parts import Parts
+from mpsolve.page.parts import Parts, vibrations, worst
 from mpsolve.page.picture import Picture
 from mpsolve.page.words import contact_names, speech
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
@@ -16,10 +16,13 @@ from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.ranges.onset import Kind
 
+_BESIDE, _SAME = 1.5, 0.1
+"""How near a line is to a root: in steps of the velocity, and of |q|."""
+
 
 def drawing(parts: Parts) -> Picture:
     said = "The track and the vehicles of the file. Lengths along the track are to scale, heights are not."
-    return Picture("model", model_picture(parts.problem), said)
+    return Picture("model", model_picture(parts.problem, speech(parts).si), said)
 
 
 def plane(parts: Parts) -> Picture:
@@ -31,12 +34,19 @@ def plane(parts: Parts) -> Picture:
     height = max([1.3 * low, *(1.2 * q.imag).tolist()]) or width / 4
     depth = max([height / 4, *(-1.3 * q.imag).tolist()])
     unit = "rad/s" if speech(parts).si else "√(k/m)"
+    numbers = {id(root): str(k) for k, root in enumerate(vibrations(parts.spectrum), 1)}
+    beside = [numbers.get(id(root), "") for root in parts.spectrum.roots]
     said = (
         "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
-        "right, q and −q̄, and is one line of the table. Grey dashes are the branch cuts of the track, computed."
+        "right, q and −q̄, and is one line of the table, whose number stands at the right one. Grey dashes are the "
+        "branch cuts of the track, computed."
     )
     return Picture(
-        "plane", plane_picture(q, cuts_in(parts.problem, window), width, depth, height, name="plane", unit=unit), said
+        "plane",
+        plane_picture(
+            q, cuts_in(parts.problem, window), width, depth, height, name="plane", unit=unit, numbers=beside
+        ),
+        said,
     )
 
 
@@ -51,8 +61,13 @@ def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     table = [
         (name, f"{abs(a):.3g}", f"{np.degrees(np.angle(a)):.0f}°".replace("-", "−")) for name, a in bodies.items()
     ]
-    said = "The shape of the vibration that grows most or decays least: one period, slowed down, without its growth."
-    return Picture("shape", moving_shape(x, rail, contacts, bodies, 2.0), said), table
+    root = worst(parts.spectrum)
+    number = 1 + vibrations(parts.spectrum).index(root) if root is not None else 0
+    does = "grows most" if root is not None and root.growth > 0 else "decays least"
+    said = f"The shape of vibration {number}, which {does}: one period, slowed down, without its growth."
+    return Picture(
+        "shape", moving_shape(x, rail, contacts, bodies, 2.0, "x, m" if speech(parts).si else "χx"), said
+    ), table
 
 
 def lines(parts: Parts) -> list[Picture]:
@@ -65,9 +80,9 @@ def lines(parts: Parts) -> list[Picture]:
     tracks = followed(np.where(found.roots.real >= -1e-9, found.roots, complex(np.nan, np.nan)))
     v = v * 3.6 if speak.si else v
     x_title = "velocity, km/h" if speak.si else "velocity ratio α"
-    rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "√(k/m)")
-    cycle = 2 * np.pi if speak.si else 1.0
-    names = [chr(ord("a") + k % 26) for k in range(len(tracks))]
+    rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "1/τ")
+    cycle = 2 * np.pi
+    names = _numbers(parts, np.asarray(found.over["v"], float), tracks)
     growth = [Curve(v, -q.imag, name) for q, name in zip(tracks, names, strict=True)]
     hertz = [Curve(v, q.real / cycle, name) for q, name in zip(tracks, names, strict=True)]
     marks = _marks(parts, 3.6 if speak.si else 1.0)
@@ -81,10 +96,37 @@ def lines(parts: Parts) -> list[Picture]:
     )  # fmt: skip
     said = (
         "How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities. "
-        "The letters name the curves of these two pictures. The numbered vibrations of the table are among them at "
-        "“this case”; the other curves lie above the cuts there, or appear at other velocities."
+        f"The numbers are those of the table{_others(names, len(vibrations(parts.spectrum)))}."
     )
     return [Picture("growth", grown, said), Picture("frequency", swung, "The frequencies of the same vibrations.")]
+
+
+def _numbers(parts: Parts, v: Any, tracks: list[Any]) -> list[str]:
+    """Of each line the number of the vibration through which it runs at this case, else one beyond the table's."""
+    own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in vibrations(parts.spectrum)]
+    near = []
+    for k, track in enumerate(tracks):
+        good = np.isfinite(track)
+        here = np.flatnonzero(good)[np.abs(v[good] - own) <= _BESIDE * (v[1] - v[0])]
+        near += [(min(abs(track[j] - q) for j in here), k, number) for number, q in enumerate(roots) if len(here)]
+    names: dict[int, int] = {}
+    for apart, k, number in sorted(near):
+        if k not in names and number not in names.values() and apart <= _SAME * abs(roots[number]):
+            names[k] = number
+    further = iter(range(len(roots), len(roots) + len(tracks)))
+    return [str(1 + (names[k] if k in names else next(further))) for k in range(len(tracks))]
+
+
+def _others(names: list[str], known: int) -> str:
+    """What is said of lines that are none of the table's."""
+    beyond = sum(int(name) > known for name in names)
+    if not beyond:
+        return ""
+    if beyond == 1:
+        return f"; {known + 1} is not in it, as at this velocity it lies above the cuts, or there is none"
+    return (
+        f"; {known + 1} to {known + beyond} are not in it, as at this velocity they lie above the cuts, or are none"
+    )
 
 
 def _growth_range(curves: list[Curve]) -> tuple[float, float] | None:

@@ -12,7 +12,7 @@ from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.page.budget import Part
 from mpsolve.page.limits import Reach, distance_path
 from mpsolve.page.parts import Parts
-from mpsolve.page.words import speech
+from mpsolve.page.words import least, speech
 from mpsolve.problem.case import Case
 from mpsolve.ranges.margin import Margin
 from mpsolve.ranges.onset import Kind
@@ -108,7 +108,9 @@ def told(name: str, found: Margin, say: Say) -> Row:
         above = None if found.above is None else (say(found.above), say(found.above - here))
     if below is None and above is None:
         word = "stable" if found.stable else "unstable"
-        return Row(name, own, f"{word} all the way from {say(low)} to {say(high)}", "no limit there", "proved")
+        return Row(
+            name, own, f"{word} all the way from {least(low, high, say)} to {say(high)}", "no limit there", "proved"
+        )
     limits = [
         f"{'unstable' if found.stable else 'stable'} {side} {one[0]}"
         for side, one in (("below", below), ("above", above))

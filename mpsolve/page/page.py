@@ -14,18 +14,19 @@ from mpsolve.numbers.model import Model, Part, quantities
 from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.page import charts, figures
 from mpsolve.page.limit_words import limit_rows
-from mpsolve.page.parts import Parts
+from mpsolve.page.parts import Parts, vibrations
 from mpsolve.page.plain import plain, scope
 from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
+from mpsolve.problem.casefile import DIMENSIONLESS
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
-from mpsolve.spectrum.spectrum import Root, Spectrum
+from mpsolve.spectrum.spectrum import Root
 from mpsolve.tracks.waveguide import Track
 
 
@@ -59,7 +60,7 @@ def page_html(parts: Parts, stem: str) -> str:
         drawing=figures.drawing(parts),
         tables=tables(parts),
         units=("Hz", "1/s") if speak.si else ("1/τ", "1/τ"),
-        roots=[_root(root, speak, spectrum.digits) for root in _once(spectrum)],
+        roots=[_root(root, speak, spectrum.digits) for root in vibrations(spectrum)],
         proved_roots=spectrum.proved,
         digits=spectrum.digits,
         plane=figures.plane(parts),
@@ -117,8 +118,8 @@ def downloads(parts: Parts, stem: str) -> list[Download]:
 def tables(parts: Parts) -> list[tuple[str, list[tuple[str, str, str]]]]:
     """What the file holds: a table of the track, one of each kind of vehicle."""
     if isinstance(parts.given, Case):
-        rows = [(name, str(value), "") for name, value in vars(parts.given).items()]
-        return [("The case in the paper's ratios", [(n, v.replace("(", "").replace(")", ""), m) for n, v, m in rows])]
+        rows = [(name, _ratio(getattr(parts.given, name)), said) for name, said in DIMENSIONLESS.items()]
+        return [("The case in the paper's ratios", rows)]
     return tables_of(parts.problem)
 
 
@@ -138,6 +139,13 @@ def tables_of(problem: Problem) -> list[tuple[str, list[tuple[str, str, str]]]]:
     return out
 
 
+def _ratio(value: Any) -> str:
+    """A ratio, or a list of them, as decimals where they end."""
+    if isinstance(value, tuple):
+        return ", ".join(map(_ratio, value))
+    return beside(value.as_fraction(), "") if value.is_rational else str(value.short())
+
+
 def _rows(model: Model) -> list[tuple[str, str, str]]:
     rows: list[tuple[str, str, str]] = []
     for name, quantity in quantities(type(model)).items():
@@ -149,12 +157,6 @@ def _rows(model: Model) -> list[tuple[str, str, str]]:
         else:
             rows.append((name, beside(value, quantity.unit), quantity.meaning))
     return rows
-
-
-def _once(spectrum: Spectrum) -> list[Root]:
-    """Each vibration once, by ascending frequency."""
-    right = [root for root in spectrum.roots if not root.q.real < 0]
-    return sorted(right, key=lambda root: float(root.q.real.mid()))
 
 
 def _root(root: Root, speak: Speech, digits: int) -> tuple[str, str, str, str, str, int]:

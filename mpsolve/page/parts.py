@@ -150,10 +150,15 @@ def roots_of(given: Given, digits: int, seconds: float) -> Spectrum:
         return Spectrum(given, HalfPlane(), digits, Status.UNDECIDED, reason)
 
 
+def vibrations(spectrum: Spectrum) -> list[Root]:
+    """Each vibration once, by ascending frequency: their numbers on the page are their places here."""
+    right = [root for root in spectrum.roots if not root.q.real < 0]
+    return sorted(right, key=lambda root: float(root.q.real.mid()))
+
+
 def worst(spectrum: Spectrum) -> Root | None:
     """The root that grows most, or decays least."""
-    right = [root for root in spectrum.roots if not root.q.real < 0]
-    return max(right, key=lambda root: float(root.growth.mid()), default=None)
+    return max(vibrations(spectrum), key=lambda root: float(root.growth.mid()), default=None)
 
 
 def shape_of(problem: Problem, spectrum: Spectrum) -> tuple[Any, Any] | None:

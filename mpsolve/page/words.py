@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -48,6 +49,10 @@ class Speech:
     def time(self, x: Any) -> str:
         return spoken(x, "s") if self.si else f"τ = {rounded(x)}"
 
+    def span(self, x: Any) -> str:
+        """A time after "every" or "in"."""
+        return self.time(x) if self.si else f"{rounded(x)} τ"
+
     def length(self, x: Any) -> str:
         return spoken(x, "m") if self.si else rounded(x)
 
@@ -71,7 +76,8 @@ def velocity_card(parts: Parts) -> Card:
         return missing(question, part)
     here = f"It runs at {speak.velocity(v)}."
     if found.kind is Kind.STABLE:
-        said = f"Stable all the way from {speak.velocity(found.low)} to {speak.velocity(found.high)}. {here}"
+        start, end = least(found.low, found.high, speak.velocity), speak.velocity(found.high)
+        said = f"Stable all the way from {start} to {end}. {here}"
         if found.reason is None:
             return Card(question, "no change", said, "proved")
         return Card(question, f"not up to {speak.velocity(found.high)}", f"{said} Beyond that it is open.", "proved")
@@ -91,9 +97,13 @@ def velocity_card(parts: Parts) -> Card:
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
         if found.low:
-            tiny = 1000 * rational_ball(found.low) < value
-            said = f"{said} Looked at from {'practically zero' if tiny else speak.velocity(found.low)} on."
+            said = f"{said} Looked at from {least(found.low, value, speak.velocity)} on."
         return Card(question, f"stable below {where}", said, "proved")
+
+
+def least(low: Any, high: Any, say: Callable[[Any], str]) -> str:
+    """The lower end of a range, in words where it is next to nothing."""
+    return "practically zero" if low and 500 * float(low) < float(high) else say(low)
 
 
 def growth_card(parts: Parts) -> Card | None:
@@ -108,10 +118,10 @@ def growth_card(parts: Parts) -> Card | None:
         root = ordered[0]
         if root.growth > 0:
             said = f"The vibration at {speak.frequency(root.frequency)} doubles in this time, and doubles again."
-            return Card("How fast does it grow?", f"doubles in {speak.time(root.doubling_time)}", said, status)
+            return Card("How fast does it grow?", f"doubles in {speak.span(root.doubling_time)}", said, status)
         if root.growth < 0:
             said = f"The slowest vibration found, at {speak.frequency(root.frequency)}, halves in this time."
-            return Card("How fast does it calm down?", f"halves in {speak.time(root.doubling_time)}", said, status)
+            return Card("How fast does it calm down?", f"halves in {speak.span(root.doubling_time)}", said, status)
     return None
 
 
@@ -186,5 +196,5 @@ def doing(root: Root, speak: Speech) -> str:
     """What a vibration does, in words."""
     with precision(max(64, root.q.bits() + 32)):
         if root.growth > 0:
-            return f"doubles every {speak.time(root.doubling_time)}"
-        return f"halves every {speak.time(root.doubling_time)}" if root.growth < 0 else "neither grows nor decays"
+            return f"doubles every {speak.span(root.doubling_time)}"
+        return f"halves every {speak.span(root.doubling_time)}" if root.growth < 0 else "neither grows nor decays"

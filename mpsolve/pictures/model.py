@@ -86,8 +86,8 @@ def layers_of(matrix: Sequence[Sequence[Polynomial]]) -> list[Layer]:
     return out
 
 
-def model_picture(problem: Problem) -> str:
-    """The drawing: x ahead is right, the velocity points right."""
+def model_picture(problem: Problem, si: bool = True) -> str:
+    """The drawing: x ahead is right, the velocity points right. si: in m and m/s, else in the paper's ratios."""
     pencil = problem.pencil
     places = [float(x) for x in pencil.places]
     reach = max(3.0, 0.25 * (max(places) - min(places)))
@@ -100,16 +100,17 @@ def model_picture(problem: Problem) -> str:
     def x(place: float) -> float:
         return _MARGIN + (place - left) / (right - left) * (WIDE - 2 * _MARGIN)
 
-    parts = [_velocity(problem)]
+    parts = [_velocity(problem, si)]
     parts += _track(layers, rail)
     parts += _vehicles(vehicles, pencil, rail, x)
-    parts += _ruler(places, x, high - 20)
+    parts += _ruler(places, x, high - 20, " m" if si else "")
     return svg(parts, "The track and the vehicles, lengths along the track to scale", high)
 
 
-def _velocity(problem: Problem) -> str:
+def _velocity(problem: Problem, si: bool) -> str:
     v = float(problem.v)
-    said = text(_MARGIN, 20, f"v = {v:.6g} m/s = {3.6 * v:.6g} km/h", name="note")
+    told = f"v = {v:.6g} m/s = {3.6 * v:.6g} km/h" if si else f"α = {v:.6g}"
+    said = text(_MARGIN, 20, told, name="note")
     return said + (path(f"M {WIDE - 110} 26 h 90 m -8 -5 l 8 5 l -8 5") if v else "")
 
 
@@ -174,15 +175,15 @@ def _hung(one: Box, boxes: list[Box], y: float, x: Any) -> list[str]:
     return [_spring(x((b.left + b.right) / 2), y + 8, end) for b in below]
 
 
-def _ruler(places: list[float], x: Any, y: float) -> list[str]:
+def _ruler(places: list[float], x: Any, y: float, unit: str) -> list[str]:
     marks = sorted(set(places))
     if not 2 <= len(marks) <= 8:
         length = marks[-1] - marks[0]
-        said = f"{len(marks)} contacts over {length:.6g} m" if length else ""
+        said = f"{len(marks)} contacts over {length:.6g}{unit}" if length else ""
         return [text(WIDE / 2, y, said, "middle", "note")]
     parts = []
     for a, b in pairwise(marks):
         parts.append(path(f"M {x(a):.1f} {y} H {x(b):.1f} m 0 -4 v 8 M {x(a):.1f} {y - 4} v 8"))
         if x(b) - x(a) > 42:
-            parts.append(text((x(a) + x(b)) / 2, y + 14, f"{b - a:.4g} m", "middle", "note"))
+            parts.append(text((x(a) + x(b)) / 2, y + 14, f"{b - a:.4g}{unit}", "middle", "note"))
     return parts

@@ -8,14 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, WIDE, Axes, clip, line, svg, text
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, clip, line, svg, text
 
 
 def plane_picture(
     roots: Any, cuts: Sequence[Any], width: float, depth: float, height: float, chosen: int | None = None,
-    name: str = "plane", unit: str = "rad/s",
+    name: str = "plane", unit: str = "rad/s", numbers: Sequence[str] = (),
 ) -> str:  # fmt: skip
-    """|Re q| ≤ width, −depth ≤ Im q ≤ height: circles decay, squares grow; the chosen one is ringed."""
+    """|Re q| ≤ width, −depth ≤ Im q ≤ height: circles decay, squares grow; the chosen one is ringed.
+
+    numbers: a word beside each root.
+    """
     axes = Axes((-width, width), (-depth, height))
     zero = float(axes.py(0))
     parts = [
@@ -34,10 +37,25 @@ def plane_picture(
             f'<circle class="ring" cx="{float(axes.px(q.real)):.1f}" cy="{float(axes.py(q.imag)):.1f}" r="11"/>'
         )
     parts.append("</g>")
+    parts += _numbered(axes, roots, numbers)
     parts.append(text(LEFT + 8, HIGH - BOTTOM - 8, "Im q < 0: grows"))
     parts += axes.titled(f"Re q, {unit}", f"Im q, {unit}")
     grow = sum(1 for q in roots if q.imag < 0)
-    return svg(parts, f"The complex plane of q: {len(roots)} induced frequencies in the window, {grow} of them grow")
+    return svg(parts, f"The complex plane of q: {len(roots)} roots in the window, {grow} of them grow")
+
+
+def _numbered(axes: Axes, roots: Any, numbers: Sequence[str]) -> list[str]:
+    """The words beside the roots, those that would lie over another one left out."""
+    taken: list[tuple[float, float]] = []
+    out = []
+    for q, said in zip(roots, numbers, strict=False):
+        for right, down in ((9, -6), (9, 16), (-18, -6), (-18, 16)) if said else ():
+            x, y = float(axes.px(q.real)) + right, max(float(axes.py(q.imag)) + down, TOP + 12)
+            if LEFT < x < WIDE - RIGHT - 8 and all(abs(x - a) > 16 or abs(y - b) > 14 for a, b in taken):
+                taken.append((x, y))
+                out.append(text(x, y, said))
+                break
+    return out
 
 
 def _mark(axes: Axes, k: int, q: complex, unit: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,9 @@ _NAMED = 4  # more coordinates than these are numbered: their names have no room
 _BOXES = 24
 
 
-def moving_shape(places: Any, rail: Any, contacts: Any, bodies: dict[str, complex], seconds: float) -> str:
+def moving_shape(
+    places: Any, rail: Any, contacts: Any, bodies: dict[str, complex], seconds: float, x_title: str = "x, m"
+) -> str:
     """The rail and the bodies in one vibration: they move through one period, in `seconds`, without growth.
 
     places: of the rail, in m; rail: complex amplitudes there; contacts: places of the contacts. The rail is drawn
@@ -41,12 +44,22 @@ def moving_shape(places: Any, rail: Any, contacts: Any, bodies: dict[str, comple
         x = float(axes.px(float(place)))
         parts.append(f'<circle class="body" cx="{x:.1f}" cy="{ys[0]}" r="7">{_animated("cy", ys, seconds)}</circle>')
     parts += _boxes(axes, dict(list(bodies.items())[:_BOXES]), largest, turns, seconds)
-    parts += [frame(high), f'<text x="{WIDE / 2}" y="{high - 4}" text-anchor="middle">x, m (ahead is right)</text>']
+    parts += [
+        frame(high),
+        f'<text x="{WIDE / 2}" y="{high - 4}" text-anchor="middle">{x_title} (ahead is right)</text>',
+    ]
     for t in ticks(*axes.x):
         parts.append(
             f'<text x="{float(axes.px(t)):.1f}" y="{high - BOTTOM + 18}" text-anchor="middle">{label(t)}</text>'
         )
     return svg(parts, "The shape of the chosen vibration: rail and bodies", high)
+
+
+def numbered(bodies: dict[str, complex]) -> str:
+    """Which coordinate has which number, where the picture has no room for names."""
+    if len(bodies) <= _NAMED:
+        return ""
+    return "<p>" + ", ".join(f"{k}: {escape(name)}" for k, name in enumerate(bodies, 1)) + "</p>"
 
 
 def _boxes(axes: Axes, bodies: dict[str, complex], largest: float, turns: Any, seconds: float) -> list[str]:

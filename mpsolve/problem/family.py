@@ -8,7 +8,7 @@ of its own, x = x̂ · unit. Factors (`scale.…`) are applied after all other p
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise, product
@@ -107,10 +107,6 @@ class Family:
             base.parts,
             base.scales,
         )
-
-    def narrowed(self, over: Mapping[str, Interval]) -> Family:
-        """The same family, in the same scales, over a smaller box of the same paths."""
-        return replace(self, over={path: over[path] for path in self.over})
 
 
 def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:

@@ -8,11 +8,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from enum import Enum
 from fractions import Fraction
-from typing import Any
+from html import escape
+from typing import Any, ClassVar
 
 import numpy as np
 from flint import acb, arb
 
+from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.packed import Portable, pack
 from mpsolve.numbers.result import Result
@@ -47,8 +49,59 @@ class Proof(Portable):
     base: Any = None
 
 
+_SHOWN = 100  # rows in a notebook
+
+
+class Tabled(Result):
+    """Base of what is data and a table: for JSON, for pandas and for notebooks. Frozen dataclasses."""
+
+    hidden: ClassVar[frozenset[str]] = frozenset({"proofs", "problem", "spectrum", "certificate"})
+    """Fields that are not in `to_dict`."""
+
+    def records(self) -> Iterable[Mapping[str, Any]]:
+        """The answer as a table, numbers as floats: one mapping for each row."""
+        return ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
+        names = [one.name for one in fields(self) if one.name not in self.hidden]  # type: ignore[arg-type]
+        return {name: plain(getattr(self, name)) for name in names} | {"proved": self.proved}
+
+    def to_json(self) -> str:
+        """`to_dict` as a text."""
+        return json.dumps(self.to_dict(), ensure_ascii=False, indent=1)
+
+    def to_frame(self) -> Any:
+        """The table as a pandas.DataFrame; InputError where pandas is not installed."""
+        try:
+            import pandas  # type: ignore[import-untyped,import-not-found,unused-ignore]
+        except ImportError:
+            raise InputError("to_frame", "needs pandas: pip install pandas, or use to_dict()") from None
+        return pandas.DataFrame(list(self.records()))
+
+    def sentence(self) -> str:
+        """How far it is proved, and why not further."""
+        said = [self.status.value, str(self.reason or ""), getattr(self, "note", "")]
+        return f"{type(self).__name__}: " + "; ".join(filter(None, said))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        rows = list(self.records())
+        names = list(dict.fromkeys(name for row in rows for name in row))
+        lines = [names, *([_cell(row.get(name)) for name in names] for row in rows[:_SHOWN])]
+        tags = ["th", *("td" for _ in lines[1:])]
+        cells = ["".join(f"<{tag}>{escape(x)}</{tag}>" for x in line) for tag, line in zip(tags, lines, strict=True)]
+        table = "<table>" + "".join(f"<tr>{cell}</tr>" for cell in cells) + "</table>" if rows else ""
+        more = f"<p>and {len(rows) - _SHOWN} more rows</p>" if len(rows) > _SHOWN else ""
+        return f"<p>{escape(self.sentence())}</p>{table}{more}"
+
+
+def _cell(x: Any) -> str:
+    return "" if x is None else f"{x:.8g}" if isinstance(x, (float, complex)) else str(x)
+
+
 @dataclass(frozen=True)
-class Answer(Result):
+class Answer(Tabled):
     """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
     from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
@@ -67,26 +120,13 @@ class Answer(Result):
     certificate: Any = field(default=None, repr=False)
     note: str = ""
 
-    def to_dict(self) -> dict[str, Any]:
-        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
-        hidden = {"proofs", "problem", "spectrum", "certificate"}
-        return {one.name: plain(getattr(self, one.name)) for one in fields(self) if one.name not in hidden} | {
-            "proved": self.proved
-        }
-
-    def to_json(self) -> str:
-        """`to_dict` as a text."""
-        return json.dumps(self.to_dict(), ensure_ascii=False, indent=1)
-
     def rows(self) -> Iterable[Mapping[str, Any]]:
-        """The answer as a table: one mapping for each row."""
+        """The answer as a table, numbers as floats: one mapping for each row."""
         return ()
 
-    def to_frame(self) -> Any:
-        """The rows as a pandas.DataFrame; ImportError where pandas is not installed."""
-        import pandas  # type: ignore[import-untyped,import-not-found,unused-ignore]
-
-        return pandas.DataFrame(list(self.rows()))
+    def records(self) -> Iterable[Mapping[str, Any]]:
+        """`rows`."""
+        return self.rows()
 
 
 def outward(ball: Any, up: bool) -> float:
@@ -162,7 +202,7 @@ def plain(value: Any) -> Any:
         return value.tolist()
     if isinstance(value, Reason):
         return value.data()
-    if isinstance(value, Answer):
+    if isinstance(value, Tabled):
         return value.to_dict()
     if isinstance(value, Mapping):
         return {str(key): plain(one) for key, one in value.items()}

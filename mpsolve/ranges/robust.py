@@ -13,6 +13,7 @@ import numpy as np
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.outcome import Reason, Status
+from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
@@ -23,6 +24,7 @@ from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
+from mpsolve.ranges.in_processes import InProcesses
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.verified import verified
@@ -63,18 +65,20 @@ def prove_stable(
     over: Mapping[str, Any],
     effort: Effort | None = None,
     progress: Progress | None = None,
+    workers: int | None = 1,
     check: bool = True,
 ) -> Robust:
     """Whether no root grows, for all values of several parameters in closed ranges at once.
 
     over: {path: (low, high)} in the problem's units, as many as wanted. A point of the box at which a root grows is
     sought first, and certified; else the box is covered. check: have the standalone verifier pass the spectrum of the
-    one point from which all others are reached. Raises InputError for paths and ranges that cannot be.
+    one point from which all others are reached. workers: processes that share the boxes, all processors if None; a
+    script then calls this under `if __name__ == "__main__":`. Raises InputError for paths and ranges that cannot be.
     """
     given = as_problem(problem)
     ranges = checked_over(given, over)
     with one_thread():
-        found = _robust(given, ranges, effort, progress or silent, check)
+        found = _robust(given, ranges, effort, progress or silent, check, checked_workers(workers))
     return replace(found, problem=problem)
 
 
@@ -131,7 +135,7 @@ class _Question:
 
 
 def _robust(
-    problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool
+    problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool, workers: int
 ) -> Robust:
     started = process_time()
     why = never_unstable(problem, over)
@@ -141,14 +145,14 @@ def _robust(
     over = from_above_rest(problem, over)
     question = _Question(problem, over, scope_of(problem, over), budget, check, started)
     try:
-        return _answer(question, progress)
+        return _answer(question, progress, workers)
     except EffortError as error:
         return Robust(problem, over, Status.UNDECIDED, error.reason, cost=question.cost())
     except OpenError as error:
         return Robust(problem, over, Status.UNDECIDED, error.reason, cost=question.cost())
 
 
-def _answer(question: _Question, progress: Progress) -> Robust:
+def _answer(question: _Question, progress: Progress, workers: int) -> Robust:
     scope = question.scope
     X = scope.X
     progress("counterexample", 0.0)
@@ -156,8 +160,7 @@ def _answer(question: _Question, progress: Progress) -> Robust:
     found = question.refuted(bad) if bad is not None else None
     if found is not None:
         return found
-    low, high = scope.corners
-    cover = subdivide(low, high, scope.judge(), question.budget, tell=lambda share: progress("boxes", 0.9 * share))
+    cover = _cover(question, progress, workers)
     if len(cover.tree.open):
         found = _beside_open(question, cover)
         if found is not None:
@@ -180,6 +183,17 @@ def _answer(question: _Question, progress: Progress) -> Robust:
     common["cost"] = replace(common["cost"], verification=common["cost"].verification + made.seconds)
     common |= {"certificate": made.certificate, "note": made.note}
     return Robust(question.problem, question.over, made.status, stable=True, **common)
+
+
+def _cover(question: _Question, progress: Progress, workers: int) -> Covered:
+    scope, budget = question.scope, question.budget
+    if workers > 1:
+        work = InProcesses.of(scope, question.problem, question.over)
+        found = work.cover(budget, workers, progress)
+        question.started -= work.seconds  # which other processes took
+        return found
+    low, high = scope.corners
+    return subdivide(low, high, scope.judge(), budget, tell=lambda share: progress("boxes", 0.9 * share))
 
 
 def _beside_open(question: _Question, cover: Covered) -> Robust | None:

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from mpsolve.display import card
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import fixed_digits, working_bits
 from mpsolve.numbers.model import rational, shown
 from mpsolve.numbers.packed import Portable
-from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.problem.cases import Given, as_problem
@@ -20,6 +20,7 @@ from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
+from mpsolve.ranges.answer import Tabled
 from mpsolve.ranges.onset import Kind, onset, unstable_ranges
 from mpsolve.ranges.scope import checked_over, one_path
 
@@ -46,7 +47,7 @@ class Entry(Portable):
 
 
 @dataclass(frozen=True)
-class Table(Result):
+class Table(Tabled):
     """entries[i][j] belongs to rows[1][i] and columns[1][j]; an axis is (path, exact values in the model's unit)."""
 
     quantity: str
@@ -57,6 +58,10 @@ class Table(Result):
     entries: tuple[tuple[Entry, ...], ...]
     title: str = ""
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return card(self)
+
     @property
     def status(self) -> Status:
         """UNVERIFIED where no entry is undecided: tables have no certificate."""
@@ -66,6 +71,15 @@ class Table(Result):
     def reason(self) -> Reason | None:
         """That of the first entry which is undecided."""
         return next((one.reason for row in self.entries for one in row if one.status == "undecided"), None)
+
+    def records(self) -> list[Mapping[str, Any]]:
+        """One mapping for each entry."""
+        (first, xs), (second, ys) = self.rows, self.columns
+        return [
+            {first: float(x), second: float(y), self.quantity: entry.text, "status": entry.status}
+            for x, row in zip(xs, self.entries, strict=True)
+            for y, entry in zip(ys, row, strict=True)
+        ]
 
 
 @dataclass(frozen=True)

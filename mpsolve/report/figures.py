@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
 from mpsolve.files import write_whole
-from mpsolve.problem.physical import PhysicalCase
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -143,15 +142,6 @@ def rendered(figure: Figure, kind: str) -> bytes:
     with styled():
         figure.savefig(stream, format=kind, dpi=160, metadata=_UNDATED[kind], facecolor="white")
     return stream.getvalue()
-
-
-def velocity_axis(ax: Axes, physical: PhysicalCase | None) -> None:
-    """A second scale on top, in km/h, of axes with the velocity ratio from left to right."""
-    if physical is None:
-        return
-    top: Any = ax.secondary_xaxis("top", functions=scaling(float(physical.v_cr) * 3.6))
-    top.set_xlabel("velocity [km/h]")
-    ax.spines["top"].set_visible(True)
 
 
 def scaling(factor: float) -> tuple[Callable[[Any], Any], Callable[[Any], Any]]:

@@ -9,9 +9,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from mpsolve.errors import InputError
-from mpsolve.problem.specs import ONE_MASS
+from mpsolve.numbers.spoken import decimal
+from mpsolve.ranges.table import Table
 from mpsolve.report.figures import COLOUR, Look
-from mpsolve.stability.table import OnsetTable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,23 +27,23 @@ SYMBOLS = {
 }
 
 
-def onsets(table: OnsetTable, ax: Axes, look: Look = COLOUR) -> Axes:
+def onsets(table: Table, ax: Axes, look: Look = COLOUR) -> Axes:
     """The proved onsets over the rows' parameter, a line for each column, with gaps where there is none (Figure 12).
 
-    Raises InputError for a table of unstable velocities, whose entries are ranges.
+    In the unit of the table. Raises InputError for a table of unstable ranges.
     """
-    if table.quantity == "unstable velocities":
+    if table.quantity != "onset":
         raise InputError("table", "holds ranges: give one of onsets")
-    grid, columns = table.row_grid, table.column_grid
-    rows = [(float(x), row) for x, row in zip(grid.values, table.entries, strict=True) if not isinstance(x, str)]
-    for j, label in enumerate(columns.labels):
-        name = label if label == ONE_MASS else f"{SYMBOLS[columns.parameter]} = {label}"
-        y = [float(row[j].value or "nan") for _, row in rows]
+    (path, values), (column, labels) = table.rows, table.columns
+    for j, label in enumerate(labels):
+        y = [float(row[j].text if row[j].status == "proved" else "nan") for row in table.entries]
         style = look.line(j) | {"marker": ".", "markersize": 4}
-        ax.plot([x for x, _ in rows], y, **style, label=name, gid=f"onset-{j + 1}")
-    velocity = table.quantity == "onset velocity"
-    ax.set(xlabel=SYMBOLS[grid.parameter], ylabel="$α$ at the onset" if velocity else "$η_M$ at the onset")
-    return _limit(ax, 1.0, look) if velocity else _named(ax)
+        name = f"{SYMBOLS.get(column, column)} = {decimal(label)}"
+        ax.plot(list(map(float, values)), y, **style, label=name, gid=f"onset-{j + 1}")
+    unit = f" [{table.over.unit}]" if table.over.unit else ""
+    over = table.over.path
+    ax.set(xlabel=SYMBOLS.get(path, path), ylabel=f"{SYMBOLS.get(over, over)} at the onset{unit}")
+    return _named(ax)
 
 
 def lowest_parts(

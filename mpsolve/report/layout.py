@@ -7,10 +7,9 @@ from typing import Any
 
 from rich.console import Console, Group
 from rich.padding import Padding
-from rich.table import Table
 from rich.text import Text
 
-from mpsolve.report.blocks import WIDTH, certificate_words
+from mpsolve.report.blocks import WIDTH
 
 
 def plain(report: Group) -> str:
@@ -24,16 +23,3 @@ def plain(report: Group) -> str:
 def section(heading: str, body: Any) -> list[Any]:
     """A heading, the body indented, and an empty line."""
     return [Text(heading, style="bold"), Padding(body, (0, 0, 0, 2)), Text("")]
-
-
-def columns_of(columns: int) -> Table:
-    """An empty table of so many columns, without lines."""
-    table = Table.grid(padding=(0, 2))
-    for _ in range(columns):
-        table.add_column(overflow="fold")
-    return table
-
-
-def certificate_text(path: str) -> Text:
-    """Where the certificate is, and how to check it."""
-    return Text(certificate_words(path))

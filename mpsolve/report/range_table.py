@@ -1,10 +1,11 @@
-"""Tables over ranges: read from TOML that names a problem file, and written as CSV and JSON."""
+"""Tables over ranges: read from TOML that names a problem file, and written as CSV, JSON and LaTeX."""
 
 from __future__ import annotations
 
 import csv
 import io
 import json
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -15,8 +16,8 @@ from mpsolve.numbers.model import rational
 from mpsolve.numbers.packed import pack
 from mpsolve.numbers.spoken import decimal
 from mpsolve.problem.inputfile import read_source
-from mpsolve.problem.specs import steps
-from mpsolve.problem.toml import check_keys, kind, parsed, text_of
+from mpsolve.problem.specs import load, steps
+from mpsolve.problem.toml import check_keys, kind
 from mpsolve.progress import Progress
 from mpsolve.ranges.table import Entry, Table, stability_table
 from mpsolve.report.ranges_asked import asked
@@ -39,11 +40,6 @@ _MOST = 10_000
 WITHOUT = "Each number is proved, correctly rounded to the digits shown; there are no certificates of entries."
 
 
-def is_of_a_problem(file: Path) -> bool:
-    """Whether the TOML file describes a table of a problem file, not one in the paper's ratios."""
-    return "problem" in parsed(text_of(file), str(file))
-
-
 def read_table(file: Path, workers: int | None = None, progress: Progress | None = None) -> Table:
     """The table that the TOML file describes.
 
@@ -61,8 +57,7 @@ def read_table(file: Path, workers: int | None = None, progress: Progress | None
 
     InputError under the key at fault.
     """
-    content = parsed(text_of(file), str(file))
-    check_keys(content, _TOP, "")
+    content = load(file, _TOP)
     for key in ("problem", "over", "rows", "columns"):
         if key not in content:
             raise InputError(key, f"is missing: give {_TOP[key]}")
@@ -141,6 +136,47 @@ def table_json(table: Table) -> str:
         "assumed": ASSUMED,
     }
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def table_tex(table: Table) -> str:
+    r"""A tabular between \toprule and \bottomrule (package booktabs), and a sentence below it."""
+    width = len(table.columns[1])
+    unit = f" in {table.over.unit}" if table.over.unit else ""
+    lines = [
+        *([f"% {' '.join(table.title.split())}"] if table.title else []),
+        "% needs \\usepackage{booktabs}",
+        f"\\begin{{tabular}}{{l{'l' * width}}}",
+        "\\toprule",
+        f" & \\multicolumn{{{width}}}{{c}}{{{_name(table.columns[0])}}} \\\\",
+        f"\\cmidrule(l){{2-{width + 1}}}",
+        " & ".join([_name(table.rows[0]), *map(_cell, map(decimal, table.columns[1]))]) + " \\\\",
+        "\\midrule",
+    ]
+    for value, row in zip(table.rows[1], table.entries, strict=True):
+        lines.append(" & ".join([_cell(decimal(value)), *(_cell(entry.text) for entry in row)]) + " \\\\")
+    said = f"{table.quantity.capitalize()} of {_name(table.over.path)}{_prose(unit)}. {WITHOUT}"
+    return "\n".join([*lines, "\\bottomrule", "\\end{tabular}", "", f"{{\\par\\footnotesize {said}\\par}}"]) + "\n"
+
+
+_SYMBOLS = {"alpha": r"$\alpha$", "eta_b": r"$\eta_b$", "eta_m": r"$\eta_M$", "d": "$d$", "v": "$v$"}
+
+
+def _name(path: str) -> str:
+    """A parameter in mathematics, or its path as it is written."""
+    return _SYMBOLS.get(path, f"\\texttt{{{_prose(path)}}}")
+
+
+def _cell(text: str) -> str:
+    """Words as they are, numbers in mathematics."""
+    return text if text.replace(" ", "").isalpha() else f"${text}$"
+
+
+def _prose(text: str) -> str:
+    """Nothing that LaTeX reads otherwise."""
+    return re.sub(r"([_%#&{}$])", r"\\\1", text)
+
+
+WRITERS = {".csv": table_csv, ".json": table_json, ".tex": table_tex}
 
 
 def _entry(entry: Entry) -> dict[str, Any]:

@@ -46,8 +46,3 @@ def on_command_line(reason: str) -> str:
     for argument, option in _COMMAND:
         reason = reason.replace(argument, option)
     return reason
-
-
-def for_reader(reason: str, part: str) -> str:
-    """The reason with what helps on the command line; `part` is a key of `ADVICE`, FILE the input of the page."""
-    return _FOR_LIBRARY.sub(ADVICE[part], reason).replace("alpha_C", "α_C")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
@@ -39,12 +39,6 @@ def beam_rows(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
     yield "v_cr", f"{shown(physical.v_cr)} m/s", "critical velocity √(k/m)/χ on a Winkler foundation"
     if physical.N or physical.kp:
         yield "v_cr′", f"{_critical(physical)} m/s", "√(1 − η_N + η_S) v_cr, with N and kp, without damping"
-
-
-def physical_data(physical: PhysicalCase) -> dict[str, Any]:
-    """The case in SI units as exact texts."""
-    beam: dict[str, Any] = {name: str(getattr(physical, name)) for name in _BEAM}
-    return beam | {"mass": [{name: str(value) for name, value in vars(mass).items()} for mass in physical.masses]}
 
 
 def _critical(physical: PhysicalCase) -> str:

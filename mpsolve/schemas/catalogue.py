@@ -16,14 +16,12 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "input": ("input files of a problem", input_schema),
     "study-file": ("files of mpsolve study", studies.study_file_schema),
     "table-file": ("files of mpsolve table", tables.table_file_schema),
-    "ratio-table-file": ("the same in the paper's ratios", tables.ratio_table_file_schema),
     "certify": ("mpsolve certify --json", certify_schema),
     **{
         name: (f"the answer about {name.replace('_', ' ')}, --json or -o FILE.json", partial(ranges_schema, name))
         for name in QUESTIONS
     },
     "table": ("mpsolve table -o FILE.json", tables.table_schema),
-    "ratio-table": ("the same in the paper's ratios", tables.ratio_table_schema),
     "train": ("mpsolve train --json", motions.train_schema),
     "critical": ("mpsolve critical --json", motions.critical_schema),
     "receptance": ("mpsolve receptance --json", motions.receptance_schema),

@@ -1,4 +1,4 @@
-"""Tables: the two kinds of files that ask for one, and what is written of each; and the critical distance."""
+"""Tables: the files that ask for one, and what is written."""
 
 from __future__ import annotations
 
@@ -32,21 +32,6 @@ def table_file_schema() -> p.Schema:
     )
 
 
-def ratio_table_file_schema() -> p.Schema:
-    """A table in the paper's ratios."""
-    return _file(
-        "ratio-table-file",
-        "Input of mpsolve table, in the paper's ratios",
-        {"rows": _GRID, "columns": _GRID},
-        {
-            "title": p.TEXT,
-            "digits": p.DIGITS,
-            "quantity": {"enum": ["onset velocity", "onset mass", "unstable velocities"]},
-            "fixed": p.by_name(p.one_of(_NUMBER, p.rows(_NUMBER))),
-        },
-    )
-
-
 def table_schema() -> p.Schema:
     """Of `mpsolve table -o FILE.json`, for any problem."""
     entry = {
@@ -70,33 +55,3 @@ def table_schema() -> p.Schema:
         "assumed": p.TEXT,
     }
     return p.document("table", "Table of mpsolve table", FORMAT, VERSION, keys)
-
-
-def ratio_table_schema() -> p.Schema:
-    """Of `mpsolve table -o FILE.json`, in the paper's ratios."""
-    span = {
-        "start": p.DECIMAL,
-        "end": p.DECIMAL,
-        "starts_at_crossing": p.YES,
-        "ends_at_crossing": p.YES,
-        "roots": p.COUNT,
-    }
-    entry = {
-        "status": {"enum": ["proved", "stable", "unstable", "undecided"]},
-        "reason": p.TEXT,
-        "value": p.maybe(p.TEXT),
-        "ball": p.maybe(p.ROUND),
-    }
-    keys: p.Schema = {
-        "title": p.TEXT,
-        "quantity": {"enum": ["onset velocity", "onset mass", "unstable velocities"]},
-        "digits": p.DIGITS,
-        "alpha": p.maybe(p.table({"start": p.TEXT, "end": p.TEXT})),
-        "fixed": p.by_name(p.TEXT),
-        "rows": _SHOWN_GRID,
-        "columns": _SHOWN_GRID,
-        "entries": p.rows(p.rows(p.table(entry, {"spans": p.rows(p.table(span))}))),
-        "proved": p.TEXT,
-        "assumed": p.TEXT,
-    }
-    return p.document("ratio-table", "Table of mpsolve table in the paper's ratios", "mpsolve table", 1, keys)

@@ -55,9 +55,13 @@ def prove_far(line: Line) -> FarLine:
 
 def is_free(line: Line, W: float, waves: Waves) -> bool:
     """Whether Δ ≠ 0 is proved for all |λ| ≥ W, 0 ≤ arg λ ≤ π/4."""
-    masses = len(line.lower.places)
     EI, _, _, m = line.beam
-    active = float(line.height) / math.sqrt(float(EI / m)) / W**2 * (1 + _SLACK)  # |η/(c₀λ²)|
+    active = float(line.height) / math.sqrt(float(EI / m)) / W**2 * (1 + _SLACK)
+    return free_beyond(len(line.lower.places), active, float(line.lower.smallest_gap or 0), W, waves)
+
+
+def free_beyond(masses: int, active: float, gap: float, W: float, waves: Waves) -> bool:
+    """The same of so many masses, `gap` apart at least; active: a bound of |η/(c₀W²)|."""
     if active >= 0.5:
         return False
     # 1 over the compliance of a mass departs from that of a passive one by (1 − active)^−2 − 1
@@ -70,7 +74,6 @@ def is_free(line: Line, W: float, waves: Waves) -> bool:
     change = (product + shift) / (1 - shift) * _ROOT_HALF * (1 + _SLACK)  # of g against a passive obstacle
     skew = (waves.skew + 2 * product) / (1 - product) * (1 + _SLACK)
     floor = _floor(masses, _ROOT_HALF + change, change, skew)
-    gap = float(line.lower.smallest_gap or 0)
     rate = W * (_ROOT_HALF - waves.decay) * gap * (1 - _SLACK)
     if floor is None or rate <= 0:
         return False

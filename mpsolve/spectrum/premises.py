@@ -103,11 +103,11 @@ def open_on_sheet(line: Line) -> str:
     if reduced.neutral:
         return "a coordinate of the vehicle has neither spring nor contact"
     if line.height:
-        return "" if _tight_masses(line) else "the vehicles are more than masses on the beam"
+        return "" if tight_masses(line) else "the vehicles are more than masses on the beam"
     return "the vehicle has dampers" if any(map(any, reduced.S[1])) else ""
 
 
-def _tight_masses(line: Line) -> bool:
+def tight_masses(line: Line) -> bool:
     """Whether each body is a mass with a tight contact of its own, and nothing else is there."""
     reduced, h = line.upper, line.height
     rows = (*reduced.B, *zip(*reduced.B, strict=True))

@@ -430,7 +430,7 @@ def test_kernels_hold_the_integral(track, velocity, q):
                 assert rest < 0.05 * abs(complex(a))
     D, N = t.d, t.n
     for xi, ball in zip((-1.5, 0.0, 1.5), thin, strict=True):
-        P = np.linspace(-4000, 4000, 4_000_001) * unit / 40
+        P = np.linspace(-4000, 4000, 400_001) * unit / 40
         values = sum(float(arb(c)) * (1j * P) ** i * (1j * q) ** j for (i, j), c in N.items()) / sum(
             float(arb(c)) * (1j * P) ** i * (1j * q) ** j for (i, j), c in D.items()
         )

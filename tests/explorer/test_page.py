@@ -126,7 +126,9 @@ def test_a_slider_stands_for_every_parameter_and_where_a_field_says(seen: Seen) 
     assert seen.page.locator("input[id^=field-]").count() == seen.page.locator("[id^=slider-]").count() > 10
     seen.type("track-eta", "0.0001")  # it was 0
     seen.page.wait_for_function(
-        "() => +document.querySelector('#slider-track-eta [role=slider]').getAttribute('aria-valuenow') > 10"
+        """() => { const root = document.querySelector('#slider-track-eta');
+        const e = root.matches('[aria-valuenow]') ? root : root.querySelector('[aria-valuenow]');
+        return e && +e.getAttribute('aria-valuenow') > 10 }"""
     )
     assert float(seen.page.input_value("#field-track-eta")) == 0.0001
 
@@ -162,7 +164,7 @@ def test_the_proved_region_is_marked_and_a_report_handed_out(seen: Seen, tmp_pat
     seen.page.click("#prove")
     seen.page.wait_for_selector("#chart path.sure", state="attached", timeout=90_000)
     seen.page.wait_for_function("document.querySelector('#proof').innerText.includes('Stable all over')")
-    with seen.page.expect_download(timeout=120_000) as loading:
+    with seen.page.expect_download(timeout=240_000) as loading:
         seen.page.click("#report")
     loading.value.save_as(tmp_path / "report.html")
     text = (tmp_path / "report.html").read_text("utf-8")

@@ -115,3 +115,15 @@ def test_a_quick_look_is_followed_by_a_thorough_one() -> None:
     assert session.view is not None
     assert session.view.growing == 4
     assert not session.settle()
+
+
+def test_a_chart_of_another_kind_of_problem_is_not_shown() -> None:
+    session = Session.of(PROBLEM)
+    assert session.chart_axes() is None
+    session.draw_chart("v", "vehicles[0].wheel")
+    assert session.chart_axes() == ("v", "vehicles[0].wheel")
+    session.open(*problem_of("paper"))
+    assert session.chart_axes() is None
+    assert session.chart_picture() == ""
+    session.undo()
+    assert session.chart_picture().startswith("<svg")

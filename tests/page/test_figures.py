@@ -8,7 +8,7 @@ import pytest
 from mpsolve import read_problem
 from mpsolve.page import figures
 from mpsolve.page.charts import chart
-from mpsolve.page.parts import Parts, gather
+from mpsolve.page.parts import Parts, gather, vibrations
 
 
 @pytest.fixture(scope="module")
@@ -42,4 +42,14 @@ def test_every_picture_is_there(parts: Parts) -> None:
 def test_numbers_on_the_lines_are_those_of_the_roots(parts: Parts) -> None:
     growth = figures.lines(parts)[0].svg
     assert "this case" in growth
+    v, hertz = np.asarray(parts.lines.value.over["v"]), [root.frequency for root in vibrations(parts.spectrum)]
+    tracks = figures.followed(np.where(parts.lines.value.roots.real >= -1e-9, parts.lines.value.roots, np.nan))
+    at = int(np.abs(v - float(parts.problem.v)).argmin())
+    numbers = figures._numbers(parts, v, tracks)
+    named = {
+        n: track[at].real / 2 / np.pi for n, track in zip(numbers, tracks, strict=True) if np.isfinite(track[at])
+    }
+    for k, f in enumerate(hertz, 1):
+        assert named[str(k)] == pytest.approx(float(f), rel=0.05)
+    assert len(set(numbers)) == len(numbers)
     assert growth.count("<polyline") >= 2

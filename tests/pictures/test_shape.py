@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from mpsolve.pictures.shape import moving_shape
+from mpsolve.pictures.shape import moving_shape, numbered
 
 
 def test_one_period() -> None:
@@ -25,3 +25,8 @@ def test_many_coordinates_are_numbered() -> None:
     said = [e.text for e in tree.iter("text")]
     assert "9" in said
     assert "body 8" not in said
+
+
+def test_numbers_stand_for_names_where_there_are_many() -> None:
+    assert numbered({"a": 1j}) == ""
+    assert numbered(dict.fromkeys(("a", "<b>", "c", "d", "e"), 1j)) == "<p>1: a, 2: &lt;b&gt;, 3: c, 4: d, 5: e</p>"

@@ -6,6 +6,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -14,14 +15,13 @@ import pytest
 
 from mpsolve import Case, PhysicalCase, certify, frequency_lines
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.numbers.exact import Exact
-from mpsolve.problem.specs import ONE_MASS, Grid
+from mpsolve.problem.over import Over
+from mpsolve.ranges.table import Entry, Table
 from mpsolve.report import figures_lines, figures_plane, figures_response
 from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
 from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.vibration import vibrations
-from mpsolve.stability.table import Entry, OnsetTable
 from mpsolve.vibration.of_case import motion_of_case as response
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
@@ -268,16 +268,18 @@ def test_the_user_s_settings_change_nothing(tmp_path: Path) -> None:
 
 
 def test_onsets_are_drawn_where_they_are_proved() -> None:
-    entries = ((Entry("proved", "0.9"), Entry("proved", "0.7")), (Entry("stable"), Entry("proved", "0.6")))
-    rows, columns = Grid("eta_m", (Exact(50), Exact(70))), Grid("d", (ONE_MASS, Exact(1)))
-    table = OnsetTable("", "onset velocity", 5, {}, (Exact(0), Exact(2)), rows, columns, entries)
+    over = (Fraction(0), Fraction(2))
+    texts = ((("proved", "0.9"), ("proved", "0.7")), (("stable", "stable"), ("proved", "0.6")))
+    entries = tuple(tuple(Entry(status, text, over) for status, text in row) for row in texts)
+    rows, columns = ("eta_m", (Fraction(50), Fraction(70))), ("d", (Fraction(1), Fraction(2)))
+    table = Table("onset", Over("v", *over, "", ""), rows, columns, 5, entries)
     (ax,) = figure_of(lambda ax: onsets(table, ax)).axes
     drawn = {line.get_gid(): np.array(line.get_xydata()).tolist() for line in ax.lines if line.get_gid()}
     assert drawn["onset-2"] == [[50, 0.7], [70, 0.6]]
     assert drawn["onset-1"][0] == [50, 0.9]
     assert np.isnan(drawn["onset-1"][1][1])
     with pytest.raises(InputError, match="ranges"):
-        onsets(replace(table, quantity="unstable velocities"), ax)
+        onsets(replace(table, quantity="unstable ranges"), ax)
 
 
 def test_curves_over_a_range() -> None:

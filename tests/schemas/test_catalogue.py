@@ -47,7 +47,6 @@ def test_no_schema_is_left_out() -> None:
         "seeds",
         "study-file",
         "table-file",
-        "ratio-table-file",
         "input",
     }
     assert {*OUTPUTS, *others} == set(CATALOGUE)
