@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from mpsolve.certificate import verify2
 
 CERTS = Path(__file__).parents[2] / "certs"
-NAMES = ["contact_wire", "joined_masses", "rectangle", "single_mass"]
+NAMES = ["contact_wire", "floating_ice", "joined_masses", "rectangle", "single_mass"]
 RAW = {name: (CERTS / f"{name}.json").read_bytes() for name in NAMES}
 CONTENT = {name: json.loads(raw) for name, raw in RAW.items()}
 LONGEST, GROWTH = 60.0, 400  # processor seconds for one file, MB for all

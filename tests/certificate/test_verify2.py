@@ -11,6 +11,8 @@ import time
 from fractions import Fraction
 from functools import cache
 from math import pi
+from pathlib import Path
+from types import SimpleNamespace
 
 import flint
 import numpy as np
@@ -663,3 +665,104 @@ def test_it_runs_as_a_plain_script_without_numpy_and_without_the_package(tmp_pat
     loaded = {line.split("|")[-1].strip() for line in ran.stderr.splitlines() if line.startswith("import time:")}
     assert "flint" in loaded
     assert not [name for name in loaded if name.split(".")[0] in ("numpy", "mpsolve", "sympy", "mpmath")]
+
+
+# --- waves that meet at q = 0 (SPEC2, 4.8) ----------------------------------------------------------------
+
+
+CERTS = Path(__file__).parents[2] / "certs"
+
+
+def meeting(k, low, seed):
+    """(Waves of polynomials D, N without terms below the orders k and low, what is known next to q = 0)."""
+    rng, n = np.random.default_rng([k, low, seed]), max(k, low) + 2
+
+    def polynomial(degree, order):
+        c = {(i, j): fmpq(int(rng.integers(-128, 129)), 64) for i in range(degree + 1) for j in range(4)}
+        return {at: x for at, x in c.items() if sum(at) >= order and x != 0}
+
+    d, below = polynomial(n, k) | {(k, 0): fmpq(1), (n, 0): fmpq(3, 2)}, polynomial(n - 2, low) | {(low, 0): fmpq(1)}
+    waves = v2.Waves(SimpleNamespace(d=d, n=below), [fmpq(0), fmpq(3, 2)])
+    return waves, v2.Origin(waves)
+
+
+def ice_like(k, low):
+    """A few of them that are told apart on |σ| ≤ r, with the roots' discs there."""
+    found, r = [], arb("0.01")
+    for seed in range(200):
+        try:
+            waves, origin = meeting(k, low, seed)
+            found.append((waves, origin, r, origin.roots(r)))
+        except (v2.Refused, ValueError):
+            continue
+        if len(found) == 4:
+            return found
+    raise AssertionError("no example")
+
+
+def sided(waves, sigma, discs):
+    """The p-roots at σ in floats, N/D_P there, and the sides of the discs that hold them."""
+    columns = [
+        np.array([sum(float(arb(c)) * sigma**j for (i, j), c in t.items() if i == n) for n in range(size)])
+        for t, size in ((waves.track.d, waves.d.nrows()), (waves.track.n, waves.n.nrows()))
+    ]
+    D, N = (np.polynomial.Polynomial(c) for c in columns)
+    P, out = D.roots(), []
+    for one in P:
+        inside = [s for kind, s, z, e in discs if abs((one if kind else one / sigma) - complex(z)) <= float(e) + 1e-9]
+        assert len(inside) == 1
+        out.append(inside[0])
+    return P, N(P) / D.deriv()(P), np.array(out)
+
+
+@pytest.mark.parametrize(("k", "low"), [(2, 1), (2, 2), (2, 3), (3, 2)])
+def test_kernels_next_to_zero_are_sums_of_residues(k, low):
+    for waves, origin, r, discs in ice_like(k, low):
+        real = sided(waves, 0.005, discs)  # at σ > 0 the sides are those of Re P
+        assert ((real[0].real > 0) == (real[2] == 1)).all()
+        G = origin.kernels(r)
+        for angle in np.linspace(0, 2 * pi, 7):
+            sigma = 0.0099 * np.exp(1j * angle)
+            P, weight, side = sided(waves, sigma, discs)
+            for gap, (a, b, rest) in zip(waves.gaps, G, strict=True):
+                behind = gap < 0
+                true = (weight * np.exp(P * float(arb(gap))))[side == behind].sum() * (-1 if behind else 1)
+                assert abs(true - complex(a) - complex(b) * sigma) <= float(rest) + 1e-9 * (1 + abs(true))
+                assert float(rest) < 0.2 * (1 + abs(complex(a)))
+
+
+def test_a_pair_with_two_roots_exchanged_does_not_join_on_to_zero():
+    tried = 0
+    for waves, origin, r, discs in ice_like(2, 2):
+        sigma = 0.008 * np.exp(0.3j)
+        P, _, side = sided(waves, sigma, discs)
+        P, up = P[np.argsort(side, kind="stable")], int((side == 0).sum())
+        local = waves.near(acb(sigma.real, sigma.imag), True)
+
+        def thin(z, up=up, local=local):
+            return v2.Nodes([acb(x) for x in z], up, local).split(arb(0))
+
+        assert origin.links(thin(P), r)
+        if 0 < up < len(P):
+            P[[0, up]] = P[[up, 0]]
+            assert not origin.links(thin(P), r)
+            tried += 1
+    assert tried > 1
+
+
+def test_a_point_at_zero_on_the_side_of_a_rectangle_and_no_passive_piece_there():
+    content = json.loads((CERTS / "floating_ice.json").read_bytes())
+    track = v2.read_track(content["equations"]["track"], content["equations"]["velocity"])
+    vehicle = v2.read_vehicle(content["equations"]["vehicle"], None)
+    with v2.precision(64):
+        walker = v2.Walker(waves := v2.Waves(track, vehicle.sites), v2.Bordered(vehicle, waves))
+        walker.begin(fmpq(1))
+        link, turn = v2.read_paths(content["paths"][:2], "link turn")
+        walker.path(link)
+        near = turn.points[1]
+        walker.path(v2.Path("turn", [(fmpq(0), fmpq(0)), near]))
+        back = walker.path(v2.Path("turn", [near, (fmpq(0), fmpq(0)), (-near[0], fmpq(0))]))
+        there = walker.path(v2.Path("turn", [(-near[0], fmpq(0)), (fmpq(0), fmpq(0)), near]))
+        assert abs(back + there) < 1e-9
+        with pytest.raises(v2.Refused, match="passive piece"):
+            walker.path(v2.Path("passive", [near, (fmpq(0), fmpq(0))]))
