@@ -2283,11 +2283,16 @@ def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> No
         disc = Nodes(z, sum(bool(p.real < 0) for p in z), local).split(e)
         check_sides(disc)
         A = Bordered(vehicle, waves).over(center, e, kernels(waves, disc, e))
-        F0, F1, rest = block(A, e, m)
-        V = (near_inverse(F1) * F0).mid().eig(right=True, algorithm="approx")[1].mid()  # any numbers
-        L = near_inverse(F1 * V)
-        E = moduli(L * F1 * V - identity(m)) + (moduli(L * F0 * V) + moduli(L) * rest * moduli(V)) * (1 / e)
-        require(contracting(E), "the disc is not proved to hold as many roots as claimed")
+        check_zeros(A, e, m)
+
+
+def check_zeros(A: Sequence[Any], e: Any, m: int) -> None:
+    """det A has exactly m zeros |t| < e, for any A(t) = A₀ + A₁t + rest that is analytic."""
+    F0, F1, rest = block(A, e, m)
+    V = (near_inverse(F1) * F0).mid().eig(right=True, algorithm="approx")[1].mid()  # any numbers
+    L = near_inverse(F1 * V)
+    E = moduli(L * F1 * V - identity(m)) + (moduli(L * F0 * V) + moduli(L) * rest * moduli(V)) * (1 / e)
+    require(contracting(E), "the disc is not proved to hold as many roots as claimed")
 
 
 def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:

@@ -766,3 +766,23 @@ def test_a_point_at_zero_on_the_side_of_a_rectangle_and_no_passive_piece_there()
         assert abs(back + there) < 1e-9
         with pytest.raises(v2.Refused, match="passive piece"):
             walker.path(v2.Path("passive", [near, (fmpq(0), fmpq(0))]))
+
+
+def zeros_proved(A, r, m):
+    try:
+        with v2.precision(64):
+            v2.check_zeros([acb_mat(A[0]), acb_mat(A[1]), arb_mat(A[2])], arb(r), m)
+    except v2.Refused:
+        return False
+    return True
+
+
+def test_zeros_in_a_disc_are_counted_with_all_that_is_not_linear():
+    linear = [[0]], [[1]]
+    assert zeros_proved((*linear, [[0.5]]), 1, 1)
+    assert not zeros_proved((*linear, [[1.5]]), 1, 1)  # t + 3/2 has none
+    nothing = [[0, 0], [0, 0]]
+    assert zeros_proved(([[1, 0], [0, 0]], [[0, 0.1], [0.1, 0.5]], nothing), 1, 1)  # t/2 − t²/100
+    assert not zeros_proved(([[1, 0], [0, 0]], [[0, 0.5], [0.5, 0.1]], nothing), 1, 1)  # t/10 − t²/4: 0 and 0.4
+    assert zeros_proved((nothing, [[1, 0], [0, 1]], nothing), 1, 2)
+    assert not zeros_proved((nothing, [[1, 0], [0, 1]], nothing), 1, 1)
