@@ -38,7 +38,8 @@ html_css_files = ["site.css"]
 html_show_sphinx = False
 html_show_sourcelink = False
 html_copy_source = False
-html_sidebars = dict.fromkeys(("index", "gallery/**", "genindex", "search"), [])  # pages without others below them
+# pages without others below them have no side bar
+html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "gallery/**", "genindex", "search")}
 html_theme_options = {
     "navbar_end": ["theme-switcher"],
     "secondary_sidebar_items": ["page-toc"],

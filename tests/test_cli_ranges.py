@@ -218,7 +218,7 @@ def test_bad_input_names_its_key_in_one_sentence(run: Run, arguments: list[objec
     result = run(*arguments)
     assert result.exit_code == 2
     assert result.stdout == ""
-    assert result.stderr.startswith(f"mpsolve: {key}: ")
+    assert result.stderr.removeprefix("mpsolve: ").removeprefix("--").startswith(f"{key.removeprefix('--')}: ")
     assert result.stderr.count("\n") == 1
     assert said in result.stderr
 

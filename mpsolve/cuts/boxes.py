@@ -44,7 +44,7 @@ class Model(Quadratic):
         return _model(super().exp())
 
     def quotient(self) -> Model:
-        """(e^f − 1)/f, f = w + δ, by its slopes at w; the third is at most max(1, e^Re)/4."""
+        """(e^f − 1)/f, f = w + δ: as it stands, or by its slopes at w, the third one at most max(1, e^Re)/4."""
         with np.errstate(all="ignore"):
             value, first, second = _quotient(self.a)
             moved = self.k.copy()
@@ -56,7 +56,18 @@ class Model(Quadratic):
             k = total.k.copy()
             k[0] += value
             e = total.e + (y**3 / 24 + _ROUNDING * (1 + y + y * y)) * most * UP + 4 * U * np.abs(value) + TINY
-            return Model(k, np.where(y < 20, e, np.inf), self.m)
+            e = np.where(y < 20, e, np.inf)
+            far = (self.exp() + constant(-1.0, len(self.e), self.m)) * self.inverse()  # sharper where |w| is large
+            better = far.e < e
+            return Model(np.where(better, far.k, k), np.where(better, far.e, e), self.m)
+
+
+def _scale(A: Any) -> Any:
+    """Powers of two that bring the rows and columns of matrices near 1: such a factor loses nothing."""
+    size = np.nan_to_num(np.abs(A), nan=1.0, posinf=1.0)
+    rows = np.exp2(-np.round(np.log2(np.maximum(size.max(2, keepdims=True), 1e-100))))
+    columns = np.exp2(-np.round(np.log2(np.maximum((size * rows).max(1, keepdims=True), 1e-100))))
+    return rows * columns
 
 
 def _model(f: Quadratic) -> Model:
@@ -137,7 +148,8 @@ class EdgeMatrix:
             good = good & np.isfinite(e).all((1, 2)) & np.isfinite(k).all((0, 2, 3))
             span = float(max(map(abs, map(float, self._span))))
             strain = np.nan_to_num(found.strain) + np.abs(p.b) * (span + 1)
-            return Quadratic(k, e, 2), Receptances(one, good, strain)
+            scale = _scale(k[0])
+            return Quadratic(k * scale, e * scale, 2), Receptances(one, good, strain)
 
     @cached_property
     def _span(self) -> list[Any]:

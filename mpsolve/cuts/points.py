@@ -26,7 +26,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Spent, within
 from mpsolve.ranges.scope import checked_over, one_path
 
-_BOXES = 200_000  # that an answer may take unless effort says otherwise
+_BOXES = 400_000  # that an answer may take unless effort says otherwise
 _NEAR = 6.0  # W of what is looked at where no theorem tells of what is far
 
 
@@ -72,8 +72,9 @@ def _find(
     P, reach = wavenumber_of(family, far or _NEAR)
     points: list[CutPoint] = []
     searches = [Search(family, side, P, digits) for side in (-1, 1)]
-    covers = [search.first(budget, progress) for search in searches]
-    reasons = [search.rest(cover, budget, progress) for search, cover in zip(searches, covers, strict=True)]
+    reasons = [_low(search, budget, progress) for search in searches]
+    if not any(reasons):
+        reasons = [search.high_wavenumbers(budget, progress) for search in searches]
     reason = reasons[0] or reasons[1]
     for search in searches:
         for zero in search.found:
@@ -97,6 +98,15 @@ def _find(
         cost=Spent(process_time() - started, 0.0, budget.spent), digits=digits, points=tuple(points), reach=told,
         note="" if reason else "no certificate states a list of cut points",
     )  # fmt: skip
+
+
+def _low(search: Search, budget: Effort, progress: Progress) -> Reason | None:
+    """Of one side, with no more than its share of the effort, so that the other one has its turn."""
+    most = None if budget.evaluations is None else max((budget.evaluations - budget.spent) // 2, 1)
+    share = Effort(None if budget.seconds is None else budget.seconds / 2, most)
+    reason = search.low_wavenumbers(share, progress)
+    budget.spent += share.spent
+    return reason
 
 
 def _described(search: Search, zero: Found, family: Family) -> CutPoint | None:

@@ -1,6 +1,6 @@
 """All zeros along one side of the cut between two wavenumbers, by a cover of boxes in (p, x̂).
 
-First those of low wavenumbers down to coarse boxes, so that zeros are found even where the effort does not suffice.
+Low wavenumbers come first, so that zeros are found even where the effort does not suffice.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ from mpsolve.ranges.judge import Judge, boxes_of
 
 ELSEWHERE = 4
 """Of a box that belongs to the other side of the cut, or to mirror images."""
-_BITS, _TRIED = 80, 640
-_COARSE, _SMALLEST = 2.0**-8, 2.0**-20  # of the whole
+_BITS, _TRIED = 80, 80
+_SMALLEST = 2.0**-20  # of the whole
 _INNER = 6.0  # of |p|, scaled
 _SIZE = 2.0**-6  # of half the whole: where a zero is looked for round a point
 
@@ -58,27 +58,23 @@ class Search:
         self.found: list[Found] = []
         self._failed: list[Any] = []
 
-    def first(self, budget: Effort, progress: Progress) -> Covered:
-        """Of low wavenumbers, with coarse boxes."""
-        return self._covered(self.low, self.high, _COARSE, budget, progress)
+    def low_wavenumbers(self, budget: Effort, progress: Progress) -> Reason | None:
+        """Why the cover of low wavenumbers, where zeros are, is not complete; None: it is."""
+        return self._covered(self.low, self.high, budget, progress).reason
 
-    def rest(self, first: Covered, budget: Effort, progress: Progress) -> Reason | None:
-        """Why the cover is not complete, or None: of what the first one left open, and of high wavenumbers."""
-        if first.reason is not None:
-            fine = self._covered(self.low, self.high, _SMALLEST, budget, progress)
-            if fine.reason is not None:
-                return fine.reason
+    def high_wavenumbers(self, budget: Effort, progress: Progress) -> Reason | None:
+        """The same of the rest."""
         inner = float(self.high[0])
         for ends in ((-self.most, -inner), (inner, self.most)) if self.most > inner else ():
             low, high = self.low.copy(), self.high.copy()
             low[0], high[0] = ends
-            outer = self._covered(low, high, _SMALLEST, budget, progress)
-            if outer.reason is not None:
-                return outer.reason
+            cover = self._covered(low, high, budget, progress)
+            if cover.reason is not None:
+                return cover.reason
         return None
 
-    def _covered(self, low: Any, high: Any, smallest: float, budget: Effort, progress: Progress) -> Covered:
-        return subdivide(low, high, self._judged, budget, smallest, lambda share: progress("boxes", share))
+    def _covered(self, low: Any, high: Any, budget: Effort, progress: Progress) -> Covered:
+        return subdivide(low, high, self._judged, budget, _SMALLEST, lambda share: progress("boxes", share))
 
     def _judged(self, low: Any, high: Any) -> tuple[Any, Any]:
         kind = np.where(self.matrix.elsewhere(boxes_of(low, high, way=1.0)), ELSEWHERE, 0).astype(np.int8)

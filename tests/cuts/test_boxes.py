@@ -5,6 +5,7 @@ import pytest
 from cut_cases import family
 
 from mpsolve.characteristic.boxes import Boxes
+from mpsolve.cuts import boxes
 from mpsolve.cuts.balls import EdgeBalls
 from mpsolve.cuts.boxes import EdgeMatrix, _quotient
 from mpsolve.errors import PrecisionError
@@ -12,7 +13,8 @@ from mpsolve.numbers.balls import arb, precision
 
 
 @pytest.mark.parametrize("side", [-1, 1])
-def test_models_hold_the_balls(side: int) -> None:
+def test_models_hold_the_balls(side: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(boxes, "_scale", lambda _: 1.0)  # the factors of rows and columns
     rng = np.random.default_rng(2)
     n = 150
     middle = np.stack([rng.uniform(-6, 6, n), rng.uniform(0.5, 1.3, n)])

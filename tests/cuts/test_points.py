@@ -57,7 +57,7 @@ def test_with_damping_a_line_ends_below_the_cut(eta: int) -> None:
 
 
 def test_what_is_found_where_the_cuts_have_joined_is_proved_and_the_list_is_not() -> None:
-    found = cut_points(twins(70, "1.5", "0.05"), over={"v": ("1.1", "1.3")}, effort=Effort(evaluations=20_000))
+    found = cut_points(twins(70, "1.5", "0.05"), over={"v": ("1.1", "1.3")}, effort=Effort(evaluations=40_000))
     assert not found.proved
     assert found.reason is not None
     (point,) = found.points
@@ -83,9 +83,10 @@ def test_in_another_parameter_and_in_physical_units() -> None:
     assert abs(float(one.value) / speed - 0.8613973457309659) < 1e-12
 
 
+@pytest.mark.slow
 def test_counts_fall_by_two_where_a_line_ends() -> None:
     case = Case(alpha="0.5", eta_b=0, eta_m=(40, 20, 30), positions=(0, 1, "2.5"))
-    found = cut_points(case, over={"v": ("0.7", "0.9")}, effort=Effort(evaluations=20_000))
+    found = cut_points(case, over={"v": ("0.7", "0.9")}, effort=Effort(evaluations=40_000))
     assert [(p.side, p.appears) for p in found.points] == [("gap", False)] * 2
     first, second = (float(p.value) for p in found.points)
     counts = [certify(_three(a), digits=15, check=False).count for a in ("0.77", "0.83", "0.9")]

@@ -14,8 +14,8 @@ def silent(_stage: str, _share: float) -> None:
 
 
 def test_a_zero_is_met_below_the_cut() -> None:
-    search = Search(family(CASE), -1, 6.0, 15)
-    search.first(Effort(evaluations=20_000), silent)
+    search = Search(family(CASE, "0.9", "0.99"), -1, 6.0, 15)
+    assert search.low_wavenumbers(Effort(evaluations=20_000), silent) is None
     near = [zero for zero in search.found if abs(float(zero.x) - 0.97909502330842) < 1e-12]
     assert len(near) == 1
     assert near[0].p.rad() < 1e-14
@@ -25,6 +25,6 @@ def test_a_zero_is_met_below_the_cut() -> None:
 def test_spent_effort_is_a_reason() -> None:
     search = Search(family(CASE), -1, 6.0, 15)
     budget = Effort(evaluations=100)
-    reason = search.rest(search.first(budget, silent), budget, silent)
+    reason = search.high_wavenumbers(budget, silent) or search.low_wavenumbers(budget, silent)
     assert reason is not None
     assert reason.code == "effort"

@@ -28,7 +28,7 @@ class FarRoot:
     """P = σ^w (z₀ + z₁ζ + rest), |rest| ≤ left |ζ|², and N/D_P = σ^{−γ} weight, for all |σ| ≥ R.
 
     z: the ball of P/σ^w. parts: w₀, w₁, off of the weight, w₀ + w₁ζ to within off. neutral: z₀ i^w is imaginary,
-    exactly: the wave neither grows nor decays to leading order. still: the ball of s, P = (σ − s)/v = (σ − s) z₀.
+    exactly: the wave neither grows nor decays to leading order. still: the ball of s where P = (σ − s)/v = (σ − s)z₀.
     """
 
     power: Fraction
