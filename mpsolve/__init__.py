@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from mpsolve.certificate.check import verify
     from mpsolve.certificate.real_roots import real_roots
     from mpsolve.certificate.roots import roots
-    from mpsolve.certificate.verify import Verdict
+    from mpsolve.certificate.verify2 import Verdict
     from mpsolve.characteristic.forced import receptance
     from mpsolve.cuts.answer import CutPoint, CutPoints
     from mpsolve.cuts.points import cut_points
@@ -258,7 +258,7 @@ _HOME = {
     "HalfPlane": "zeros.regions",
     "Cut": "zeros.regions",
     "verify": "certificate.check",
-    "Verdict": "certificate.verify",
+    "Verdict": "certificate.verify2",
     "MpsolveError": "errors",
     "InputError": "errors",
     "CertificateError": "errors",

@@ -73,7 +73,9 @@ def wrong(site: Path, chromium: Any, names: list[str] | None = None) -> dict[str
         told.clear()
         tab.goto(page.as_uri(), wait_until="load")
         said = [f"heading out of order: {one}" for one in tab.evaluate(ORDER)] if page.name != "genindex.html" else []
-        said += [f"contrast {one}" for one in tab.evaluate(CONTRAST)]
+        for scheme in ("dark", "light"):
+            tab.evaluate("scheme => { document.documentElement.dataset.theme = scheme }", scheme)
+            said += [f"contrast, {scheme}: {one}" for one in tab.evaluate(CONTRAST)]
         tab.set_viewport_size(PHONE)
         said += [f"too wide at {PHONE['width']} px: {one}" for one in tab.evaluate(WIDER)]
         tab.set_viewport_size(DESK)

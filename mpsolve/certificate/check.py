@@ -1,16 +1,23 @@
-"""Certificates of every version, each by the standalone verifier that knows it."""
+"""Certificates of every kind, each by the standalone verifier that knows it."""
 
 from __future__ import annotations
 
 import re
 from typing import Any
 
-from mpsolve.certificate.verify import Verdict
+from mpsolve.certificate.verify2 import Verdict
+from mpsolve.certificate.verify2 import verify_bytes as of_spectra
 
 _MOST = 64_000_001
 _ZEROS = re.compile(rb'"format"\s*:\s*"mpsolve zeros"')
 _RANGES = re.compile(rb'"kind"\s*:\s*"(?:crossings|stable)"')
+_VERSION_1 = re.compile(rb'"version"\s*:\s*1\b')
 _VERSION_2 = re.compile(rb'"version"\s*:\s*2\b')
+
+OLD = (
+    "the file is a certificate of version 1, which is no longer read: make it anew from its case, "
+    "with `mpsolve certify` for induced frequencies and `mpsolve crossings` for a range"
+)
 
 
 def verify(path: Any) -> Verdict:
@@ -30,16 +37,11 @@ def verify_bytes(raw: bytes) -> Verdict:
 
         zeros = of_zeros(raw)
         return Verdict(zeros.valid, zeros.reason, zeros.claim)
-    if _VERSION_2.search(raw) and _RANGES.search(raw):
+    if _VERSION_1.search(raw) and not _VERSION_2.search(raw):
+        return Verdict(False, OLD)
+    if _RANGES.search(raw):
         from mpsolve.certificate.verify_ranges import verify_bytes as of_ranges
 
         third = of_ranges(raw)
         return Verdict(third.valid, third.reason, third.claim)
-    if _VERSION_2.search(raw):
-        from mpsolve.certificate.verify2 import verify_bytes as second
-
-        found = second(raw)
-        return Verdict(found.valid, found.reason, found.claim)
-    from mpsolve.certificate.verify import judge
-
-    return judge(raw)
+    return of_spectra(raw)

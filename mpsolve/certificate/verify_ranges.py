@@ -694,11 +694,6 @@ def moduli_of_wave(distance: Form, far: Any) -> Any:
     return arb(1), p, q + p * p / 2, eps + (q + eps) * (2 * p + q + eps) / 2 + y.exp() * y**3 / 6
 
 
-def bound(x: Any, y: Any) -> Any:
-    """The smaller of two upper bounds, if balls decide; else the first."""
-    return y if y < x else x
-
-
 def receptances(waves: Waves, split: Split, x: Sequence[Any], sharp: bool | None = None) -> list[Form]:
     """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
     sharp = split.small(SMALL) if sharp is None else sharp
@@ -967,7 +962,7 @@ class Envelope:
             return None
         C = known[0]
         for other in known[1:]:
-            C = bound(C, other)
+            C = spectra.min_bound(C, other)
         return sites * C * p ** (1 - self.alpha) / (self.alpha - 1)
 
 

@@ -19,6 +19,7 @@ from mpsolve.numbers.reduction import Reduction
 from mpsolve.problem.reduced import Reduced
 
 _K = Balls()
+_CHAIN = 3  # distances in a row from which on products take the place of exponentials
 
 
 @dataclass(frozen=True)
@@ -80,18 +81,40 @@ class ProvedSplitting:
         return G, G_sigma
 
     def _by_residues(self, xi: Sequence[Any], slope: bool) -> tuple[list[Any], list[Any]]:
-        G, G_sigma = [], []
-        roots = self.roots or ()
-        weights = [term.w for term in self.terms] if slope else self.weights
-        for x in xi:
-            side, sign = (slice(0, self.upper), 1) if x >= 0 else (slice(self.upper, None), -1)
-            ball = _K.number(x)
-            waves = [(ball * z).exp() if x else acb(1) for z in roots[side]]
-            G.append(sign * sum((w * e for w, e in zip(weights[side], waves, strict=True)), acb(0)))
-            if slope:
-                each = zip(self.terms[side], waves, strict=True)
-                G_sigma.append(sign * sum(((term.a + ball * term.b) * e for term, e in each), acb(0)))
+        roots, count = self.roots or (), len(xi)
+        G, G_sigma = [acb(0)] * count, [acb(0)] * (count if slope else 0)
+        found = _waves(xi, roots, self.upper) if is_thin(self.sigma) else {}
+        for sign, side in ((1, slice(0, self.upper)), (-1, slice(self.upper, None))):
+            own = [k for k, x in enumerate(xi) if (x >= 0) == (sign > 0)]
+            if not own or not roots[side]:
+                continue
+            waves = [found.get(xi[k]) or _wave(xi[k], roots[side]) for k in own]
+            parts = [[t.w, t.a, t.b] for t in self.terms[side]] if slope else [[w] for w in self.weights[side]]
+            sums = (acb_mat(waves) * acb_mat(parts) * sign).tolist()
+            for k, (value, *rates) in zip(own, sums, strict=True):
+                G[k] = value
+                if slope:
+                    G_sigma[k] = rates[0] + _K.number(xi[k]) * rates[1] if xi[k] else rates[0]
         return G, G_sigma
+
+
+def _wave(x: Any, roots: Sequence[Any]) -> list[Any]:
+    ball = _K.number(x)
+    return [(ball * z).exp() if x else acb(1) for z in roots]
+
+
+def _waves(xi: Sequence[Any], roots: tuple[Any, ...], upper: int) -> dict[Any, list[Any]]:
+    """e^{zξ} at the ξ ≠ 0 that are 1, 2, 3, … times the least one of their sign, by products; {} where none are."""
+    out: dict[Any, list[Any]] = {}
+    for sign, side in ((1, roots[:upper]), (-1, roots[upper:])):
+        own = sorted((x for x in set(xi) if sign * x > 0), key=abs)
+        if len(own) < _CHAIN or any(x != k * own[0] for k, x in enumerate(own, 1)):
+            continue
+        step = waves = _wave(own[0], side)
+        for x in own:
+            out[x] = waves
+            waves = [wave * one for wave, one in zip(waves, step, strict=True)]
+    return out
 
 
 def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
@@ -165,6 +188,14 @@ class Proved:
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ over the ball σ."""
         A, A_sigma = self.matrices(sigma)
+        if is_thin(sigma):
+            try:
+                value = A.det()
+                slope = value * A.solve(A_sigma).trace()
+            except ZeroDivisionError:  # next to a root
+                slope = acb("nan")
+            if slope.is_finite():
+                return value, slope
         return Reduction.of(A).determinant(A, A_sigma)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 WIDE, HIGH = 480, 320  # a text of 12 is 9 px high on a telephone of 390 px
-LEFT, RIGHT, TOP, BOTTOM = 62, 14, 14, 44
+LEFT, RIGHT, TOP, BOTTOM = 70, 14, 14, 44
 
 STYLE = """
 .picture { width: 100%; height: auto; font: 13px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; }
@@ -80,7 +80,7 @@ class Axes:
         middle = (LEFT + WIDE - RIGHT) / 2
         out.append(f'<text x="{middle}" y="{self.high - 4}" text-anchor="middle">{escape(x_title)}</text>')
         up = (TOP + self.high - BOTTOM) / 2
-        out.append(f'<text transform="translate(13 {up}) rotate(-90)" text-anchor="middle">{escape(y_title)}</text>')
+        out.append(f'<text transform="translate(12 {up}) rotate(-90)" text-anchor="middle">{escape(y_title)}</text>')
         return out
 
 

@@ -10,7 +10,7 @@ from mpsolve.proof.cover import Test
 from mpsolve.proof.effort import Effort
 
 
-def joined(points: Any, test: Test, effort: Effort, anywhere: bool = False, rounds: int = 3) -> Any:
+def joined(points: Any, test: Test, effort: Effort, anywhere: bool = False, rounds: int = 2) -> Any:
     """The points of a path without those between two pieces that pass as one.
 
     Only points whose two neighbours lie with them on one line parallel to an axis are left out, so the path stays

@@ -34,6 +34,12 @@ class Spent:
     boxes: int = 0
 
 
+def joined_cost(one: Spent, other: Spent) -> Spent:
+    """Of both."""
+    names = [field.name for field in fields(Spent)]
+    return Spent(*(getattr(one, name) + getattr(other, name) for name in names))
+
+
 @dataclass(frozen=True)
 class Proof(Portable):
     """What an answer rests on: a tree of boxes in (q̂, x̂), the frequency X̂ from which on the contacts are passive for

@@ -230,10 +230,10 @@ def _counts(
 def _counted_at(over: Mapping[str, Interval], found: list[Crossing]) -> Fraction:
     """Where the roots are counted: before the first crossing."""
     low, high = next(iter(over.values()))
-    return _short(low, Fraction(found[0].lower) if found else high)
+    return short_between(low, Fraction(found[0].lower) if found else high)
 
 
-def _short(low: Fraction, high: Fraction) -> Fraction:
+def short_between(low: Fraction, high: Fraction) -> Fraction:
     """A number with few digits strictly between."""
     middle = (low + high) / 2
     bits = 4

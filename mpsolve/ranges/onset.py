@@ -18,8 +18,9 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, Valued, outward
+from mpsolve.ranges.answer import Answer, Valued, joined_cost, outward
 from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.first import quarter, up_to_first
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
@@ -27,6 +28,8 @@ from mpsolve.ranges.undamped import stable_up_to
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
 """What an answer has from the crossings that it is read from: their certificate is its own."""
+
+_QUICK = 40_000  # boxes of a first try, if nothing else is asked: an onset needs the range up to itself only
 
 
 class Kind(Enum):
@@ -134,7 +137,16 @@ def onset(
         return _at_worst(
             at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
         )
-    found = _found(problem, over, digits, effort, progress, check)
+    found = _found(problem, over, digits, effort or Effort(evaluations=_QUICK), progress, check)
+    shorter = up_to_first(found)
+    if shorter is not None:
+        again = _found(problem, shorter, digits, quarter(effort), progress, check)
+        if again.proved and again.crossings:
+            note = "; ".join(filter(None, (again.note, "nothing is said of larger values")))
+            first = _read(again, Onset(problem, found.over, digits=again.digits, **_shared(again)))
+            return replace(first, note=note, cost=joined_cost(found.cost, again.cost))
+    if effort is None and found.reason is not None and found.reason.code == "effort":
+        found = _found(problem, over, digits, None, progress, check)
     return _read(found, Onset(problem, found.over, digits=found.digits, **_shared(found)))
 
 

@@ -21,7 +21,7 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Spent
+from mpsolve.ranges.answer import Spent, joined_cost
 from mpsolve.ranges.on_string import quiet
 from mpsolve.waves.speeds import wave_speeds
 
@@ -139,7 +139,6 @@ def _tried(find: Find, strip: Interval, effort: Effort | None) -> Any:
 
 def _adjoined(one: Any, other: Any) -> Any:
     """Two proved neighbours as one; what they share is at their common end, where nothing crosses."""
-    cost = Spent(*(getattr(one.cost, key) + getattr(other.cost, key) for key in ("seconds", "verification", "boxes")))
     return replace(
         one,
         over={"v": (one.over["v"][0], other.over["v"][1])},
@@ -147,7 +146,7 @@ def _adjoined(one: Any, other: Any) -> Any:
         counts=one.counts + other.counts[1:],
         proofs=one.proofs + other.proofs,
         parts=(*(one.parts or (one,)), *(other.parts or (other,))),
-        cost=cost,
+        cost=joined_cost(one.cost, other.cost),
         status=Status.UNVERIFIED,
         certificate=None,
         note="parts are proved by themselves, and there is no certificate of the whole",

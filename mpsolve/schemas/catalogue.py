@@ -35,7 +35,6 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "certificate": ("certificates of any problem", certificates.certificate_schema),
     "ranges-certificate": ("certificates over ranges of parameters", certificates.ranges_certificate_schema),
     "zeros-certificate": ("certificates of mpsolve roots", certificates.zeros_certificate_schema),
-    "range-certificate": ("certificates of ranges on the paper's beam", certificates.range_certificate_schema),
 }
 
 

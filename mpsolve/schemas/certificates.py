@@ -1,4 +1,4 @@
-"""Certificates: certs/SPEC2.md, certs/SPEC.md and certs/SPEC-ROOTS.md say what each key means.
+"""Certificates: certs/SPEC2.md and certs/SPEC-ROOTS.md say what each key means.
 
 A file that fits is well formed, no more: only a verifier tells whether it proves anything.
 """
@@ -11,7 +11,6 @@ from mpsolve.schemas import parts as p
 _FORM = "mpsolve certificate"
 _HASH: p.Schema = {"type": "string", "pattern": "^[0-9a-f]{64}$"}
 _HEX: p.Schema = {"type": "string", "pattern": "^-?0x[0-9a-f]+$"}
-_EXACT: p.Schema = {"type": "string", "pattern": r"^(-?[0-9]+(/[0-9]+)?|-?root4\([0-9]+(/[0-9]+)?\))$"}
 _MATRIX = p.rows(p.rows(p.RATIONAL))
 _POINT: p.Schema = {"type": "array", "items": p.one_of(p.WHOLE, p.RATIONAL)}
 
@@ -79,57 +78,6 @@ def ranges_certificate_schema() -> p.Schema:
         "sha256": _HASH,
     }
     return p.document("ranges-certificate", "Certificate over ranges of parameters", _FORM, 2, keys)
-
-
-def range_certificate_schema() -> p.Schema:
-    """Version 1, of a range of masses on the paper's beam, and of the frequencies in it."""
-    case = p.table(
-        {"alpha": _EXACT, "eta_b": _EXACT, "eta_m": p.rows(_EXACT), "positions": p.rows(_EXACT)},
-        {"eta_n": _EXACT, "eta_s": _EXACT},
-    )
-    root = {
-        "re": _HEX,
-        "im": _HEX,
-        "exponent": p.WHOLE,
-        "multiplicity": {"type": "integer", "minimum": 1},
-        "axis": {"enum": ["none", "real", "imaginary"]},
-    }
-    head: p.Schema = {"format": {"const": _FORM}, "version": {"const": 1}}
-    spectrum = p.table(
-        head
-        | {
-            "kind": {"const": "induced frequencies"},
-            "case": case,
-            "claim": p.table({"count": p.COUNT}, {"unstable": p.COUNT}),
-            "contour": {"type": "object"},
-            "roots": p.rows(p.table(root)),
-            "identity": p.rows(p.COUNT),
-            "sha256": _HASH,
-        }
-    )
-    crossing = p.table(
-        {"x": _HEX, "x_exponent": p.WHOLE, "t": _HEX, "t_exponent": p.WHOLE, "direction": p.WHOLE, "reach": p.DYADIC}
-    )
-    ranges = p.table(
-        head
-        | {
-            "kind": {"const": "crossings"},
-            "case": case,
-            "family": p.table({"parameter": p.TEXT, "start": p.TEXT, "end": p.TEXT}),
-            "height": p.TEXT,
-            "radius": p.DYADIC,
-            "crossings": p.rows(crossing),
-            "base": p.maybe(p.table({"t": p.TEXT, "certificate": spectrum})),
-            "claim": p.table({"counts": p.rows(p.COUNT)}),
-            "sha256": _HASH,
-        }
-    )
-    return {
-        "$schema": DRAFT,
-        "$id": "https://mpsolve.invalid/range-certificate/1",
-        "title": "Certificate of masses on the paper's beam",
-        "oneOf": [ranges, spectrum],
-    }
 
 
 def zeros_certificate_schema() -> p.Schema:

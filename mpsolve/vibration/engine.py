@@ -16,6 +16,7 @@ import numpy as np
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.outcome import Reason
+from mpsolve.vibration.arrivals import reach_of_waves
 from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
@@ -146,7 +147,7 @@ class Engine:
         found, excess, causal = self._along(alpha, times)
         if alpha < 0 and not causal and found.reason is None:
             try:
-                other, worse, _ = self._along(self._above(last), times)
+                other, worse, _ = self._along(self.above(last), times)
                 found, excess = (found, excess) if excess <= worse else (other, worse)
             except EffortError as error:
                 found = replace(found, reason=error.reason)
@@ -161,14 +162,15 @@ class Engine:
         """α between cuts and axis, far from roots on either side; above all growth where not all are known."""
         floor = self.poles.floor
         if floor >= 0 or not self.poles.complete:
-            return self._above(last)
+            return self.above(last)
         tries = floor * np.linspace(0.95, 0.35, 61)
         real = np.array([pole.sigma.real for pole in self.poles.poles])
         near = np.abs(tries[:, None] - real).min(1) if len(real) else np.full(len(tries), np.inf)
         return float(tries[int(np.argmax(np.minimum(near, tries - self.poles.cut)))])
 
-    def _above(self, last: float) -> float:
-        return max(0.0, self.poles.growth) + 3.0 / last
+    def above(self, last: float, rise: float = 3.0) -> float:
+        """α above all growth, by so much that e^{(α − growth) last} = e^rise."""
+        return max(0.0, self.poles.growth) + rise / last
 
     def _along(self, alpha: float, times: Any) -> tuple[Solution, float, bool]:
         """The motion by this line, its error over that worked for, and whether it vanishes before t = 0."""
@@ -177,7 +179,7 @@ class Engine:
         turns = np.array([1j * one.frequency for one in self.acting])
         last = float(np.max(times, initial=0.0))
         taken = modes(self.transformed, self.poles.poles, turns, self.poles.cut, last)
-        line = sampled_line(self.transformed, alpha, self._reach(times))
+        line = sampled_line(self.transformed, alpha, self._reach(alpha, times))
         some = _sample(times)
         while True:
             solution = Solution(self.image, held, steady, taken, line, self._first(), held)
@@ -231,8 +233,16 @@ class Engine:
         goal[force] *= _FORCES
         return np.maximum(goal, 1e-300)
 
-    def _reach(self, times: Any) -> float:
+    def _reach(self, alpha: float, times: Any) -> float:
         positive = times[times > 0]
         first = float(positive.min()) if len(positive) else 1.0
         fast = [tone.frequency for tone in self.acting] + [abs(pole.sigma) for pole in self.poles.poles]
-        return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0))
+        waves = self.arriving(alpha, positive if len(positive) else np.ones(1), GOOD / 10)
+        return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0), waves)
+
+    def arriving(self, alpha: float, times: Any, share: float) -> float:
+        """How far the path is followed for the sake of waves that run ahead."""
+        size, last = self.image.size, self.image.channels
+        forces = size + self.image.contacts
+        kinds = [slice(0, size), slice(size, forces), slice(forces, last)]
+        return reach_of_waves(self.transformed, alpha, times, share, kinds)

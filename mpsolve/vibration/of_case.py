@@ -47,7 +47,7 @@ def motion_of_case(
     whole = case.dimensionless if isinstance(case, PhysicalCase) else case
     positions = [float(x) for x in dict.fromkeys(whole.positions)]
     places, times = checked_places(xi, positions), checked_times(tau)
-    found = _certified(whole, beam_problem(whole), spectrum)
+    found = certified_of(whole, beam_problem(whole), spectrum)
     # the start is always computed, so that times may be none
     at, watched = np.concatenate([[0.0], times]), np.concatenate([positions, places])
     motion = _moved(whole, forces, at, watched, found)
@@ -60,7 +60,7 @@ def vibration_of_case(case: Any, loads: Any, xi: Any, tau: Any, spectrum: Any) -
     two, given = Exact(2), loads_of(case, loads)
     forces = [Load(two * one.constant, two * one.amplitude, one.frequency, one.phase) for one in given]
     places = checked_places(xi, [float(x) for x in whole.positions])
-    found = _certified(whole, beam_problem(whole), spectrum)
+    found = certified_of(whole, beam_problem(whole), spectrum)
     return _moved(whole, forces, checked_times(tau), places, found)
 
 
@@ -85,12 +85,12 @@ def _near(value: Any) -> Fraction:
     return value.as_fraction() if value.is_rational else Fraction(float(value))
 
 
-def _certified(case: Case, problem: Problem, spectrum: Any) -> Spectrum:
+def certified_of(case: Case, problem: Problem, spectrum: Any, digits: int = 30) -> Spectrum:
     """All induced frequencies of the sheet, or, where the cuts are no line, of what `certify` answers."""
     if spectrum is None:
-        spectrum = _of_sheet(problem)
+        spectrum = _of_sheet(problem, digits)
         if spectrum is None:
-            spectrum = certify(problem, check=False)
+            spectrum = certify(problem, check=False, digits=digits)
     if not isinstance(spectrum, Spectrum):
         raise InputError("spectrum", f"is of type {type(spectrum).__name__}: give certify(case)")
     if spectrum.problem not in (case, problem):
@@ -101,9 +101,9 @@ def _certified(case: Case, problem: Problem, spectrum: Any) -> Spectrum:
     return spectrum
 
 
-def _of_sheet(problem: Problem) -> Spectrum | None:
+def _of_sheet(problem: Problem, digits: int) -> Spectrum | None:
     try:
-        return certify(problem, region="sheet", check=False)
+        return certify(problem, region="sheet", check=False, digits=digits)
     except InputError:  # the cuts are no line
         return None
 

@@ -76,7 +76,8 @@ def response_mp(
         alpha = engine.line(float(max(at)))
         made = _Work(precise, poles, found, digits, alpha, work, said)
         far = 4 * digits * math.log(10) / float(min(at))
-        omega = max(_FURTHER * far, _LEAST, 8 * natural(image), 5 * made.fastest)
+        waves = engine.arriving(alpha, np.array([float(t) for t in at]), 10.0**-digits)
+        omega = max(_FURTHER * far, _LEAST, 8 * natural(image), 5 * made.fastest, _FURTHER * waves)
         with one_thread():
             line = sampled_line(engine.transformed, alpha, omega)
         return made.motion(at, exact, line.panels.middle, line.panels.half, omega)

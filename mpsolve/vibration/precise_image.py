@@ -92,6 +92,14 @@ class PreciseImage:
 
     def _solved(self, sigma: Any, G: dict[Fraction, Any], force: list[Any]) -> list[Any]:
         """Coordinates, contact forces, rail, under forces on the coordinates."""
+        n = self.image.size
+        right = [[x] for x in [*force, *[acb(0)] * self.image.contacts]]
+        x = [row[0] for row in acb_mat(self._rows(sigma, G)).solve(acb_mat(right)).tolist()]
+        rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self._at)), acb(0)) for at in self._seen]
+        return [*x, *rail]
+
+    def _rows(self, sigma: Any, G: dict[Fraction, Any]) -> list[list[Any]]:
+        """The equations."""
         n, m = self.image.size, self.image.contacts
         s = sigma * self._rate
         rows = []
@@ -101,10 +109,7 @@ class PreciseImage:
         for i in range(m):
             own = [-G[self._at[i] - self._at[j]] - (self._h[i] if i == j else 0) for j in range(m)]
             rows.append([*(self._B[j][i] for j in range(n)), *own])
-        right = [[x] for x in [*force, *[acb(0)] * m]]
-        x = [row[0] for row in acb_mat(rows).solve(acb_mat(right)).tolist()]
-        rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self._at)), acb(0)) for at in self._seen]
-        return [*x, *rail]
+        return rows
 
     def _green(self, sigma: Any) -> dict[Fraction, Any]:
         """G at all distances, from residues: close p-roots cost digits of the guard."""

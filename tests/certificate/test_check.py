@@ -25,7 +25,16 @@ def second() -> bytes:
     return found.certificate.text.encode("ascii")
 
 
-def test_version_1() -> None:
+def test_a_file_of_version_1_is_told_how_to_be_made_anew(tmp_path: Path) -> None:
+    (tmp_path / "old.json").write_text('{"format": "mpsolve certificate", "version": 1, "kind": "crossings"}')
+    found = verify(tmp_path / "old.json")
+    assert not found.valid
+    assert "version 1" in found.reason
+    assert "mpsolve certify" in found.reason
+    assert "mpsolve crossings" in found.reason
+
+
+def test_a_committed_file() -> None:
     found = verify(CERTS / "single_mass.json")
     assert found.valid, found.reason
     assert "exactly 2 induced frequencies" in found.claim

@@ -5,6 +5,8 @@ from __future__ import annotations
 import copy
 import itertools
 import json
+import subprocess
+import sys
 import time
 from fractions import Fraction
 from functools import cache
@@ -648,3 +650,16 @@ def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
     assert not once < 0.1
     assert found.rad() < 0.1
     assert found.overlaps(sharp)
+
+
+def test_it_runs_as_a_plain_script_without_numpy_and_without_the_package(tmp_path):
+    """Isolated: nothing but the standard library and python-flint is imported."""
+    path = tmp_path / "case.json"
+    p.save(content("two-layer 680"), path)
+    command = [sys.executable, "-I", "-X", "importtime", v2.__file__, str(path)]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stdout
+    assert ": valid: exactly" in ran.stdout
+    loaded = {line.split("|")[-1].strip() for line in ran.stderr.splitlines() if line.startswith("import time:")}
+    assert "flint" in loaded
+    assert not [name for name in loaded if name.split(".")[0] in ("numpy", "mpsolve", "sympy", "mpmath")]

@@ -236,3 +236,16 @@ def test_the_sheet_must_be_known_on_a_cut() -> None:
         Proved(reduced, signed=False).delta(cut)
         with pytest.raises(PrecisionError, match="which side"):
             Proved(reduced).delta(cut)
+
+
+def test_distances_in_a_row_are_those_one_by_one() -> None:
+    guide = track_guide(EulerBernoulli(EI="0.25", m=1, k=1, c="0.1"), Fraction(1, 2))
+    symbols, row = Symbols.of(guide), [Fraction(3 * k, 4) for k in range(-5, 6)]
+    with precision(128):
+        split = split_ball(symbols, exact_ball(SIGMA[0]), upper_count(symbols.D))
+        together, slopes = split.receptances(row)
+        for x, value, slope in zip(row, together, slopes, strict=True):
+            (one,), (rate,) = split.receptances([x])
+            assert value.overlaps(one)
+            assert slope.overlaps(rate)
+            assert max(float(value.rad()), float(slope.rad())) < 2.0**-100

@@ -23,6 +23,7 @@ INPUT = {
 }
 TESTED = {
     "theory/passivity.md": {"16.6": "tests/docs/test_passivity.py"},
+    "theory/infinite-train.md": dict.fromkeys(("0.44507", "0.452", "0.455", "128"), "tests/endless/test_doubling.py"),
     "how-to/paper.md": {"138": "tests/examples/paper/test_paper.py"},
 }
 CELL = re.compile(r"^```\{code-cell\}.*?^```", flags=re.DOTALL | re.MULTILINE)

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from mpsolve import read_problem
 from mpsolve.page.page import page_html
 from mpsolve.page.parts import gather
+from mpsolve.presets.written import input_file
+from mpsolve.problem.inputfile import read_source
 from tests.browsers import NONE, browser
 
 driver = pytest.importorskip("playwright.sync_api", reason="playwright, which drives a browser, is not installed")
@@ -53,7 +56,7 @@ SMALL = """() => [...document.querySelectorAll('svg text')]
   .filter(([text, high]) => text && high < 9)"""
 OVERLAPS = """() => { const bad = [];
   for (const svg of document.querySelectorAll('svg')) {
-    const boxes = [...svg.querySelectorAll('text')].filter(e => !e.hasAttribute('transform')).map(
+    const boxes = [...svg.querySelectorAll('text')].map(
       e => [e.textContent, e.getBoundingClientRect()]);
     boxes.forEach(([a, p], i) => boxes.slice(i + 1).forEach(([b, q]) => {
       const w = Math.min(p.right, q.right) - Math.max(p.left, q.left);
@@ -62,12 +65,34 @@ OVERLAPS = """() => { const bad = [];
   return bad; }"""
 
 
-@pytest.fixture(scope="module")
-def address(tmp_path_factory: pytest.TempPathFactory) -> str:
-    source = read_problem("examples/two_layer_bogie.toml")
-    parts = gather(source.given, source.title, digits=15, seconds=20, tell=lambda *_: None)
-    path: Path = tmp_path_factory.mktemp("page") / "bogie.html"
-    path.write_text(page_html(parts, "bogie"), encoding="utf-8")
+HEADINGS = """() => [...document.querySelectorAll('h1, h2, h3, h4')].map(e => Number(e.tagName[1]))"""
+FAST = re.sub(r"(?m)^v = .*", 'v = "3000 km/h"', Path("examples/two_layer_bogie.toml").read_text("utf-8"))
+KINDS = {
+    "layers": (lambda: Path("examples/two_layer_bogie.toml").read_text("utf-8"), 12.0),
+    "ratios, unstable": (lambda: Path("examples/dimensionless.toml").read_text("utf-8"), 6.0),
+    "beam in SI": (lambda: Path("examples/rail_60e1.toml").read_text("utf-8"), 6.0),
+    "layers, unstable": (lambda: FAST, 12.0),
+    "coach on a slab, with sources": (lambda: input_file("slab", "stem"), 20.0),
+    "two pantographs, no motion": (lambda: input_file("contact-wire"), 6.0),
+    "a train, hardly in time": (lambda: Path("examples/train_8_coaches.toml").read_text("utf-8"), 3.0),
+}
+QUICK = ("layers", "ratios, unstable")
+
+
+@pytest.fixture(
+    scope="module", params=[name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in KINDS]
+)
+def address(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A page of every kind."""
+    make, seconds = KINDS[request.param]
+    folder: Path = tmp_path_factory.mktemp("page")
+    (folder / "file.toml").write_text(make(), "utf-8")
+    source = read_source(folder / "file.toml")
+    parts = gather(
+        source.given, source.title, digits=15, seconds=seconds, tell=lambda *_: None, sources=source.sources
+    )
+    path = folder / "page.html"
+    path.write_text(page_html(parts, "page"), encoding="utf-8")
     return path.as_uri()
 
 
@@ -98,7 +123,8 @@ def test_every_text_can_be_read(page: Any) -> None:
 def test_every_mark_stands_out_from_its_ground(page: Any) -> None:
     """3:1 for lines, hatching and marks, in light and in dark."""
     seen = page.evaluate(MARKS)
-    assert {".curve", ".cut", ".root", ".hatch", ".border", ".sure", ".rail", ".body"} <= seen.keys()
+    drawn = {"model": ".rail", "growth": ".curve", "shape": ".body"}
+    assert {kind for name, kind in drawn.items() if page.locator(f"#figure-{name}").count()} <= seen.keys()
     assert {kind: ratio for kind, ratio in seen.items() if ratio < 3} == {}
 
 
@@ -108,9 +134,17 @@ def test_nothing_is_wider_than_a_phone(page: Any) -> None:
     assert page.evaluate(SMALL) == []
 
 
+def test_headings_are_in_order(page: Any) -> None:
+    levels = page.evaluate(HEADINGS)
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(b <= a + 1 for a, b in pairwise(levels))
+
+
 def test_no_label_lies_over_another(page: Any) -> None:
-    page.set_viewport_size({"width": 1200, "height": 900})
-    assert page.evaluate(OVERLAPS) == []
+    for width in (1200, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate(OVERLAPS) == []
 
 
 def test_the_keyboard_reaches_links_tables_and_details(page: Any) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, certify, crossings, onset, read_case, unstable_ranges, worst
+from mpsolve import Case, Effort, certify, crossings, onset, read_case, sensitivity, unstable_ranges, worst
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.cases import as_problem
 from mpsolve.ranges.onset import Kind
@@ -72,3 +73,54 @@ def test_a_range_that_starts_unstable_says_so() -> None:
     """The onset was the start of the range, with only a missing frequency to tell."""
     found = onset(pair("0.05", 70), over={"alpha": ("0.8", "0.9")}, check=False)
     assert (found.kind, found.value) == (Kind.UNSTABLE_FROM_START, None)
+
+
+def test_a_tangency_leaves_no_splinters() -> None:
+    """Seven parts of 1e-12 stood beside the two that there are."""
+    heavy = "56.538095493450703825985840189429867707"
+    found = unstable_ranges(pair("0.05", heavy), over={"alpha": ("0.8", "1.1")}, check=False)
+    assert [part.roots for part in found.intervals] == [2, 2], found.reason
+
+
+@pytest.mark.parametrize(("masses", "value"), [(3, 0.576100006077866), (4, 0.604561878246094)])
+def test_rows_of_masses_are_decided(masses: int, value: float) -> None:
+    """Three were open in part, four entirely; float counts at both sides, which know no boxes, agree."""
+    case = Case(alpha="0.5", eta_b="0.05", eta_m=(70,) * masses, positions=tuple(1.5 * k for k in range(masses)))
+    found = onset(case, over={"alpha": (0, "0.7")}, check=False)
+    assert (found.proved, found.kind) == (True, Kind.CROSSES), found.reason
+    assert float(found.value) == pytest.approx(value, rel=1e-14)
+    for alpha, number in ((value - 1e-3, 0), (value + 1e-3, 2)):
+        beside = as_problem(case).changed("v", alpha)
+        assert certify(beside, region="unstable", digits=15, check=False).unstable == number
+
+
+def test_a_lowest_point_at_the_end_of_a_range() -> None:
+    found = worst(pair("0.05", 70, "1", "0.99"), over={"d": ("0.5", "0.8")}, check=False)
+    assert (found.proved, found.where) == (True, "end"), found.reason
+
+
+def test_digits_may_be_of_numpy() -> None:
+    found = onset(pair("0.05", 70), over={"alpha": ("0.6", "0.7")}, digits=np.int64(15), check=False)  # type: ignore[arg-type]
+    assert found.kind is Kind.CROSSES
+
+
+def test_slopes_of_a_case_in_si() -> None:
+    found = sensitivity(read_case("examples/rail_60e1.toml"), region="unstable", check=False)
+    assert (found.proved, dict(found.left_out)) == (True, {}), found.reason
+
+
+def test_little_effort_comes_back_with_what_is_known() -> None:
+    found = crossings(pair("0.05", 70), over={"alpha": (0, 2)}, effort=Effort(evaluations=60), check=False)
+    assert found.reason is not None
+    assert (found.reason.code, found.counts) == ("effort", None)
+    assert "crossings" in found.known
+
+
+@pytest.mark.parametrize(("eta_b", "value"), [("0.05", 1.02013470295674), ("0.5", 1.18992400338347)])
+def test_an_onset_next_to_the_passivity_velocity(eta_b: str, value: float) -> None:
+    """A mass of 10⁶: its crossing runs to q = 0, and the onset was open."""
+    case = Case(alpha="0.5", eta_b=eta_b, eta_m=(10**6,), positions=(0,))
+    found = onset(case, over={"alpha": ("0.5", "1.5")}, check=False)
+    assert (found.proved, found.kind) == (True, Kind.CROSSES), found.reason
+    assert float(found.value) == pytest.approx(value, rel=1e-14)
+    assert float(found.q) < 0.01  # type: ignore[arg-type]

@@ -7,16 +7,15 @@ the residue by 2M/(2ⁿ − 1) at most: the terms of Laurent's series that alias
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 from math import ceil, log
 from typing import Any
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, arb
+from mpsolve.numbers.balls import acb, arb, square
 from mpsolve.proof.effort import Effort
-from mpsolve.vibration.balls.image import BallImage
+from mpsolve.vibration.balls.image import BallImage, Cell
 
-_SECTORS, _RINGS, _DEPTH = 24, (0.5, 0.8, 1.3, 2.0), 4
+_ARCS, _DEPTH = 24, 9
 _HALVINGS = 8
 _SHARE = 0.3
 _LONGEST = 4.0
@@ -24,10 +23,10 @@ _SPARE = 12
 """Binary digits, so that one decimal more is right."""
 
 
-def radius_round(middle: complex, others: Sequence[complex], room: float, last: float) -> float:
-    """Of a circle round `middle` away from other poles and from the cuts, in which e^{σt} does not grow too far."""
-    gaps = [abs(middle - z) for z in others]
-    return _SHARE * min([*gaps, room, _LONGEST / (last * _SHARE)])
+def radius_round(root: Any, others: Sequence[Any], room: float, last: float) -> float:
+    """Of a circle round a root away from other poles and from the cuts, in which e^{σt} does not grow too far."""
+    gaps = [float(abs(acb(root.mid()) - acb(z.mid())).lower()) for z in others]
+    return _SHARE * min([*gaps, room, *([_LONGEST / (last * _SHARE)] if last else [])])
 
 
 def residues(
@@ -79,35 +78,34 @@ def _round(
 
 
 def _largest(image: BallImage, centre: Any, r: Any, effort: Effort) -> list[Any]:
-    """Bounds of |û| in the ring by channels."""
+    """Bounds of |û| in the ring by channels: no cut meets the disc, so that it is largest on the two circles."""
+    try:
+        disc = image.clear(centre + square(2 * r), centre)
+    except PrecisionError as error:
+        raise _WideCircleError(str(error)) from None
     out: list[Any] = []
-    for low, high in pairwise(_RINGS):
-        for k in range(_SECTORS):
-            piece = (low, high, k / _SECTORS, (k + 1) / _SECTORS)
-            sizes = _over(image, centre, r, piece, effort, _DEPTH)
-            out = _larger(out, sizes)
+    for size in (r / 2, 2 * r):
+        for k in range(_ARCS):
+            out = _larger(out, _over(image, disc, (centre, size), (k / _ARCS, (k + 1) / _ARCS), effort, _DEPTH))
     return out
 
 
 def _over(
-    image: BallImage, centre: Any, r: Any, piece: tuple[float, float, float, float], effort: Effort, depth: int
+    image: BallImage, disc: Cell, circle: tuple[Any, Any], turns: tuple[float, float], effort: Effort, depth: int
 ) -> list[Any]:
-    """The same over radii and turns; pieces where the equations may be singular are split in four."""
-    low, high, a, b = piece
+    """The same over an arc; arcs where the equations may be singular are halved."""
+    a, b = turns
     effort.spend(1)
-    size, angle = r * arb(low).union(arb(high)), 2 * arb.pi() * arb(a).union(arb(b))
-    ball = centre + size * (acb(0, 1) * angle).exp()
-    middle = acb((centre + r * (low + high) / 2 * (acb(0, a + b) * arb.pi()).exp()).mid())
+    centre, size = circle
+    ball = centre + size * acb(0, 2 * arb.pi() * arb(a).union(arb(b))).exp()
     try:
-        return [arb(abs(x).upper()) for x in image.values(image.cell(ball, middle))]
+        return image.sizes(image.beside(ball, acb(ball.mid()), disc))
     except PrecisionError as error:
         if not depth:
             raise _WideCircleError(str(error)) from None
-    x, y = (low + high) / 2, (a + b) / 2
-    out: list[Any] = []
-    for one in ((low, x, a, y), (low, x, y, b), (x, high, a, y), (x, high, y, b)):
-        out = _larger(out, _over(image, centre, r, one, effort, depth - 1))
-    return out
+    middle = (a + b) / 2
+    sides = (_over(image, disc, circle, part, effort, depth - 1) for part in ((a, middle), (middle, b)))
+    return _larger(*sides)
 
 
 def _larger(some: list[Any], other: list[Any]) -> list[Any]:

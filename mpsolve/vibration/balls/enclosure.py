@@ -10,9 +10,11 @@ u(t) = Σ residues to the right of the path + (1/π) Im ∫ û e^{σt} dσ along
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
+from math import ceil, inf, log, log2, log10
 from typing import Any
 
 import numpy as np
@@ -20,8 +22,8 @@ import numpy as np
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import rational
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
@@ -34,15 +36,17 @@ from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
-from mpsolve.vibration.engine import Engine
-from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.poles import certified
-from mpsolve.vibration.precise_image import exact_terms
+from mpsolve.vibration.precise_image import Term, exact_terms
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 100
-_GUARD = 15
+_GUARD, _SPARE, _MOST_LOST = 20, 3, 400
+_LATE = 8.0
+"""Scaled: a path for earlier times lies no farther right."""
+_RISE = 8.0
+"""What a motion that neither grows nor decays grows by along the path, as an exponent: far from cuts and roots."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +86,7 @@ def response_balls(
     """The motion from rest in proved balls; seconds, some thousand evaluations that serve all places and times.
 
     problem, loads, places: as for `response`. times > 0, exact numbers: work grows as the smallest one falls and as
-    the largest one rises. digits: 3 to 100; the balls are worked for to a radius of 10^−digits of the static motion,
+    the largest one rises. digits: 1 to 100; the balls are worked for to a radius of 10^−digits of the static motion,
     and are returned whatever their radius is. spectrum: of `certify(problem, digits=digits + 10)` at least, with all
     roots that grow; without it that is computed.
 
@@ -90,39 +94,86 @@ def response_balls(
     for more contacts, or places away from a single one, on beams on foundations. InputError for what cannot be used;
     where a step of the proof fails the answer is undecided, with the reason.
     """
-    _check(problem, digits)
+    checked_digits(digits)
+    if not isinstance(problem, Problem):
+        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
     if spectrum is not None and spectrum.problem != problem:
         raise InputError("spectrum", "is that of another problem: give certify(problem)")
     exact = tuple(rational(t, "times") for t in times)
     if not exact or min(exact) <= 0:
         raise InputError("times", "hold none, or one that is not above 0: give times above 0")
-    work, said = begun(effort), progress or silent
+    work = begun(effort)
     image = Image(problem, checked_places(problem, places))
-    outer = outer_forces(image.pencil, loads)
-    K = Multiprecision(digits + _GUARD)
-    balls = BallImage(K.mp, image, exact_terms(image.pencil, loads), digits + _GUARD)
+    outer_forces(image.pencil, loads)
+    found = partial(certify, problem, check=False) if spectrum is None else spectrum
     try:
-        said("frequencies", 0.0)
-        found = certify(problem, digits=max(digits + 12, 20), check=False) if spectrum is None else spectrum
-        with precision(balls.bits):
-            poles, floor = _poles(image, found)
-            engine = Engine(image, tones(image, outer, ()), (), certified(image, found))
-            at = [rational_ball(t) * balls.rate_ball for t in exact]
-            alpha = engine.line(max(float(t) for t in at))
-            if not alpha > floor:
-                raise PrecisionError("not all roots above the path are certified: certify a larger region")
-            parts = Work(balls, poles, alpha, at, digits, work, said).parts(_sizes(engine))
-        return _told(image, exact, parts, work.spent, None)
+        asked = Asked(image, exact_terms(image.pencil, loads), [Exact(t) for t in exact], digits)
+        parts = proved_parts(asked, found, work, progress or silent)
     except (EffortError, PrecisionError) as error:
         infinite = np.full((image.channels, len(exact)), arb(0, float("inf")), object)
         return _told(image, exact, [infinite] * 4, work.spent, _reason(error))
+    return _told(image, exact, parts, work.spent, None)
 
 
-def _check(problem: Any, digits: Any) -> None:
-    if not isinstance(problem, Problem):
-        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 3 <= digits <= MOST:
-        raise InputError("digits", f"is {digits!r}: give a whole number from 3 to {MOST}")
+@dataclass(frozen=True)
+class Asked:
+    """A problem with its places, what acts on it, the times, and to how many digits."""
+
+    image: Image
+    terms: list[Term]
+    times: list[Exact]
+    digits: int
+
+
+def proved_parts(
+    asked: Asked, spectrum: Spectrum | Callable[..., Spectrum], work: Effort, said: Progress
+) -> tuple[Any, Any, Any, Any]:
+    """The motion and its steady, harmonic and transient part, (channels, times) each; PrecisionError without a proof.
+
+    spectrum: or what makes one of so many digits. InputError where more than 400 digits cancel.
+    """
+    said("frequencies", 0.0)
+    least = max(asked.digits + 12, 20)
+    found = spectrum(digits=least) if callable(spectrum) else spectrum
+    lost = _lost(asked, found)
+    if callable(spectrum) and lost > _SPARE:
+        found = spectrum(digits=least + ceil(min(lost, _MOST_LOST)))
+        lost = _lost(asked, found)
+    if lost > _MOST_LOST:
+        raise InputError(
+            "loads",
+            f"make parts of the motion that exceed their sum, or it the unit, by more than {_MOST_LOST} digits: "
+            "change the frequency of a load that meets an induced frequency, or end earlier",
+        )
+    lost = max(0, ceil(lost))
+    balls = BallImage(asked.image, asked.terms, asked.digits + lost + _GUARD)
+    with precision(balls.bits):
+        poles, floor = _poles(asked.image, found)
+        at = [t.ball() * balls.rate_ball for t in asked.times]
+        growth = max((float(z.real.upper()) for z in poles), default=0.0)
+        alpha = max(0.0, growth) + _RISE / max(_LATE, *(float(t) for t in at))
+        if not alpha > floor:
+            raise PrecisionError("not all roots above the path are certified: certify a larger region")
+        return Work(balls, poles, alpha, at, (asked.digits, lost), work, said).parts(_sizes(balls))
+
+
+def _lost(asked: Asked, spectrum: Spectrum) -> float:
+    """Decimal digits to which the motion grows, and which cancel near a resonance: twice those of |q − ω|/|q|."""
+    last, nearest, growth = max(map(float, asked.times)), 1.0, 0.0
+    with precision(ceil((spectrum.digits + _GUARD) * log2(10))):
+        for root in spectrum.roots:
+            growth = max(growth, -float(root.q.imag.mid()))
+            for _, load in asked.terms:
+                if load.amplitude and load.frequency:
+                    gap = abs(1 - abs(load.frequency).ball() / root.q)
+                    nearest = min(nearest, max(float(gap.lower()), 0.0))
+    return last * growth / log(10) - 2 * log10(nearest) if nearest else inf
+
+
+def checked_digits(digits: Any) -> None:
+    """InputError unless it is a number of digits that balls are worked for to."""
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST:
+        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {MOST}")
 
 
 def _reason(error: Exception) -> Reason:
@@ -145,16 +196,14 @@ def _poles(image: Image, spectrum: Spectrum) -> tuple[list[Any], float]:
     return [acb(0, 1) * q / rational_ball(Fraction(image.rate)) for q in qs], certified(image, spectrum).floor
 
 
-def _sizes(engine: Engine) -> list[float]:
-    """About the size of each kind of channel, in float64: what the digits are relative to."""
-    values = np.abs(engine.transformed(np.array([1.0 + 0j, 0.1 + 0j])) * np.array([[1.0], [0.1]])).max(0)
-    image = engine.image
-    kinds = (
-        slice(0, image.size),
-        slice(image.size, image.size + image.contacts),
-        slice(image.size + image.contacts, None),
-    )
-    for kind in kinds:
+def _sizes(balls: BallImage) -> list[float]:
+    """About the size of each kind of channel: what the digits are relative to."""
+    image, values = balls.image, np.zeros(balls.image.channels)
+    for at in (1.0, 0.1):
+        sizes = [float(abs(x).mid()) for x in balls.values(balls.start(acb(at)))]
+        values = np.maximum(values, np.array(sizes) * at)
+    n, m = image.size, image.contacts
+    for kind in (slice(0, n), slice(n, n + m), slice(n + m, None)):
         values[kind] = values[kind].max(initial=1e-300)
     return [float(x) for x in values]
 

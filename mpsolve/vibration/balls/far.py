@@ -8,22 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, acb_mat, arb, arb_mat, precision, rational_ball
+from mpsolve.numbers.balls import acb, arb, arb_mat, precision, rational_ball
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.path import Path
 from mpsolve.vibration.balls.polygon import FarRoot, far_roots, power_of, turn
+from mpsolve.vibration.balls.scatter import Waves
+from mpsolve.vibration.balls.solved import Disc, solved
 
-Disc = tuple[Any, Any]
-"""A middle and a radius."""
 _FIRST, _TIMES, _TRIES = 32.0, 2.0, 22
 
 
 def far_field(image: BallImage, path: Path, last: float) -> tuple[float, list[Any]]:
     """R > `last`, and for |Im σ| ≥ R between line and path bounds of |û| by channels."""
-    radius = max(_FIRST, 1.1 * last)
+    radius = max(_FIRST, last)
     for _ in range(_TRIES):
         try:
             return radius, _Far(image, path, radius).bounds()
@@ -75,16 +76,32 @@ class _Far:
             return value, arb(0)
         return acb(0), abs(value) * power_of(self.radius, power)
 
-    def received(self, xi: Fraction, power: Fraction = Fraction(0)) -> Disc:
-        """σ^γ G(ξ), times σ^power."""
+    def received(self, xi: Fraction, power: Fraction = Fraction(0), without: Sequence[FarRoot] = ()) -> Disc:
+        """σ^γ G(ξ), times σ^power; without some of the waves."""
         roots, sign = (self.upper, 1) if xi >= 0 else (self.lower, -1)
         middle, radius = acb(0), arb(0)
+        if not xi:
+            roots, middle, radius = self._alike(power)
         for root in roots:
+            if root in without:
+                continue
             m, r = self.disc(self.image.scale * sign * root.weight, self.gamma - root.gamma + power)
             if xi:
                 m, r = acb(0), (abs(m) + r) * self._grown(root, xi)
             middle, radius = middle + m, radius + r
         return middle, radius
+
+    def _alike(self, power: Fraction) -> tuple[list[FarRoot], Any, Any]:
+        """The upper waves without those that have the lowest γ and one ζ, and these at the contact: w₁ may cancel."""
+        some = [z for z in self.upper if z.gamma == self.gamma and z.parts is not None]
+        some = [z for z in some if z.power.denominator == some[0].power.denominator and not power]
+        parts = [z.parts for z in some if z.parts is not None]
+        if not parts:
+            return self.upper, acb(0), arb(0)
+        zeta, size = power_of(self.radius, Fraction(-1, some[0].power.denominator)), abs(self.image.scale)
+        first, second = (sum((own[k] for own in parts), acb(0)) for k in (0, 1))
+        radius = size * (abs(second) * zeta + sum((own[2] for own in parts), arb(0)))
+        return [z for z in self.upper if not any(z is one for one in some)], self.image.scale * first, radius
 
     def _grown(self, root: FarRoot, xi: Fraction) -> Any:
         """A bound of |e^{Pξ}|."""
@@ -110,8 +127,29 @@ class _Far:
             raise PrecisionError("p-roots far out may be real: go further")
         return (falls * power_of(R, w)).exp()
 
-    def rows(self) -> list[list[Disc]]:
-        """The equations."""
+    def waves(self) -> Waves | None:
+        """The waves that run between tight contacts and do not decay, where there are such in either direction."""
+        image, n = self.image, self.image.image.size
+        at = image.pencil[3]
+        chain = [j for j, h in enumerate(image.image.pencil.h) if not h]
+        one, other = ([z for z in side if z.neutral and z.gamma == self.gamma] for side in (self.upper, self.lower))
+        if len(chain) < 2 or len(one) != 1 or len(other) != 1:
+            return None
+        ahead, behind = image.scale * one[0].weight, -image.scale * other[0].weight
+        size = n + image.image.contacts
+        sizes = arb_mat(size, size)
+        for i in chain:
+            for j in chain:
+                if i != j:
+                    root, wave = (one[0], ahead) if at[i] > at[j] else (other[0], behind)
+                    sizes[n + i, n + j] = abs(wave) * self._grown(root, at[i] - at[j])
+        to_and_fro = [
+            self._grown(one[0], at[j] - at[i]) * self._grown(other[0], at[i] - at[j]) for i, j in pairwise(chain)
+        ]
+        return Waves(tuple(n + j for j in chain), ahead, behind, tuple(to_and_fro), sizes)
+
+    def rows(self, waves: Waves | None) -> list[list[Disc]]:
+        """The equations, without these waves."""
         image, e = self.image, self.powers
         n, m = image.image.size, image.image.contacts
         S, B, h, at = image.pencil
@@ -125,7 +163,11 @@ class _Far:
         for i in range(m):
             own = [self.disc(acb(B[j][i]), -e[j] - e[n + i]) for j in range(n)]
             for j in range(m):
-                middle, radius = self.received(at[i] - at[j], -self.gamma - e[n + i] - e[n + j])
+                apart = waves and i != j and {n + i, n + j} <= set(waves.chain)
+                travelling = [z for z in (*self.upper, *self.lower) if z.neutral and z.gamma == self.gamma]
+                middle, radius = self.received(
+                    at[i] - at[j], -self.gamma - e[n + i] - e[n + j], travelling if apart else ()
+                )
                 own.append((-middle - (acb(h[i]) if i == j else 0), radius))
             rows.append(own)
         return rows
@@ -138,14 +180,15 @@ class _Far:
             raise PrecisionError("the forces far out are beyond what is proved of the motion in balls")
         with precision(image.bits):
             force = [sum(map(abs, self.disc(x, -e[k]))) for k, x in enumerate(image.far_forces(R))]
-            x = solved(self.rows(), [*force, *[arb(0)] * image.image.contacts])
+            waves = self.waves()
+            x = solved(self.rows(waves), [*force, *[arb(0)] * image.image.contacts], waves)
             out = [one * power_of(R, -1 - power) for one, power in zip(x, e, strict=True)]
             for at in image.seen:
                 rail = arb(0)
                 for j, y in enumerate(image.pencil[3]):
                     size = sum(map(abs, self.received(at - y)))
                     rail = rail + size * x[n + j] * power_of(R, -1 - e[n + j] - self.gamma)
-                out.append(rail)
+                out.append(image.touching(at, out, rail))
             if not all(bound.is_finite() for bound in out):
                 raise PrecisionError("the motion far out has no bound: go further")
             return [arb(bound.upper()) for bound in out]
@@ -153,29 +196,3 @@ class _Far:
 
 def _sum(discs: list[Disc]) -> Disc:
     return sum((m for m, _ in discs), acb(0)), sum((r for _, r in discs), arb(0))
-
-
-def solved(rows: list[list[Disc]], right: list[Any]) -> list[Any]:
-    """Bounds of |x| for all matrices of these discs, |right| bounded; PrecisionError where one may be singular.
-
-    With an inverse R of the middles, |R A − I| ≤ E; where E u < u for some u > 0, |A⁻¹| ≤ (I − E)⁻¹ |R|.
-    """
-    n = len(rows)
-    middle = acb_mat([[m.mid() for m, _ in row] for row in rows])
-    spread = arb_mat([[r + abs(m - m.mid()) for m, r in row] for row in rows])
-    try:
-        inverse = acb_mat([[x.mid() for x in row] for row in middle.inv().tolist()])
-        one = acb_mat([[int(i == j) for j in range(n)] for i in range(n)])
-        size, off = (
-            arb_mat([[abs(x) for x in row] for row in a.tolist()]) for a in (inverse, inverse * middle - one)
-        )
-        E = arb_mat([[arb(x.upper()) for x in row] for row in (size * spread + off).tolist()])
-        left = arb_mat([[int(i == j) - E[i, j] for j in range(n)] for i in range(n)])
-        u = left.solve(arb_mat([[1]] * n))
-        u = arb_mat([[x.mid()] for row in u.tolist() for x in row])
-        if not all(u[i, 0] > 0 and (E * u)[i, 0] < u[i, 0] for i in range(n)):
-            raise ZeroDivisionError
-        x = left.solve(size * arb_mat([[value] for value in right]))
-    except ZeroDivisionError:
-        raise PrecisionError("the equations may be singular far out: go further, or give fewer contacts") from None
-    return [abs(row[0]) for row in x.tolist()]

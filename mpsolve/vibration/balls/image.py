@@ -12,11 +12,16 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, arb, precision, square
-from mpsolve.vibration.balls.moving import Moving, moving_roots
-from mpsolve.vibration.precise_image import PreciseImage
+from mpsolve.numbers.balls import acb, arb, arb_mat, precision, square
+from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
+from mpsolve.vibration.balls.scatter import Waves
+from mpsolve.vibration.balls.solved import Disc, solved
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.precise_image import PreciseImage, Term
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
+
+_NEARER = 12
 
 
 @dataclass(frozen=True)
@@ -34,6 +39,9 @@ class Cell:
 
 class BallImage(PreciseImage):
     """û and its cells, at the precision of the image."""
+
+    def __init__(self, image: Image, terms: list[Term], digits: int) -> None:
+        super().__init__(None, image, terms, digits)
 
     @property
     def bits(self) -> int:
@@ -96,9 +104,30 @@ class BallImage(PreciseImage):
         """The cell of a thin σ̂ to the right of the cuts."""
         return self.named(sigma, sigma, self.physical(sigma)[0])
 
+    def on_axis(self, sigma: Any) -> Cell:
+        """The cell of a thin σ̂ of the axis; where waves do not decay there, as it continues what is right of it."""
+        try:
+            return self.start(sigma)
+        except PrecisionError as error:
+            found = error
+        for k in range(_NEARER):
+            aside = sigma + arb(2) ** (-1 - 2 * k)
+            try:
+                return self.within(self.cell(hull(sigma, aside), aside), sigma)
+            except PrecisionError:
+                continue
+        raise found
+
     def cell(self, ball: Any, inside: Any) -> Cell:
         """The cell of a ball that holds the thin σ̂ `inside`, which lies to the right of the cuts."""
         return self.named(ball, inside, self.physical(inside)[0])
+
+    def clear(self, ball: Any, inside: Any) -> Cell:
+        """The same, where no wave has a real p over the ball: no cut meets it."""
+        cell = self.cell(ball, inside)
+        if not all(z.at(ball).real < 0 for z in cell.upper) or not all(z.at(ball).real > 0 for z in cell.lower):
+            raise PrecisionError("a cut may meet the ball: make it smaller")
+        return cell
 
     def beside(self, ball: Any, sigma: Any, cell: Cell) -> Cell:
         """The cell of a ball that shares the thin σ̂ with another cell."""
@@ -116,13 +145,9 @@ class BallImage(PreciseImage):
 
     def within(self, cell: Cell, sigma: Any) -> Cell:
         """The same at a thin σ̂ of the cell."""
-        found = moving_roots(self.symbols, sigma)
-        names = [_holder([one.at(sigma) for one in (*cell.upper, *cell.lower)], one.at(sigma)) for one in found]
-        if sorted(names) != list(range(len(found))):
-            raise PrecisionError(_TOGETHER)
+        found = sharp_roots(self.symbols, sigma, [*cell.upper, *cell.lower])
         up = len(cell.upper)
-        sides = ([z for k, z in zip(names, found, strict=True) if (k < up) == first] for first in (True, False))
-        return Cell(sigma, *(tuple(side) for side in sides))
+        return Cell(sigma, tuple(found[:up]), tuple(found[up:]))
 
     def values(self, cell: Cell) -> list[Any]:
         """û over the cell: bodies, contact forces, rail; finite, so that û is analytic there."""
@@ -133,6 +158,60 @@ class BallImage(PreciseImage):
             except ZeroDivisionError:
                 raise PrecisionError("the equations may be singular over a cell: split it") from None
             return self._finite(found)
+
+    def sizes(self, cell: Cell) -> list[Any]:
+        """Bounds of |û| over the cell, analytic there; PrecisionError where the equations may be singular."""
+        with precision(self._bits):
+            G, force = self._received(cell), self._forces(cell.ball)
+            right = [abs(x) for x in force] + [arb(0)] * self.image.contacts
+            try:
+                x = solved(self._discs(cell, G), right)
+            except PrecisionError:
+                if self.image.contacts == 1:
+                    raise
+                x = solved(*self._without_phases(cell, right, G))
+            n = self.image.size
+            rail = [
+                self.touching(at, x, sum((abs(G[at - y]) * x[n + j] for j, y in enumerate(self._at)), arb(0)))
+                for at in self._seen
+            ]
+            return [arb(size.upper()) for size in self._finite([*x, *rail])]
+
+    def touching(self, at: Fraction, x: list[Any], rail: Any) -> Any:
+        """A bound of the rail, or under a contact of what the vehicle has there, w = Bᵀy − hf, where that is less."""
+        n = self.image.size
+        for j, y in enumerate(self._at):
+            if y == at:
+                own = sum((abs(self._B[k][j]) * x[k] for k in range(n)), abs(self._h[j]) * x[n + j])
+                rail = rail.min(own)
+        return rail
+
+    def _discs(self, cell: Cell, G: dict[Fraction, Any]) -> list[list[Disc]]:
+        return [[_disc(x) for x in row] for row in self._rows(cell.ball, G)]
+
+    def _without_phases(self, cell: Cell, right: list[Any], G: dict[Fraction, Any]) -> tuple[Any, Any, Waves]:
+        """The equations where of the waves between contacts the slowest to decay has any phase, and these waves."""
+        n, m, at = self.image.size, self.image.contacts, self._at
+        ahead = max(cell.upper, key=lambda one: float(one.z.real))
+        behind = min(cell.lower, key=lambda one: float(one.z.real))
+        a, b = self._g * ahead.weight, -self._g * behind.weight
+        sizes, rows, gone = arb_mat(n + m, n + m), self._discs(cell, G), [arb(1)]
+        for i in range(m):
+            gone += [self._gone(ahead, cell, at[i] - at[i - 1]) * self._gone(behind, cell, at[i - 1] - at[i])] * bool(
+                i
+            )
+            for j in range(m):
+                if at[i] != at[j]:
+                    wave, size = (ahead, abs(a)) if at[i] > at[j] else (behind, abs(b))
+                    sizes[n + i, n + j] = size * self._gone(wave, cell, at[i] - at[j])
+                    others = [one for one in (cell.upper if at[i] > at[j] else cell.lower) if one is not wave]
+                    rest = [abs(self._g * one.weight) * self._gone(one, cell, at[i] - at[j]) for one in others]
+                    rows[n + i][n + j] = acb(0), sum(rest, arb(0))
+        return rows, right, Waves(tuple(range(n, n + m)), a, b, tuple(gone[1:]), sizes)
+
+    def _gone(self, wave: Moving, cell: Cell, xi: Fraction) -> Any:
+        """|e^{Pξ}| over the cell, at most."""
+        return (wave.at(cell.ball) * self._xi[xi]).real.exp()
 
     def response(self, cell: Cell, force: list[Any]) -> list[Any]:
         """The channels for forces on the coordinates instead of û's own."""
@@ -172,11 +251,16 @@ class BallImage(PreciseImage):
                     add(Fraction(0), acb(0), c, direction)
                 if load.amplitude and load.frequency:
                     wave = acb(0, -1) * a * (acb(0, 1) * phase).exp()
-                    key, wave = (omega, wave) if omega > 0 else (-omega, wave.conjugate() * -1)
-                    add(str(key), acb(key), wave, direction)
+                    wave = wave if load.frequency.sign > 0 else wave.conjugate()
+                    add(abs(load.frequency), acb(abs(omega)), wave, direction)
                 elif load.amplitude:
                     add(Fraction(0), acb(0), a * phase.sin(), direction)
         return [(rates[key], force) for key, force in out.items()]
+
+
+def _disc(x: Any) -> Disc:
+    middle = acb(x.mid())
+    return middle, abs(x - middle)
 
 
 def _holder(balls: Sequence[Any], z: Any) -> int:

@@ -16,6 +16,8 @@ from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, exact_ball, is_thin, square
 
+_STEPS = 40
+
 
 @dataclass(frozen=True)
 class Moving:
@@ -65,6 +67,30 @@ def moving_roots(symbols: Symbols, ball: Any) -> list[Moving]:
         moved = square(radii[k])
         value = _along(N, z[k] + moved, slopes[k])(tau)
         out.append(Moving(middle, z[k], slopes[k], radii[k], value / slope))
+    return out
+
+
+def sharp_roots(symbols: Symbols, sigma: Any, discs: list[Moving]) -> list[Moving]:
+    """The p-roots at a thin σ of the ball of these discs, in their order, by Newton's method to all digits.
+
+    Where m − D(m)/D'(b) lies in the ball b round m there is one root in b, and it lies there; where b meets no other
+    disc it is that of the disc, as each holds one.
+    """
+    D, N = (acb_poly([row(sigma) for row in symbol.balls()]) for symbol in (symbols.D, symbols.N))
+    slope, out, all_own = D.derivative(), [], [disc.at(sigma) for disc in discs]
+    for k, own in enumerate(all_own):
+        m, step = own.mid(), abs(own).upper()
+        for _ in range(_STEPS):
+            off = D(m) / slope(m)
+            m, last, step = (m - off).mid(), step, abs(off).upper()
+            if not step < last / 2:
+                break
+        size = arb((4 * (step + abs(D(m) / slope(m)))).upper())
+        ball = m + square(size)
+        root = m - D(m) / slope(ball)
+        if not ball.contains(root) or any(ball.overlaps(other) for i, other in enumerate(all_own) if i != k):
+            raise PrecisionError("two p-roots cannot be told apart: move the path")
+        out.append(Moving(sigma, root, acb(0), arb(0), N(root) / slope(root)))
     return out
 
 

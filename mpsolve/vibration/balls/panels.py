@@ -2,7 +2,8 @@
 
 On a panel of half length h whose integrand is at most M on the ellipse of Bernstein with parameter ρ, n nodes miss at
 most 8hMρ^(1 − 2n)/(ρ − 1): they are exact up to the degree 2n − 1, and Chebyshev's series cut there is off by
-2Mρ^(1 − 2n)/(ρ − 1) at most.
+2Mρ^(1 − 2n)/(ρ − 1) at most. They never miss more than 4h times the largest value on the panel, which serves late
+times, whose waves have decayed there.
 """
 
 from __future__ import annotations
@@ -22,10 +23,10 @@ from mpsolve.vibration.balls.path import Path
 _RHO = 3
 _REAL, _IMAGINARY = 5 / 3, 4 / 3
 """(ρ ± 1/ρ)/2."""
-_MOST_NODES = 40
+_MOST_NODES = 64
 _STEP = 4
 """Numbers of nodes are multiples of this, so that few rules are needed."""
-_GROWS, _LEAST = 1.6, 2.0**-40
+_GROWS, _FULL, _LEAST = 1.6, 44, 2.0**-40
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ def panels(image: BallImage, leg: Leg, times: list[Any], goals: list[Any], effor
             size = (there - here) / 2
             continue
         yield found
-        size = _GROWS * (there - here)
+        size = (_GROWS if len(found.nodes) < _FULL else 1.0) * (there - here)
         here = there
         if not leg.straight and here < leg.last:
             cell = image.within(wide, leg.place(arb(here)))
@@ -98,31 +99,33 @@ def _panel(
     try:
         point = leg.place(middle) if leg.straight else leg.place(a)
         cell = image.cell(ball, point) if leg.straight else image.beside(ball, point, begin)
-        largest = [abs(x * slope).upper() for x in image.values(cell)]
+        largest = [(x * abs(slope)).upper() for x in image.sizes(cell)]
     except PrecisionError as error:
         raise _WidePanelError(str(error)) from None
     times, goals = asked
     growth = [(t * ball.real).exp().upper() for t in times]
-    n = _number(largest, growth, half, goals)
-    share = 8 * half * arb(_RHO) ** (1 - 2 * n) / (_RHO - 1) if n else 2 * half
-    missed = tuple(tuple((M * grown * share).upper() for grown in growth) for M in largest)
+    plain = [4 * half * (t * leg.place(a.union(b)).real).exp().upper() for t in times]
+    n = _number(largest, list(zip(growth, plain, strict=True)), half, goals)
+    share = 8 * half * arb(_RHO) ** (1 - 2 * n) / (_RHO - 1) if n else None
+    errors = [one if share is None else one.min(grown * share) for grown, one in zip(growth, plain, strict=True)]
+    missed = tuple(tuple((M * error).upper() for error in errors) for M in largest)
     nodes = []
     for x, weight in rule(n, bits_now()) if n else ():
         at = middle + half * x
         sigma, factor = leg.place(at), leg.slope(at) * half * weight
         effort.spend(1)
-        values = image.values(image.start(sigma) if leg.straight else image.within(cell, sigma))
+        values = image.values(image.within(cell, sigma))
         nodes.append((sigma, tuple(value * factor for value in values)))
     return cell, Panel(tuple(nodes), missed)
 
 
-def _number(largest: list[Any], growth: list[Any], half: Any, goals: list[Any]) -> int:
-    """How many nodes miss no more than the goals; 0 where the panel itself is below them."""
-    most = max(growth, key=float)
-    over = max(_log(M * most * half / goal) for M, goal in zip(largest, goals, strict=True))
-    if over + log(2) < 0:
+def _number(largest: list[Any], growth: list[tuple[Any, Any]], half: Any, goals: list[Any]) -> int:
+    """How many nodes miss no more than the goals; 0 where the panel itself is below them at all times."""
+    felt = max(_log(M / goal) for M, goal in zip(largest, goals, strict=True))
+    over = [_log(grown) for grown, plain in growth if felt + _log(plain) > 0]
+    if not over:
         return 0
-    n = ceil((over + log(8 / (_RHO - 1)) + log(_RHO)) / (2 * log(_RHO)))
+    n = ceil((felt + max(over) + _log(half) + log(8 / (_RHO - 1)) + log(_RHO)) / (2 * log(_RHO)))
     n = _STEP * max(1, ceil(n / _STEP))
     if n > _MOST_NODES:
         raise _WidePanelError("the motion turns too often over a panel: halve it")

@@ -85,7 +85,7 @@ def _row(image: BallImage, path: Path, low: float, high: float, effort: Effort) 
         count += 1
         try:
             cell = image.beside(ball, point, cell)
-            image.values(cell)
+            image.sizes(cell)
         except PrecisionError:
             return -count
         right = next_right

@@ -27,8 +27,8 @@ _TOGETHER = "p-roots far out cannot be told apart: go further"
 class FarRoot:
     """P = σ^w (z₀ + z₁ζ + rest), |rest| ≤ left |ζ|², and N/D_P = σ^{−γ} weight, for all |σ| ≥ R.
 
-    z: the ball of P/σ^w. neutral: z₀ i^w is imaginary, exactly: the wave neither grows nor decays to leading order.
-    still: the ball of s where P = (σ − s)/v = (σ − s) z₀.
+    z: the ball of P/σ^w. parts: w₀, w₁, off of the weight, w₀ + w₁ζ to within off. neutral: z₀ i^w is imaginary,
+    exactly: the wave neither grows nor decays to leading order. still: the ball of s where P = (σ − s)/v = (σ − s)z₀.
     """
 
     power: Fraction
@@ -40,6 +40,7 @@ class FarRoot:
     weight: Any
     neutral: bool
     still: Any = None
+    parts: tuple[Any, Any, Any] | None = None
 
     def at(self, sigma: Any) -> Any:
         """The ball of P at one σ."""
@@ -97,6 +98,7 @@ def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRo
     for root in found:
         z = z0 * (1 - square(abs(root.z).upper() / radius))
         weight = -root.weight * z0
+        root = replace(root, parts=None)
         out.append(replace(root, power=Fraction(1), z0=z0, z=z, weight=weight, neutral=True, still=root.z))
     return out
 
@@ -161,16 +163,38 @@ def _along(D: Polynomial, N: Polynomial, power: Fraction, radius: Any, without: 
     zeta = arb(power_of(radius, Fraction(-1, b)).upper())
     starts = _starts(_edge(D, power), without)
     odd = len({(i + j) % 2 for i, j in D if m == power.numerator * i + b * j}) > 1
-    wide, N_wide = _in_z(terms, square(zeta)), _in_z(over, square(zeta))
-    out = []
+    gamma, out = Fraction(m - power.numerator - m_N, b), []
     for z0 in starts:
-        z1, Y = _kept(terms, z0, zeta)
+        about = _about(terms, z0)
+        z1, Y = _kept(about, zeta)
         z = z0 + square(zeta * (abs(z1) + Y))
-        gamma = Fraction(m - power.numerator - m_N, b)
-        weight = N_wide(z) / wide.derivative()(z)
-        out.append(FarRoot(power, z0, z1, Y / zeta, z, gamma, weight, not odd and _neutral(z0, power, starts)))
+        slope = {(k, j - 1): j * c for (k, j), c in about.items() if j}
+        parts = _ratio(_split(_about(over, z0), z1, Y, zeta), _split(slope, z1, Y, zeta), zeta)
+        weight = parts[0] + square(abs(parts[1]) * zeta + parts[2])
+        neutral = not odd and _neutral(z0, power, starts)
+        out.append(FarRoot(power, z0, z1, Y / zeta, z, gamma, weight, neutral, None, parts))
     _apart(out)
     return out
+
+
+def _split(a: Mapping[tuple[int, int], Any], z1: Any, Y: Any, zeta: Any) -> tuple[Any, Any, Any]:
+    """f₀, f₁ and off with Σ a_kj ζ^(k + j) (z₁ + y)^j = f₀ + f₁ζ to within off, |y| ≤ Y."""
+    zero = acb(0)
+    first = a.get((1, 0), zero) + a.get((0, 1), zero) * z1
+    off = abs(a.get((0, 1), zero)) * Y * zeta
+    off += sum((abs(c) * zeta ** (k + j) * (abs(z1) + Y) ** j for (k, j), c in a.items() if k + j > 1), arb(0))
+    return a.get((0, 0), zero), first, arb(off.upper())
+
+
+def _ratio(N: tuple[Any, Any, Any], D: tuple[Any, Any, Any], zeta: Any) -> tuple[Any, Any, Any]:
+    """The same of a quotient."""
+    w0 = N[0] / D[0]
+    w1 = (N[1] - w0 * D[1]) / D[0]
+    least = abs(D[0]) - abs(D[1]) * zeta - D[2]
+    if not least > 0:
+        raise PrecisionError(_TOGETHER)
+    off = (N[2] + abs(w0) * D[2] + abs(w1) * zeta * (abs(D[1]) * zeta + D[2])) / least
+    return w0, w1, arb(off.upper())
 
 
 def _starts(edge: Any, without: Fraction | None) -> list[Any]:
@@ -196,15 +220,20 @@ def _apart(roots: list[FarRoot]) -> None:
         raise PrecisionError(_TOGETHER)
 
 
-def _kept(terms: Mapping[tuple[int, int], Fraction], z0: Any, zeta: Any) -> tuple[Any, Any]:
-    """z₁ and Y: for each |ζ| ≤ zeta one root z₀ + ζ(z₁ + y) has |y| ≤ Y, by Rouché's theorem.
-
-    With a_kj the coefficients of ζ^k (z − z₀)^j y solves a₀₁ y + Σ a_kj ζ^(k+j−1) (z₁ + y)^j = 0, k + j ≥ 2.
-    """
+def _about(terms: Mapping[tuple[int, int], Fraction], z0: Any) -> dict[tuple[int, int], Any]:
+    """a_kj, the coefficients of ζ^k (z − z₀)^j."""
     a = {}
     for k in sorted({k for _, k in terms}):
         part = _in_z({(i, 0): c for (i, j), c in terms.items() if j == k}, acb(0))(acb_poly([z0, 1]))
         a.update({(k, j): c for j, c in enumerate(part.coeffs())})
+    return a
+
+
+def _kept(a: Mapping[tuple[int, int], Any], zeta: Any) -> tuple[Any, Any]:
+    """z₁ and Y: for each |ζ| ≤ zeta one root z₀ + ζ(z₁ + y) has |y| ≤ Y, by Rouché's theorem.
+
+    y solves a₀₁ y + Σ a_kj ζ^(k+j−1) (z₁ + y)^j = 0, k + j ≥ 2.
+    """
     z1, size = -a.get((1, 0), acb(0)) / a[0, 1], abs(a[0, 1])
     near = abs(z1)
     rest = [(k + j - 1, j, abs(c)) for (k, j), c in a.items() if k + j >= 2]

@@ -25,12 +25,15 @@ _STEEP, _SPAN = 1.0, 0.25
 _LOWERED = 5
 _LEAST = 2.0
 """The least r at which the path leaves the line."""
-_LONGEST = 3000.0
-"""The largest r of the path."""
+_MOST_TURNS = 3e5
+"""ωt at most on the line."""
+_LONGEST, _TURNS, _ECHOES = 3000.0, 10_000.0, 150.0
+"""The largest r of the path, of r² t at the first time, and of r times the distance of the contacts: further on it
+turns too often, or needs too many panels between the echoes of the contacts."""
 
 
 class Work:
-    """A motion at the times `at` to so many digits.
+    """A motion at the times `at` ≥ 0 to so many digits, and the number of those that its parts lose.
 
     poles: balls of all roots of the problem that may lie above the path's line Re σ = alpha, and of others.
     """
@@ -41,32 +44,39 @@ class Work:
         poles: list[Any],
         alpha: float,
         at: list[Any],
-        digits: int,
+        digits: tuple[int, int],
         effort: Effort,
         said: Progress,
     ) -> None:
-        self.image, self.alpha, self.at, self.digits = image, alpha, at, digits
+        self.image, self.alpha, self.at = image, alpha, at
+        self.digits, self.lost = digits
+        self.late = [t for t in at if t > 0]
         self.effort, self.said = effort, said
         self.tones = image.tones()
         self.loaded = [acb(0)] + [sign * acb(0, 1) * rate for rate, _ in self.tones if rate != 0 for sign in (1, -1)]
         self.poles = poles
+        self.span = float(max(image.pencil[3]) - min(image.pencil[3]))
         self.empty = np.full((image.image.channels, len(at)), arb(0), object)
 
     def parts(self, sizes: list[float]) -> tuple[Any, Any, Any, Any]:
         """The motion, and of it steady, harmonic and transient part, (channels, times) each."""
-        goals = [arb(size) * arb(10) ** -(self.digits + 2) for size in sizes]
+        goals = [arb(size) * arb(10) ** -(self.digits + 1) for size in sizes]
         path, radius, bounds = self._path()
         self.said("path", 1.0)
-        along = self._integral(path, radius, bounds, goals)
-        right = [z for z in self.poles if z.real > self.alpha]
-        left = [z for z in self.poles if z.real < self.alpha]
-        if len(right) + len(left) < len(self.poles):
+        along = self._started(self._integral(path, radius, bounds, goals) if self.late else None)
+        if not all(z.real < self.alpha for z in self.poles):
             raise PrecisionError("a root may lie on the path: change a parameter a little")
-        grows, inside = self._modes(right), self._known(lambda: self._modes(left))
-        steady = self._known(self._steady) if self.alpha > 0 else self._steady()
-        total = along + grows + (0 if self.alpha > 0 else steady)
-        harmonic = grows + inside
-        return total, steady, harmonic, total - steady - harmonic
+        steady, harmonic = self._known(self._steady), self._known(self._modes)
+        return along, steady, harmonic, along - steady - harmonic
+
+    def _started(self, along: Any) -> Any:
+        """With the times 0, where the rail is at rest, and no other channel is known."""
+        rail = self.image.image.channels - len(self.image.seen)
+        total = np.array(self.empty)
+        total[:rail] = arb(0, float("inf"))
+        for k, column in enumerate([k for k, t in enumerate(self.at) if t > 0]):
+            total[:, column] = along[:, k]
+        return total
 
     def _known(self, part: Callable[[], Any]) -> Any:
         """A part of which the sum does not depend: infinite balls where it is not proved, as on an undamped track."""
@@ -82,8 +92,11 @@ class Work:
         image = self.image.image
         fast = [abs(complex(z.mid())) for z in (*self.poles, *self.loaded)]
         start = max(_LEAST, (1.5 * max([*fast, natural(image)])) ** 0.5)
-        span = float(max(self.image.pencil[3]) - min(self.image.pencil[3]))
-        delta = min(_STEEP, _SPAN / span if span else _STEEP)
+        if self.late and start**2 * float(max(self.late, key=float)) > _MOST_TURNS:
+            raise PrecisionError(
+                "a load or the vehicle turns too often on the path of balls: end earlier, or use float64"
+            )
+        delta = min(_STEEP, _SPAN / self.span if self.span else _STEEP)
         error: PrecisionError | None = None
         for k in range(_LOWERED):
             path = Path(self.alpha, start * 1.25**k, delta / 2**k)
@@ -100,19 +113,21 @@ class Work:
 
     def _integral(self, path: Path, radius: float, bounds: list[Any], goals: list[Any]) -> Any:
         """(1/π) Im ∫, with what is missed in the radii."""
-        first, end = min(self.at, key=float), radius**0.5 * 1.001
-        while end < _LONGEST and any(
+        first, end = min(self.late, key=float), radius**0.5 * 1.001
+        longest = min(_LONGEST, (_TURNS / float(first)) ** 0.5, _ECHOES / self.span if self.span else _LONGEST)
+        while end < longest and any(
             not x < goal for x, goal in zip(self._tail(path, bounds, end, first), goals, strict=True)
         ):
             end *= 1.2
-        total = np.full(self.empty.shape, acb(0), object)
-        missed = np.array([self._tail(path, bounds, end, t) for t in self.at], object).T
+            bounds = far_field(self.image, path, end**2 / 1.2)[1]
+        total = np.full((len(self.empty), len(self.late)), acb(0), object)
+        missed = np.array([self._tail(path, bounds, end, t) for t in self.late], object).T
         share = [goal / 100 for goal in goals]
         for leg in legs(path, end):
-            for panel in panels(self.image, leg, self.at, share, self.effort):
+            for panel in panels(self.image, leg, self.late, share, self.effort):
                 missed = missed + np.array(panel.missed, object)
                 for sigma, values in panel.nodes:
-                    waves = np.array([(sigma * t).exp() for t in self.at], object)
+                    waves = np.array([(sigma * t).exp() for t in self.late], object)
                     total = total + np.multiply.outer(np.array(values, object), waves)
             self.said("integral", 0.5 if leg.straight else 1.0)
         ball = np.vectorize(lambda value, off: (value.imag + arb(0, off.upper())) / arb.pi(), otypes=[object])
@@ -129,22 +144,22 @@ class Work:
         total = self.empty
         for rate, force in self.tones:
             sigma = acb(0, 1) * rate
-            values = self.image.response(self.image.start(sigma), force)
+            values = self.image.response(self.image.on_axis(sigma), force)
             rows = [[(x * (sigma * t).exp()).real for t in self.at] for x in values]
             total = total + np.array(rows, object).reshape(self.empty.shape)
         return total
 
-    def _modes(self, roots: list[Any]) -> Any:
-        """The motion at some of the induced frequencies."""
-        total = self.empty
-        for k, root in enumerate(roots):
-            self.said("residues", k / len(roots))
+    def _modes(self) -> Any:
+        """The motion at the induced frequencies."""
+        total, last = self.empty, max(float(t) for t in self.at)
+        for k, root in enumerate(self.poles):
+            self.said("residues", k / len(self.poles))
             others = [z for z in self.poles if z is not root] + self.loaded
             middle = complex(root.mid())
             clear = middle.real - lowest(self.image.image)
             clear = clear if clear > 0 else room(self.image.image, middle)
-            radius = radius_round(middle, [complex(z.mid()) for z in others], clear, float(max(self.at, key=float)))
-            bits = ceil((self.digits + 3) * log(10) / log(2))
+            radius = radius_round(root, others, clear, last)
+            bits = ceil((self.digits + self.lost + 3) * log(10) / log(2))
             rows = residues(self.image, root, others, radius, self.at, bits, self.effort)
             total = total + np.array([[x.real for x in row] for row in rows], object).reshape(self.empty.shape)
         return total

@@ -1,4 +1,3 @@
-import mpmath
 import pytest
 
 from mpsolve.vibration.balls.image import BallImage
@@ -13,6 +12,6 @@ def balls():
 
     def image(problem):
         own = Image(problem, checked_places(problem, None))
-        return BallImage(mpmath.MPContext(), own, exact_terms(problem.pencil, None), 25)
+        return BallImage(own, exact_terms(problem.pencil, None), 25)
 
     return image

@@ -29,5 +29,8 @@ def test_a_residue_is_what_float64_has(balls):
 
 
 def test_circles_keep_clear_of_others():
-    assert radius_round(1j, [2j, -1j], 0.5, 1.0) == pytest.approx(0.15)
-    assert radius_round(1j, [2j], 9.0, 1000.0) == pytest.approx(0.004)
+    one, two = acb(0, 1), acb(0, 2)
+    assert radius_round(one, [two, -one], 0.5, 1.0) == pytest.approx(0.15)
+    assert radius_round(one, [two], 9.0, 1000.0) == pytest.approx(0.004)
+    with precision(200):  # nearer than float64 can tell
+        assert radius_round(one, [one + arb(10) ** -30], 9.0, 1.0) == pytest.approx(3e-31)

@@ -76,6 +76,17 @@ def test_without_damping_the_motion_and_its_parts_are_proved():
     assert float(found.harmonic[0, 0].rad()) < 1e-5
 
 
+def test_a_load_that_turns_backwards_is_that_which_turns_forwards():
+    """a sin(−ωt + φ) = −a sin(ωt − φ)."""
+    one, other = (
+        response_balls(ONE, [load], times=["4"], digits=6)
+        for load in (Load(1, "0.3", "-0.2", 2), Load(1, "-0.3", "0.2", -2))
+    )
+    for part in ("rail", "steady", "harmonic"):
+        assert getattr(one, part)[0, 0].overlaps(getattr(other, part)[0, 0])
+        assert float(getattr(one, part)[0, 0].rad()) < 1e-5
+
+
 def test_spent_effort_leaves_nothing_known():
     found = response_balls(ONE, times=["2"], digits=8, effort=Effort(evaluations=40))
     assert found.status is Status.UNDECIDED
@@ -92,7 +103,7 @@ def test_a_place_where_waves_arrive_late_is_refused_with_the_reason():
 
 @pytest.mark.parametrize(
     ("options", "word"),
-    [({"times": ["0"]}, "times"), ({"times": ["1"], "digits": 2}, "digits"), ({"times": []}, "times")],
+    [({"times": ["0"]}, "times"), ({"times": ["1"], "digits": 0}, "digits"), ({"times": []}, "times")],
 )
 def test_what_cannot_be_used_is_refused(options, word):
     with pytest.raises(InputError, match=word):

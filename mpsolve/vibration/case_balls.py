@@ -1,0 +1,148 @@
+"""The motion of a case of the paper in proved balls, or in numbers right to so many decimals; in w_st."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.balls import arb
+from mpsolve.numbers.exact import Exact, Number, exact_list
+from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
+from mpsolve.problem.physical import PhysicalCase
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort, begun
+from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.vehicles.load import Load
+from mpsolve.vibration.balls.enclosure import MOST, Asked, checked_digits, proved_parts
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.of_case import beam_problem, certified_of
+
+_SLOW = "the truly transient part decays slowly near τ = 0; ask for later times, nearer positions or fewer digits"
+
+
+@dataclass(frozen=True)
+class ProvedMotion:
+    """Balls (flint.arb) of the motion from rest, each of shape (len(xi), len(tau)), as for `Response`.
+
+    w is proved to hold steady + harmonic + transient. evaluations: how often the equations were solved.
+    """
+
+    case: Case
+    loads: tuple[Load, ...]
+    xi: tuple[Exact, ...]
+    tau: tuple[Exact, ...]
+    w: Any
+    steady: Any
+    harmonic: Any
+    transient: Any
+    evaluations: int
+
+
+@dataclass(frozen=True)
+class PreciseMotion:
+    """mpmath numbers for the motion from rest, shape (len(xi), len(tau)) each, as for `Response`.
+
+    Each is within 10^−digits of the truth, in units of the displacement of a unit force: a proved bound.
+    """
+
+    case: Case
+    loads: tuple[Load, ...]
+    xi: tuple[Exact, ...]
+    tau: tuple[Exact, ...]
+    digits: int
+    w: Any
+    steady: Any
+    harmonic: Any
+    transient: Any
+
+
+def balls_of_case(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+    *,
+    digits: int = 15,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
+) -> ProvedMotion:
+    """The motion in balls proved to hold it, of a beam from rest under moving masses.
+
+    loads, xi, tau, spectrum as for `response`; ratios and positions are rational. digits: the balls aim at a radius
+    of 10^−digits times the displacement of a unit force; they are returned whatever their radius is, which grows
+    towards τ = 0, where the transient part decays with an algebraic tail only. Digits that a growing motion, or a
+    force near an induced frequency, costs are added to the work.
+
+    InputError for input that has no meaning, PrecisionError where a step of the proof fails, EffortError where the
+    effort runs out; all say what helps.
+    """
+    checked_digits(digits)
+    forces = loads_of(case, loads)
+    whole = case.dimensionless if isinstance(case, PhysicalCase) else case
+    places = tuple(whole.merged.positions if xi is None else exact_list(xi, "xi"))
+    times = exact_list(tau, "tau")
+    if any(t.sign < 0 for t in times):
+        raise InputError("tau", "holds a time before 0, where the motion starts: give no earlier time")
+    problem, work = beam_problem(_rational(whole).merged), begun(effort)
+    if not places or not times:
+        w, steady, harmonic, transient = np.full((4, len(places), len(times)), arb(0), object)
+        return ProvedMotion(whole, forces, places, times, w, steady, harmonic, transient, 0)
+    names = list(dict.fromkeys(whole.positions))
+    terms = [
+        (tuple(2 * row[names.index(place)] for row in problem.pencil.B), load)
+        for place, load in zip(whole.positions, forces, strict=True)
+    ]
+    image = Image(problem, tuple(_exact(x, "xi") for x in places))
+
+    def found(digits: int) -> Spectrum:
+        return certified_of(whole, problem, spectrum, digits)
+
+    known: Any = found if spectrum is None else found(digits)
+    parts = proved_parts(Asked(image, terms, list(times), digits), known, work, progress or silent)
+    w, steady, harmonic, transient = (part[image.channels - len(places) :] for part in parts)
+    return ProvedMotion(whole, forces, places, times, w, steady, harmonic, transient, work.spent)
+
+
+def numbers_of_case(*arguments: Any, digits: int = 15, **options: Any) -> PreciseMotion:
+    """The middles of the balls of `balls_of_case`; PrecisionError if a ball is wider than 10^−digits."""
+    checked_digits(digits)
+    found = balls_of_case(*arguments, digits=min(digits + 3, MOST), **options)
+    parts = found.w, found.steady, found.harmonic, found.transient
+    limit = arb(10) ** -digits
+    for k, time in enumerate(found.tau):
+        worst = max((ball.rad() for part in parts for ball in part[:, k]), default=arb(0), key=float)
+        if not worst < limit:
+            stated = f"at τ = {time.short()} the motion is known to {float(worst):.1e} only, not to {digits} decimals"
+            raise PrecisionError(f"{stated}: {_SLOW}")
+    values = [np.vectorize(_middle, otypes=[object])(part) for part in parts]
+    return PreciseMotion(found.case, found.loads, found.xi, found.tau, digits, *values)
+
+
+def _middle(ball: Any) -> Any:
+    """The middle of a ball as an mpmath number, exactly."""
+    mantissa, exponent = ball.mid().man_exp()
+    return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(int(mantissa), int(exponent)))
+
+
+def _rational(case: Case) -> Case:
+    for key in ("alpha", "eta_b", "eta_s", "eta_n"):
+        _exact(getattr(case, key), key)
+    for key in ("eta_m", "positions"):
+        for x in getattr(case, key):
+            _exact(x, key)
+    return case
+
+
+def _exact(x: Exact, key: str) -> Fraction:
+    if not x.is_rational:
+        stated = f"is the irrational {x.short()}, for which there are no balls"
+        raise InputError(key, f"{stated}: give a decimal, or response_balls of the problem in its own units")
+    return x.as_fraction()
