@@ -20,7 +20,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Valued, joined_cost, outward
 from mpsolve.ranges.crossings import Crossings, find
-from mpsolve.ranges.first import quarter, up_to_first
+from mpsolve.ranges.first import BEYOND, quarter, up_to_first
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
@@ -142,7 +142,7 @@ def onset(
     if shorter is not None:
         again = _found(problem, shorter, digits, quarter(effort), progress, check)
         if again.proved and again.crossings:
-            note = "; ".join(filter(None, (again.note, "nothing is said of larger values")))
+            note = "; ".join(filter(None, (again.note, BEYOND)))
             first = _read(again, Onset(problem, found.over, digits=again.digits, **_shared(again)))
             return replace(first, note=note, cost=joined_cost(found.cost, again.cost))
     if effort is None and found.reason is not None and found.reason.code == "effort":

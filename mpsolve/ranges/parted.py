@@ -28,6 +28,7 @@ from mpsolve.waves.speeds import wave_speeds
 _PLACES = 10**6
 _SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
+LEFT_OUT = "left out: "
 _BOXES = 20_000  # for a strip
 Find = Callable[[dict[str, Interval], Effort | None], Any]
 
@@ -176,7 +177,7 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
         done = [list(one.over["v"]) for one in found if one.proved]
         return replace(first, status=Status.UNDECIDED, reason=_told(reason, speeds), known={"proved": done},
                        counts=None, note="", **common)  # fmt: skip
-    note = "left out: " + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
+    note = LEFT_OUT + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
     counts = tuple(n for one in found for n in one.counts)
     return replace(first, status=Status.UNVERIFIED, reason=None, counts=counts, note=note, **common)
 

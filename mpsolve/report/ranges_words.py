@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from mpsolve.numbers.balls import precision, rational_ball
@@ -12,7 +12,9 @@ from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import Answer
 from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, UnstableRanges
+from mpsolve.ranges.parted import LEFT_OUT
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_from_start
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.spectrum_words import ASSUMED
@@ -133,6 +135,13 @@ def crossings_verdict(found: Crossings, asked: Asked) -> str:
 def _crossings(found: Crossings, asked: Asked) -> list[str]:
     (over,) = asked.overs
     lines = [crossings_verdict(found, asked)]
+    for part in found.parts if found.counts is not None else ():
+        lines += _crossed(part, replace(over, low=part.over[over.path][0]), asked)
+    return lines if len(lines) > 1 else lines + _crossed(found, over, asked)
+
+
+def _crossed(found: Crossings, over: Over, asked: Asked) -> list[str]:
+    lines = []
     counts = found.counts or (None,) * (len(found.crossings) + 1)
     if found.counts is not None:
         lines.append(f"  from {over.told(over.low)} on: {growing(found.counts[0])}")
@@ -179,6 +188,8 @@ def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     title = [asked.title] if asked.title else []
     default = " (give others with --over)" if asked.by_default else ""
     lines = [*title, *lines, f"The range: {asked.ranges}{default}."]
+    limited = found.proved and found.proofs and any(word in found.note for word in (LEFT_OUT, BEYOND))
+    lines += [f"Note: {found.note}."] if limited else []
     lines += [f"Warning: {reason}." for reason in asked.warnings]
     return "\n".join([*lines, trust(found), f"Assumed: {ASSUMED}"]) + "\n"
 
@@ -190,5 +201,7 @@ def trust(found: Answer) -> str:
         return f"Not decided, so nothing is claimed of the whole range.{known}"
     if found.certificate is not None and found.status is Status.PROVED:
         return CERTIFIED
+    if not found.proofs and found.note:  # by a theorem, without boxes
+        return f"Proved, without certificate: {found.note}."
     verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
     return f"{WITHOUT} {_BASE if found.proofs and verified else _UNVERIFIED}"
