@@ -56,6 +56,7 @@ class Tab:
     def __init__(self, session: Session) -> None:
         self.session = session
         self.busy = False
+        self.refused: dict[str, str] = {}
 
     # --- what stands where ---------------------------------------------------------------------------------
 
@@ -147,16 +148,32 @@ class Tab:
         self.busy = True
         changes = self.form.taken()
         try:
+            if changes:
+                self.refused.clear()
             for path, value in changes.items():
-                await run.io_bound(self.session.nudge, path, value)
-                self.form.follow(path)
+                await self._take(path, value)
             if not changes:
                 await run.io_bound(self.session.settle)
             self.draw()
-        except InputError as error:
-            self.verdict.set_text(str(error))
+            if self.refused:
+                self.verdict.set_text(list(self.refused.values())[-1])
         finally:
             self.busy = False
+
+    async def _take(self, path: str, value: object) -> None:
+        """A change, and what has waited for it; or why it cannot be."""
+        waited = set(self.session.waiting.values)
+        axes = set(self.session.axes())
+        try:
+            await run.io_bound(self.session.nudge, path, value)
+        except InputError as error:
+            self.refused[path] = str(error)
+            return
+        for one in {path} | waited - set(self.session.waiting.values):
+            self.refused.pop(one, None)
+            self.form.follow(one)
+        if set(self.session.axes()) != axes:
+            self.draw_axes()
 
     def undo(self) -> None:
         self.session.undo()
@@ -167,6 +184,7 @@ class Tab:
         self.redraw()
 
     def redraw(self) -> None:
+        self.refused.clear()
         self.draw_axes()
         self.form.draw()
         self.draw()

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from mpsolve import read_problem, verify
+from mpsolve import Problem, read_problem, vehicles, verify
 from mpsolve.batch.view import look
 from tests.browsers import NONE, browser
 
@@ -131,6 +131,37 @@ def test_a_slider_stands_for_every_parameter_and_where_a_field_says(seen: Seen) 
         return e && +e.getAttribute('aria-valuenow') > 10 }"""
     )
     assert float(seen.page.input_value("#field-track-eta")) == 0.0001
+
+
+def test_what_is_left_out_is_put_in_and_taken_out(seen: Seen, tmp_path: Path) -> None:
+    """A body comes with its spring; emptied fields make a contact rigid; the file is that of the state."""
+    page, before = seen.page, read_problem(FILE).problem
+    body = page.locator("#field-vehicles-0-body")
+    assert (body.input_value(), body.get_attribute("placeholder")) == ("", "left out: no body")
+    seen.type("vehicles-0-body", "5 t")
+    seen.verdict("k2.*waits")
+    seen.type("vehicles-0-k2", "1 MN/m")
+    page.wait_for_function("document.querySelector('#field-vehicles-0-body').value === '5000'")
+    seen.verdict("No growing")
+    seen.type("vehicles-0-k_contact", "")
+    time.sleep(0.5)
+    with page.expect_download() as loading:
+        page.click("#save")
+    loading.value.save_as(tmp_path / "state.toml")
+    vehicle = vehicles.Bogie(**before.vehicles[0].vehicle.parameters | {"body": 5000, "k2": "1e6", "k_contact": None})
+    assert read_problem(tmp_path / "state.toml").problem == Problem(
+        before.track, vehicle.at(before.vehicles[0].position), before.v
+    )
+    page.click("#undo")
+    page.wait_for_function("document.querySelector('#field-vehicles-0-k_contact').value !== ''")
+
+
+def test_a_force_that_may_be_negative_slides_to_both_sides(seen: Seen) -> None:
+    slider = seen.page.locator("#slider-track-N [tabindex='0']").first
+    slider.focus()
+    for _ in range(5):
+        seen.page.keyboard.press("ArrowLeft")
+    seen.page.wait_for_function("+document.querySelector('#field-track-N').value < 0")
 
 
 def test_a_hundred_quick_changes_end_at_the_last(seen: Seen) -> None:
