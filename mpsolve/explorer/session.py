@@ -40,9 +40,10 @@ class Session:
     chart: Chart | None = None
     proved: tuple[ProvedPoint, ...] = ()
     motion: str = ""
+    moving: str = ""
     quick: bool = False
     waiting: Waiting = field(default_factory=Waiting)
-    _moving: Problem | None = field(default=None, repr=False)
+    _moved_of: Problem | None = field(default=None, repr=False)
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
 
@@ -123,8 +124,8 @@ class Session:
     def refresh(self, quick: bool = False) -> View:
         """Compute what is to be seen now."""
         q = self._chosen_root()
-        if self.problem != self._moving:
-            self.motion = ""
+        if self.problem != self._moved_of:
+            self.motion = self.moving = ""
         self.view, self.quick = look(self.problem, self.window, self._near, quick), quick
         self.window = self.view.window
         self._near = self.view.roots
@@ -187,7 +188,8 @@ class Session:
         seconds = float(in_unit(duration.strip(), "s", "duration", "time"))
         if not seconds > 0:
             raise InputError("duration", f"is {duration}: give a time above 0")
-        self.motion, self._moving = motion_pictures(self.problem, seconds), self.problem
+        self.motion, self.moving = motion_pictures(self.problem, seconds)
+        self._moved_of = self.problem
 
     def draw_chart(self, x: str, y: str) -> None:
         """Count over two parameters round the present problem; InputError says why that cannot be."""

@@ -243,6 +243,54 @@ def test_the_motion_is_shown(seen: Seen) -> None:
     assert seen.page.locator("#motion svg").count() == 2
 
 
+NOW = "+document.querySelector('#moving input').value"
+RAIL = "document.querySelector('#moving polyline').animatedPoints[40].y"
+
+
+def test_the_shape_in_time_plays_and_rests_by_keyboard(seen: Seen) -> None:
+    page = seen.page
+    page.fill("#duration", "0.1 s")
+    page.click("#draw-motion")
+    page.wait_for_selector("#moving svg", timeout=60_000)
+    page.wait_for_function(f"{NOW} > 0.002")  # it plays
+    assert page.evaluate("document.querySelector('#moving output').textContent").endswith(" s")
+    button = page.locator("#moving button")
+    button.focus()
+    page.keyboard.press("Enter")
+    assert button.inner_text() == "Play"
+    at = page.evaluate(NOW)
+    time.sleep(0.3)
+    assert page.evaluate(NOW) == at
+    page.locator("#moving input").focus()
+    page.keyboard.press("Home")
+    rest = page.evaluate(RAIL)
+    for _ in range(30):
+        page.keyboard.press("ArrowRight")
+    page.wait_for_function(f"{RAIL} > {rest} + 5")  # the rail has gone down
+    assert page.evaluate(NOW) == pytest.approx(0.03)
+    button.focus()
+    page.keyboard.press("Space")
+    page.wait_for_function(f"{NOW} > 0.032")
+    seen.type("v", "90")
+    page.wait_for_selector("#moving svg", state="detached")
+
+
+def test_nothing_moves_by_itself_where_less_motion_is_asked_for(seen: Seen) -> None:
+    page = seen.page
+    page.emulate_media(reduced_motion="reduce")
+    page.reload()
+    page.wait_for_selector("#shape svg animate", state="attached")
+    page.wait_for_function("document.querySelector('#shape svg').animationsPaused()")
+    page.fill("#duration", "0.1 s")
+    page.click("#draw-motion")
+    page.wait_for_selector("#moving button", timeout=60_000)
+    assert page.inner_text("#moving button") == "Play"
+    time.sleep(0.3)
+    assert page.evaluate(NOW) == 0
+    page.click("#moving button")
+    page.wait_for_function(f"{NOW} > 0.001")
+
+
 def test_two_tabs_do_not_share(chromium: Any, address: str, seen: Seen) -> None:
     other = Seen(chromium, address)
     other.type("v", "1400")
