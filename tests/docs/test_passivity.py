@@ -60,7 +60,7 @@ def test_the_rear_force_pushes_while_the_front_one_s_wave_lifts_the_rail() -> No
     G = np.array([[here, behind], [ahead, here]])
     worst = np.linalg.eigh(-(G - G.conj().T) / 2j)[1][:, 0]
     assert (1j * q * behind * worst[1] * worst[0].conj()).real < 0  # w counts downward: upward
-    assert "pushes down just while that wave lifts the rail" in PASSIVITY
+    assert "pushes down just while they lift the rail" in PASSIVITY
 
 
 def test_a_damper_s_bill_is_shared_as_the_page_says() -> None:
