@@ -40,6 +40,8 @@ def quiet(problem: Problem, over: Mapping[str, Interval], side: int | None = Non
         return None
     if side is None:
         T, m, v = (_ends(problem, over, path) for path in ("track.T", "track.m", "v"))
+        if None in (*T, *m, *v):  # without an upper end
+            return None
         side = -1 if v[1] ** 2 * m[1] < T[0] else 1 if v[0] ** 2 * m[0] > T[1] and v[0] > 0 else 0
     contacts = [placed.vehicle.pencil.contacts for placed in problem.vehicles]
     if side < 0 and sum(contacts) == 1:

@@ -85,7 +85,8 @@ class Onset(Valued, Answer):
 
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
     unstable_from_start, or undecided. value, q: balls in the problem's units; lower, upper: floats that hold `value`
-    between them, so that the problem is stable from the start of the range to `lower`; None without a value.
+    between them, so that the problem is stable from the start of the range to `lower`; None without a value. Where
+    `note` says that speeds are left out, nothing is said of those: the onset may lie there, without a q.
     worst: where a second parameter was left to its worst value, that value, a ball, and where it lies in its range:
     "inside", "start" or "end". The problem is then stable up to `lower` for all values of the second parameter.
     """
