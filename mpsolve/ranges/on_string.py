@@ -12,7 +12,8 @@ passive vehicle with one contact has a root there (SPEC2, section 5).
 
 *Faster* (w > 1) both p-roots belong to the waves behind: G(ξ) = 0 for ξ ≥ 0. Where each vehicle touches the string at
 one place and no two are joined, the forces of the rear contacts do not reach those ahead: Δ̃ is the product of the
-vehicles' own determinants on a rail that does not move, and passive vehicles have no root in Re σ > 0.
+vehicles' own determinants on a rail that does not move, and passive vehicles have no root in Re σ > 0. (Those without
+dampers vibrate on there: real q, at all velocities.)
 """
 
 from __future__ import annotations
