@@ -30,7 +30,14 @@ _SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
 LEFT_OUT = "left out: "
 _BOXES = 20_000  # for a strip
+
 Find = Callable[[dict[str, Interval], Effort | None], Any]
+
+
+def not_whole(note: str) -> Reason | None:
+    """Why an answer with this note does not speak of its whole range; None where it does."""
+    stated = f"a part of the range is not proved ({note})"
+    return Reason("left-out", stated, {}, "give a range beside that speed") if LEFT_OUT in note else None
 
 
 @dataclass(frozen=True)
