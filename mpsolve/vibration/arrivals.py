@@ -13,6 +13,8 @@ import numpy as np
 
 _OCTAVES, _STEP = 17, 1e-4
 _FALLS, _SPARE = 0.93, 1.5
+_TURNS = 1500.0
+"""ωd at most that the path is followed to for this: further on it turns too often."""
 _BEYOND = 6.0
 """So far beyond the highest frequency that arrives the fading of the path may begin to be felt."""
 
@@ -36,7 +38,9 @@ def reach_of_waves(
         size = np.nan_to_num(np.abs(image(sigma)) * omega[:, None])
         slow = _slopes(waves, sigma)
     falls = slow[1:] < _FALLS * slow[:-1]
-    at, felt = np.sort(times), size[:-1] > share * size.max(initial=0.0)
+    longest = max((float(np.max(xi, initial=0.0)) for xi in distances), default=0.0)
+    within = omega[:-1] * slow[:-1, 0] * longest < _TURNS
+    at, felt = np.sort(times), (size[:-1] > share * size.max(initial=0.0)) & within[:, None]
     highest = 0.0
     for k, xi in enumerate(distances):
         delay = np.multiply.outer(np.asarray(xi, float), np.where(falls, slow[:-1], 0.0))
