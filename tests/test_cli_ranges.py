@@ -128,6 +128,16 @@ def test_a_contact_wire_is_not_called_stable_for_every_velocity(run: Run) -> Non
     assert (result.exit_code == 1) == (data["answer"]["kind"] == "undecided")
 
 
+def test_a_range_that_holds_the_speed_of_waves(tmp_path: Path) -> None:
+    file = tmp_path / "wire.toml"
+    track = '[track]\nmodel = "string"\nT = 27000\nm = 1.07\nk = 500\nc = 2\n'
+    file.write_text(f'v = 70\n{track}[[vehicle]]\nmodel = "mass"\nposition = 0\nM = 20\n', encoding="utf-8")
+    told = CliRunner().invoke(cli, ["crossings", str(file), "--over", "v=0..1000km/h"])
+    assert told.exit_code == 0, told.output
+    assert "from 571.9 km/h on: stable" in told.output
+    assert "without certificate: left out: v = 158.851015 itself (waves of the string, √(T/m))" in told.output
+
+
 def test_a_value_outside_the_range_is_told(run: Run) -> None:
     result = run("onset", RAIL, "--over", "v=0..200km/h")
     assert result.exit_code == 0

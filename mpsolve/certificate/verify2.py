@@ -87,7 +87,9 @@ def judged(raw: bytes, claim: Callable[[], str], most: int = MAX_BYTES) -> Verdi
     except Refused as error:
         return Verdict(False, str(error))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        return Verdict(False, f"no certificate, which is JSON in ASCII ({error})"[:200])
+        return Verdict(
+            False, f"no certificate, which is JSON in ASCII: give the file that certify wrote ({error})"[:200]
+        )
     except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
         return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
 

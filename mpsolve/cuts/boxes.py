@@ -96,11 +96,16 @@ def _quotient(w: Any) -> tuple[Any, Any, Any]:
 
 @dataclass(frozen=True)
 class EdgeMatrix:
-    """A over boxes of one side of the cut; variable 0 is p."""
+    """A over boxes of one side of the cut; variable 0 is p.
+
+    meeting: whether boxes are told in which a′ and b′ may meet. A bounds all values there, but is not analytic where
+    they do, so that nothing about slopes follows.
+    """
 
     family: Family
     side: int
     variables: int = 2
+    meeting: bool = True
 
     @cached_property
     def _forms(self) -> tuple[Forms, Forms]:
@@ -142,7 +147,7 @@ class EdgeMatrix:
             own = self._forms[1](y, rho)
             k, e = self._filled(self._parts((p, *r), EI, N, at.sigma, own))
             rest = np.flatnonzero(sane & ~good)
-            if len(rest):
+            if len(rest) and self.meeting:
                 near = self._meeting(cubic, z, (p, EI, v, N), at, own, rest)
                 k[:, rest], e[rest], good[rest] = near
             good = good & np.isfinite(e).all((1, 2)) & np.isfinite(k).all((0, 2, 3))

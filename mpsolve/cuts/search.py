@@ -55,6 +55,8 @@ class Search:
         self.digits, self.most = digits, most
         self.matrix, self.balls = EdgeMatrix(family, side), EdgeBalls(family, side)
         self.judge = Judge(self.matrix, None, (self.high - self.low) / 2, self._enclose, way=1.0)  # type: ignore[arg-type]
+        # that there is one zero at most rests on slopes, of what is analytic
+        self._rooms = Judge(EdgeMatrix(family, side, meeting=False), None, self.judge.width, way=1.0)  # type: ignore[arg-type]
         self.found: list[Found] = []
         self._failed: list[Any] = []
 
@@ -94,7 +96,7 @@ class Search:
             at = np.array([float(zero.p.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
                 return True
-            room = self.judge.room(at, size * 4)
+            room = self._rooms.room(at, size * 4)
         except PrecisionError:
             room = None
         if room is None or not _inside(zero, room):

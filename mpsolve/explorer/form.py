@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 from nicegui import ui
@@ -29,11 +30,11 @@ class Form:
         self.setting = ""
 
     def draw(self) -> None:
-        """Anew, round the present values; only a negative number has no slider."""
+        """Anew, round the present values."""
         self.pending.clear()
         self.place.clear()
         self.fields.clear()
-        values = self.session.parameters()
+        values = self.session.fields()
         self.knobs = knobs(self.session.problem, values)
         part = ""
         with self.place:
@@ -45,18 +46,16 @@ class Form:
                 said = f"{quantity.meaning[:1].upper()}{quantity.meaning[1:]}" + (
                     f", {quantity.unit}" if quantity.unit else ""
                 )
-                self.fields[path] = (self._entry(path, said, field_text(value)), self._slider(path, said))
+                without = f"left out: {quantity.without or 'none'}" if quantity.optional else ""
+                self.fields[path] = (self._entry(path, said, _shown(value), without), self._slider(path, said))
 
-    def _entry(self, path: str, said: str, value: str) -> Any:
-        entry = (
-            ui.input(label=f"{said} ({path})", value=value).classes("w-full").props(f"dense for=field-{key(path)}")
-        )
+    def _entry(self, path: str, said: str, value: str, without: str) -> Any:
+        entry = ui.input(label=f"{said} ({path})", value=value, placeholder=without or None).classes("w-full")
+        entry.props(f"dense for=field-{key(path)}" + (" stack-label" if without else ""))
         entry.on("change", lambda _: self.typed(path, entry.value))
         return entry
 
     def _slider(self, path: str, said: str) -> Any:
-        if path not in self.knobs:
-            return None
         slider = ui.slider(min=self.knobs[path].least, max=ENDS, value=0).classes("w-full")
         slider.props(f'id=slider-{key(path)} aria-label="{said}"')
         slider.on_value_change(lambda event: self.moved(path, event.value))
@@ -82,13 +81,18 @@ class Form:
         """The field shows what the slider gave, and the slider stands where the field says."""
         entry, slider = self.fields.get(path, (None, None))
         value = self.session.problem.parameters.get(path)
-        if entry is None or value is None:
+        if entry is None:
             return
-        entry.set_value(field_text(value))
-        if slider is not None and path not in self.slid:
+        entry.set_value(_shown(value))
+        if value is not None and path not in self.slid:
             self.setting = path
             slider.set_value(self.knobs[path].position(value))
             self.setting = ""
+
+
+def _shown(value: Fraction | None) -> str:
+    """Empty for what is left out."""
+    return "" if value is None else field_text(value)
 
 
 def key(path: str) -> str:

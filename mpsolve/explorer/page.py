@@ -15,25 +15,16 @@ from nicegui import events, run, ui
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.begin import problem_of
 from mpsolve.explorer.form import Form, heading
+from mpsolve.explorer.player import SCRIPT
 from mpsolve.explorer.proof_panel import ProofPanel
 from mpsolve.explorer.session import Session
+from mpsolve.explorer.style import BLUE, CSS
 from mpsolve.explorer.words import vibration
-from mpsolve.pictures.axes import STYLE
 from mpsolve.presets.catalogue import names
 from mpsolve.problem.inputfile import read_problem
 from mpsolve.problem.problem import Problem
 
 _TICK = 0.04
-_CSS = (
-    STYLE
-    + """
-:root { --blue: #0072b2; --red: #c44e00; --green: #00805f; --pink: #a8588a; --faint: #6d747b; --soft: #55606b; }
-.body--dark { --blue: #64b5f0; --red: #ff9a57; --green: #4fd1a5; --pink: #e39ac6; --faint: #97a0a8; --soft: #a9b2bb; }
-.q-btn { text-transform: none; }
-#plane svg, #shape svg, #chart svg, #motion svg { max-width: 46rem; }
-"""
-)
-_BLUE = "#1f5f99"
 
 
 def serve(problem: Problem, title: str, port: int, show: bool) -> None:
@@ -43,7 +34,8 @@ def serve(problem: Problem, title: str, port: int, show: bool) -> None:
     def _page() -> None:
         Tab(Session.of(problem, title)).build()
 
-    ui.add_css(_CSS, shared=True)
+    ui.add_css(CSS, shared=True)
+    ui.add_head_html(SCRIPT, shared=True)
     ui.run(
         host="127.0.0.1", port=port, show=show, reload=False, title="mpsolve explorer", dark=None,
         show_welcome_message=False, uvicorn_logging_level="warning", favicon="🛤",
@@ -56,11 +48,12 @@ class Tab:
     def __init__(self, session: Session) -> None:
         self.session = session
         self.busy = False
+        self.refused: dict[str, str] = {}
 
     # --- what stands where ---------------------------------------------------------------------------------
 
     def build(self) -> None:
-        ui.colors(primary=_BLUE)
+        ui.colors(primary=BLUE)
         with ui.header().classes("items-center gap-2"):
             ui.label("mpsolve explorer").classes("text-lg font-bold").props("role=heading aria-level=1")
             ui.space()
@@ -117,6 +110,7 @@ class Tab:
                 "for=duration dense"
             )
             ui.button("Show the motion", on_click=self.draw_motion).props("outline id=draw-motion")
+        self.moving = ui.html("", sanitize=False).classes("w-full").props("id=moving")
         self.motion = ui.html("", sanitize=False).classes("w-full").props("id=motion")
 
     def draw_axes(self) -> None:
@@ -135,7 +129,7 @@ class Tab:
         self.roots.set_options(labels, value=session.chosen if session.chosen in labels else None)
         self.shape.set_content(session.shape())
         self.show_chart()
-        self.motion.set_content(session.motion)
+        self.show_motion()
 
     # --- what is done --------------------------------------------------------------------------------------
 
@@ -147,16 +141,32 @@ class Tab:
         self.busy = True
         changes = self.form.taken()
         try:
+            if changes:
+                self.refused.clear()
             for path, value in changes.items():
-                await run.io_bound(self.session.nudge, path, value)
-                self.form.follow(path)
+                await self._take(path, value)
             if not changes:
                 await run.io_bound(self.session.settle)
             self.draw()
-        except InputError as error:
-            self.verdict.set_text(str(error))
+            if self.refused:
+                self.verdict.set_text(list(self.refused.values())[-1])
         finally:
             self.busy = False
+
+    async def _take(self, path: str, value: object) -> None:
+        """A change, and what has waited for it; or why it cannot be."""
+        waited = set(self.session.waiting.values)
+        axes = set(self.session.axes())
+        try:
+            await run.io_bound(self.session.nudge, path, value)
+        except InputError as error:
+            self.refused[path] = str(error)
+            return
+        for one in {path} | waited - set(self.session.waiting.values):
+            self.refused.pop(one, None)
+            self.form.follow(one)
+        if set(self.session.axes()) != axes:
+            self.draw_axes()
 
     def undo(self) -> None:
         self.session.undo()
@@ -167,6 +177,7 @@ class Tab:
         self.redraw()
 
     def redraw(self) -> None:
+        self.refused.clear()
         self.draw_axes()
         self.form.draw()
         self.draw()
@@ -226,4 +237,8 @@ class Tab:
             await run.io_bound(self.session.draw_motion, self.duration.value)
         except (MpsolveError, ArithmeticError) as error:
             self.verdict.set_text(str(error))
+        self.show_motion()
+
+    def show_motion(self) -> None:
+        self.moving.set_content(self.session.moving)
         self.motion.set_content(self.session.motion)

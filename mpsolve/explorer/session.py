@@ -15,15 +15,14 @@ from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History
 from mpsolve.explorer.moving import motion_pictures
 from mpsolve.explorer.proving import Proving, report
+from mpsolve.explorer.shaping import root_picture
+from mpsolve.explorer.waiting import Waiting
 from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture
-from mpsolve.pictures.shape import moving_shape, numbered
+from mpsolve.problem.left_out import left_out
 from mpsolve.problem.outputfile import problem_toml
 from mpsolve.problem.problem import Problem
-from mpsolve.spectrum.shape import root_shape
 
-_SHAPE_POINTS = 121
-_SPREAD = 1e-12
 _QUICK = 1.0  # s
 
 
@@ -41,8 +40,10 @@ class Session:
     chart: Chart | None = None
     proved: tuple[ProvedPoint, ...] = ()
     motion: str = ""
+    moving: str = ""
     quick: bool = False
-    _moving: Problem | None = field(default=None, repr=False)
+    waiting: Waiting = field(default_factory=Waiting)
+    _moved_of: Problem | None = field(default=None, repr=False)
     _near: Any = field(default=(), repr=False)
     _moved: tuple[str, float] = ("", 0.0)
 
@@ -61,14 +62,23 @@ class Session:
         own = self.problem.parameters
         return {path: x for path, x in own.items() if not path.startswith(("scale.", "vehicles."))}
 
+    def fields(self) -> dict[str, Fraction | None]:
+        """As `parameters`, and with None what is left out, behind the others of the same track or vehicle."""
+        own: dict[str, Fraction | None] = {**self.parameters(), **dict.fromkeys(left_out(self.problem))}
+        order = list(dict.fromkeys(path.split(".")[0] for path in own))
+        return dict(sorted(own.items(), key=lambda item: order.index(item[0].split(".")[0])))
+
     def axes(self) -> dict[str, str]:
         """The paths that a chart can be over, and what they are called: what is above 0 now."""
         quantity = self.problem.quantity
         return {path: f"{quantity(path).meaning} ({path})" for path, value in self.parameters().items() if value > 0}
 
     def change(self, path: str, value: object, step: bool = True, quick: bool = False) -> None:
-        """Set a parameter; InputError says why it cannot be. step: whether undo comes back to what was before."""
-        problem = self.problem.changed(path, value)
+        """Set a parameter, an empty text leaves it out; InputError says why it cannot be.
+
+        step: whether undo comes back to what was before.
+        """
+        problem = self.waiting.taken(self.problem, path, value)
         if step:
             self.history.change(problem)
         else:
@@ -85,16 +95,18 @@ class Session:
 
     def open(self, problem: Problem, title: str) -> None:
         """Another problem altogether; undo leads back."""
-        self.title, self.window = title, None
+        self.title, self.window, self.waiting = title, None, Waiting()
         self.history.change(problem)
         self.refresh()
 
     def undo(self) -> None:
         self.history.undo()
+        self.waiting = Waiting()
         self.refresh()
 
     def redo(self) -> None:
         self.history.redo()
+        self.waiting = Waiting()
         self.refresh()
 
     def zoom(self, factor: float | None) -> None:
@@ -112,8 +124,8 @@ class Session:
     def refresh(self, quick: bool = False) -> View:
         """Compute what is to be seen now."""
         q = self._chosen_root()
-        if self.problem != self._moving:
-            self.motion = ""
+        if self.problem != self._moved_of:
+            self.motion = self.moving = ""
         self.view, self.quick = look(self.problem, self.window, self._near, quick), quick
         self.window = self.view.window
         self._near = self.view.roots
@@ -152,7 +164,7 @@ class Session:
             return ""
         q = complex(self.view.roots[self.chosen])
         try:
-            return _shape(self.problem, q)
+            return root_picture(self.problem, q)
         except (MpsolveError, ZeroDivisionError):
             return "<p>The shape of this vibration cannot be told in floats.</p>"
 
@@ -176,7 +188,8 @@ class Session:
         seconds = float(in_unit(duration.strip(), "s", "duration", "time"))
         if not seconds > 0:
             raise InputError("duration", f"is {duration}: give a time above 0")
-        self.motion, self._moving = motion_pictures(self.problem, seconds), self.problem
+        self.motion, self.moving = motion_pictures(self.problem, seconds)
+        self._moved_of = self.problem
 
     def draw_chart(self, x: str, y: str) -> None:
         """Count over two parameters round the present problem; InputError says why that cannot be."""
@@ -228,16 +241,3 @@ class Session:
         for one in (self.proving, self.reporting):
             if one is not None:
                 one.stop()
-
-
-def _shape(problem: Problem, q: complex) -> str:
-    from flint import acb, arb
-
-    places = [float(x) for x in problem.pencil.places]
-    reach = max(6.0, 0.6 * (max(places) - min(places)))
-    x = np.linspace(min(places) - reach, max(places) + reach, _SHAPE_POINTS).round(4)
-    ball = acb(arb(q.real, _SPREAD * abs(q)), arb(q.imag, _SPREAD * abs(q)))
-    shape = root_shape(problem, ball, places=[*x.tolist(), *places])
-    rail = np.array([complex(w.mid()) for w in shape.rail[: len(x)]])
-    bodies = {name: complex(a.mid()) for name, a in shape.bodies.items()}
-    return moving_shape(x, rail, places, bodies, 2.0) + numbered(bodies)

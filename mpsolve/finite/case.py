@@ -17,6 +17,7 @@ from mpsolve.numbers.float_list import float_list
 from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
+from mpsolve.proof.effort import Effort
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.forcing import checked_irregularities
@@ -115,7 +116,7 @@ class Case:
         fastest = max([self.outer.fastest, *(abs(one.frequency) for one in self.rough if one.amplitude)])
         return max(FEWEST_STEPS, math.ceil(self.duration * fastest))
 
-    def solve(self, modes: int, steps: int) -> Answer:
+    def solve(self, modes: int, steps: int, effort: Effort | None = None) -> Answer:
         """The answer with these figures; InputError where they are beyond what can be computed."""
         if modes * steps > MOST_WORK or steps > MOST_STEPS:
             stated = f"needs {steps} steps or more of {modes} modes for its tolerance, beyond what is computed"
@@ -127,7 +128,7 @@ class Case:
         )  # fmt: skip
         with np.errstate(over="ignore", invalid="ignore"), one_thread():
             try:
-                found = self._read(march(setting, steps))
+                found = self._read(march(setting, steps, effort))
             except np.linalg.LinAlgError:
                 stated = (
                     "have contact forces that are not determined, such as two tight contacts of one body at a place"
@@ -136,6 +137,12 @@ class Case:
         if not all(np.isfinite(rows).all() for rows in (found.rail, found.vehicle, found.force)):
             raise InputError("times", f"reaches {self.duration:g}, where the motion overflows: end earlier")
         return found
+
+    def unknown(self) -> Answer:
+        """No number of it is one."""
+        rows = (len(self.places), len(self.pencil.names), len(self.contacts))
+        rail, vehicle, force = (np.full((n, len(self.times)), np.nan) for n in rows)
+        return Answer(rail, vehicle, force, np.zeros(0), np.zeros((len(self.contacts), 0)))
 
     def _read(self, motion: Motion) -> Answer:
         """The motion at the times asked for; forces by their values at the Gauss points of the steps."""

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import InputError
+from mpsolve.errors import EffortError, InputError
 from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, Answer, Case
+from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress, silent
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.vibration.forcing import Irregularity
 from mpsolve.vibration.liftoff import Event
 
 FEWEST_MODES, MOST_MODES = 8, 40_000
+_OPEN = (math.inf, math.inf, math.inf)
 _HELD = 1.1
 """Where an error halves with twice as many modes, the change is the error itself; it is not always so even."""
 
@@ -60,6 +65,7 @@ class FiniteTrackMotion:
     modes: int
     steps: int
     lift_off: Event | None = None
+    reason: Reason | None = None
 
 
 def finite_track(
@@ -76,6 +82,8 @@ def finite_track(
     initial: str = "rest",
     unilateral: bool = False,
     irregularities: Iterable[Irregularity] | None = None,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
 ) -> FiniteTrackMotion:
     """The motion from rest of the vehicles on a simply supported track of this length; float64, errors estimated.
 
@@ -86,7 +94,9 @@ def finite_track(
     are doubled until the error that they cause is below `tolerance` of the largest deflection. initial: "rest", or
     "steady", where constant loads have acted for ever. unilateral: contacts push only, so that wheels may leave the
     rail and come back; each needs a Hertz spring k_contact. Events are then met to a step: look at `error`.
-    irregularities: one for each contact from rear to front, as for `response`.
+    irregularities: one for each contact from rear to front, as for `response`. effort: an evaluation is one step;
+    where it is spent `reason` says so, and the best motion so far comes back with its errors, infinite where they are
+    not known, or NaN where there is none. progress hears of the stages steps and modes.
 
     InputError names the argument that cannot be used: for a track that the load would leave, the length needed.
 
@@ -102,13 +112,9 @@ def finite_track(
         problem, loads, length, times, places, start, tolerance, initial == "steady", bool(unilateral), irregularities
     )
     count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
-    if steps is None:
-        used, found, late = _settled(case, count)
-    else:
-        used = _count(steps, "steps", FEWEST_STEPS, MOST_STEPS)
-        found = case.solve(count, used)
-        late = found.change(case.solve(count, used // 2))
-    cut = found.change(case.solve(count // 2, used))
+    used = None if steps is None else _count(steps, "steps", FEWEST_STEPS, MOST_STEPS)
+    best = _best(case, count, used, begun(effort), progress or silent)
+    found, late, cut, used = best.found, best.late, best.cut, best.steps
     names = case.pencil.names
     return FiniteTrackMotion(
         times=case.times,
@@ -122,23 +128,47 @@ def finite_track(
         modes=count,
         steps=used,
         lift_off=_event(found, _HELD * (late[2] + cut[2]), case.duration / used),
+        reason=best.reason,
     )
 
 
-def _settled(case: Case, modes: int) -> tuple[int, Answer, tuple[float, float, float]]:
-    """Steps, answer and change to half as many, once this change is small."""
-    steps = case.first_steps
-    now = case.solve(modes, steps)
-    while True:
-        steps *= 2
-        before, now = now, case.solve(modes, steps)
-        if now.near(before, case.tolerance):
-            return steps, now, now.change(before)
+@dataclass
+class _Best:
+    """What is known so far: an answer, its number of steps, its changes to half as many, and half as many modes."""
+
+    found: Answer
+    steps: int
+    late: tuple[float, float, float] = _OPEN
+    cut: tuple[float, float, float] = _OPEN
+    reason: Reason | None = None
+
+
+def _best(case: Case, modes: int, steps: int | None, work: Effort, said: Progress) -> _Best:
+    """With as many steps as are asked for, or as make the change to half as many small; as far as the effort goes."""
+    best = _Best(case.unknown(), steps or case.first_steps)
+    try:
+        said("steps", 0.0)
+        best.found = case.solve(modes, best.steps, work)
+        if steps is not None:
+            best.late = best.found.change(case.solve(modes, steps // 2, work))
+        while steps is None:
+            before = best.found
+            now = case.solve(modes, 2 * best.steps, work)
+            best.found, best.steps, best.late = now, 2 * best.steps, now.change(before)
+            if now.near(before, case.tolerance):
+                break
+        said("modes", 0.5)
+        best.cut = best.found.change(case.solve(modes // 2, best.steps, work))
+        said("modes", 1.0)
+    except EffortError as error:
+        best.reason = error.reason
+    return best
 
 
 def _event(found: Answer, error: float, step: float) -> Event | None:
     """The first time at which a force that pressed comes to 0 or below, between the nodes."""
     noise = 1e-6 * np.abs(found.forces).max(initial=0.0)
+    error = error if math.isfinite(error) else 0.0  # not known
     out = []
     for j, row in enumerate(found.forces):
         for k in np.flatnonzero((row[:-1] > noise) & (row[1:] <= 0))[:1]:

@@ -18,6 +18,7 @@ from mpsolve.finite.coupling import VehicleTables, vehicle_tables
 from mpsolve.finite.exponentials import Exponentials
 from mpsolve.finite.rough import rough_rates
 from mpsolve.numbers.wave_tables import wave_tables
+from mpsolve.proof.effort import Effort
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.forcing import Irregularity
 
@@ -64,8 +65,8 @@ class Motion:
     force: Any
 
 
-def march(setting: Setting, steps: int) -> Motion:
-    """The motion in equal steps; float64. LinAlgError where the contact forces are not determined."""
+def march(setting: Setting, steps: int, effort: Effort | None = None) -> Motion:
+    """The motion in equal steps, each one evaluation; LinAlgError where the contact forces are not determined."""
     h = setting.duration / steps
     rail, vehicle = _Rail(setting, h), vehicle_tables(setting.vehicle, setting.outer, h)
     n, r = len(setting.contacts), len(setting.vehicle.K)
@@ -81,6 +82,8 @@ def march(setting: Setting, steps: int) -> Motion:
     states[0] = X
     rough = rough_rates(setting.rough, n, h, steps)
     for step in range(steps):
+        if effort is not None:
+            effort.spend(1)
         f = contacts.forces(rail.history() - rough[step], rail.gain(), X)
         X = vehicle.advance @ X + np.einsum("nlj,jl->n", vehicle.entry, f)
         rail.advance(f)

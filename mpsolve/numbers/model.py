@@ -24,13 +24,17 @@ Rational: TypeAlias = Any
 
 @dataclass(frozen=True)
 class Quantity:
-    """One parameter: its unit, what it means, and the least value that it may have."""
+    """One parameter: its unit, what it means, and the least value that it may have.
+
+    without: what it means that an optional one is left out.
+    """
 
     unit: str
     meaning: str
     above: int | None = None
     at_least: int | None = None
     optional: bool = False
+    without: str = ""
 
     def checked(self, value: object, key: str) -> Fraction:
         """The exact value of `value`; InputError under `key` where it breaks a bound."""
@@ -127,7 +131,8 @@ def real(unit: str, meaning: str) -> Quantity:
 
 def contact_spring() -> Quantity:
     """Stiffness of a contact spring; None means a tight contact."""
-    return Quantity("N/m", "stiffness of each contact spring (none: tight contact)", above=0, optional=True)
+    told = "stiffness of each contact spring (none: tight contact)"
+    return Quantity("N/m", told, above=0, optional=True, without="rigid contact")
 
 
 class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -39,7 +39,7 @@ def plane(parts: Parts) -> Picture:
     said = (
         "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
         "right, q and −q̄, and is one line of the table, whose number stands at the right one. Grey dashes are the "
-        "branch cuts of the track, computed."
+        "branch cuts of the track, computed, as far as they lie in this picture."
     )
     return Picture(
         "plane",

@@ -17,6 +17,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.ranges.onset import Kind
 from mpsolve.report.remedies import on_command_line
 from mpsolve.spectrum.spectrum import Root
+from mpsolve.vehicles.bounce import rigid_bounce
+from mpsolve.vehicles.load import GRAVITY
 from mpsolve.waves.critical import Kind as Kinds
 from mpsolve.waves.slow import SLOW_WAVES, slow_waves
 
@@ -135,8 +137,10 @@ def contact_card(parts: Parts) -> Card:
     if event is None:
         end = speak.time(float(motion.times[-1]))
         loads = "the weight of the vehicle" if parts.loads is None else "the load of the file"
-        said = f"Not within {end}{_why_so_long(parts)} after {loads} is put on the track at once."
-        return Card(question, "no", f"{said}{_most(motion, speak)}", "computed")
+        said = (
+            f"Not within {end}{_why_so_long(parts)} after {loads} is put at once on a smooth rail and round wheels."
+        )
+        return Card(question, "no", f"{said}{_most(motion, speak)}{_weight(parts, speak)}", "computed")
     name = contact_names(parts.problem)[event.contact - 1]
     own = "" if name.startswith("contact") else f" ({name})"
     said = f"Contact {event.contact}, counted from the rear{own}, lifts off then"
@@ -161,6 +165,17 @@ def _most(motion: Any, speak: Speech) -> str:
     return f"{said}, and one contact presses with at most {spoken(presses, 'N', 3)}."
 
 
+def _weight(parts: Parts, speak: Speech) -> str:
+    """What the vehicles weigh, in SI, so that a mass that was meant for both rails, or a forgotten body, is seen."""
+    pencil = parts.problem.pencil
+    bounce = rigid_bounce(pencil)
+    if not speak.si or bounce is None or parts.loads is not None:
+        return ""
+    mass = sum(a * m * b for a, row in zip(bounce, pencil.M, strict=True) for m, b in zip(row, bounce, strict=True))
+    each = float(mass) * float(GRAVITY) / pencil.contacts
+    return f" All vehicles weigh {spoken(mass, 'kg', 3)}: at rest {spoken(each, 'N', 3)} a contact, on average."
+
+
 def contact_names(problem: Problem) -> list[str]:
     """The body that is alone over each contact, from rear to front; "contact 3" where there is no such one."""
     pencil, out = problem.pencil, []
@@ -181,7 +196,10 @@ def wave_card(parts: Parts) -> Card | None:
     said = f"There: {first.kind.value}."
     if merge:
         said = "Two waves merge there, where phase and group velocity are equal. "
-        said += "Without damping the deflection under a constant force grows without bound."
+        said += (
+            "Without damping the deflection under a constant force grows without bound; with damping it is greatest "
+        )
+        said += "at another velocity, often a lower one, which `mpsolve critical` draws."
     if slow_waves(parts.problem.track):
         said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"

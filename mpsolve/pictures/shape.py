@@ -1,4 +1,4 @@
-"""The shape of a vibration: the rail and the bodies, moving through one period."""
+"""The rail and the bodies, moving: through one period of a vibration, or in time."""
 
 from __future__ import annotations
 
@@ -23,27 +23,53 @@ def moving_shape(
     places: of the rail, in m; rail: complex amplitudes there; contacts: places of the contacts. The rail is drawn
     with its own scale, and the picture says how much larger than the bodies.
     """
-    high = 300
+    turns = np.exp(2j * np.pi * np.arange(_FRAMES + 1) / _FRAMES)
     largest = max((abs(x) for x in bodies.values()), default=0.0) or 1.0
     size = float(np.abs(rail).max()) or 1.0
+    rows = (np.outer(turns, rail).real / size, {name: (x * turns).real / largest for name, x in bodies.items()})
+    said = "The shape of the chosen vibration: rail and bodies"
+    return _frames(places, *rows, contacts, seconds, x_title, largest / size, said)
+
+
+def shape_in_time(
+    places: Any, rail: Any, contacts: Any, bodies: dict[str, Any], seconds: float, x_title: str = "x, m"
+) -> str:
+    """The rail and the bodies at one time after the other, in `seconds`; scales as of `moving_shape`.
+
+    rail: (times, places); bodies: (times,) each.
+    """
+    largest = max((float(np.abs(x).max()) for x in bodies.values()), default=0.0) or 1.0
+    size = float(np.abs(rail).max()) or 1.0
+    moved = {name: np.asarray(x) / largest for name, x in bodies.items()}
+    said = "The motion in time: rail and bodies"
+    return _frames(places, np.asarray(rail) / size, moved, contacts, seconds, x_title, largest / size, said)
+
+
+def _frames(
+    places: Any,
+    rail: Any,
+    bodies: dict[str, Any],
+    contacts: Any,
+    seconds: float,
+    x_title: str,
+    larger: float,
+    said: str,
+) -> str:
+    """rail (frames, places) and bodies (frames,) each, at most 1."""
+    high = 300
     axes = Axes((float(places[0]), float(places[-1])), (-1.4, 4.2), high)
-    turns = np.exp(2j * np.pi * np.arange(_FRAMES + 1) / _FRAMES)
-    curves = [
-        " ".join(
-            f"{x:.1f},{y:.1f}" for x, y in zip(axes.px(places), axes.py(-(rail * turn).real / size), strict=True)
-        )
-        for turn in turns
-    ]
+    xs = axes.px(places)
+    curves = [" ".join(f"{x:.1f},{y:.1f}" for x, y in zip(xs, axes.py(-row), strict=True)) for row in rail]
     parts = [
         f'<polyline class="rail" points="{curves[0]}">{_animated("points", curves, seconds)}</polyline>',
-        text(LEFT + 8, high - BOTTOM - 8, f"rail drawn {largest / size:.3g} times larger"),
+        text(LEFT + 8, high - BOTTOM - 8, f"rail drawn {larger:.3g} times larger"),
     ]
     for place in contacts:
-        at = np.array([np.interp(float(place), places, (rail * turn).real) for turn in turns]) / size
+        at = np.array([np.interp(float(place), places, row) for row in rail])
         ys = [f"{y:.1f}" for y in axes.py(-at) - 9]
         x = float(axes.px(float(place)))
         parts.append(f'<circle class="body" cx="{x:.1f}" cy="{ys[0]}" r="7">{_animated("cy", ys, seconds)}</circle>')
-    parts += _boxes(axes, dict(list(bodies.items())[:_BOXES]), largest, turns, seconds)
+    parts += _boxes(axes, dict(list(bodies.items())[:_BOXES]), seconds)
     parts += [
         frame(high),
         f'<text x="{WIDE / 2}" y="{high - 4}" text-anchor="middle">{x_title} (ahead is right)</text>',
@@ -52,23 +78,23 @@ def moving_shape(
         parts.append(
             f'<text x="{float(axes.px(t)):.1f}" y="{high - BOTTOM + 18}" text-anchor="middle">{label(t)}</text>'
         )
-    return svg(parts, "The shape of the chosen vibration: rail and bodies", high)
+    return svg(parts, said, high)
 
 
-def numbered(bodies: dict[str, complex]) -> str:
+def numbered(bodies: dict[str, Any]) -> str:
     """Which coordinate has which number, where the picture has no room for names."""
     if len(bodies) <= _NAMED:
         return ""
     return "<p>" + ", ".join(f"{k}: {escape(name)}" for k, name in enumerate(bodies, 1)) + "</p>"
 
 
-def _boxes(axes: Axes, bodies: dict[str, complex], largest: float, turns: Any, seconds: float) -> list[str]:
-    """Each coordinate of the vehicles as a box that moves up and down, with its name, amplitude and phase."""
+def _boxes(axes: Axes, bodies: dict[str, Any], seconds: float) -> list[str]:
+    """Each coordinate of the vehicles as a box that moves up and down, with its name."""
     parts = []
     width = (WIDE - LEFT - RIGHT) / max(len(bodies), 1)
-    for k, (name, amplitude) in enumerate(bodies.items()):
+    for k, (name, moved) in enumerate(bodies.items()):
         middle = LEFT + (k + 0.5) * width
-        ys = [f"{y - 7:.1f}" for y in axes.py(2.9 - 0.8 * (amplitude * turns).real / largest)]
+        ys = [f"{y - 7:.1f}" for y in axes.py(2.9 - 0.8 * moved)]
         parts.append(
             f'<rect class="body" x="{middle - 0.35 * width:.1f}" y="{ys[0]}" width="{0.7 * width:.1f}" height="14">'
             f"{_animated('y', ys, seconds)}</rect>"

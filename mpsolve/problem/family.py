@@ -115,10 +115,7 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     InputError for a path that there is not, ends that cannot be, contacts that overtake each other within the box,
     and motions that contacts feel at some parameters only.
     """
-    for path, ends in over.items():
-        for end in ends:
-            if end or path == "v":  # at 0 a mass or spring is left out: the equations have this limit
-                problem.changed(path, end)
+    require_ends(problem, over)
     units = tuple(Fraction(2) ** round(log2(max(abs(a), abs(b)) or 1)) for a, b in over.values())
     base, point = _base(problem, over, units)
     ring = Ring(tuple(over), point)
@@ -150,6 +147,14 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
         B=B,
         h=h,
     )
+
+
+def require_ends(problem: Problem, over: Mapping[str, Interval]) -> None:
+    """InputError where an end of a range is no value that the parameter may have."""
+    for path, ends in over.items():
+        for end in ends:
+            if end or (path == "v" and end is not None):  # at 0 a mass or spring is left out: the limit is known
+                problem.changed(path, end)
 
 
 def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:

@@ -35,7 +35,7 @@ def text_of(file: Path) -> str:
     except OSError as error:
         reason = f"cannot be read ({error.strerror}): give the path of a readable TOML file"
     except UnicodeDecodeError as error:
-        reason = f"is not UTF-8 at byte {error.start}: save it as UTF-8 text"
+        reason = f"is no text in UTF-8 (byte {error.start}): give a TOML file, a plain text; no spreadsheet, no PDF"
     raise InputError(name_of(file), reason)
 
 

@@ -9,6 +9,8 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.crossings import Crossings, short_between
 
+BEYOND = "nothing is said of larger values"
+
 
 def up_to_first(found: Crossings) -> Mapping[str, Interval] | None:
     """Of a range whose end is open: up to a little beyond the first crossing that was found; None where none was."""

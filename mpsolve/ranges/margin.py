@@ -13,6 +13,7 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.onset import UnstableRanges, unstable_ranges
+from mpsolve.ranges.parted import not_whole
 
 
 @dataclass(frozen=True)
@@ -47,8 +48,9 @@ def margin(
 def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
     """Where `own` stands among the unstable parts of an answer."""
     ((path, over),) = found.over.items()
-    if not found.proved:
-        return Margin(path, own, over, None, reason=found.reason)
+    reason = not_whole(found.note) if found.proved else found.reason
+    if not found.proved or reason is not None:
+        return Margin(path, own, over, None, reason=reason)
     with precision(256):
         here = rational_ball(own)
         parts = _joined(found, over)

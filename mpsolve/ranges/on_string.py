@@ -12,7 +12,8 @@ passive vehicle with one contact has a root there (SPEC2, section 5).
 
 *Faster* (w > 1) both p-roots belong to the waves behind: G(ξ) = 0 for ξ ≥ 0. Where each vehicle touches the string at
 one place and no two are joined, the forces of the rear contacts do not reach those ahead: Δ̃ is the product of the
-vehicles' own determinants on a rail that does not move, and passive vehicles have no root in Re σ > 0.
+vehicles' own determinants on a rail that does not move, and passive vehicles have no root in Re σ > 0. (Those without
+dampers vibrate on there: real q, at all velocities.)
 """
 
 from __future__ import annotations
@@ -40,6 +41,8 @@ def quiet(problem: Problem, over: Mapping[str, Interval], side: int | None = Non
         return None
     if side is None:
         T, m, v = (_ends(problem, over, path) for path in ("track.T", "track.m", "v"))
+        if None in (*T, *m, *v):  # without an upper end
+            return None
         side = -1 if v[1] ** 2 * m[1] < T[0] else 1 if v[0] ** 2 * m[0] > T[1] and v[0] > 0 else 0
     contacts = [placed.vehicle.pencil.contacts for placed in problem.vehicles]
     if side < 0 and sum(contacts) == 1:

@@ -13,14 +13,14 @@ from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.packed import Portable
-from mpsolve.outcome import Status
+from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Valued, joined_cost, outward
 from mpsolve.ranges.crossings import Crossings, find
-from mpsolve.ranges.first import quarter, up_to_first
+from mpsolve.ranges.first import BEYOND, quarter, up_to_first
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over, one_path
@@ -85,7 +85,8 @@ class Onset(Valued, Answer):
 
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
     unstable_from_start, or undecided. value, q: balls in the problem's units; lower, upper: floats that hold `value`
-    between them, so that the problem is stable from the start of the range to `lower`; None without a value.
+    between them, so that the problem is stable from the start of the range to `lower`; None without a value. Where
+    `note` says that speeds are left out, nothing is said of those: the onset may lie there, without a q.
     worst: where a second parameter was left to its worst value, that value, a ball, and where it lies in its range:
     "inside", "start" or "end". The problem is then stable up to `lower` for all values of the second parameter.
     """
@@ -142,7 +143,7 @@ def onset(
     if shorter is not None:
         again = _found(problem, shorter, digits, quarter(effort), progress, check)
         if again.proved and again.crossings:
-            note = "; ".join(filter(None, (again.note, "nothing is said of larger values")))
+            note = "; ".join(filter(None, (again.note, BEYOND)))
             first = _read(again, Onset(problem, found.over, digits=again.digits, **_shared(again)))
             return replace(first, note=note, cost=joined_cost(found.cost, again.cost))
     if effort is None and found.reason is not None and found.reason.code == "effort":
@@ -174,6 +175,12 @@ def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
         if not part.proved:
             return answer
         first = _read(part, replace(answer, **_shared(part)))
+        skipped = before is None and found.left_out and rational_ball(part.over["v"][0]) > found.left_out[0].value
+        if skipped and first.kind is Kind.UNSTABLE_FROM_START:
+            value = found.left_out[0].start.union(rational_ball(part.over["v"][0]))
+            return replace(answer, status=Status.UNDECIDED, reason=_from_where(value))
+        if skipped:
+            first = replace(first, note="; ".join(filter(None, (first.note, found.note))))
         if first.kind is Kind.UNSTABLE_FROM_START and before is not None:
             start, end = (rational_ball(x) for x in (before.over["v"][1], part.over["v"][0]))
             return replace(first, kind=Kind.CROSSES, value=start.union(end), note=found.note or answer.note)
@@ -182,6 +189,12 @@ def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
             return replace(first, note=note, cost=found.cost)
         before = part
     return replace(answer, kind=Kind.STABLE)
+
+
+def _from_where(value: Any) -> Reason:
+    low, high = (float(x) for x in (value.lower(), value.upper()))
+    stated = f"roots grow from v = {high:.9g} on, but the range begins with what is left out, from {low:.9g}"
+    return Reason("left-out", stated, {}, "begin the range farther below the speed of short waves, or above it")
 
 
 def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:

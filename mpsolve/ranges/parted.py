@@ -28,8 +28,16 @@ from mpsolve.waves.speeds import wave_speeds
 _PLACES = 10**6
 _SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
+LEFT_OUT = "left out: "
 _BOXES = 20_000  # for a strip
+
 Find = Callable[[dict[str, Interval], Effort | None], Any]
+
+
+def not_whole(note: str) -> Reason | None:
+    """Why an answer with this note does not speak of its whole range; None where it does."""
+    stated = f"a part of the range is not proved ({note})"
+    return Reason("left-out", stated, {}, "give a range beside that speed") if LEFT_OUT in note else None
 
 
 @dataclass(frozen=True)
@@ -157,18 +165,23 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
     known = [part for part in parts if part is not None]
     if not known:
         raise InputError("over", "holds a speed of short waves of the track and nothing else: give a wider range")
+    # of a part of which nothing is proved all is left out, up to the speed or the end of the range behind it
+    edges = [rational_ball(over["v"][0]), *(speed.ball for speed in speeds), rational_ball(over["v"][1])]
     left_out = []
-    for speed, before, after in zip(speeds, parts, parts[1:], strict=False):
-        start = before[0][1] if before is not None and before[1].proved else None
-        end = after[0][0] if after is not None and after[1].proved else None
-        left_out.append(LeftOut(speed.name, speed.ball, _ball(start, speed), _ball(end, speed)))
+    for k, speed in enumerate(speeds):
+        start, end = (
+            edge if part is None or not part[1].proved else _ball(part[0][side], speed)
+            for part, side, edge in ((parts[k], 1, edges[k]), (parts[k + 1], 0, edges[k + 2]))
+        )
+        left_out.append(LeftOut(speed.name, speed.ball, start, end))
     found = [answer for _, answer in known]
     checked = sum(one.cost.verification for one in found)
     cost = Spent(seconds - checked, checked, sum(one.cost.boxes for one in found))
     first = found[0]
+    begun = over["v"] if parts[0] is None else (first.over["v"][0], over["v"][1])  # which may be a little above rest
     reason = next((one.reason for one in found if not one.proved), None)
     common: dict[str, Any] = {
-        "over": dict(over), "cost": cost, "parts": tuple(found), "left_out": tuple(left_out), "certificate": None,
+        "over": {"v": begun}, "cost": cost, "parts": tuple(found), "left_out": tuple(left_out), "certificate": None,
         "crossings": tuple(c for one in found for c in one.crossings),
         "proofs": tuple(proof for one in found for proof in one.proofs),
     }  # fmt: skip
@@ -176,7 +189,7 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
         done = [list(one.over["v"]) for one in found if one.proved]
         return replace(first, status=Status.UNDECIDED, reason=_told(reason, speeds), known={"proved": done},
                        counts=None, note="", **common)  # fmt: skip
-    note = "left out: " + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
+    note = LEFT_OUT + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
     counts = tuple(n for one in found for n in one.counts)
     return replace(first, status=Status.UNVERIFIED, reason=None, counts=counts, note=note, **common)
 

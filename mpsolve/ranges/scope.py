@@ -20,7 +20,7 @@ from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
 from mpsolve.passivity.subject import Subject
-from mpsolve.problem.family import Family, Interval, family_of
+from mpsolve.problem.family import Family, Interval, family_of, require_ends
 from mpsolve.problem.problem import Problem
 from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.premises import require_no_wave_speed, require_stable_track
@@ -151,6 +151,7 @@ def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[
         if not low < high:
             raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")
         out[path] = (low, high)
+    require_ends(problem, out)  # theorems that need no family rest on it, too
     return out
 
 

@@ -22,6 +22,7 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Tabled
 from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.parted import not_whole
 from mpsolve.ranges.scope import checked_over, one_path
 
 QUANTITIES = ("onset", "unstable ranges")
@@ -187,8 +188,9 @@ def _solve(job: _Job) -> Entry:
 def _onset(job: _Job, over: Any, options: Any) -> Entry:
     found = onset(job.problem, over=over, **options)
     ends = found.over[job.over.path]
-    if not found.proved:
-        return Entry("undecided", "undecided", ends, found.reason)
+    reason = not_whole(found.note) if found.proved else found.reason
+    if not found.proved or reason is not None:
+        return Entry("undecided", "undecided", ends, reason)
     if found.kind is Kind.CROSSES:
         return Entry("proved", _number(found.value, job), ends, balls=(found.value,))
     status = "stable" if found.kind is Kind.STABLE else "unstable"
@@ -198,8 +200,9 @@ def _onset(job: _Job, over: Any, options: Any) -> Entry:
 def _ranges(job: _Job, over: Any, options: Any) -> Entry:
     found = unstable_ranges(job.problem, over=over, **options)
     ends = found.over[job.over.path]
-    if not found.proved:
-        return Entry("undecided", "undecided", ends, found.reason)
+    reason = not_whole(found.note) if found.proved else found.reason
+    if not found.proved or reason is not None:
+        return Entry("undecided", "undecided", ends, reason)
     if not found.intervals:
         return Entry("stable", "stable", ends)
     texts = [f"{_number(one.start, job)}..{_number(one.end, job)}" for one in found.intervals]

@@ -29,6 +29,8 @@ _SPEEDS = ("v", "alpha")
 def never_unstable(problem: Problem, over: Mapping[str, Interval]) -> bool:
     """Whether nothing grows at any point of the ranges; False where the theorem does not tell."""
     free = {path: ends for path, ends in over.items() if path == "alpha" or not path.startswith(_OF_VEHICLES)}
+    if any(None in ends for ends in free.values()):
+        return False
     corners = [(max(map(abs, ends)),) if path in _SPEEDS else ends for path, ends in free.items()]
     return all(_passive_at(problem, dict(zip(free, corner, strict=True))) for corner in product(*corners))
 

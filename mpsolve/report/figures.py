@@ -1,9 +1,7 @@
 """What all figures share: the look on screen and in print, and how they are written.
 
 Every figure is drawn by a function that takes matplotlib axes and returns them: `q_plane`, `roots_zoom`, `root_ball`,
-`whole_contour` (figures_plane.py), `line_frequencies`, `line_growth` (figures_lines.py), `displacements`,
-`contact_forces` (figures_response.py), `onsets`, `lowest_parts`,
-`amplitude_range` (figures_ranges.py).
+`whole_contour` (figures_plane.py), `displacements`, `contact_forces` (figures_response.py).
 """
 
 from __future__ import annotations

@@ -25,6 +25,13 @@ def unstable_from_start(over: Over) -> str:
     return f"UNSTABLE already at {over.path} = {over.told(over.low)}, where the range begins."
 
 
+def unstable_beyond(over: Over, value: Any) -> str:
+    """The verdict where a root grows behind values that are left out: `value` is a ball that holds all of them."""
+    with precision(_BITS):
+        start, end = (over.told(arb(x)) for x in (value.lower(), value.upper()))
+    return f"STABLE for {over.path} from {over.told(over.low)} to {start}, UNSTABLE just beyond {end}."
+
+
 def onset_at(over: Over, value: Any, q: Any, unit: str = "Hz") -> str:
     """The verdict where the first root begins to grow at `value`, a ball in SI, with the frequency q in rad/s.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from mpsolve.numbers.balls import precision, rational_ball
@@ -12,8 +12,10 @@ from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import Answer
 from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, UnstableRanges
-from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_from_start
+from mpsolve.ranges.parted import LEFT_OUT
+from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.spectrum_words import ASSUMED
 
@@ -25,6 +27,7 @@ WITHOUT = (
     "Proved, without certificate: boxes of frequency and parameters are excluded in rigorous arithmetic, but there "
     "is no file of that which the verifier has passed."
 )
+THEOREM = "Proved, without certificate: by a theorem that needs no boxes."
 _BASE = "The roots at one point, from which all are counted, are certified and passed the standalone verifier."
 _UNVERIFIED = "The roots at one point, from which all are counted, are certified; the verifier was not asked."
 
@@ -79,7 +82,7 @@ def _onset(found: Onset, asked: Asked) -> str:
     lines = [onset_verdict(found, asked)]
     if found.value is not None:
         lines += [f"  {over.path}: {value_text(found.value, over, found.digits)}"]
-        lines += [f"  frequency: {frequency_text(found.q, asked, found.digits)}"]
+        lines += [] if found.q is None else [f"  frequency: {frequency_text(found.q, asked, found.digits)}"]
         if over.path in asked.problem.parameters and not over.path.startswith("scale."):
             lines.append(margin(over, found.value, asked.problem.parameters[over.path]))
     return framed(lines, found, asked)
@@ -89,12 +92,19 @@ def onset_verdict(found: Onset, asked: Asked) -> str:
     """One sentence that begins with STABLE, UNSTABLE or UNDECIDED."""
     (over,) = asked.overs
     if found.kind is Kind.STABLE:
-        return stable_throughout(over)
+        return _but(found, stable_throughout(over))
     if found.kind is Kind.UNSTABLE_FROM_START:
         return unstable_from_start(over)
+    if found.kind is Kind.CROSSES and found.q is None:
+        return _but(found, unstable_beyond(over, found.value))
     if found.kind is Kind.CROSSES:
-        return onset_at(over, found.value, found.q, "Hz" if asked.si else "1/τ")
+        return _but(found, onset_at(over, found.value, found.q, "Hz" if asked.si else "1/τ"))
     return undecided(found)
+
+
+def _but(found: Answer, verdict: str) -> str:
+    """The verdict with a word about what is left out of the range."""
+    return f"{verdict.removesuffix('.')}; but see what is left out." if LEFT_OUT in found.note else verdict
 
 
 def ranges_verdict(found: UnstableRanges, asked: Asked) -> str:
@@ -103,9 +113,9 @@ def ranges_verdict(found: UnstableRanges, asked: Asked) -> str:
     if not found.proved:
         return undecided(found)
     if not found.intervals:
-        return stable_throughout(over)
+        return _but(found, stable_throughout(over))
     many = len(found.intervals)
-    return f"UNSTABLE in {'one part' if many == 1 else f'{many} parts'} of the range of {over.path}."
+    return _but(found, f"UNSTABLE in {'one part' if many == 1 else f'{many} parts'} of the range of {over.path}.")
 
 
 def _ranges(found: UnstableRanges, asked: Asked) -> list[str]:
@@ -127,12 +137,19 @@ def crossings_verdict(found: Crossings, asked: Asked) -> str:
         return undecided(found)
     number = len(found.crossings)
     said = {0: "no value", 1: "one value"}.get(number, f"{number} values")
-    return f"Stability changes at {said} of {over.path} in the range."
+    return _but(found, f"Stability changes at {said} of {over.path} in the range.")
 
 
 def _crossings(found: Crossings, asked: Asked) -> list[str]:
     (over,) = asked.overs
     lines = [crossings_verdict(found, asked)]
+    for part in found.parts if found.counts is not None else ():
+        lines += _crossed(part, replace(over, low=part.over[over.path][0]), asked)
+    return lines if len(lines) > 1 else lines + _crossed(found, over, asked)
+
+
+def _crossed(found: Crossings, over: Over, asked: Asked) -> list[str]:
+    lines = []
     counts = found.counts or (None,) * (len(found.crossings) + 1)
     if found.counts is not None:
         lines.append(f"  from {over.told(over.low)} on: {growing(found.counts[0])}")
@@ -179,6 +196,8 @@ def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     title = [asked.title] if asked.title else []
     default = " (give others with --over)" if asked.by_default else ""
     lines = [*title, *lines, f"The range: {asked.ranges}{default}."]
+    limited = found.proved and any(word in found.note for word in (LEFT_OUT, BEYOND))
+    lines += [f"Note: {found.note}."] if limited else []
     lines += [f"Warning: {reason}." for reason in asked.warnings]
     return "\n".join([*lines, trust(found), f"Assumed: {ASSUMED}"]) + "\n"
 
@@ -190,5 +209,7 @@ def trust(found: Answer) -> str:
         return f"Not decided, so nothing is claimed of the whole range.{known}"
     if found.certificate is not None and found.status is Status.PROVED:
         return CERTIFIED
+    if not found.proofs and found.note:  # by a theorem, without boxes
+        return THEOREM if LEFT_OUT in found.note else f"Proved, without certificate: {found.note}."
     verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
     return f"{WITHOUT} {_BASE if found.proofs and verified else _UNVERIFIED}"

@@ -43,6 +43,8 @@ _ANSWERS: dict[str, p.Schema] = {
         "digits": p.DIGITS,
         "crossings": p.rows(p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})),
         "counts": p.maybe(p.rows(p.COUNT)),
+        "left_out": p.rows(p.table({"name": p.TEXT, "value": p.BALL, "start": p.BALL, "end": p.BALL})),
+        "parts": p.rows({"type": "object", "description": "answers of the same form over the parts of the range"}),
     },
     "robust": {"stable": p.maybe(p.YES), "counterexample": p.maybe(p.by_name(p.EXACT)), "open": p.rows(_OVER)},
     "chart": {

@@ -26,7 +26,9 @@ class Bogie(AnyVehicle, frozen=True):
     k: Annotated[Rational, nonnegative("N/m", "stiffness of the primary suspension of one wheelset")]
     c: Annotated[Rational, nonnegative("N s/m", "damping of the primary suspension of one wheelset")] = Fraction(0)
     k_contact: Annotated[Rational | None, contact_spring()] = None
-    body: Annotated[Rational | None, Quantity("kg", "mass of the body", above=0, optional=True)] = None
+    body: Annotated[
+        Rational | None, Quantity("kg", "mass of the body", above=0, optional=True, without="no body")
+    ] = None
     k2: Annotated[Rational, nonnegative("N/m", "stiffness of the secondary suspension")] = Fraction(0)
     c2: Annotated[Rational, nonnegative("N s/m", "damping of the secondary suspension")] = Fraction(0)
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.display import card
+from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.vehicles.load import Load
 
@@ -42,7 +43,7 @@ class Response:
     P_j(τ) − M_j ẅ of (2), same shape, in units of the unit force, compression positive. contact_loss: for each mass
     the first time at which its contact force falls below zero, linear between the given times, or None; contact_note
     says why it is not known, or only that it is earlier ("" if it is known). error: an estimate, relative to the
-    largest of the parts.
+    largest of the parts. reason: why less is known than was asked for, then NaN where nothing is.
     """
 
     case: Case
@@ -60,6 +61,7 @@ class Response:
     contact_loss: tuple[float | None, ...]
     contact_note: tuple[str, ...]
     error: float
+    reason: Reason | None = None
 
     @property
     def w(self) -> Any:

@@ -241,8 +241,18 @@ class Engine:
         return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0), waves)
 
     def arriving(self, alpha: float, times: Any, share: float) -> float:
-        """How far the path is followed for the sake of waves that run ahead."""
-        size, last = self.image.size, self.image.channels
-        forces = size + self.image.contacts
-        kinds = [slice(0, size), slice(size, forces), slice(forces, last)]
-        return reach_of_waves(self.transformed, alpha, times, share, kinds)
+        """How far the path is followed for the sake of waves that run ahead of the rail's deflections."""
+        image = self.image
+        if not image.places:
+            return 0.0
+        rail = slice(image.size + image.contacts, None)
+        away = np.subtract.outer(np.array(image.places, float), np.array(image.pencil.places, float))
+        away = np.abs(away) * 2.0**-image.guide.length
+        return reach_of_waves(
+            lambda sigma: self.transformed(sigma)[:, rail],
+            lambda sigma: image.receptance.waves(sigma)[0],
+            list(away),
+            alpha,
+            times,
+            share,
+        )

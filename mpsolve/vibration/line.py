@@ -21,7 +21,7 @@ CLEAR = 80.0
 _SHARPNESS = 0.11
 """Of Ω: the width of the fading."""
 _TOLERANCE = 3e-12
-_MOST_PANELS = 10000
+_MOST_PANELS = 4000
 _OCTAVES = 10
 _WIDEST = 1 / 24
 _erfc = np.vectorize(math.erfc, otypes=[float])

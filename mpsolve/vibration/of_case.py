@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 
 from mpsolve.certificate.certify import certify
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.grid import checked_places, checked_times
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.vehicles.load import Load
@@ -35,22 +37,31 @@ def motion_of_case(
     xi: Iterable[Number] | Number | None = None,
     tau: Iterable[Number] | Number = (0,),
     spectrum: Spectrum | None = None,
+    *,
+    effort: Effort | None = None,
+    progress: Progress | None = None,
 ) -> Response:
     """The motion of an infinite beam from rest under moving masses and forces, (20)–(36); float64.
 
     loads: one for each mass, by default those of `loads_of`. xi: positions in the moving frame, by default the
     positions of the masses. tau ≥ 0: the times. spectrum: `certify(case)`, if it is known already. Irrational ratios
-    are taken to float64. InputError for input that has no meaning, PrecisionError where the induced frequencies are
-    undecided or the motion cannot be computed; both say what helps.
+    are taken to float64. effort and progress as for a Problem, and so what comes back where effort runs out, with its
+    `reason`; frequencies that it does not certify are searched for in float64.
+
+    InputError for input that has no meaning, PrecisionError where the induced frequencies are undecided or the motion
+    cannot be computed; both say what helps.
     """
     forces = loads_of(case, loads)
     whole = case.dimensionless if isinstance(case, PhysicalCase) else case
     positions = [float(x) for x in dict.fromkeys(whole.positions)]
     places, times = checked_places(xi, positions), checked_times(tau)
-    found = certified_of(whole, beam_problem(whole), spectrum)
+    try:
+        found = certified_of(whole, beam_problem(whole), spectrum, effort=effort, progress=progress)
+    except EffortError:
+        found = None
     # the start is always computed, so that times may be none
     at, watched = np.concatenate([[0.0], times]), np.concatenate([positions, places])
-    motion = _moved(whole, forces, at, watched, found)
+    motion = _moved(whole, forces, at, watched, found, effort, progress)
     return _told(whole, forces, motion, len(positions))
 
 
@@ -64,10 +75,13 @@ def vibration_of_case(case: Any, loads: Any, xi: Any, tau: Any, spectrum: Any) -
     return _moved(whole, forces, checked_times(tau), places, found)
 
 
-def _moved(case: Case, loads: Any, tau: Any, xi: Any, spectrum: Spectrum) -> Vibration:
+def _moved(
+    case: Case, loads: Any, tau: Any, xi: Any, spectrum: Spectrum | None, effort: Any = None, progress: Any = None
+) -> Vibration:
     """The general response; what is wrong with it is said of τ and ξ."""
     try:
-        return vibrate(beam_problem(case), loads, times=tau, places=xi, spectrum=spectrum)
+        given: dict[str, Any] = {"effort": effort, "progress": progress}
+        return vibrate(beam_problem(case), loads, times=tau, places=xi, spectrum=spectrum, **given)
     except InputError as error:
         key = {"times": "tau", "places": "xi"}.get(error.key, error.key)
         raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
@@ -85,25 +99,27 @@ def _near(value: Any) -> Fraction:
     return value.as_fraction() if value.is_rational else Fraction(float(value))
 
 
-def certified_of(case: Case, problem: Problem, spectrum: Any, digits: int = 30) -> Spectrum:
+def certified_of(case: Case, problem: Problem, spectrum: Any, digits: int = 30, **work: Any) -> Spectrum:
     """All induced frequencies of the sheet, or, where the cuts are no line, of what `certify` answers."""
     if spectrum is None:
-        spectrum = _of_sheet(problem, digits)
+        spectrum = _of_sheet(problem, digits, work)
         if spectrum is None:
-            spectrum = certify(problem, check=False, digits=digits)
+            spectrum = certify(problem, check=False, digits=digits, **work)
     if not isinstance(spectrum, Spectrum):
         raise InputError("spectrum", f"is of type {type(spectrum).__name__}: give certify(case)")
     if spectrum.problem not in (case, problem):
         raise InputError("spectrum", "is not that of this case: give certify(case)")
+    if not spectrum.proved and spectrum.reason is not None and spectrum.reason.code in ("effort", "interrupted"):
+        raise EffortError(spectrum.reason)
     if not spectrum.proved:
         message = spectrum.reason.message if spectrum.reason else ""
         raise PrecisionError(f"the induced frequencies are undecided: {message}; change a parameter a little")
     return spectrum
 
 
-def _of_sheet(problem: Problem, digits: int) -> Spectrum | None:
+def _of_sheet(problem: Problem, digits: int, work: dict[str, Any]) -> Spectrum | None:
     try:
-        return certify(problem, region="sheet", check=False, digits=digits)
+        return certify(problem, region="sheet", check=False, digits=digits, **work)
     except InputError:  # the cuts are no line
         return None
 
@@ -122,6 +138,7 @@ def _told(case: Case, loads: tuple[Load, ...], motion: Vibration, own: int) -> R
     )
     group = [list(dict.fromkeys(case.positions)).index(place) for place in case.positions]
     lost = contact_loss(loads, force, tau)
+    unknown = motion.reason.message if motion.reason is not None and not np.isfinite(force).all() else ""
     size = max(float(np.abs(part).max(initial=0.0)) for part in (motion.steady, motion.harmonic, motion.transient))
     return Response(
         case=case,
@@ -137,8 +154,9 @@ def _told(case: Case, loads: tuple[Load, ...], motion: Vibration, own: int) -> R
         acceleration=acceleration,
         contact_forces=force,
         contact_loss=tuple(time for time, _ in lost),
-        contact_note=tuple(note for _, note in lost),
+        contact_note=tuple(note or unknown for _, note in lost),
         error=motion.error.rail / size if size else 0.0,
+        reason=motion.reason,
     )
 
 

@@ -16,7 +16,8 @@ def response(problem: Any, *arguments: Any, **options: Any) -> Any:
 
     response(problem, loads=None, *, times, places=None, irregularities=None, initial="rest", spectrum=None,
     effort=None, progress=None) for a Problem, see `vibrate`; response(case, loads=None, xi=None, tau=(0,),
-    spectrum=None) for the others, in the units of the paper, see `motion_of_case`; of these with balls=True, or
+    spectrum=None, *, effort=None, progress=None) for the others, in the units of the paper, see `motion_of_case`;
+    of these with balls=True, or
     digits, in proved balls, or numbers right to so many decimals, see `balls_of_case`.
     """
     if not isinstance(problem, (Case, PhysicalCase)):

@@ -15,7 +15,14 @@ PROBLEM = Problem(
 )
 
 
-@pytest.mark.parametrize("knob", [Knob(Fraction(60), Fraction(0)), Knob(Fraction(0), Fraction(1000))])
+@pytest.mark.parametrize(
+    "knob",
+    [
+        Knob(Fraction(60), Fraction(0)),
+        Knob(Fraction(0), Fraction(1000)),
+        Knob(Fraction(0), Fraction(1000), both=True),
+    ],
+)
 def test_position_and_value_belong_together(knob: Knob) -> None:
     for position in (knob.least, 20, 73, 100):
         assert knob.position(Fraction(knob.value(position))) == pytest.approx(position, abs=1)
@@ -28,10 +35,26 @@ def test_the_ends() -> None:
     assert (about.position(Fraction(10**9)), about.position(Fraction(0)), up.position(Fraction(0))) == (100, -100, 0)
 
 
-def test_every_parameter_that_is_not_negative_has_a_slider() -> None:
+def test_what_may_be_negative_has_a_symmetric_linear_slider() -> None:
     found = knobs(PROBLEM, PROBLEM.parameters)
-    assert set(PROBLEM.parameters) - set(found) == {"track.N"}
+    assert set(found) == set(PROBLEM.parameters)
     assert found["track.eta"].base == 0 < found["track.eta"].reach
+    assert not found["track.eta"].both
+    force = found["track.N"]
+    assert (force.least, force.value(0)) == (-100, "0")
+    assert Fraction(force.value(-50)) == -Fraction(force.value(50)) == -force.reach / 2
+    assert force.position(-force.reach / 4) == -25
+    assert -100 < force.position(Fraction(-1000)) <= 0
+
+
+def test_what_is_left_out_begins_at_the_size_of_its_like() -> None:
+    bogie = vehicles.Bogie(wheel=1500, frame=3000, inertia=155, wheelbase="2.5", k="4.8e9", c=250)
+    problem = Problem(PROBLEM.track, bogie, v=20)
+    absent = dict.fromkeys(("vehicles[0].body", "vehicles[0].k_contact"))
+    found = knobs(problem, {**problem.parameters, **absent})
+    assert found["vehicles[0].k_contact"] == Knob(Fraction("4.8e9"), Fraction(0))
+    assert found["vehicles[0].body"].base >= 3000
+    assert float(found["vehicles[0].body"].value(-100)) > 0
 
 
 def test_a_size_of_the_problem_s_own_has_its_unit() -> None:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
+
 import numpy as np
 import pytest
 
 from mpsolve import InputError, Problem, read_problem, response, tracks, vehicles
-from mpsolve.explorer.moving import POINTS, motion_pictures
+from mpsolve.explorer.moving import PLACES, POINTS, motion_pictures
 from mpsolve.explorer.session import Session
+from mpsolve.explorer.shaping import stretch
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=100)
 
 
 def test_both_pictures_and_the_lift_off() -> None:
-    drawn = motion_pictures(PAIR, 1.0)
+    drawn, moving = motion_pictures(PAIR, 1.0)
     assert drawn.count("<svg") == 2
     assert ">lift-off<" in drawn
     assert "beyond" in drawn
@@ -22,18 +25,39 @@ def test_both_pictures_and_the_lift_off() -> None:
     motion = response(PAIR, times=np.linspace(0, 1, POINTS))
     assert motion.lift_off is not None
     assert motion.lift_off.time < 1
+    assert f'data-end="{float(motion.lift_off.time):.6g}"' in moving
+
+
+def test_the_shape_in_time_is_the_response() -> None:
+    """Each frame of the drawn rail is the deflection under its places, in one scale; bodies likewise."""
+    tree = ET.fromstring(motion_pictures(PAIR, 0.2)[1])
+    (rail,) = [e for e in tree.iter("polyline") if e.get("class") == "rail"]
+    frames = np.array([[p.split(",") for p in f.split()] for f in rail[0].attrib["values"].split(";")], float)
+    assert frames.shape == (101, PLACES, 2)
+    truth = response(PAIR, times=np.linspace(0, 0.2, 101), places=stretch(PAIR, PLACES))
+    down = frames[..., 1] - frames[0, :, 1]
+    scale = down.max() / truth.rail.max()
+    assert scale > 0
+    assert np.abs(down - scale * truth.rail.T).max() < 0.11  # px, drawn to a tenth
+    boxes = [e for e in tree.iter("rect") if e.get("class") == "body"]
+    assert len(boxes) == len(truth.vehicle) == 2
+    for box, moved in zip(boxes, truth.vehicle.values(), strict=True):
+        ys = np.array(box[0].attrib["values"].split(";"), float)
+        assert np.corrcoef(ys, moved)[0, 1] > 0.999
 
 
 def test_a_session_draws_it_and_says_what_cannot_be() -> None:
     session = Session.of(read_problem("examples/two_layer_bogie.toml").problem)
-    assert session.motion == ""
+    assert session.motion == session.moving == ""
     session.draw_motion("0.05 s")
     assert session.motion.count("<svg") == 2
     assert ">lift-off<" not in session.motion
     session.zoom(0.5)
     assert session.motion
+    assert "data-end" not in session.moving
+    assert session.moving
     session.change("v", 90)
-    assert session.motion == ""  # it was that of another problem
+    assert session.motion == session.moving == ""  # it was that of another problem
     for wrong in ("0", "-1", "a while", "3 kg"):
         with pytest.raises(InputError):
             session.draw_motion(wrong)

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from mpsolve import read_problem, verify
+from mpsolve import Problem, read_problem, vehicles, verify
 from mpsolve.batch.view import look
 from tests.browsers import NONE, browser
 
@@ -133,6 +133,37 @@ def test_a_slider_stands_for_every_parameter_and_where_a_field_says(seen: Seen) 
     assert float(seen.page.input_value("#field-track-eta")) == 0.0001
 
 
+def test_what_is_left_out_is_put_in_and_taken_out(seen: Seen, tmp_path: Path) -> None:
+    """A body comes with its spring; emptied fields make a contact rigid; the file is that of the state."""
+    page, before = seen.page, read_problem(FILE).problem
+    body = page.locator("#field-vehicles-0-body")
+    assert (body.input_value(), body.get_attribute("placeholder")) == ("", "left out: no body")
+    seen.type("vehicles-0-body", "5 t")
+    seen.verdict("k2.*waits")
+    seen.type("vehicles-0-k2", "1 MN/m")
+    page.wait_for_function("document.querySelector('#field-vehicles-0-body').value === '5000'")
+    seen.verdict("No growing")
+    seen.type("vehicles-0-k_contact", "")
+    time.sleep(0.5)
+    with page.expect_download() as loading:
+        page.click("#save")
+    loading.value.save_as(tmp_path / "state.toml")
+    vehicle = vehicles.Bogie(**before.vehicles[0].vehicle.parameters | {"body": 5000, "k2": "1e6", "k_contact": None})
+    assert read_problem(tmp_path / "state.toml").problem == Problem(
+        before.track, vehicle.at(before.vehicles[0].position), before.v
+    )
+    page.click("#undo")
+    page.wait_for_function("document.querySelector('#field-vehicles-0-k_contact').value !== ''")
+
+
+def test_a_force_that_may_be_negative_slides_to_both_sides(seen: Seen) -> None:
+    slider = seen.page.locator("#slider-track-N [tabindex='0']").first
+    slider.focus()
+    for _ in range(5):
+        seen.page.keyboard.press("ArrowLeft")
+    seen.page.wait_for_function("+document.querySelector('#field-track-N').value < 0")
+
+
 def test_a_hundred_quick_changes_end_at_the_last(seen: Seen) -> None:
     for k in range(100):
         seen.type("v", str(100 + k))
@@ -210,6 +241,54 @@ def test_the_motion_is_shown(seen: Seen) -> None:
     seen.page.click("#draw-motion")
     seen.page.wait_for_selector("#motion svg", timeout=60_000)
     assert seen.page.locator("#motion svg").count() == 2
+
+
+NOW = "+document.querySelector('#moving input').value"
+RAIL = "document.querySelector('#moving polyline').animatedPoints[40].y"
+
+
+def test_the_shape_in_time_plays_and_rests_by_keyboard(seen: Seen) -> None:
+    page = seen.page
+    page.fill("#duration", "0.1 s")
+    page.click("#draw-motion")
+    page.wait_for_selector("#moving svg", timeout=60_000)
+    page.wait_for_function(f"{NOW} > 0.002")  # it plays
+    assert page.evaluate("document.querySelector('#moving output').textContent").endswith(" s")
+    button = page.locator("#moving button")
+    button.focus()
+    page.keyboard.press("Enter")
+    assert button.inner_text() == "Play"
+    at = page.evaluate(NOW)
+    time.sleep(0.3)
+    assert page.evaluate(NOW) == at
+    page.locator("#moving input").focus()
+    page.keyboard.press("Home")
+    rest = page.evaluate(RAIL)
+    for _ in range(30):
+        page.keyboard.press("ArrowRight")
+    page.wait_for_function(f"{RAIL} > {rest} + 5")  # the rail has gone down
+    assert page.evaluate(NOW) == pytest.approx(0.03)
+    button.focus()
+    page.keyboard.press("Space")
+    page.wait_for_function(f"{NOW} > 0.032")
+    seen.type("v", "90")
+    page.wait_for_selector("#moving svg", state="detached")
+
+
+def test_nothing_moves_by_itself_where_less_motion_is_asked_for(seen: Seen) -> None:
+    page = seen.page
+    page.emulate_media(reduced_motion="reduce")
+    page.reload()
+    page.wait_for_selector("#shape svg animate", state="attached")
+    page.wait_for_function("document.querySelector('#shape svg').animationsPaused()")
+    page.fill("#duration", "0.1 s")
+    page.click("#draw-motion")
+    page.wait_for_selector("#moving button", timeout=60_000)
+    assert page.inner_text("#moving button") == "Play"
+    time.sleep(0.3)
+    assert page.evaluate(NOW) == 0
+    page.click("#moving button")
+    page.wait_for_function(f"{NOW} > 0.001")
 
 
 def test_two_tabs_do_not_share(chromium: Any, address: str, seen: Seen) -> None:

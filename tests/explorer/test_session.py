@@ -55,6 +55,38 @@ def test_the_state_is_a_file_that_reproduces_it(tmp_path: Path) -> None:
     assert again.title == "bogie"
 
 
+def test_what_is_left_out_comes_and_goes_and_the_file_and_the_proof_follow(tmp_path: Path) -> None:
+    session, path, body = Session.of(PROBLEM, "bogie"), "vehicles[0].k_contact", "vehicles[0].body"
+    assert list(session.fields())[-1] == body
+    assert session.fields()[body] is None
+    session.change(path, "")
+    assert session.fields()[path] is None
+    session.change(path, "2 MN/mm")
+    assert session.parameters()[path] == 2 * 10**9
+    session.change(path, "")
+    for given in ("again.toml", "with.toml"):
+        copy = tmp_path / given
+        copy.write_text(session.toml(), encoding="utf-8")
+        assert read_problem(copy).problem == session.problem
+        session.undo()  # the spring is there again
+    session.redo()
+    session.redo()
+    assert session.fields()[path] is None
+    proving = session.start_proof()
+    session.stop_proof()
+    assert proving.problem == session.problem
+
+
+def test_undo_forgets_what_waits() -> None:
+    session, body = Session.of(PROBLEM), "vehicles[0].body"
+    with pytest.raises(InputError):
+        session.change(body, "5 t")
+    session.undo()
+    session.change("vehicles[0].k2", "0")
+    assert session.problem == PROBLEM
+    assert session.waiting.values == {}
+
+
 def test_the_chosen_vibration_is_followed() -> None:
     session = Session.of(PROBLEM)
     assert session.view is not None

@@ -5,8 +5,9 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 
 import numpy as np
+import pytest
 
-from mpsolve.pictures.shape import moving_shape, numbered
+from mpsolve.pictures.shape import moving_shape, numbered, shape_in_time
 
 
 def test_one_period() -> None:
@@ -17,6 +18,18 @@ def test_one_period() -> None:
     assert frames[0] == frames[-1] == rail.attrib["points"]
     assert len(set(frames)) > 10
     assert any(e.text == "a <b>" for e in tree.iter("text"))
+
+
+def test_a_motion_in_time_has_one_scale_for_all_times() -> None:
+    x, grows = np.linspace(-3, 3, 31), np.linspace(0, 2, 11)
+    drawn = shape_in_time(x, np.outer(grows, np.exp(-np.abs(x))), [0.0], {"a": -grows}, 8.0)
+    tree = ET.fromstring(drawn)
+    (rail,) = [e for e in tree.iter("polyline") if e.get("class") == "rail"]
+    lows = [max(float(p.split(",")[1]) for p in f.split()) for f in rail[0].attrib["values"].split(";")]
+    assert np.diff(lows) == pytest.approx([(lows[-1] - lows[0]) / 10] * 10, abs=0.11)
+    (box,) = [e for e in tree.iter("rect") if e.get("class") == "body"]
+    assert np.all(np.diff(np.array(box[0].attrib["values"].split(";"), float)) < 0)  # up
+    assert shape_in_time(x, np.zeros((2, 31)), [0.0], {}, 8.0).startswith("<svg")
 
 
 def test_many_coordinates_are_numbered() -> None:

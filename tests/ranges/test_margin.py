@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from flint import arb
 
-from mpsolve import Case, certify
+from mpsolve import Case, Problem, certify, tracks, vehicles
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import as_problem
 from mpsolve.ranges.margin import Margin, margin, margin_in
@@ -69,3 +69,11 @@ def test_what_is_open_says_why() -> None:
     at_the_limit = margin_in(parts((5, 7, False)), Fraction(5))
     assert isinstance(at_the_limit, Margin)
     assert at_the_limit.stable is None
+
+
+def test_what_is_left_out_of_velocities_leaves_a_margin_open() -> None:
+    """No claim is made of the velocity of the waves."""
+    wire = Problem(tracks.String(T=27000, m="1.07", k=500, c=2), [vehicles.Mass(20).at(0)], v=100)
+    found = margin(wire, "v", (Fraction(0), Fraction(300)))
+    assert (found.stable, found.reason and found.reason.code) == (None, "left-out")
+    assert margin(wire, "v", (Fraction(0), Fraction(150))).stable is True

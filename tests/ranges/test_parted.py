@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
 from types import SimpleNamespace
@@ -13,7 +14,7 @@ import pytest
 from mpsolve import Effort, Problem, tracks, vehicles
 from mpsolve.outcome import Reason, Status
 from mpsolve.ranges.crossings import Crossings, crossings
-from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.onset import Kind, Onset, _read, _shared, onset, unstable_ranges
 from mpsolve.ranges.parted import parted, speeds_within
 
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)
@@ -93,6 +94,52 @@ def test_an_open_part_leaves_the_whole_open() -> None:
     assert found.reason is not None
     assert "beside shear waves" in found.reason.message
     assert len(found.known["proved"]) == 2
+
+
+def test_a_part_too_short_to_be_proved_is_left_out_whole() -> None:
+    """Of (1996.7, 2000] nothing is known, so that only what ends at 1965 is; and so at the start."""
+    last = joined(lambda *_: False, 0, 2000)
+    assert (last.proved, float(last.left_out[0].end)) == (True, 2000)
+    assert "to 2000 (shear waves" in last.note
+    first = joined(lambda *_: False, 1990, 4500)
+    assert (first.proved, float(first.left_out[0].start)) == (True, 1990)
+
+
+def test_an_open_part_is_left_out_whole() -> None:
+    found = joined(lambda low, _: low > 5155)
+    assert float(found.left_out[1].end) == 7000
+
+
+def test_what_grows_behind_the_first_speed_is_not_said_of_the_start() -> None:
+    found = joined(lambda *_: False, 1990, 4500)
+    read = _read(found, Onset(RAIL, found.over, **_shared(found)))
+    assert (read.status, read.kind, read.reason and read.reason.code) == (
+        Status.UNDECIDED,
+        Kind.UNDECIDED,
+        "left-out",
+    )
+
+
+def test_an_onset_behind_a_gap_at_the_start_names_the_gap() -> None:
+    found = joined(lambda *_: False, 1990, 4500)
+    (part,) = found.parts
+    found = replace(found, parts=(replace(part, parts=(), counts=(0, *part.counts[1:])),))  # type: ignore[misc]
+    read = _read(found, Onset(RAIL, found.over, **_shared(found)))
+    assert read.kind is Kind.CROSSES
+    assert "v from 1990 to" in read.note
+
+
+def test_an_answer_begins_where_its_first_part_does() -> None:
+    """Where waves are lost at rest a part from 0 on begins a little above it."""
+    over = {"v": (Fraction(0), Fraction(300))}
+
+    def find(ranges: Any, _: Any) -> Crossings:
+        low, high = ranges["v"]
+        return Crossings(RAIL, {"v": (low or Fraction(1), high)}, Status.PROVED, counts=(0,))
+
+    wire = Problem(WIRE, [vehicles.Mass(20).at(0), vehicles.Mass(20).at(30)], v=100)
+    found = parted(wire, over, speeds_within(wire, over), find, lambda r, _: find(r, None), None)
+    assert found.over["v"] == (1, 300)
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from ranges_of_a_pair import PAIR
 
-from mpsolve import InputError, Status, onset, stability_table, unstable_ranges
+from mpsolve import InputError, Problem, Status, onset, stability_table, tracks, unstable_ranges, vehicles
 
 OVER = {"v": (150, 230)}
 
@@ -49,3 +49,13 @@ def test_what_is_no_table_is_refused(changed: dict[str, Any], key: str) -> None:
     with pytest.raises(InputError) as caught:
         stability_table(PAIR, **(asked | changed))
     assert caught.value.key == key
+
+
+@pytest.mark.parametrize("quantity", ["onset", "unstable ranges"])
+def test_an_entry_does_not_pass_over_what_is_left_out(quantity: str) -> None:
+    wire = Problem(tracks.String(T=27000, m="1.07", k=500, c=2), [vehicles.Mass(20).at(0)], v=100)
+    asked: dict[str, Any] = {"rows": {"track.k": [500]}, "columns": {"scale.mass": [1]}, "quantity": quantity}
+    ((whole,),) = stability_table(wire, over={"v": (0, 300)}, workers=1, **asked).entries
+    assert (whole.status, whole.reason.code) == ("undecided", "left-out")  # type: ignore[union-attr]
+    ((below,),) = stability_table(wire, over={"v": (0, 150)}, workers=1, **asked).entries
+    assert below.status == "stable"

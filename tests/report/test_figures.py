@@ -5,21 +5,16 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
-from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from mpsolve import Case, PhysicalCase, certify, frequency_lines
+from mpsolve import Case, PhysicalCase, certify
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.problem.over import Over
-from mpsolve.ranges.table import Entry, Table
-from mpsolve.report import figures_lines, figures_plane, figures_response
-from mpsolve.report.figures import GREY, figure_of, rendered, save_figure
-from mpsolve.report.figures_ranges import amplitude_range, lowest_parts, onsets
+from mpsolve.report import figures_plane, figures_response
+from mpsolve.report.figures import GREY, figure_of, save_figure
 from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.vibration import vibrations
 from mpsolve.vibration.of_case import motion_of_case as response
@@ -34,12 +29,6 @@ HREF = "{http://www.w3.org/1999/xlink}href"
 @pytest.fixture(scope="module")
 def motion() -> Any:
     return response(CASE, tau=np.linspace(0, 200, 801))
-
-
-@pytest.fixture(scope="module")
-def lines() -> Any:
-    case = Case(alpha="0.6", eta_b="0.05", eta_m=70)
-    return frequency_lines(case, over={"v": ("0.5", "0.7")}, points=["0.5", "0.6", "0.7"], check=False)
 
 
 def placed(ax: Any, gid: str) -> tuple[float, float]:
@@ -113,43 +102,6 @@ def test_the_zoom_tells_frequency_and_time() -> None:
     assert any(text.startswith(f"{1 / period:.4g}/τ\ndoubles") for text in texts)
 
 
-def test_lines_and_the_case_on_them(lines: Any) -> None:
-    spectrum = certify(lines.problem, check=False)
-    for draw, part in ((figures_lines.line_frequencies, "real"), (figures_lines.line_growth, "imag")):
-        ax: Any = figure_of(lambda ax, draw=draw: draw(lines, ax, spectrum)).axes[0]
-        for k, line in enumerate(lines.lines, 1):
-            (drawn,) = [one for one in ax.lines if one.get_gid() == f"line-{k}"]
-            assert list(drawn.get_xdata()) == [float(value) for value in line.values]
-            assert np.allclose(drawn.get_ydata(), [float(getattr(q, part).mid()) for q in line.q], rtol=1e-14)
-        x, y = placed(ax, "here-1")
-        middle = [float(getattr(line.q[1], part).mid()) for line in lines.lines]
-        assert x == 0.6
-        assert min(abs(y - value) for value in middle) < 1e-14
-
-
-def test_second_scales_are_in_km_h_and_hz() -> None:
-    rail = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=100, c=770, masses=[(10000, 0)])
-    lines = frequency_lines(rail, over={"v": (90, 110)}, points=2, check=False)
-    figure = figure_of(lambda ax: figures_lines.line_frequencies(lines, ax))
-    rendered(figure, "svg")
-    ax: Any = figure.axes[0]
-    right, top = ax.child_axes
-    low, high = ax.get_xlim()
-    assert np.allclose(top.get_xlim(), (low * 3.6, high * 3.6))
-    assert np.allclose(right.get_ylim()[1], ax.get_ylim()[1] / (2 * np.pi))
-    assert ax.get_xlabel() == "v [m/s]"
-
-
-def test_a_ring_marks_where_a_line_leaves_the_region() -> None:
-    case = Case(alpha="0.95", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
-    lines = frequency_lines(case, over={"v": ("0.9", "1")}, points=3, check=False)
-    (end,) = [end for line in lines.lines for end in line.ends if end.kind == "region"]
-    ax: Any = figure_of(lambda ax: figures_lines.line_growth(lines, ax)).axes[0]
-    (ring,) = [one for one in ax.lines if one.get_marker() == "o"]
-    assert ring.get_xdata()[0] == float(end.value.mid())
-    assert ring.get_ydata()[0] == pytest.approx(float(lines.region.height), rel=1e-12)
-
-
 def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> None:
     bound = motion.envelope
     assert np.all(abs(motion.harmonic) <= bound * (1 + 1e-12))
@@ -186,22 +138,20 @@ def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
             assert y == 0
 
 
-DRAWN: dict[str, Callable[[Any, Any, Any], Any]] = {
-    "plane": lambda ax, _motion, _lines: figures_plane.q_plane(SPECTRUM, ax, GREY),
-    "zoom": lambda ax, _motion, _lines: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
-    "frequency": lambda ax, _motion, lines: figures_lines.line_frequencies(lines, ax, None, GREY),
-    "growth": lambda ax, _motion, lines: figures_lines.line_growth(lines, ax, None, GREY),
-    "displacement": lambda ax, motion, _lines: figures_response.displacements(motion, ax, None, GREY),
-    "contact": lambda ax, motion, _lines: figures_response.contact_forces(motion, ax, None, GREY),
+DRAWN: dict[str, Callable[[Any, Any], Any]] = {
+    "plane": lambda ax, _motion: figures_plane.q_plane(SPECTRUM, ax, GREY),
+    "zoom": lambda ax, _motion: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
+    "displacement": lambda ax, motion: figures_response.displacements(motion, ax, None, GREY),
+    "contact": lambda ax, motion: figures_response.contact_forces(motion, ax, None, GREY),
 }
 
 
 @pytest.mark.parametrize("name", DRAWN)
-def test_every_figure_returns_its_axes_and_can_be_grey(name: str, motion: Any, lines: Any, tmp_path: Path) -> None:
+def test_every_figure_returns_its_axes_and_can_be_grey(name: str, motion: Any, tmp_path: Path) -> None:
     returned = []
 
     def draw(ax: Any) -> Any:
-        returned.append((ax, DRAWN[name](ax, motion, lines)))
+        returned.append((ax, DRAWN[name](ax, motion)))
         return ax
 
     text = save_figure(draw, tmp_path / "a.svg").read_text("utf-8")
@@ -265,26 +215,3 @@ def test_the_user_s_settings_change_nothing(tmp_path: Path) -> None:
     with mpl.rc_context({"font.size": 20, "lines.linewidth": 9, "axes.facecolor": "red"}):
         assert save_figure(draw, tmp_path / "b.svg").read_bytes() == plain
         assert mpl.rcParams["font.size"] == 20
-
-
-def test_onsets_are_drawn_where_they_are_proved() -> None:
-    over = (Fraction(0), Fraction(2))
-    texts = ((("proved", "0.9"), ("proved", "0.7")), (("stable", "stable"), ("proved", "0.6")))
-    entries = tuple(tuple(Entry(status, text, over) for status, text in row) for row in texts)
-    rows, columns = ("eta_m", (Fraction(50), Fraction(70))), ("d", (Fraction(1), Fraction(2)))
-    table = Table("onset", Over("v", *over, "", ""), rows, columns, 5, entries)
-    (ax,) = figure_of(lambda ax: onsets(table, ax)).axes
-    drawn = {line.get_gid(): np.array(line.get_xydata()).tolist() for line in ax.lines if line.get_gid()}
-    assert drawn["onset-2"] == [[50, 0.7], [70, 0.6]]
-    assert drawn["onset-1"][0] == [50, 0.9]
-    assert np.isnan(drawn["onset-1"][1][1])
-    with pytest.raises(InputError, match="ranges"):
-        onsets(replace(table, quantity="unstable ranges"), ax)
-
-
-def test_curves_over_a_range() -> None:
-    (ax,) = figure_of(lambda ax: lowest_parts([0, 1], {"a": [0.1, -0.1]}, ax)).axes
-    assert (ax.get_ylabel(), [text.get_text() for text in ax.get_legend().get_texts()]) == ("lowest Im q", ["a"])
-    assert ax.patches
-    (ax,) = figure_of(lambda ax: amplitude_range([0, 1], {"a": ([2, 3], [1, 0])}, ax)).axes
-    assert [line.get_gid() for line in ax.lines] == ["greatest-1", "least-1"]

@@ -3,22 +3,29 @@ import pytest
 
 from mpsolve.vibration.arrivals import reach_of_waves
 
+FIRST = 40.0
 
-def wave(delay, size):
-    """A channel next to a large one that does not travel; delay: of ω, integrated."""
-    return lambda sigma: np.stack([1 / sigma, size(sigma) * np.exp(-1j * delay(sigma.imag))], 1)
+
+def reach(wave, size, time):
+    """Next to a large channel at the contact one that is FIRST away."""
+
+    def image(sigma):
+        return np.stack([1 / sigma, size / sigma], 1)
+
+    return reach_of_waves(image, wave, [[0.0], [FIRST]], 0.0, np.array([time]), 1e-9)
+
+
+def bending(sigma):
+    """P = 2√(iσ), so that d = 40/√ω."""
+    return np.stack([-2 * np.sqrt(1j * sigma), -2 * np.sqrt(sigma / 1j)], 1)
 
 
 def test_short_waves_that_run_ahead_are_followed_as_far_as_they_are_felt():
-    bending = lambda w: 2 * 40 * np.sqrt(w)  # d(ω) = 40/√ω  # noqa: E731
-    image = wave(bending, lambda s: 1 / s)
-    reach = [reach_of_waves(image, 0.0, np.array([t]), 1e-9, [slice(0, 2)]) for t in (4.0, 8.0)]
-    assert reach[0] == pytest.approx(4 * reach[1], rel=0.5)  # ω = (40/t)²
-    assert reach[0] > 2 * (40 / 4.0) ** 2
-    faint = wave(bending, lambda s: 1e-12 / s)
-    assert reach_of_waves(faint, 0.0, np.array([4.0]), 1e-9, [slice(0, 2)]) == 0
+    early, late = reach(bending, 1.0, 4.0), reach(bending, 1.0, 8.0)
+    assert early == pytest.approx(4 * late, rel=0.5)  # ω = (40/t)²
+    assert early > 2 * (FIRST / 4.0) ** 2
+    assert reach(bending, 1e-12, 4.0) == 0
 
 
 def test_waves_of_one_velocity_have_a_front_and_need_no_more():
-    image = wave(lambda w: 5 * w, lambda s: 1 / s)
-    assert reach_of_waves(image, 0.0, np.array([5.0]), 1e-9, [slice(0, 2)]) == 0
+    assert reach(lambda sigma: np.stack([-sigma / 8, sigma / 8], 1), 1.0, 5.0) == 0

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from laplace import Inversion
 from oracle import Truth, cases
 
-from mpsolve import Case, InputError, MpsolveError, certify, response
+from mpsolve import Case, Effort, InputError, MpsolveError, certify, response
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.exact import Exact
 from mpsolve.vehicles.load import Load
@@ -245,3 +245,16 @@ def test_the_size_of_the_loads_costs_no_accuracy(size: Any) -> None:
     scaled = response(case, [Load(size, Exact("0.3") * Exact(size), "0.4", 1)], tau=(0.5, 5, 50))
     assert np.allclose(scaled.w, unit.w * float(size), rtol=1e-11, atol=0)
     assert np.allclose(scaled.contact_forces, unit.contact_forces * float(size), rtol=1e-9, atol=0)
+
+
+def test_spent_effort_leaves_what_is_known_and_says_why() -> None:
+    none = response(DAMPED, None, (0,), (1, 5), effort=Effort(evaluations=1))
+    assert none.reason is not None
+    assert none.reason.code == "effort"
+    assert none.w.shape == (1, 2)
+    assert np.isnan(none.w).all()
+    assert all("effort" in note for note in none.contact_note)
+    heard: list[str] = []
+    whole = response(DAMPED, None, (0,), (1, 5), progress=lambda stage, _: heard.append(stage))
+    assert whole.reason is None
+    assert {"integral", "times"} <= set(heard)

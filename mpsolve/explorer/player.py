@@ -1,0 +1,62 @@
+"""Play, pause and wind what moves on the page; where less motion is asked for, nothing moves by itself."""
+
+from __future__ import annotations
+
+STYLE = """
+.player .controls { display: flex; gap: 0.75rem; align-items: center; max-width: 46rem; flex-wrap: wrap; }
+.player button { border: 1px solid currentColor; border-radius: 4px; padding: 0.2rem 0.9rem; min-width: 5rem; }
+.player input { flex: 1; min-width: 8rem; }
+.player output { min-width: 5rem; }
+"""
+
+SCRIPT = """<script>
+(() => {
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  function begin(player) {
+    const [svg, button, range, said] = ['svg', 'button', 'input', 'output'].map(name => player.querySelector(name));
+    const [lasts, played, end] = ['lasts', 'played', 'end'].map(name => parseFloat(player.dataset[name]));
+    let going;
+    const show = () => {
+      const t = svg.getCurrentTime() % played / played * lasts;
+      range.value = t;
+      said.textContent = t.toPrecision(3) + ' s' + (t > end ? ', after a lift-off: beyond the model' : '');
+    };
+    const set = on => {
+      going = on;
+      on ? svg.unpauseAnimations() : svg.pauseAnimations();
+      button.textContent = on ? 'Pause' : 'Play';
+    };
+    const step = () => {
+      if (!player.isConnected) return;
+      if (going) show();
+      requestAnimationFrame(step);
+    };
+    button.onclick = () => set(!going);
+    range.oninput = () => { set(false); svg.setCurrentTime(range.value / lasts * played * 0.99999); show(); };
+    set(!still.matches);
+    show();
+    step();
+  }
+  new MutationObserver(() => {
+    if (still.matches) document.querySelectorAll('#shape svg').forEach(svg => svg.pauseAnimations());
+    for (const player of document.querySelectorAll('.player:not([data-ready])')) {
+      player.dataset.ready = '';
+      begin(player);
+    }
+  }).observe(document, { childList: true, subtree: true });
+})();
+</script>"""
+
+
+def player(picture: str, lasts: float, played: float, end: float | None) -> str:
+    """A moving picture of `lasts` seconds that are played in others, with a button and a slider of time.
+
+    end: from which time on it is beyond the model.
+    """
+    beyond = "" if end is None else f' data-end="{end:.6g}"'
+    return (
+        f'<div class="player" data-lasts="{lasts:.6g}" data-played="{played:g}"{beyond}>{picture}'
+        '<div class="controls"><button type="button">Pause</button>'
+        f'<input type="range" min="0" max="{lasts:.6g}" step="{lasts / 100:.6g}" value="0" aria-label="Time, s"/>'
+        "<output></output></div></div>"
+    )

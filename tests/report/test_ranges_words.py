@@ -1,0 +1,53 @@
+"""What reports say where a speed of short waves is left out of a range: no verdict speaks of the whole."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from mpsolve import Problem, crossings, onset, tracks, unstable_ranges, vehicles
+from mpsolve.numbers.balls import arb
+from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.onset import Kind, Onset, _read, _shared
+from mpsolve.report.ranges_asked import asked
+from mpsolve.report.ranges_words import said_of_crossings, said_of_onset, said_of_ranges
+
+WIRE = Problem(tracks.String(T=27000, m="1.07", k=500, c=2), [vehicles.Mass(20).at(0)], v=100)
+ASKED = asked(WIRE, "", ["v=0..300"])
+OVER = {"v": (Fraction(0), Fraction(300))}
+
+
+@pytest.mark.parametrize(
+    "ask", [(onset, said_of_onset), (unstable_ranges, said_of_ranges), (crossings, said_of_crossings)]
+)
+def test_what_is_left_out_is_told(ask: tuple[object, object]) -> None:
+    prove, say = ask
+    said = say(prove(WIRE, over=OVER), ASKED)  # type: ignore[operator]
+    assert "but see what is left out" in said.verdict
+    assert "Note: left out: v = 158.851015 itself" in said.text
+    assert "certificate: left out" not in said.text
+
+
+def test_all_of_a_range_is_told_so() -> None:
+    said = said_of_onset(onset(WIRE, over={"v": (0, 150)}), asked(WIRE, "", ["v=0..150"]))
+    assert said.verdict == "STABLE for every v from 0 m/s to 150 m/s."
+
+
+def test_an_onset_in_what_is_left_out() -> None:
+    """Stable below the speed and unstable above it: the value is all that lies between, and it has no frequency."""
+    whole = crossings(WIRE, over=OVER)
+    low, high = whole.parts
+    low = replace(low, over={"v": (Fraction(0), Fraction(150))})
+    high = replace(high, over={"v": (Fraction(170), Fraction(300))}, counts=(2,))
+    found: Crossings = replace(whole, parts=(low, high), counts=(0, 2))
+    first = _read(found, Onset(WIRE, OVER, **_shared(found)))
+    assert (first.kind, first.q) == (Kind.CROSSES, None)
+    assert first.value.contains(arb(150))
+    assert first.value.contains(arb(170))
+    said = said_of_onset(first, ASKED)
+    assert (
+        said.verdict == "STABLE for v from 0 m/s to 150 m/s, UNSTABLE just beyond 170 m/s; but see what is left out."
+    )
+    assert "frequency" not in said.text
