@@ -35,6 +35,7 @@ ANSWERS: dict[str, Callable[[], Any]] = {
     "Crossings": lambda: mpsolve.crossings(PAIR, over=OVER),
     "Robust": lambda: mpsolve.prove_stable(PAIR, over={"v": ("0.5", "0.51")}),
     "Worst": lambda: mpsolve.worst(PAIR, over={"v": ("0.66", "0.67")}, effort=Effort(evaluations=50)),
+    "CutPoints": lambda: mpsolve.cut_points(PAIR, over=OVER, effort=Effort(evaluations=50)),
     "FrequencyLines": lambda: mpsolve.frequency_lines(PAIR, over=OVER, points=2, effort=Effort(evaluations=2000)),
     "ProvedVibration": lambda: mpsolve.response_balls(PAIR, times=["1"], digits=3, effort=Effort(evaluations=50)),
     "Sensitivity": lambda: mpsolve.sensitivity(PAIR, region=("below", "0.04"), digits=15),
@@ -92,7 +93,7 @@ def test_balls_travel_whole() -> None:
 
 def test_verdicts_have_no_truth_value_either() -> None:
     """`if verify(path)` would take a refused file for a valid one."""
-    for module in ("verify", "verify2", "verify_roots"):
+    for module in ("verify2", "verify_ranges", "verify_roots"):
         verdict = __import__(f"mpsolve.certificate.{module}", fromlist=["Verdict"]).Verdict(False, "no")
         with pytest.raises(TypeError, match=r"ask for \.valid"):
             bool(verdict)

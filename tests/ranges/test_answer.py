@@ -58,7 +58,7 @@ def test_each_answer_is_data_and_a_table(name: str, monkeypatch: pytest.MonkeyPa
     assert json.loads(found.to_json())["proved"] is (name != "open")
     shown = found._repr_html_()
     assert shown.count("<tr>") == (rows + 1 if rows else 0)
-    assert type(found).__name__ in shown
+    assert (type(found).__name__ if name != "table" else "onset of v") in shown
     monkeypatch.setitem(sys.modules, "pandas", SimpleNamespace(DataFrame=list))
     frame: Any = found.to_frame()
     assert len(frame) == rows
