@@ -27,11 +27,13 @@ class Form:
         self.knobs: dict[str, Knob] = {}
         self.fields: dict[str, Any] = {}
         self.slid: set[str] = set()
+        self.edited: set[str] = set()
         self.setting = ""
 
     def draw(self) -> None:
         """Anew, round the present values."""
         self.pending.clear()
+        self.edited.clear()
         self.place.clear()
         self.fields.clear()
         values = self.session.fields()
@@ -52,7 +54,9 @@ class Form:
     def _entry(self, path: str, said: str, value: str, without: str) -> Any:
         entry = ui.input(label=f"{said} ({path})", value=value, placeholder=without or None).classes("w-full")
         entry.props(f"dense for=field-{key(path)}" + (" stack-label" if without else ""))
+        entry.on_value_change(lambda _: self.editing(path))
         entry.on("change", lambda _: self.typed(path, entry.value))
+        entry.on("blur", lambda _: self.edited.discard(path))
         return entry
 
     def _slider(self, path: str, said: str) -> Any:
@@ -66,8 +70,14 @@ class Form:
         changes, self.pending = self.pending, {}
         return changes
 
+    def editing(self, path: str) -> None:
+        """A field is being typed in, which must not be overwritten."""
+        if path != self.setting:
+            self.edited.add(path)
+
     def typed(self, path: str, text: str) -> None:
         """A value from a field, with or without a unit."""
+        self.edited.discard(path)
         self.pending[path] = text.replace(",", ".")
         self.slid.discard(path)
 
@@ -78,16 +88,17 @@ class Form:
             self.slid.add(path)
 
     def follow(self, path: str) -> None:
-        """The field shows what the slider gave, and the slider stands where the field says."""
+        """The field shows what the slider gave, unless it is typed in, and the slider stands where the field says."""
         entry, slider = self.fields.get(path, (None, None))
         value = self.session.problem.parameters.get(path)
         if entry is None:
             return
-        entry.set_value(_shown(value))
+        self.setting = path
+        if path not in self.edited and path not in self.pending:
+            entry.set_value(_shown(value))
         if value is not None and path not in self.slid:
-            self.setting = path
             slider.set_value(self.knobs[path].position(value))
-            self.setting = ""
+        self.setting = ""
 
 
 def _shown(value: Fraction | None) -> str:

@@ -30,7 +30,7 @@ def form() -> Form:
     """A form without a page."""
     made = object.__new__(Form)
     made.session = Session.of(read_problem("examples/two_layer_bogie.toml").problem)
-    made.pending, made.fields, made.slid, made.setting = {}, {}, set(), ""
+    made.pending, made.fields, made.slid, made.edited, made.setting = {}, {}, set(), set(), ""
     from mpsolve.explorer.knobs import knobs
 
     made.knobs = knobs(made.session.problem, made.session.parameters())
@@ -53,6 +53,31 @@ def test_a_slider_that_follows_a_field_changes_nothing(form: Form) -> None:
         form.session.nudge(path, value)
         form.follow(path)
     assert (entry.value, slider.value, form.pending) == ("200", 30, {})
+
+
+def test_a_field_that_is_typed_in_is_not_overwritten(form: Form) -> None:
+    entry = Told(lambda _: form.editing("v"))
+    form.fields["v"] = (entry, Told())
+    form.session.nudge("v", "200")
+    form.editing("v")  # the next value is on its way
+    form.follow("v")
+    assert entry.value is None
+    form.typed("v", "300")
+    form.follow("v")
+    assert entry.value is None
+    for path, value in form.taken().items():
+        form.session.nudge(path, value)
+        form.follow(path)
+    assert entry.value == "300"
+    assert not form.edited
+
+
+def test_what_is_left_out_has_an_empty_field(form: Form) -> None:
+    path = "vehicles[0].k_contact"
+    form.fields[path] = (entry, slider) = (Told(), Told())
+    form.session.change(path, "")
+    form.follow(path)
+    assert (entry.value, slider.value) == ("", None)
 
 
 def test_names() -> None:
