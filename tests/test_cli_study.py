@@ -91,7 +91,7 @@ def test_a_study_that_is_not_complete(run: Run) -> None:
         (("study", "spec.toml", "-o", "s.sqlite", "--workers", "0"), 2, "workers: is 0"),
         (("study", "spec.toml", "-o", "s.sqlite", "--workers", "2", "--dask", "tcp://x:1"), 2, "one of the two"),
         (("study", "spec.toml", "-o", "buckles.toml", "--workers", "1"), 1, "it is no study"),
-        (("export", "none.sqlite", "--to", "csv"), 2, "store: none.sqlite does not exist"),
+        (("export", "none.sqlite", "--to", "csv"), 2, "STORE: none.sqlite does not exist"),
         (("export", "spec.toml", "--to", "csv"), 1, "it is no study"),
         (("status", "none.sqlite"), 2, "does not exist"),
         (

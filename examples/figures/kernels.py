@@ -15,6 +15,8 @@ from mpsolve.batch.kernel import receptances
 def kernels(alpha: Any, eta_b: float, d: float, q: Any, slope: bool = False) -> tuple[Any, Any]:
     """K between the masses, shape (…, 2, 2), and dK/dq where asked; alpha and q broadcast; nan where q is nan."""
     alpha, q = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(q, complex))
+    if not q.size:
+        return np.zeros((*q.shape, 2, 2), complex), np.zeros((*q.shape, 2, 2), complex)
     velocities, which = np.unique(alpha, return_inverse=True)
     beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c=str(2 * eta_b))
     pair = Problem(beam, vehicles.train(vehicles.Mass(1), 2, str(d)), v=1)

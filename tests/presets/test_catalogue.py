@@ -50,7 +50,7 @@ def test_the_numbers_of_the_manchester_benchmark() -> None:
 def test_a_name_that_there_is_not() -> None:
     with pytest.raises(InputError, match="did you mean ballasted"):
         preset("track", "balasted")
-    with pytest.raises(InputError, match="there are manchester"):
+    with pytest.raises(InputError, match="there are freight-bogie, manchester"):
         preset("vehicle", "xyz")
 
 

@@ -103,7 +103,7 @@ def test_effort_and_input() -> None:
     case = pair("0.99", "0.1")
     found = onset(case, over=MASS, worst={"gap[0]": (1, 2)}, effort=Effort(evaluations=5), check=False)
     assert (found.kind, found.reason.code) == (Kind.UNDECIDED, "effort")  # type: ignore[union-attr]
-    with pytest.raises(InputError, match="not one other path"):
+    with pytest.raises(InputError, match="of two different ones"):
         onset(case, over=MASS, worst=MASS)
     with pytest.raises(InputError, match="unknown"):
         onset(case, over=MASS, worst={"gap[4]": (1, 2)})

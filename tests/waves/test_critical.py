@@ -275,7 +275,8 @@ def test_the_page_of_the_site() -> None:
     text = (Path(__file__).parents[2] / "docs/how-to/critical-velocities.md").read_text("utf-8")
     names: dict[str, Any] = {}
     for cell in re.findall(r"```{code-cell} ipython3\n(?::tags: [^\n]*\n)?(.*?)```", text, flags=re.DOTALL):
-        exec(cell, names)
+        if "myst_nb" not in cell:  # what hands numbers to the text of the page
+            exec(cell, names)
     labels = [line.get_label() for ax in names["axes"].flat for line in ax.lines]
     assert sum("shear waves" in str(label) for label in labels) == 1
     for track, listed in names["found"].values():
