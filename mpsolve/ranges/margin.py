@@ -48,7 +48,7 @@ def margin(
 def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
     """Where `own` stands among the unstable parts of an answer."""
     ((path, over),) = found.over.items()
-    reason = not_whole(found.note) if found.proved else found.reason
+    reason = not_whole(found.left_out) if found.proved else found.reason
     if not found.proved or reason is not None:
         return Margin(path, own, over, None, reason=reason)
     with precision(256):

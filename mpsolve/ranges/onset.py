@@ -23,10 +23,11 @@ from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
+from mpsolve.ranges.parted import LeftOut
 from mpsolve.ranges.scope import checked_over, one_path
 from mpsolve.ranges.undamped import stable_up_to
 
-SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note")
+SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note", "left_out")
 """What an answer has from the crossings that it is read from: their certificate is its own."""
 
 _QUICK = 40_000  # boxes of a first try, if nothing else is asked: an onset needs the range up to itself only
@@ -67,10 +68,14 @@ class Unstable(Portable):
 
 @dataclass(frozen=True)
 class UnstableRanges(Answer):
-    """All parts of a range in which some root grows, in ascending order; parts with other numbers of roots meet."""
+    """All parts of a range in which some root grows, in ascending order; parts with other numbers of roots meet.
+
+    left_out: single speeds of which nothing is said.
+    """
 
     digits: int = 15
     intervals: tuple[Unstable, ...] = ()
+    left_out: tuple[LeftOut, ...] = ()
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
@@ -85,8 +90,8 @@ class Onset(Valued, Answer):
 
     kind: crosses (`value` is that value, `q` the frequency there), stable (nowhere in the range),
     unstable_from_start, or undecided. value, q: balls in the problem's units; lower, upper: floats that hold `value`
-    between them, so that the problem is stable from the start of the range to `lower`; None without a value. Where
-    `note` says that speeds are left out, nothing is said of those: the onset may lie there, without a q.
+    between them, so that the problem is stable from the start of the range to `lower`; None without a value.
+    left_out: single speeds of which nothing is said: the onset may lie there, without a q.
     worst: where a second parameter was left to its worst value, that value, a ball, and where it lies in its range:
     "inside", "start" or "end". The problem is then stable up to `lower` for all values of the second parameter.
     """
@@ -97,6 +102,7 @@ class Onset(Valued, Answer):
     q: Any | None = None
     worst: Any | None = None
     where: str = ""
+    left_out: tuple[LeftOut, ...] = ()
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
@@ -169,26 +175,31 @@ def _read(found: Crossings, answer: Onset) -> Onset:
 
 
 def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
-    """The first part that is not stable decides; what is left out before it, `note` says."""
+    """The first part that is not stable decides, if no more than single speeds are left out before it."""
     before = None
     for part in found.parts:
-        if not part.proved:
+        begins = rational_ball(part.over["v"][0])
+        if not part.proved or any(begins > one.value and not one.is_point for one in found.left_out):
             return answer
         first = _read(part, replace(answer, **_shared(part)))
-        skipped = before is None and found.left_out and rational_ball(part.over["v"][0]) > found.left_out[0].value
+        skipped = before is None and found.left_out and begins > found.left_out[0].value
         if skipped and first.kind is Kind.UNSTABLE_FROM_START:
-            value = found.left_out[0].start.union(rational_ball(part.over["v"][0]))
+            value = found.left_out[0].start.union(begins)
             return replace(answer, status=Status.UNDECIDED, reason=_from_where(value))
         if skipped:
-            first = replace(first, note="; ".join(filter(None, (first.note, found.note))))
+            first = _noting(first, found)
         if first.kind is Kind.UNSTABLE_FROM_START and before is not None:
             start, end = (rational_ball(x) for x in (before.over["v"][1], part.over["v"][0]))
-            return replace(first, kind=Kind.CROSSES, value=start.union(end), note=found.note or answer.note)
+            return replace(first, kind=Kind.CROSSES, value=start.union(end), note=found.note, left_out=found.left_out)
         if first.kind is not Kind.STABLE:
-            note = first.note if before is None else "; ".join(filter(None, (first.note, found.note)))
-            return replace(first, note=note, cost=found.cost)
+            return replace(first if before is None else _noting(first, found), cost=found.cost)
         before = part
-    return replace(answer, kind=Kind.STABLE)
+    return replace(answer, kind=Kind.STABLE) if found.proved else answer
+
+
+def _noting(first: Onset, found: Crossings) -> Onset:
+    """The answer of a part, with what is left out before it."""
+    return replace(first, note="; ".join(filter(None, (first.note, found.note))), left_out=found.left_out)
 
 
 def _from_where(value: Any) -> Reason:

@@ -28,16 +28,9 @@ from mpsolve.waves.speeds import wave_speeds
 _PLACES = 10**6
 _SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
-LEFT_OUT = "left out: "
 _BOXES = 20_000  # for a strip
 
 Find = Callable[[dict[str, Interval], Effort | None], Any]
-
-
-def not_whole(note: str) -> Reason | None:
-    """Why an answer with this note does not speak of its whole range; None where it does."""
-    stated = f"a part of the range is not proved ({note})"
-    return Reason("left-out", stated, {}, "give a range beside that speed") if LEFT_OUT in note else None
 
 
 @dataclass(frozen=True)
@@ -50,6 +43,17 @@ class LeftOut(Portable):
     value: Any
     start: Any
     end: Any
+
+    @property
+    def is_point(self) -> bool:
+        """Whether the speed alone is left out."""
+        return bool(self.start.overlaps(self.value) and self.end.overlaps(self.value))
+
+
+def not_whole(left_out: tuple[LeftOut, ...]) -> Reason | None:
+    """Why an answer that leaves out these speeds does not speak of its whole range; None where there are none."""
+    stated = f"nothing is proved of a part of the range: {'; '.join(map(_shown, left_out))}"
+    return Reason("left-out", stated, {}, "give ranges beside that speed") if left_out else None
 
 
 @dataclass(frozen=True)
@@ -179,7 +183,9 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
     cost = Spent(seconds - checked, checked, sum(one.cost.boxes for one in found))
     first = found[0]
     begun = over["v"] if parts[0] is None else (first.over["v"][0], over["v"][1])  # which may be a little above rest
-    reason = next((one.reason for one in found if not one.proved), None)
+    reason = next((_told(one.reason, speeds) for one in found if not one.proved), None)
+    if reason is None and not all(one.is_point for one in left_out):
+        reason = not_whole(tuple(left_out))
     common: dict[str, Any] = {
         "over": {"v": begun}, "cost": cost, "parts": tuple(found), "left_out": tuple(left_out), "certificate": None,
         "crossings": tuple(c for one in found for c in one.crossings),
@@ -187,9 +193,9 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
     }  # fmt: skip
     if reason is not None:
         done = [list(one.over["v"]) for one in found if one.proved]
-        return replace(first, status=Status.UNDECIDED, reason=_told(reason, speeds), known={"proved": done},
+        return replace(first, status=Status.UNDECIDED, reason=reason, known={"proved": done},
                        counts=None, note="", **common)  # fmt: skip
-    note = LEFT_OUT + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
+    note = "left out: " + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
     counts = tuple(n for one in found for n in one.counts)
     return replace(first, status=Status.UNVERIFIED, reason=None, counts=counts, note=note, **common)
 
@@ -204,6 +210,6 @@ def _ball(end: Fraction | None, speed: _Speed) -> Any:
 
 
 def _shown(one: LeftOut) -> str:
-    if one.start.overlaps(one.value) and one.end.overlaps(one.value):
+    if one.is_point:
         return f"v = {float(one.value):.9g} itself ({one.name})"
     return f"v from {float(one.start):.9g} to {float(one.end):.9g} ({one.name}: {float(one.value):.9g})"

@@ -188,7 +188,7 @@ def _solve(job: _Job) -> Entry:
 def _onset(job: _Job, over: Any, options: Any) -> Entry:
     found = onset(job.problem, over=over, **options)
     ends = found.over[job.over.path]
-    reason = not_whole(found.note) if found.proved else found.reason
+    reason = not_whole(found.left_out) if found.proved else found.reason
     if not found.proved or reason is not None:
         return Entry("undecided", "undecided", ends, reason)
     if found.kind is Kind.CROSSES:
@@ -200,7 +200,7 @@ def _onset(job: _Job, over: Any, options: Any) -> Entry:
 def _ranges(job: _Job, over: Any, options: Any) -> Entry:
     found = unstable_ranges(job.problem, over=over, **options)
     ends = found.over[job.over.path]
-    reason = not_whole(found.note) if found.proved else found.reason
+    reason = not_whole(found.left_out) if found.proved else found.reason
     if not found.proved or reason is not None:
         return Entry("undecided", "undecided", ends, reason)
     if not found.intervals:

@@ -14,7 +14,6 @@ from mpsolve.ranges.answer import Answer
 from mpsolve.ranges.crossings import Crossings
 from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, UnstableRanges
-from mpsolve.ranges.parted import LEFT_OUT
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.spectrum_words import ASSUMED
@@ -102,9 +101,14 @@ def onset_verdict(found: Onset, asked: Asked) -> str:
     return undecided(found)
 
 
+def _speeds(found: Answer) -> bool:
+    """Whether speeds are left out of the answer."""
+    return bool(getattr(found, "left_out", ()))
+
+
 def _but(found: Answer, verdict: str) -> str:
     """The verdict with a word about what is left out of the range."""
-    return f"{verdict.removesuffix('.')}; but see what is left out." if LEFT_OUT in found.note else verdict
+    return f"{verdict.removesuffix('.')}; but see what is left out." if _speeds(found) else verdict
 
 
 def ranges_verdict(found: UnstableRanges, asked: Asked) -> str:
@@ -196,7 +200,7 @@ def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     title = [asked.title] if asked.title else []
     default = " (give others with --over)" if asked.by_default else ""
     lines = [*title, *lines, f"The range: {asked.ranges}{default}."]
-    limited = found.proved and any(word in found.note for word in (LEFT_OUT, BEYOND))
+    limited = found.proved and (_speeds(found) or BEYOND in found.note)
     lines += [f"Note: {found.note}."] if limited else []
     lines += [f"Warning: {reason}." for reason in asked.warnings]
     return "\n".join([*lines, trust(found), f"Assumed: {ASSUMED}"]) + "\n"
@@ -210,6 +214,6 @@ def trust(found: Answer) -> str:
     if found.certificate is not None and found.status is Status.PROVED:
         return CERTIFIED
     if not found.proofs and found.note:  # by a theorem, without boxes
-        return THEOREM if LEFT_OUT in found.note else f"Proved, without certificate: {found.note}."
+        return THEOREM if _speeds(found) else f"Proved, without certificate: {found.note}."
     verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
     return f"{WITHOUT} {_BASE if found.proofs and verified else _UNVERIFIED}"

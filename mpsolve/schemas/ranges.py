@@ -18,6 +18,7 @@ _COMMON: p.Schema = {
     "proved": p.YES,
 }
 _WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
+_LEFT_OUT = p.rows(p.table({"name": p.TEXT, "value": p.BALL, "start": p.BALL, "end": p.BALL}))
 _ANSWERS: dict[str, p.Schema] = {
     "onset": {
         "digits": p.DIGITS,
@@ -26,6 +27,7 @@ _ANSWERS: dict[str, p.Schema] = {
         "q": p.maybe(p.BALL),
         "worst": p.maybe(p.BALL),
         "where": _WHERE,
+        "left_out": _LEFT_OUT,
     },
     "worst": {
         "digits": p.DIGITS,
@@ -38,12 +40,13 @@ _ANSWERS: dict[str, p.Schema] = {
     "unstable_ranges": {
         "digits": p.DIGITS,
         "intervals": p.rows(p.table({"start": p.BALL, "end": p.BALL, "q": p.maybe(p.BALL), "roots": p.COUNT})),
+        "left_out": _LEFT_OUT,
     },
     "crossings": {
         "digits": p.DIGITS,
         "crossings": p.rows(p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})),
         "counts": p.maybe(p.rows(p.COUNT)),
-        "left_out": p.rows(p.table({"name": p.TEXT, "value": p.BALL, "start": p.BALL, "end": p.BALL})),
+        "left_out": _LEFT_OUT,
         "parts": p.rows({"type": "object", "description": "answers of the same form over the parts of the range"}),
     },
     "robust": {"stable": p.maybe(p.YES), "counterexample": p.maybe(p.by_name(p.EXACT)), "open": p.rows(_OVER)},
