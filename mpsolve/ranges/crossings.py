@@ -49,9 +49,9 @@ class Crossing(AtValue, Portable):
 class Crossings(Answer):
     """All crossings of a range, in ascending order, and the numbers of unstable roots before, between and behind.
 
-    left_out: speeds of short waves in a range of velocities, each with what is not proved round it; where that is more
-    than the speed itself the answer is undecided. parts: the answers between them, whose crossings and, if proved,
-    counts stand here one after the other: one count more for each part.
+    left_out: speeds of short waves in a range of velocities, each with what is not proved round it; where that is
+    more than the speed itself the answer is undecided. parts: the answers between them, whose crossings and, if
+    proved, counts stand here one after the other: one count more for each part.
     """
 
     digits: int = 15
