@@ -19,6 +19,7 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.vehicle import Placed
 from mpsolve.vibration import case_studies as paper
+from mpsolve.vibration.case_units import units_of
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.of_case import vibration_of_case
 from mpsolve.vibration.vibrate import vibrate
@@ -85,7 +86,7 @@ def envelope(
     mass, as in Figures 3–8 of the paper, in w_st.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        problem = vibration_of_case(problem, loads, xi, tau, spectrum)
+        problem = vibration_of_case(units_of(problem), loads, xi, tau, spectrum)
         if xi is not None and len(problem.places) != 1:
             stated = f"holds {len(problem.places)} positions"
             raise InputError("xi", f"{stated}: the envelope is that of one, give one number")
@@ -125,8 +126,11 @@ def transient_importance(problem: Any, loads: Any = None, spectrum: Spectrum | N
 
     problem: a Vibration, at its places; or a Case or PhysicalCase, of each mass, in w_st.
     """
+    rate = 1.0
     if isinstance(problem, (Case, PhysicalCase)):
-        problem = vibration_of_case(problem, loads, None, (0,), spectrum)
+        units = units_of(problem)
+        rate = float(units.rate)
+        problem = vibration_of_case(units, loads, None, (0,), spectrum)
     if not isinstance(problem, Vibration):
         raise InputError(
             "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"
@@ -137,7 +141,7 @@ def transient_importance(problem: Any, loads: Any = None, spectrum: Spectrum | N
     displacement = (parts.static + parts.forced + parts.free)[first, 0] - solution.held[first]
     rates = [(1j * one.frequency * one.amplitude).real for one in solution.steady]
     rates += [_rate(mode) for mode in solution.modes]
-    velocity = sum(rates, np.zeros(image.channels))[first] * image.rate
+    velocity = sum(rates, np.zeros(image.channels))[first] * image.rate / rate
     return Importance(displacement, velocity)
 
 

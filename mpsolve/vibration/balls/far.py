@@ -105,7 +105,7 @@ class _Far:
 
     def _grown(self, root: FarRoot, xi: Fraction) -> Any:
         """A bound of |e^{Pξ}|."""
-        x, R, w = rational_ball(xi), self.radius, root.power
+        x, R, w = self.image.away(xi), self.radius, root.power
         b = w.denominator
         aside = (abs(arb(self.path.alpha)) + self.path.delta * R.sqrt()) / R  # |Re σ|/|σ| at most
         zeta = power_of(R, Fraction(-1, b))
