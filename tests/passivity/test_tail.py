@@ -39,6 +39,8 @@ TRACKS = {
                    "m_sleeper": "250", "k_ballast": "100e6", "c_ballast": "8e4"}, "400"),
     "ballast damped lightly": ({"model": "two-layer", "EI": "1.78e6", "m": "77.1", "k_pad": "2.39e7", "c_pad": "0",
                               "m_sleeper": "36.8", "k_ballast": "7.36e6", "c_ballast": "2450"}, "309.5"),
+    "rail and slab bend alike": ({"model": "slab", "EI": "4.91e6", "m": "54.77", "k_pad": "6e7", "c_pad": "15000",
+                                  "EI_slab": "88.4e6", "m_slab": "1100", "k": "8e7", "c": "3e4"}, "27"),
 }  # fmt: skip
 
 
