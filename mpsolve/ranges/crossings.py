@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise
@@ -99,10 +99,14 @@ def find(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
-    """`crossings` of checked arguments; the upper end may be None."""
+    """`crossings` of checked arguments; the upper end may be None.
+
+    near: points (q, value) at which crossings are expected: they are enclosed first, which saves boxes.
+    """
     if next(iter(over.values()))[1] is not None:
-        return _with_an_end(problem, over, digits, effort, progress, check)
+        return _with_an_end(problem, over, digits, effort, progress, check, near)
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     part = lambda ranges: _within(problem, ranges, digits, budget, progress, check)  # noqa: E731
     reasoned = lambda why: Crossings(problem, over, Status.UNDECIDED, why, digits=digits)  # noqa: E731
@@ -117,12 +121,13 @@ def _with_an_end(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]],
 ) -> Crossings:
     def none(ranges: Mapping[str, Interval], why: str) -> Crossings:
         return Crossings(problem, ranges, Status.UNVERIFIED, digits=digits, counts=(0,), note=why)
 
     def inside(ranges: Mapping[str, Interval], rest: Effort | None) -> Crossings:
-        return _within(problem, ranges, digits, rest, progress, check)
+        return _within(problem, ranges, digits, rest, progress, check, near)
 
     why, speeds = quiet(problem, over), speeds_within(problem, over)
     if why is not None:
@@ -141,6 +146,7 @@ def _within(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
@@ -153,6 +159,8 @@ def _within(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
     search = Search(scope, digits)
+    q_unit, unit = float(scope.family.frequency_unit), float(scope.family.units[0])
+    search.enclose_near([(q / q_unit, x / unit) for q, x in near])
     cover = search.cover(budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
