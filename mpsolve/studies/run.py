@@ -107,7 +107,7 @@ def study(
     executor: any concurrent.futures.Executor whose workers can import mpsolve; None: `workers` processes (all
     processors if None; 1: this one), spawned, so that a script must call this under `if __name__ == "__main__":`.
     Results do not depend on it. Each block of entries (one certified entry; some thousand in float64) is stored when
-    it is done: after an interruption the same call goes on, and computes anew what is damaged, and parts of boxes that
+    it is done: after an interruption the same call goes on, and computes what is damaged anew, as parts of boxes that
     are undecided. `ahead`: blocks that are handed out at a time, at least twice the number of workers.
     progress(finished, total) hears of each block.
 
