@@ -36,8 +36,8 @@ require, keys, items, integer, rational, dyadic, listed = (
     spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic, spectra.listed,
 )  # fmt: skip
 
-KEYS = "format version kind sha256 equations basis range base tail X beyond tree zeros claim"
-MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
+KEYS = "equations basis range base tail X beyond tree zeros claim"
+MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS = 32_000_000, 6, 4_000_000, 100
 MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
@@ -56,15 +56,15 @@ Free = dict[Exponents, Any]  # {exponents of the parameters: c}
 Box = tuple[tuple[Any, Any], ...]  # exact ends of q and of the parameters, or of the parameters alone
 
 
-def verify(path: Any) -> Any:
+def verify(path: Any) -> spectra.Verdict:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
     return spectra.of_file(path, verify_bytes, MAX_BYTES)
 
 
-def verify_bytes(raw: bytes, most: int | None = None) -> Any:
+def verify_bytes(raw: bytes, most: int | None = None) -> spectra.Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it
     may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
-    claim = lambda: checked(spectra.opened(raw, ("crossings", "stable"), KEYS), most)  # noqa: E731
+    claim = lambda: checked(spectra.opened(raw, {"crossings": KEYS, "stable": KEYS}), most)  # noqa: E731
     return spectra.judged(raw, claim, MAX_BYTES)
 
 
@@ -1359,23 +1359,14 @@ class Zero:
     gained: int
 
 
-def read_ball(value: Any, name: str) -> tuple[Any, Any]:
-    keys(value, "middle exponent radius")
-    text = value["middle"]
-    require(
-        isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text), f"{name}: no hexadecimal mantissa"
-    )
-    e = integer(value["exponent"], -MAX_BITS, 1100, name)
-    r, f = items(value["radius"], 2, name, 2)
-    unit = spectra.power_of_2(integer(f, -MAX_BITS, 1100, name))
-    return int(text, 16) * spectra.power_of_2(e), integer(r, 1, 2**64, name) * unit
-
-
 def read_zero(value: Any, family: Family) -> Zero:
     """A crossing: checked that its room holds one real root at most, and its balls one, which crosses."""
     keys(value, "room q x")
     room = tuple(tuple(dyadic(x, "room") for x in items(one, 2, "room", 2)) for one in items(value["room"], 2, "", 2))
-    q, x = read_ball(value["q"], "q"), read_ball(value["x"], "x")
+    for name in "qx":
+        keys(value[name], "middle exponent radius")
+    ((q,), q_r, one), ((x,), x_r, two) = (spectra.read_ball(value[name], "middle", name) for name in "qx")
+    q, x, bits = (q, q_r), (x, x_r), max(one, two)
     require(all(a < b for a, b in room), "a room is empty")
     for (middle, radius), (a, b) in zip((q, x), room, strict=True):
         require(a < middle - radius and middle + radius < b, "a crossing is not inside its room")
@@ -1383,12 +1374,9 @@ def read_zero(value: Any, family: Family) -> Zero:
     require(not at_zero or room[0][0] == -room[0][1], "a room round q = 0 is not symmetric")
     require(at_zero or (q[0] > q[1] and room[0][0] >= 0), "a crossing may lie at q = 0")
     check_alone(family, room, (q[0], x[0]), (q[1], x[1]))
-    digits = max(int((abs(m) / r + 1).numer()).bit_length() - int((abs(m) / r + 1).denom()).bit_length()
-                 for m, r in (q, x))  # fmt: skip
-    require(digits <= MAX_BITS, "a crossing has too many digits")
-    family.pieces += digits // 100
+    family.pieces += bits // 100
     require(family.pieces < family.left, "the certificate asks for more work than this verifier does")
-    with spectra.precision(digits + 128):
+    with spectra.precision(bits + 128):
         waves = Waves(family.track, family.vehicle)
         sharp = replaced(family, waves)
         twice = [(m, 2 * r) for m, r in (q, x)]
