@@ -30,6 +30,8 @@ def told(error: InputError) -> str:
         if parameter.name == key or f"--{key.lstrip('-')}" in parameter.opts:
             inner = error.key.partition(".")[2]
             return f"{_name(parameter)}: {f'{inner} ' if inner else ''}{said}"
+    if error.key in (text.partition("=")[0].strip() for text in context.params.get("overs", ())):
+        return f"--over: {error.key} {said}"
     return f"{error.key}: {said}{_line(context.params.get('file'), error.key)}"
 
 
