@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise
@@ -99,37 +99,34 @@ def find(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
-    """`crossings` of checked arguments; the upper end may be None."""
-    if next(iter(over.values()))[1] is not None:
-        return _with_an_end(problem, over, digits, effort, progress, check)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
-    part = lambda ranges: _within(problem, ranges, digits, budget, progress, check)  # noqa: E731
-    reasoned = lambda why: Crossings(problem, over, Status.UNDECIDED, why, digits=digits)  # noqa: E731
-    found: Crossings = endless(problem, over, part, reasoned, budget, progress)
-    return found
+    """`crossings` of checked arguments; the upper end may be None.
 
+    near: points (q, value) at which crossings are expected: they are enclosed first, which saves boxes.
+    """
 
-def _with_an_end(
-    problem: Problem,
-    over: Mapping[str, Interval],
-    digits: int,
-    effort: Effort | None,
-    progress: Progress,
-    check: bool,
-) -> Crossings:
     def none(ranges: Mapping[str, Interval], why: str) -> Crossings:
         return Crossings(problem, ranges, Status.UNVERIFIED, digits=digits, counts=(0,), note=why)
 
     def inside(ranges: Mapping[str, Interval], rest: Effort | None) -> Crossings:
-        return _within(problem, ranges, digits, rest, progress, check)
+        return _within(problem, ranges, digits, rest, progress, check, near)
 
-    why, speeds = quiet(problem, over), speeds_within(problem, over)
+    def left_open(why: Reason) -> Crossings:
+        return Crossings(problem, over, Status.UNDECIDED, why, digits=digits)
+
+    found: Crossings
+    why = quiet(problem, over)
     if why is not None:
         return none(over, why)
+    if next(iter(over.values()))[1] is None:
+        budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+        found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
+        return found
+    speeds = speeds_within(problem, over)
     if not speeds:
         return inside(over, effort)
-    found: Crossings = parted(problem, over, speeds, inside, none, effort)
+    found = parted(problem, over, speeds, inside, none, effort)
     return found
 
 
@@ -141,6 +138,7 @@ def _within(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
@@ -153,6 +151,8 @@ def _within(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
     search = Search(scope, digits)
+    q_unit, unit = float(scope.family.frequency_unit), float(scope.family.units[0])
+    search.enclose_near([(q / q_unit, x / unit) for q, x in near])
     cover = search.cover(budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
