@@ -105,36 +105,28 @@ def find(
 
     near: points (q, value) at which crossings are expected: they are enclosed first, which saves boxes.
     """
-    if next(iter(over.values()))[1] is not None:
-        return _with_an_end(problem, over, digits, effort, progress, check, near)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
-    part = lambda ranges: _within(problem, ranges, digits, budget, progress, check)  # noqa: E731
-    reasoned = lambda why: Crossings(problem, over, Status.UNDECIDED, why, digits=digits)  # noqa: E731
-    found: Crossings = endless(problem, over, part, reasoned, budget, progress)
-    return found
 
-
-def _with_an_end(
-    problem: Problem,
-    over: Mapping[str, Interval],
-    digits: int,
-    effort: Effort | None,
-    progress: Progress,
-    check: bool,
-    near: Sequence[tuple[float, float]],
-) -> Crossings:
     def none(ranges: Mapping[str, Interval], why: str) -> Crossings:
         return Crossings(problem, ranges, Status.UNVERIFIED, digits=digits, counts=(0,), note=why)
 
     def inside(ranges: Mapping[str, Interval], rest: Effort | None) -> Crossings:
         return _within(problem, ranges, digits, rest, progress, check, near)
 
-    why, speeds = quiet(problem, over), speeds_within(problem, over)
+    def left_open(why: Reason) -> Crossings:
+        return Crossings(problem, over, Status.UNDECIDED, why, digits=digits)
+
+    found: Crossings
+    why = quiet(problem, over)
     if why is not None:
         return none(over, why)
+    if next(iter(over.values()))[1] is None:
+        budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+        found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
+        return found
+    speeds = speeds_within(problem, over)
     if not speeds:
         return inside(over, effort)
-    found: Crossings = parted(problem, over, speeds, inside, none, effort)
+    found = parted(problem, over, speeds, inside, none, effort)
     return found
 
 

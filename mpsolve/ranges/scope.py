@@ -139,6 +139,8 @@ def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[
             first, last = ends
         except (TypeError, ValueError):
             raise InputError(str(path), f"is {ends!r}: give a range (low, high)") from None
+        if first is None:
+            raise InputError(path, "has no lower end: give one, such as 0")
         if last is None and not endless:
             raise InputError(path, f"has no upper end, which only crossings and onsets may have: {_GIVE}")
         low = rational(first, path)
