@@ -103,24 +103,26 @@ _lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's 
 
 
 @contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """flint at `bits` inside the block; put back after it. Other threads that come here wait."""
+def precision(bits: int, terms: int = 0) -> Iterator[None]:
+    """flint at `bits`, and with `terms` of series, inside the block; put back after it. Other threads wait."""
     with _lock:
-        before = flint.ctx.prec
-        flint.ctx.prec = bits
+        before, cap = flint.ctx.prec, flint.ctx.cap
+        flint.ctx.prec, flint.ctx.cap = bits, max(cap, terms)
         try:
             yield
         finally:
-            flint.ctx.prec = before
+            flint.ctx.prec, flint.ctx.cap = before, cap
 
 
 # --- reading: numbers, objects ----------------------------------------------------------------------------
 
 
-KEYS = "format version kind sha256 equations basis bits start paths theorem claim roots"
+KEYS = {"spectrum": "equations basis bits start paths theorem claim roots"}
 
 
-def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) -> dict[str, Any]:
+def opened(
+    raw: bytes, kinds: dict[str, str] = KEYS, form: str = "mpsolve certificate", number: int = 2
+) -> dict[str, Any]:
     """The file's object without its digest, which fits, with format, version, kind and keys checked."""
 
     def no_number(text: str) -> Any:
@@ -132,11 +134,11 @@ def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) 
 
     read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
     require(isinstance(read, dict), "the file holds no JSON object")
-    require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
+    require(read.get("format") == form, f"the format is not '{form}'")
     version = read.get("version")
-    require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
-    require(read.get("kind") in kinds, "the kind is not known to this verifier")
-    keys(read, names)
+    require(version == number and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
+    require(read.get("kind") in tuple(kinds), "the kind is not known to this verifier")
+    keys(read, f"format version kind sha256 {kinds[read['kind']]}")
     rest = {key: value for key, value in read.items() if key != "sha256"}
     canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
     digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
@@ -162,10 +164,11 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
     return int(value)
 
 
-def rational(text: Any, name: str) -> Any:
+def rational(text: Any, name: str, digits: int = 120) -> Any:
     """Reads "p" or "p/q"."""
-    match = re.fullmatch(r"(-?[0-9]{1,120})(?:/([0-9]{1,120}))?", text, re.ASCII) if isinstance(text, str) else None
-    if match is None:
+    form = rf"(-?[0-9]{{1,{digits}}})(?:/([0-9]{{1,{digits}}}))?"
+    match = re.fullmatch(form, text, re.ASCII) if isinstance(text, str) else None
+    if match is None or int(match[2] or 1) == 0:
         raise Refused(f"{name} is not a rational number in text")
     return fmpq(int(match[1]), int(match[2] or 1))
 
@@ -188,6 +191,23 @@ def point(value: Any) -> Point:
     m, n = (integer(x, -(2**200), 2**200, "a point") for x in value[:2])
     unit = power_of_2(integer(value[2], -1100, 1100, "a point"))
     return m * unit, n * unit
+
+
+def read_ball(
+    value: Any, names: str, name: str, most: int = MAX_BITS, high: int = 1100
+) -> tuple[list[Any], Any, int]:
+    """(numbers of these names, radius, bits): hexadecimal mantissas times 2^exponent; bits that tell them apart."""
+    parts = []
+    for key in names.split():
+        known = isinstance(value[key], str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", value[key], re.ASCII)
+        require(known, f"{name}: a mantissa is not hexadecimal")
+        parts.append(int(value[key], 16))
+    e = integer(value["exponent"], -most, high, name)
+    m, f = items(value["radius"], 2, name, 2)
+    radius = integer(m, 1, 2**64, name) * power_of_2(integer(f, -most, high, name))
+    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
+    require(bits <= most, f"{name} has too many digits")
+    return [p * power_of_2(e) for p in parts], radius, bits
 
 
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
@@ -2256,21 +2276,10 @@ class Root:
 
 def read_root(value: Any) -> Root:
     keys(value, "re im exponent radius multiplicity pair")
-    parts = []
-    for name in ("re", "im"):
-        text = value[name]
-        known = isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text)
-        require(known, "a mantissa is not hexadecimal")
-        parts.append(int(text, 16))
-    e = integer(value["exponent"], -MAX_BITS, 1100, "an exponent")
-    m, f = items(value["radius"], 2, "a radius", 2)
-    radius = integer(m, 1, 2**64, "a radius") * power_of_2(integer(f, -MAX_BITS, 1100, "a radius"))
-    unit = power_of_2(e)
+    (x, y), radius, bits = read_ball(value, "re im", "a root")
     require(type(value["pair"]) is bool, "pair is not true or false")
-    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
-    require(bits <= MAX_BITS, "a root has too many digits")
     multiplicity = integer(value["multiplicity"], 1, MAX_MULTIPLICITY, "multiplicity")
-    return Root((parts[0] * unit, parts[1] * unit), radius, multiplicity, value["pair"], bits)
+    return Root((x, y), radius, multiplicity, value["pair"], bits)
 
 
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:

@@ -36,19 +36,18 @@ require, keys, items, integer, rational, dyadic, listed = (
     spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic, spectra.listed,
 )  # fmt: skip
 
-KEYS = "format version kind sha256 equations basis range base tail X beyond tree zeros claim"
-MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
+KEYS = "equations basis range base tail X beyond tree zeros claim"
+MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS = 32_000_000, 6, 4_000_000, 100
 MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
 BOXES = 20_000  # that positivity at large q may take
 BITS = 64
-POINTS, TOGETHER, FIRST, SMALL = (
-    24,
+TOGETHER, WIDER, NARROWER = (
     0.3,
-    3,
-    64,
-)  # of a circle; roots closer than this share of the distance of others share one
+    16,
+    fmpq(1, 1 << 20),
+)  # p-roots closer than this share of other distances share a circle
 SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -56,15 +55,15 @@ Free = dict[Exponents, Any]  # {exponents of the parameters: c}
 Box = tuple[tuple[Any, Any], ...]  # exact ends of q and of the parameters, or of the parameters alone
 
 
-def verify(path: Any) -> Any:
+def verify(path: Any) -> spectra.Verdict:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
     return spectra.of_file(path, verify_bytes, MAX_BYTES)
 
 
-def verify_bytes(raw: bytes, most: int | None = None) -> Any:
+def verify_bytes(raw: bytes, most: int | None = None) -> spectra.Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it
     may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
-    claim = lambda: checked(spectra.opened(raw, ("crossings", "stable"), KEYS), most)  # noqa: E731
+    claim = lambda: checked(spectra.opened(raw, {"crossings": KEYS, "stable": KEYS}), most)  # noqa: E731
     return spectra.judged(raw, claim, MAX_BYTES)
 
 
@@ -333,7 +332,7 @@ class Place:
     """A box of (q, θ): the variables (σ, θ) as forms, and their monomials. first: of σ by q."""
 
     def __init__(self, middle: Sequence[Any], half: Sequence[Any], first: complex = 1j) -> None:
-        self.m = len(middle)
+        self.m, self.middle, self.half, self.first = len(middle), middle, half, first
         self._known: dict[Exponents, Form] = {}
         self._powers: list[list[Form]] = []
         for i, (x, r) in enumerate(zip(middle, half, strict=True)):
@@ -345,6 +344,9 @@ class Place:
     @classmethod
     def of(cls, box: Box, first: complex = 1j) -> Place:
         return cls([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box], first)
+
+    def resized(self, factor: Any) -> Place:
+        return Place(self.middle, [r * factor for r in self.half], self.first)
 
     def power(self, i: int, e: int) -> Form:
         if e < 0:
@@ -467,9 +469,8 @@ class Split:
         wide = self.solved([f.size / size for f, size in zip(self.values, self.scale, strict=True)])
         if wide is None:
             raise Wide("the p-roots of both sides are not kept apart over a box", self.strain())
-        self.thin = [abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)]
         if not self.apart(wide[1]):
-            thin = self.solved(self.thin)
+            thin = self.solved([abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)])
             fine = thin is not None and self.apart(thin[1]) and all(
                 x < y for x, y in zip(thin[1], wide[0], strict=True)
             )  # fmt: skip
@@ -498,50 +499,6 @@ class Split:
                     moved = float(abs(self.values[k].k[1 + i]))
                     out[i] = max(out[i], moved / (float(self.scale[k]) * near))
         return out
-
-    @cached_property
-    def roots(self) -> list[Any]:
-        """Balls of the p-roots at the middle of the box, by Lemma 2."""
-        thin = self.solved(self.thin)
-        require(thin is not None, "the p-roots of both sides are not kept apart")
-        tight, out = thin[1] if thin else [], []
-        for side in self.sides:
-            for k in side:
-                e = (tight[k] * 2).upper()
-                others = [(tight[j], self.gap[k][j] - e) for j in side if j != k]
-                if not all(gap > e for _, gap in others):
-                    raise Wide("two p-roots meet in the middle of a box", self.strain())
-                g = sum((t / gap for t, gap in others), ZERO)
-                require(g < 0.5, "two p-roots meet in the middle of a box")
-                out.append(self.z[k] + spectra.box(arb(e)))
-        return out
-
-    def wave(self, k: int, N: list[Form]) -> tuple[list[Any], list[Any]]:
-        """The Taylor coefficients of the k-th p-root and of N/D_P there, at the middle of the box."""
-        m, p = self.m, self.roots[k]
-        E = [self.about(p, i).k for i in range(min(4, self.n + 1))]
-        E[0][0] = NONE
-        require(not E[1][0].contains(0), "two p-roots meet in the middle of a box")
-        c = -1 / E[1][0]
-        turn, first = [NONE, *E[1][1:]], [x * c for x in E[0]]
-        h = E[0]
-        slope = E[1]
-        if self.n > 1:
-            second = product_of(E[2], product_of(first, first, m), m)
-            h = [(x + y + w) * c for x, y, w in zip(E[0], product_of(turn, first, m), second, strict=True)]
-            slope = [x + 2 * y for x, y in zip(slope, product_of(E[2], h, m), strict=True)]
-        if self.n > 2:
-            square = product_of(h, h, m)
-            slope = [x + 3 * E[3][0] * y for x, y in zip(slope, square, strict=True)]
-        point, above = [p, *h[1:]], N[-1].k
-        for f in reversed(N[:-1]):
-            above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
-        return point, product_of(above, inverse_of(slope, m), m)
-
-    def small(self, share: int) -> bool:
-        """Whether the box moves p-roots by less than this share of their distances."""
-        both = combinations(range(self.n), 2)
-        return all((self.tight[k] + self.tight[j]) * share < self.gap[k][j] for k, j in both)
 
     def isolated(self, side: range) -> list[Any]:
         """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
@@ -575,8 +532,8 @@ class Split:
             value = value * point + f
         return point, value * slope.inverse()
 
-    def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
-        """(middle, radii, nodes inside) of circles; the second radius is theirs. Roots that are close share one."""
+    def circles(self, side: int) -> list[tuple[Any, Any, list[int]]]:
+        """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
         own, z = list(self.sides[side]), [complex(x) for x in self.z]
         others = [k for k in range(self.n) if k not in own]
         far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
@@ -590,138 +547,77 @@ class Split:
             size = max(abs(z[k] - middle) for k in g)
             outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
             size += len(g) * max(float(self.tight[k]) for k in g)
-            radius = max(0.4 * outer, (size * outer) ** 0.5)
-            inner = size + 0.08 * (radius - size)
-            if not inner < 0.9 * radius < 0.75 * outer:
-                raise Wide("p-roots come too near to others over a box", self.strain())
-            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)], g))
+            out.append((acb(middle), arb(max(0.4 * outer, (size * outer) ** 0.5)), g))
         return out
 
-    def require_inside(self, middle: Any, radii: list[Any], inside: list[int]) -> None:
-        """The nodes of the circle lie in the inner one, all others outside the outer one: in balls."""
-        for k, z in enumerate(self.z):
-            away = abs(middle - z)
-            if not (away < radii[0] if k in inside else away > radii[2]):
-                raise Wide("p-roots come too near to others over a box", self.strain())
+    def bounds(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
+        """Bounds of |Σ N e^{Pξ}/D_P| over the p-roots of one side, at each distance: by one circle round each group.
 
-    def rest(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
-        """Bounds of what G at each distance departs from its Taylor polynomial of second order (section 10.4): of
-        sums over points of circles round the p-roots, and of what these sums do not see."""
-        m, out = self.m, [ZERO] * len(distances)
-        D = [acb_poly([f.k[i] for f in self.D]) for i in range(1, len(self.D[0].k))]
-        lost, lead = arb_poly([f.e for f in self.D]), abs(self.D[-1].k[0])
-        for middle, radii, inside in self.circles(side):
-            self.require_inside(middle, radii, inside)
-            radius = radii[1]
-            far = abs(middle) + radius
-            above = of_polynomial(N, far)
-            waves = [moduli_of_wave(f, far) for f in distances]
-            share = radius / POINTS
-            for turn in turns(flint.ctx.prec):
-                P = middle + radius * turn
-                d = lead
-                for z in self.roots:
-                    d = d * abs(P - z)
-                sizes = [abs(f(P)) for f in D]
-                p, q, eps = sum(sizes[:m], ZERO) / d, sum(sizes[m:], ZERO) / d, lost(far) / d
-                y = p + q + eps
-                if not y < 0.95:
-                    raise Wide("p-roots move too much over a box", self.strain())
-                inverse = (1 / d, p / d, (q + p * p) / d,
-                           (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y)) / d)  # fmt: skip
-                quotient = of_moduli(above, inverse)
-                for n, (f, wave) in enumerate(zip(distances, waves, strict=True)):
-                    if wave is None:
-                        out[n] = out[n] + quotient[3] * share
-                        continue
-                    grown = (P * f.k[0]).real.exp()
-                    out[n] = out[n] + of_moduli(quotient, wave)[3] * grown * share
-            for n, x in enumerate(self.unseen(middle, radii, N, distances)):
-                out[n] = out[n] + x * (2 + len(D))
-        return [x.upper() for x in out]
-
-    def unseen(self, middle: Any, radii: list[Any], N: list[Form], distances: Sequence[Form]) -> list[Any]:
-        """How much the mean over POINTS points of the circle may differ from the integral, for |u_i| ≤ 1: by bounds
-        of N e^{Pξ}/D on two circles, with no root of D between them."""
+        On a circle |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0, and as many zeros of D in it as nodes.
+        """
         out = [ZERO] * len(distances)
-        for r, ratio in ((radii[0], radii[0] / radii[1]), (radii[2], radii[1] / radii[2])):
-            away = [abs(abs(middle - z) - r) for z in self.z]
-            low = abs(self.D[-1].k[0]) - self.D[-1].spread
-            for x in away:
-                low = low * x
-            for side in self.sides:
-                share = 1 - sum((self.tight[k] / away[k] for k in side), ZERO)
-                if not share > 0:
-                    raise Wide("p-roots come too near to others over a box", self.strain())
-                low = low * share
-            require(low > 0, "p-roots come too near to others over a box")
-            far, power = abs(middle) + r, ratio**POINTS
-            bound_ = sum(of_polynomial(N, far), ZERO) / low * r * power / (1 - power)
+        for middle, radius, inside in self.circles(side):
+            gaps = [abs(middle - z) - radius for z in self.z]
+            fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
+            low, far = abs(self.D[-1].k[0]) - self.D[-1].spread, abs(middle) + radius
+            for gap in gaps:
+                low = low * abs(gap)
+            for here in self.sides:
+                share = 1 - sum((self.tight[k] / abs(gaps[k]) for k in here), ZERO)
+                fine, low = fine and bool(share > 0), low * share
+            if not (fine and low > 0):
+                raise Wide("p-roots come too near to others over a box", self.strain())
+            most = sum((f.size * far**i for i, f in enumerate(N)), ZERO) / low * radius
             for n, f in enumerate(distances):
-                out[n] = out[n] + bound_ * ((middle * f.k[0]).real + r * abs(f.k[0]) + far * f.spread).exp()
+                out[n] += most * ((middle * f.k[0]).real + radius * abs(f.k[0]) + far * f.spread).exp()
         return out
 
 
-@lru_cache(maxsize=8)
-def turns(_precision: int) -> list[Any]:
-    """The POINTS-th roots of 1 at the precision that is set."""
-    return [acb(arb(fmpq(2 * a, POINTS))).exp_pi_i() for a in range(POINTS)]
-
-
-def of_polynomial(f: Sequence[Form], far: Any) -> tuple[Any, Any, Any, Any]:
-    """Moduli of the parts of Σ f_i P^i, |P| ≤ far."""
-    out, power = (ZERO, ZERO, ZERO, ZERO), arb(1)
-    for g in f:
-        a, b, c = g.sizes
-        out = (out[0] + a * power, out[1] + b * power, out[2] + c * power, out[3] + g.e * power)
-        power = power * far
+def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+    """G at each distance over the box: from its p-roots, each alone, or where some of one side meet."""
+    try:
+        isolated = [split.isolated(side) for side in split.sides]
+    except Wide:
+        if any(y > 0.5 / WIDER for y in (split.inverse * arb_mat(split.n, 1, split.tight)).entries()):
+            raise  # it would not split over the wider box
+        out = beside_meeting(waves, split, x)
+    else:
+        out = from_roots(waves, split, isolated, x)
+    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
+    require(finite, "G is not bounded over a box")
     return out
 
 
-def of_moduli(a: Any, b: Any) -> tuple[Any, Any, Any, Any]:
-    """Bounds of the parts of a product: of order 0, 1, 2, and the rest."""
-    rest = a[1] * b[2] + a[2] * (b[1] + b[2]) + (a[0] + a[1] + a[2]) * b[3] + a[3] * (b[0] + b[1] + b[2] + b[3])
-    return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + a[1] * b[1] + a[2] * b[0], rest
-
-
-def moduli_of_wave(distance: Form, far: Any) -> Any:
-    """Of e^{P(ξ − ξ_0)} for |P| ≤ far; None where the distance is 0."""
-    if distance.size.is_zero():
-        return None
-    p, q, eps = distance.sizes[1] * far, distance.sizes[2] * far, distance.e * far
-    y = p + q + eps
-    require(y < 40, "a wave may change too much over a box")
-    return arb(1), p, q + p * p / 2, eps + (q + eps) * (2 * p + q + eps) / 2 + y.exp() * y**3 / 6
-
-
-def receptances(waves: Waves, split: Split, x: Sequence[Any], sharp: bool | None = None) -> list[Form]:
-    """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
-    sharp = split.small(SMALL) if sharp is None else sharp
+def from_roots(waves: Waves, split: Split, isolated: Sequence[list[Any]], x: Sequence[Any]) -> list[Form]:
+    """G as ± Σ N e^{Pξ}/D_P of forms: their rests fall with the box to any precision."""
     place, m = split.place, split.m
-    N = [place.value(f) for f in waves.N]
-    distances = waves.ordered(x)
-    forms = [place.value(f) for _, f in distances]
-    out = [number(0, m)] * len(forms)
+    N, distances = [place.value(f) for f in waves.N], waves.ordered(x)
+    out = [number(0, m)] * len(distances)
     for side, here in enumerate(split.sides):
         chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
-        if not chosen:
-            continue
-        if sharp:
-            roots = [split.sharp(k, e, N) for k, e in zip(here, split.isolated(here), strict=True)]
-            for n in chosen:
-                each_ = [w * (P * forms[n]).exp() if distances[n][1] else w for P, w in roots]
-                out[n] = -total(each_, m) if side else total(each_, m)
-            continue
-        each = [split.wave(k, N) for k in here]
-        rests = split.rest(side, N, [forms[n] for n in chosen])
-        for n, rest in zip(chosen, rests, strict=True):
-            k = [NONE] * len(forms[n].k)
-            for P, w in each:
-                term = w if not distances[n][1] else product_of(w, exponential_of(product_of(P, forms[n].k, m), m), m)
-                k = [a - b if side else a + b for a, b in zip(k, term, strict=True)]
-            out[n] = Form(k, rest, m)
-    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
-    require(finite, "G is not bounded over a box")
+        roots = [split.sharp(k, e, N) for k, e in zip(here, isolated[side], strict=True)] if chosen else []
+        for n in chosen:
+            gap = place.value(distances[n][1])
+            one = total([w * (P * gap).exp() if distances[n][1] else w for P, w in roots], m)
+            out[n] = -one if side else one
+    return out
+
+
+def beside_meeting(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+    """G where p-roots of one side may meet: its Taylor polynomial from a much smaller box, the rest by a bound of |G|
+    over a wider one. It is analytic there, with or without the range: |g_k| ≤ M/w^k for its terms of order k."""
+    small = Split(waves, split.place.resized(NARROWER), False)
+    isolated = [small.isolated(side) for side in small.sides]
+    wide = Split(waves, split.place.resized(WIDER), False)
+    N, distances = [wide.place.value(f) for f in waves.N], waves.ordered(x)
+    gaps = [wide.place.value(f) for _, f in distances]
+    most, m = [wide.bounds(side, N, gaps) for side in (0, 1)], split.m
+    out = []
+    for n, f in enumerate(from_roots(waves, small, isolated, x)):
+        k = [y + spectra.box(f.e) for y in f.k]  # the coefficients themselves, by Cauchy
+        order = [0] + [1] * m + [2] * len(pairs(m))
+        rest = most[0 if distances[n][0] else 1][n] / (WIDER**2 * (WIDER - 1))
+        out.append(Form([y / NARROWER**i for y, i in zip(k, order, strict=True)], rest, m))
     return out
 
 
@@ -1290,17 +1186,8 @@ class Family:
         return scalar(self.matrix(place, receptances(self.waves, split, self.middle)))
 
     def nonzero(self, place: Place) -> None:
-        """Δ̂ ≠ 0 over a box, or Wide: by forms of p-roots, which take less time, or by sums over circles."""
-        split = Split(self.waves, place, False)
-        for sharp in (True, False):
-            if split.small(SMALL if not sharp else FIRST) != sharp:
-                continue
-            try:
-                check_nonzero(scalar(self.matrix(place, receptances(self.waves, split, self.middle, sharp))))
-                return
-            except Refused:
-                if not sharp or split.small(SMALL):
-                    raise
+        """Δ̂ ≠ 0 over a box, or Wide."""
+        check_nonzero(self.scalar(place))
 
     def prove(self, kind: str, box: Box) -> None:
         """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
@@ -1359,23 +1246,14 @@ class Zero:
     gained: int
 
 
-def read_ball(value: Any, name: str) -> tuple[Any, Any]:
-    keys(value, "middle exponent radius")
-    text = value["middle"]
-    require(
-        isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text), f"{name}: no hexadecimal mantissa"
-    )
-    e = integer(value["exponent"], -MAX_BITS, 1100, name)
-    r, f = items(value["radius"], 2, name, 2)
-    unit = spectra.power_of_2(integer(f, -MAX_BITS, 1100, name))
-    return int(text, 16) * spectra.power_of_2(e), integer(r, 1, 2**64, name) * unit
-
-
 def read_zero(value: Any, family: Family) -> Zero:
     """A crossing: checked that its room holds one real root at most, and its balls one, which crosses."""
     keys(value, "room q x")
     room = tuple(tuple(dyadic(x, "room") for x in items(one, 2, "room", 2)) for one in items(value["room"], 2, "", 2))
-    q, x = read_ball(value["q"], "q"), read_ball(value["x"], "x")
+    for name in "qx":
+        keys(value[name], "middle exponent radius")
+    ((q,), q_r, one), ((x,), x_r, two) = (spectra.read_ball(value[name], "middle", name) for name in "qx")
+    q, x, bits = (q, q_r), (x, x_r), max(one, two)
     require(all(a < b for a, b in room), "a room is empty")
     for (middle, radius), (a, b) in zip((q, x), room, strict=True):
         require(a < middle - radius and middle + radius < b, "a crossing is not inside its room")
@@ -1383,12 +1261,9 @@ def read_zero(value: Any, family: Family) -> Zero:
     require(not at_zero or room[0][0] == -room[0][1], "a room round q = 0 is not symmetric")
     require(at_zero or (q[0] > q[1] and room[0][0] >= 0), "a crossing may lie at q = 0")
     check_alone(family, room, (q[0], x[0]), (q[1], x[1]))
-    digits = max(int((abs(m) / r + 1).numer()).bit_length() - int((abs(m) / r + 1).denom()).bit_length()
-                 for m, r in (q, x))  # fmt: skip
-    require(digits <= MAX_BITS, "a crossing has too many digits")
-    family.pieces += digits // 100
+    family.pieces += bits // 100
     require(family.pieces < family.left, "the certificate asks for more work than this verifier does")
-    with spectra.precision(digits + 128):
+    with spectra.precision(bits + 128):
         waves = Waves(family.track, family.vehicle)
         sharp = replaced(family, waves)
         twice = [(m, 2 * r) for m, r in (q, x)]

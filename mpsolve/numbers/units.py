@@ -59,6 +59,7 @@ _NUMBER = re.compile(
     r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+(?![0-9_.])|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)"
 )
 _UNDER = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*([^0-9.\s].*)")
+_TIMES = re.compile(r"[*·×]\s*([0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]+)?|\.[0-9]+)(?=[\s(A-Za-zµ]|$)")
 _SYMBOL = re.compile(r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
 _JOINED = re.compile(r"([GMk]?N)(mm|m|s)(?![A-Za-z])")  # kNm², Ns/m
 _COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*")
@@ -134,16 +135,19 @@ def _bracket(text: str) -> Factor:
 
 def _product(text: str, alone: bool) -> Factor:
     """A product of symbols; one only where it stands under a stroke without brackets."""
-    words = (
-        _JOINED.sub(r"\1 \2", text).replace("·", " ").replace("**", "^").replace("*", " ").replace(" ^", "^").split()
-    )
+    size, text = Fraction(1), _JOINED.sub(r"\1 \2", text).replace("**", "^")
+    if not alone:  # numbers between units, as in 210 GPa * 3038 cm^4
+        for times in _TIMES.findall(text):
+            size *= Fraction(times)
+        text = _TIMES.sub(" ", text)
+    words = text.replace("·", " ").replace("*", " ").replace(" ^", "^").split()
     if not words:
         raise ValueError("has a stroke with nothing on one side")
     if alone and len(words) > 1:
         raise ValueError(f"leaves open what stands under the stroke: write /({' '.join(words)})")
     if alone and re.match(r"[0-9.]", words[0]):
         raise ValueError(f"divides by {words[0]}, a number alone: write the distance as /(0.6 m), with its unit")
-    size, powers = Fraction(1), (0, 0, 0)
+    powers = (0, 0, 0)
     for word in words:
         parts = _SYMBOL.fullmatch(word)
         if parts is None:

@@ -25,6 +25,7 @@ NONZERO, PASSIVE, KNOWN = 1, 2, 3
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
+_AROUND = 1.2  # of half a box: how far off its middle a zero is taken for one of the box
 Found = Callable[[Any, Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
 a zero was enclosed there.
@@ -89,11 +90,16 @@ class Judge:
         """Zeros that open boxes show are enclosed."""
         u = guess(s.s)
         small = (boxes.r < _SMALL * self.width[:, None]).all(0)
-        near = (kind == 0) & s.good & (np.abs(u) < 1.2).all(0) & (one_at_most(s.s) | small)
+        near = (kind == 0) & s.good & (np.abs(u) < _AROUND).all(0) & (one_at_most(s.s) | small)
         for n in np.flatnonzero(near)[:_TRIED]:
-            point = boxes.m[:, n] + boxes.r[:, n] * u[:, n]
-            if not any(((point >= a) & (point <= b)).all() for a, b in self.known) and self.found is not None:
-                self.found(point, boxes.r[:, n])
+            m, r = boxes.m[:, n], boxes.r[:, n]
+            point = m + r * u[:, n]
+            shown = any(
+                ((point >= a) & (point <= b)).all() or (np.abs((a + b) / 2 - m) < _AROUND * r).all()
+                for a, b in self.known
+            )  # the zero of the box is a known one, as far as can be told: its halves will tell more
+            if not shown and self.found is not None:
+                self.found(point, r)
 
     def room(self, point: Any, size: Any) -> tuple[Any, Any] | None:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""

@@ -12,6 +12,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over, parse_overs
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.titled import titled
 from mpsolve.problem.warned import warned
 
 _NO_END = "has no upper end: give one, such as {path}=0..{example}, for a range without an end is not proved"
@@ -41,9 +42,10 @@ class Asked:
     def warnings(self) -> tuple[Reason, ...]:
         """What looks like a mistake in the problem, and each given range that does not hold the file's own value."""
         free = {one.path for one in self.overs}
-        own = [reason for reason in warned(self.given) if not free & reason.numbers.keys()]
-        found = () if self.by_default else (one.outside(self.problem) for one in self.overs)
-        return (*own, *(reason for reason in found if reason is not None))
+        found = (*titled(self.given, self.title), *warned(self.given))
+        own = [reason for reason in found if not free & reason.numbers.keys()]
+        outside = () if self.by_default else (one.outside(self.problem) for one in self.overs)
+        return (*own, *(reason for reason in outside if reason is not None))
 
     @property
     def ranges(self) -> str:
