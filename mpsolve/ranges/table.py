@@ -13,6 +13,7 @@ from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import fixed_digits, working_bits
 from mpsolve.numbers.model import rational, shown
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.pool import run_bunches
 from mpsolve.problem.cases import Given, as_problem
@@ -20,7 +21,6 @@ from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Tabled
 from mpsolve.ranges.onset import Kind, onset, unstable_ranges
 from mpsolve.ranges.parted import not_whole
 from mpsolve.ranges.scope import checked_over, one_path
@@ -48,7 +48,7 @@ class Entry(Portable):
 
 
 @dataclass(frozen=True)
-class Table(Tabled):
+class Table(Result):
     """entries[i][j] belongs to rows[1][i] and columns[1][j]; an axis is (path, exact values in the model's unit)."""
 
     quantity: str

@@ -7,7 +7,7 @@ from mpsolve.report.schema import certify_schema
 from mpsolve.schemas import parts as p
 
 _CELLS = 2
-_OVER = p.by_name({"type": "array", "items": p.EXACT, "minItems": _CELLS})
+_OVER = p.by_name({"type": "array", "items": p.maybe(p.EXACT), "minItems": _CELLS})
 _COMMON: p.Schema = {
     "over": _OVER,
     "status": p.STATUS,
@@ -16,6 +16,7 @@ _COMMON: p.Schema = {
     "cost": p.table({"seconds": p.SECONDS, "verification": p.SECONDS, "boxes": p.COUNT}),
     "note": p.TEXT,
     "proved": p.YES,
+    "trust": p.TEXT,
 }
 _WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
 _LEFT_OUT = p.rows(p.table({"name": p.TEXT, "value": p.BALL, "start": p.BALL, "end": p.BALL}))
@@ -39,7 +40,9 @@ _ANSWERS: dict[str, p.Schema] = {
     },
     "unstable_ranges": {
         "digits": p.DIGITS,
-        "intervals": p.rows(p.table({"start": p.BALL, "end": p.BALL, "q": p.maybe(p.BALL), "roots": p.COUNT})),
+        "intervals": p.rows(
+            p.table({"start": p.BALL, "end": p.maybe(p.BALL), "q": p.maybe(p.BALL), "roots": p.COUNT})
+        ),
         "left_out": _LEFT_OUT,
     },
     "crossings": {
