@@ -9,6 +9,7 @@ needed.
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -198,9 +199,10 @@ class Engine:
 
     def _first(self) -> Any:
         """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""
+        values = np.full((2, self.image.channels), np.nan)
         for high in _HIGH:  # as far out as float64 follows
             at = np.array([high, 100 * high], complex)
-            with np.errstate(all="ignore"):
+            with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
                 values = (self.transformed(at) * at[:, None]).real
             if np.isfinite(values).all():
                 break
