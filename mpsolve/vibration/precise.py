@@ -26,7 +26,7 @@ from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.line import sampled_line
+from mpsolve.vibration.integral import sampled_line
 from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.precise_image import PreciseImage, exact_terms, number
