@@ -12,9 +12,10 @@ from track_models import DAMPED
 
 from mpsolve import Load, Problem, vehicles
 from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vibration.balls.equations import exact_terms
 from mpsolve.vibration.forcing import tones, transform
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.precise_image import PreciseImage, exact_terms
+from mpsolve.vibration.precise_image import PreciseImage
 
 
 @pytest.mark.parametrize("loads", [None, [Load(2, 1, 3)], {"wheel": Load(0, 1, 3, 1)}])

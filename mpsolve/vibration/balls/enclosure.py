@@ -35,12 +35,12 @@ from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vibration.balls.equations import Term, exact_terms
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.path import above_growth
 from mpsolve.vibration.poles import certified
-from mpsolve.vibration.precise_image import Term, exact_terms
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 100
