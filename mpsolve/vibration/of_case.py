@@ -157,6 +157,7 @@ def _told(case: Case, loads: tuple[Load, ...], motion: Vibration, own: int) -> R
         contact_note=tuple(note or unknown for _, note in lost),
         error=motion.error.rail / size if size else 0.0,
         reason=motion.reason,
+        motion=motion,
     )
 
 
