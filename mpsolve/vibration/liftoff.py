@@ -70,8 +70,8 @@ def _row(some: Callable[[Any], Any], j: int) -> Callable[[Any], Any]:
 def only(solution: Solution, channels: Any) -> Callable[[Any], Any]:
     """The motion of some channels at times > 0, (channels, times), without what they do not need."""
     line = solution.line.only(channels)
-    whole = [*solution.steady] if line.alpha < 0 else []
-    right = [mode for mode in solution.modes if mode.sigma.real > line.alpha]
+    whole = [*solution.steady] if line.path.below else []
+    right, _ = line.path.parted(solution.modes)
 
     def motion(times: Any) -> Any:
         total = line.motion(times) + solution.held[channels][:, None]
