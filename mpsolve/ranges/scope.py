@@ -86,10 +86,10 @@ class Scope:
             raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
         return float(found)
 
-    def judge(self) -> Judge:
+    def judge(self, kind: type[Judge] = Judge) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return Judge(self.matrix, self.envelope if self.reach is None else None, width)
+        return kind(self.matrix, self.envelope if self.reach is None else None, width)
 
     @property
     def corners(self) -> tuple[Any, Any]:
