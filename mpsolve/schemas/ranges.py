@@ -19,6 +19,7 @@ _COMMON: p.Schema = {
     "cost": p.table({"seconds": p.SECONDS, "verification": p.SECONDS, "boxes": p.COUNT}),
     "note": p.TEXT,
     "proved": p.YES,
+    "trust": p.TEXT,
 }
 _WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
 _COMPLEX = p.table({"real": p.BALL, "imag": p.BALL})
