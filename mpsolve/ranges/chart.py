@@ -25,7 +25,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.spectrum.regions import HalfPlane
 
@@ -211,7 +211,7 @@ def _counted(
         counts[where] = OPEN if roots is None else roots
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
-            reason = found.reason or Reason("base", "the roots of a region are not counted", {}, "")
+            reason = uncounted(found, "of a region")
     return tuple(parts), reason
 
 
