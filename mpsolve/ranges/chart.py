@@ -27,7 +27,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
@@ -220,7 +220,7 @@ def _counted(
         detail[where] = OPEN if roots is None else roots
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
-            reason = found.reason or Reason("base", "the roots of a region are not counted", {}, "")
+            reason = uncounted(found, "of a region")
     return tuple(parts), reason
 
 
