@@ -13,13 +13,14 @@ from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.plain import outward
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, Interval, Valued, outward
+from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
 from mpsolve.ranges.never import never_unstable

@@ -186,7 +186,7 @@ def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[
 def one_path(over: Mapping[str, Interval]) -> str:
     """The only path; InputError where there are several."""
     if len(over) != 1:
-        raise InputError("over", f"has {len(over)} ranges, but this question is about one: give one path")
+        raise InputError("over", f"names {len(over)} parameters, but this question is about one: give one path")
     return next(iter(over))
 
 

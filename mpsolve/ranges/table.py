@@ -10,13 +10,13 @@ from typing import Any
 from mpsolve.display import card
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.pool import run
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
-from mpsolve.ranges.answer import Tabled
 from mpsolve.ranges.entry import Entry, Job
 from mpsolve.ranges.scope import checked_over, one_path
 from mpsolve.ranges.table_lines import Axis, lines_of, solve_line
@@ -27,7 +27,7 @@ _MOST_DIGITS = 1000
 
 
 @dataclass(frozen=True)
-class Table(Tabled):
+class Table(Result):
     """entries[i][j] belongs to rows[1][i] and columns[1][j]; an axis is (path, exact values in the model's unit)."""
 
     quantity: str
