@@ -28,8 +28,12 @@ def answered(
     defaults: str = "near",
     suffixes: tuple[str, ...] = (".json", ".csv"),
     certificate: Path | None = None,
+    endless: bool = False,
 ) -> None:
-    """Reads, answers, reports, writes and exits. defaults: the ranges where none is given."""
+    """Reads, answers, reports, writes and exits.
+
+    defaults: the ranges where none is given. endless: whether a range may have no upper end.
+    """
     with one_sentence():
         from mpsolve.files import checked_suffix
         from mpsolve.problem.inputfile import read_source
@@ -42,7 +46,7 @@ def answered(
             checked_suffix(
                 checked_output(certificate, file, "the certificate", "certificate"), (".json",), "certificate"
             )
-        question = asked(source.given, source.title, overs)
+        question = asked(source.given, source.title, overs, endless=endless)
         with progress() as tell:
             said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
         if as_json:

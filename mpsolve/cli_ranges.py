@@ -40,12 +40,13 @@ def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callab
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
+_ENDLESS = "A factor of all masses may be without end, scale.mass=0.. .  "
 _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity and the waves of the track]"
 
 
 @click.command()
 @_FILE
-@_over(False, _VELOCITIES)
+@_over(False, _ENDLESS + _VELOCITIES)
 @click.option(
     "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
 )
@@ -98,12 +99,12 @@ def onset(
     with one_sentence():
         _only_one(worsts, everything)
     default = "near" if everything or worsts else "first"
-    answered(file, overs, answer, as_json, output, default, certificate=certificate)
+    answered(file, overs, answer, as_json, output, default, certificate=certificate, endless=not worsts)
 
 
 @click.command()
 @_FILE
-@_over(False, _VELOCITIES)
+@_over(False, _ENDLESS + _VELOCITIES)
 @_DIGITS
 @_EFFORT
 @_JSON
@@ -130,7 +131,7 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output, certificate=certificate)
+    answered(file, overs, answer, as_json, output, certificate=certificate, endless=True)
 
 
 @click.command()

@@ -70,68 +70,20 @@ def verify_bytes(raw: bytes, most: int | None = None) -> spectra.Verdict:
 # --- the equations ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Track:
-    """A(P, s; θ) u = e·load; D = det A, N the cofactor of the loaded row, at rest; d, n: at s = σ − vP."""
-
-    ring: Any
-    rows: list[list[Any]]
-    D: Any
-    N: Any
-    v: Free
-    d: Any
-    n: Any
-    count: int
-
-    @cached_property
-    def powers(self) -> tuple[list[Free], list[Free]]:
-        """Of d and n: for each power of P what stands with it, exponents of (σ, θ)."""
-        return by_power(self.d), by_power(self.n)
-
-    @property
-    def degree(self) -> int:
-        return len(self.powers[0]) - 1
-
-    @cached_property
-    def power(self) -> list[Free]:
-        """W at Ω = q − vp: for each power of p what stands with it, exponents of (q, θ)."""
-        ring = self.ring
-        P, s, *x = ring.gens()
-        v = speed(ring, self.v)
-        return by_power(spectra.absorption(ring, self.D, self.N)[0].compose(P, s - v * P, *x, ctx=ring))
+def by_power(f: Free) -> list[Free]:
+    """For each power of P, or p, what stands with it."""
+    out: list[Free] = [{} for _ in range(max(e[0] for e in f) + 1)]
+    for (i, *e), c in f.items():
+        out[i][tuple(e)] = c
+    return out
 
 
-def by_power(p: Any) -> list[Free]:
-    out: dict[int, Free] = {}
-    for (i, *e), c in p.to_dict().items():
-        out.setdefault(int(i), {})[tuple(map(int, e))] = c
-    return [out.get(k, {}) for k in range(max(out) + 1)]
-
-
-def read_track(value: Any, velocity: Any, count: int) -> Track:
-    ring, rows, loaded = spectra.read_rows(value, count)
-    P, s, *x = ring.gens()
-    D, N = spectra.dispersion(ring, rows, loaded)
-    v = spectra.free(velocity, count, "velocity")
-    require(v, "the velocity is 0 throughout: at rest nothing grows")
-    moved = s - speed(ring, v) * P
-    d, n = (p.compose(P, moved, *x, ctx=ring) for p in (D, N))
-    track = Track(ring, rows, D, N, v, d, n, count)
-    require(len(track.powers[1]) + 1 <= track.degree, "N/D does not decay as 1/p²")
-    return track
-
-
-def speed(ring: Any, v: Free) -> Any:
-    """The velocity as a polynomial of the ring."""
-    return ring.from_dict({(0, 0, *e): c for e, c in v.items()})
-
-
-def check_track(track: Track, box: Box) -> None:
-    """For all parameters: v ≥ 0, passive at rest, no p-root real for Re σ ≥ 0, and none lost (section 10.2)."""
-    spectra.everywhere(spectra.never_negative, [track.v], box, "the velocity may be negative")
-    lead = track.powers[0][-1]
-    require(all(e[0] == 0 for e in lead), "the highest coefficient of D depends on the frequency")
-    top = {e[1:]: c for e, c in lead.items()}
+def check_track(track: spectra.Track, box: Box) -> None:
+    """For all parameters: passive at rest, no p-root real for Re σ ≥ 0, and none lost (section 10.2)."""
+    require(track.velocity, "the velocity is 0 throughout: at rest nothing grows")
+    lead = {e: c for e, c in track.d.items() if e[0] == track.degree}
+    require(all(e[1] == 0 for e in lead), "the highest coefficient of D depends on the frequency")
+    top = {e[2:]: c for e, c in lead.items()}
     if spectra.at(top, [(a + b) / 2 for a, b in box]) < 0:
         top = {e: -c for e, c in top.items()}
     spectra.everywhere(spectra.always_positive, [top], box, "a wave speed may lie in the range")
@@ -142,7 +94,7 @@ def check_track(track: Track, box: Box) -> None:
     check_inertia(track, box)
 
 
-def check_inertia(track: Track, box: Box) -> None:
+def check_inertia(track: spectra.Track, box: Box) -> None:
     """N/D ~ a/s² for s → ∞ at every wavenumber, with one a > 0 (section 10.3)."""
     tops = []
     for p in (track.D, track.N):
@@ -156,53 +108,14 @@ def check_inertia(track: Track, box: Box) -> None:
     spectra.everywhere(spectra.always_positive, [both], box, "the inertia of the track may vanish")
 
 
-@dataclass(frozen=True)
-class Vehicle:
-    """M, C, K as {exponents: matrix}, B constant, compliances and places as polynomials, of the felt coordinates."""
-
-    M: dict[Exponents, Any]
-    C: dict[Exponents, Any]
-    K: dict[Exponents, Any]
-    B: Any
-    h: list[Free]
-    places: list[Free]
-    neutral: int
-
-    @cached_property
-    def sites(self) -> list[int]:
-        """For each contact the number of its place."""
-        kept: list[Free] = []
-        out = []
-        for place in self.places:
-            if place not in kept:
-                kept.append(place)
-            out.append(kept.index(place))
-        return out
-
-
-def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
-    bodies = spectra.read_bodies(value, basis, count, box, MAX_BODIES, MAX_CONTACTS)
-    nc = bodies.B.ncols()
-    places = [spectra.free(x, count, "a place") for x in value["places"]]
-    h = [spectra.free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
-    for f in h:
-        for powers, c in f.items():
-            fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
-            require(fine, "a compliance may be negative, or infinite")
-    M, C, K = bodies.parts
-    vehicle = Vehicle(M, C, K, bodies.B, h, places, bodies.neutral)
-    check_places(vehicle, box)
-    return vehicle
-
-
-def check_places(vehicle: Vehicle, box: Box) -> None:
-    """Different places stay apart, and no contact force is indeterminate (section 2.2)."""
-    kept = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
+def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
+    """The different places, in order: they stay apart for all parameters."""
+    kept = [place for k, place in enumerate(vehicle.places) if place not in vehicle.places[:k]]
     middle = [(a + b) / 2 for a, b in box]
     kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
         spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
-    spectra.check_forces(vehicle.B, vehicle.sites, vehicle.h)
+    return kept
 
 
 # --- Taylor forms of second order -------------------------------------------------------------------------
@@ -390,11 +303,14 @@ class Wide(spectra.Refused):
 class Waves:
     """D and N in balls at the present precision, and the distances that G is needed for."""
 
-    def __init__(self, track: Track, vehicle: Vehicle) -> None:
-        self.degree = track.degree
-        self.D, self.N = ([balls(f) for f in part] for part in track.powers)
+    def __init__(self, track: spectra.Track, vehicle: spectra.Bodies) -> None:
+        self.degree, ring = track.degree, track.ring
+        self.D, self.N = ([balls(f) for f in by_power(part)] for part in (track.d, track.n))
+        P, s, *x = ring.gens()
+        W = spectra.absorption(ring, track.D, track.N)[0]  # at Ω = q − vp
+        W = W.compose(P, s - spectra.speed(ring, track.velocity) * P, *x, ctx=ring)
         turn = [acb(1), acb(0, -1), acb(-1), acb(0, 1)]  # q = −iσ
-        self.W = [[(e, turn[e[0] % 4] * c) for e, c in balls(f)] for f in track.power]
+        self.W = [[(e, turn[e[0] % 4] * c) for e, c in balls(f)] for f in by_power(spectra.terms(W))]
         places = [{(0, *e): c for e, c in place.items()} for place in vehicle.places]
         self.distances: list[tuple[bool, list[tuple[Exponents, Any]]]] = []
         kept: list[Free] = []
@@ -627,7 +543,7 @@ def beside_meeting(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
 class Matrix:
     """A with det A = Δ̂ up to a constant (section 4.6): direct contacts and their bodies eliminated."""
 
-    def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
+    def __init__(self, vehicle: spectra.Bodies, waves: Waves) -> None:
         nb, nc = vehicle.B.nrows(), len(vehicle.h)
         self.vehicle, self.waves, self.nc = vehicle, waves, nc
         contacts = spectra.direct_contacts(vehicle).items()
@@ -643,7 +559,7 @@ class Matrix:
         v = self.vehicle
         less = 1 if i >= v.B.nrows() - v.neutral else 0
         out = []
-        for power, part in enumerate((v.K, v.C, v.M)):
+        for power, part in enumerate(reversed(v.parts)):
             for e, a in part.items():
                 if a[i, j] != 0:
                     out.append(((power - less, *e), arb(a[i, j])))
@@ -993,27 +909,12 @@ def by_roots(problem: Family, place: Place) -> None:
         a = acb_mat([[f.k[k] for f in row] for row in rows])
         H.append((a - a.conjugate().transpose()) * half)
     E = [[(rows[i][j].e + rows[j][i].e) / 2 for j in range(n)] for i in range(n)]
-    require_definite(H, E, n)
+    require_definite(H, E)
 
 
-def require_definite(H: Sequence[Any], E: Sequence[Sequence[Any]], n: int) -> None:
-    """H_0 + Σ ε_k H_k + R > 0 for all |ε_k| ≤ 1 and Hermitian |R| ≤ E entry by entry, or Wide (section 4.7)."""
-    why = "the receptance is not proved passive on a box"
-    if n == 1:
-        first, *others = [a[0, 0].real for a in H]
-        if not first - sum((abs(x) for x in others), ZERO) - E[0][0] > 0:
-            raise Wide(why)
-        return
-    try:
-        X = acb_mat(spectra.inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
-    except Refused:
-        raise Wide(why) from None
-    back, size = X.conjugate().transpose(), spectra.moduli(X)
-    F = spectra.moduli(X * H[0] * back - spectra.identity(n)) + size * arb_mat(E) * size.transpose()
-    for a in H[1:]:
-        F = F + spectra.moduli(X * a * back)
-    if not spectra.contracting(F):
-        raise Wide(why)
+def require_definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> None:
+    if not spectra.definite(H, E):
+        raise Wide("the receptance is not proved passive on a box")
 
 
 def by_cells(problem: Family, box: Box, place: Place) -> None:
@@ -1087,7 +988,7 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
         for v, x in enumerate(values):
             H[v][j][i], H[v][i][j] = x, x.conjugate()
         E[i][j] = E[j][i] = rest
-    require_definite([acb_mat(a) for a in H], E, n)
+    require_definite([acb_mat(a) for a in H], E)
 
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
@@ -1136,7 +1037,7 @@ def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
         stack += [(half, depth + 1) for half in spectra.halved(here, moved.index(max(moved)))]
 
 
-def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
+def read_tail(content: Any, track: spectra.Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
     """The envelope, and Q with −Im G > 0 for all q ≥ Q and all parameters: both checked."""
     keys(content, "Q gamma blocks alpha omega bounds")
     Q = dyadic(content["Q"], "Q")
@@ -1144,13 +1045,13 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
         (dyadic(p, "a bound"), dyadic(C, "a bound"))
         for p, C in (items(one, 2, "a bound", 2) for one in items(content["bounds"], 20, ""))
     ]
-    fastest = -spectra.least({e: -c for e, c in track.v.items()}, box)
+    fastest = -spectra.least({e: -c for e, c in track.velocity.items()}, box)
     require(fastest > 0, "the velocity is 0 throughout")
     gap = min((spectra.least(spectra.minus(b, a), box) for a, b in pairwise(sites)), default=None)  # may be < 0
     seen = gap is None or gap > 0
     require(seen, "the theorem at large q: no least distance of two contacts is seen over the range")
     parts = spectra.absorption(track.ring, track.D, track.N)
-    alpha = spectra.tail_alpha(content, 4, parts, track.v, fastest, Q, gap, bounds, box, check_positive)
+    alpha = spectra.tail_alpha(content, 4, parts, track.velocity, fastest, Q, gap, bounds, box, check_positive)
     return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
 
 
@@ -1161,8 +1062,8 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
 class Family:
     """The problem over its ranges, in balls at 64 bits, and how many boxes have been looked at."""
 
-    track: Track
-    vehicle: Vehicle
+    track: spectra.Track
+    vehicle: spectra.Bodies
     box: Box
     envelope: Envelope
     waves: Waves
@@ -1174,7 +1075,7 @@ class Family:
 
     @cached_property
     def speed(self) -> list[tuple[Exponents, Any]]:
-        return [((0, *e), arb(c)) for e, c in self.track.v.items()]
+        return [((0, *e), arb(c)) for e, c in self.track.velocity.items()]
 
     @cached_property
     def middle(self) -> list[Any]:
@@ -1333,14 +1234,13 @@ def checked(content: dict[str, Any], most: int | None) -> str:
     require(all(a < b for a, b in box), "a range is empty")
     crossing = content["kind"] == "crossings"
     require(not crossing or count == 1, "crossings are over one parameter")
-    track = read_track(content["equations"]["track"], content["equations"]["velocity"], count)
-    vehicle = read_vehicle(content["equations"]["vehicle"], content["basis"], count, box)
+    equations = content["equations"]
+    track = spectra.read_track(equations["track"], equations["velocity"], box)
+    vehicle = spectra.read_bodies(equations["vehicle"], content["basis"], box, MAX_BODIES, MAX_CONTACTS)
+    sites = apart(vehicle, box)
     check_track(track, box)
-    spectra.check_decay(track.ring, track.D, track.N, speed(track.ring, track.v))
+    spectra.check_decay(track.ring, track.D, track.N, spectra.speed(track.ring, track.velocity))
     at_, unstable = check_base(content, count, box)
-    middle = [(a + b) / 2 for a, b in box]
-    sites = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
-    sites.sort(key=lambda f: spectra.at(f, middle))
     envelope, Q = read_tail(content["tail"], track, sites, box)
     waves = Waves(track, vehicle)
     family = Family(track, vehicle, box, envelope, waves, Matrix(vehicle, waves), sites)
@@ -1386,42 +1286,27 @@ def check_base(content: Any, count: int, box: Box) -> tuple[list[Any], int]:
     require(spectrum["claim"]["region"]["kind"] in ("unstable", "below"), "the base does not count all of Im q < 0")
     require(spectrum["basis"] == content["basis"], "the base has another basis")
     ours, other = content["equations"], spectrum["equations"]
-    require(same(ours, other, x, count), "the base is of other equations")
+    require(at_point(ours, x) == at_point(other, ()), "the base is of other equations")
     return x, int(spectrum["claim"]["unstable"])
 
 
-def same(ours: Any, other: Any, x: Sequence[Any], count: int) -> bool:
-    """The equations with free parameters are those of the base at its point: entry by entry, exact."""
+def at_point(equations: Any, x: Sequence[Any]) -> Any:
+    """The equations at exact parameters: entry by entry."""
 
-    def value(f: Any, name: str) -> Any:
-        return spectra.at(spectra.free(f, count, name, -4), x)
+    def value(f: Any) -> Any:
+        return spectra.at(spectra.free(f, len(x), "the base", -4), x)
 
-    def rows(name: str) -> bool:
-        a, b = ours["vehicle"][name], other["vehicle"][name]
-        return len(a) == len(b) and all(
-            len(p) == len(q) and all(value(f, name) == rational(g, name) for f, g in zip(p, q, strict=True))
-            for p, q in zip(a, b, strict=True)
-        )
-
-    def lines(name: str) -> bool:
-        a, b = ours["vehicle"][name], other["vehicle"][name]
-        return len(a) == len(b) and all(value(f, name) == rational(g, name) for f, g in zip(a, b, strict=True))
-
-    def entry(terms_: Any, numbers: bool) -> dict[Any, Any]:
+    def entry(p: Any) -> dict[Any, Any]:
         out: dict[Any, Any] = {}
-        for i, j, c in terms_:
-            out[i, j] = out.get((i, j), fmpq(0)) + (rational(c, "") if numbers else value(c, ""))
+        for (i, j, *e), c in spectra.terms(p).items():
+            out[i, j] = out.get((i, j), 0) + c * spectra.monomial(x, e)
         return {key: c for key, c in out.items() if c != 0}
 
-    a, b = ours["track"], other["track"]
-    fits = a["loaded"] == b["loaded"] and len(a["matrix"]) == len(b["matrix"])
-    fits = fits and all(
-        entry(p, False) == entry(q, True)
-        for one, two in zip(a["matrix"], b["matrix"], strict=True)
-        for p, q in zip(one, two, strict=True)
-    )
-    fits = fits and value(ours["velocity"], "velocity") == rational(other["velocity"], "velocity")
-    return bool(fits and all(map(rows, "MCKB")) and lines("places") and lines("compliances"))
+    _, rows, loaded = spectra.read_rows(equations["track"], len(x))
+    vehicle, track = equations["vehicle"], [[entry(p) for p in row] for row in rows]
+    matrices = [[[value(f) for f in row] for row in vehicle[name]] for name in "MCKB"]
+    lines = [[value(f) for f in vehicle[name]] for name in ("places", "compliances")]
+    return loaded, track, value(equations["velocity"]), matrices, lines
 
 
 def crossings(claim: Any, zeros: Sequence[Zero], box: Box, at_: Sequence[Any], unstable: int) -> list[str]:
@@ -1476,10 +1361,7 @@ def words(content: Any, said: list[str], box: Box, leaves: int, pieces: int) -> 
     for row in equations["track"]["matrix"]:
         said.append(f"  {listed(row)}")
     said.append(f"  row {equations['track']['loaded'] + 1}: contacts; velocity {listed(equations['velocity'])}")
-    said += [f"  {name} = {listed(equations['vehicle'][name])}" for name in "MCKB"]
-    said.append(f"  contacts at {listed(equations['vehicle']['places'])}, "
-                f"compliances {listed(equations['vehicle']['compliances'])}")  # fmt: skip
-    return "\n".join(said)
+    return "\n".join([*said, f"  {spectra.vehicle_words(equations['vehicle'])}"])
 
 
 if __name__ == "__main__":

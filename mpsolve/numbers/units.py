@@ -14,7 +14,7 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.exact import HOW, Exact
 
 Dimension = tuple[int, int, int]
 """Powers of kg, m and s."""
@@ -96,7 +96,13 @@ def measured(value: Any, unit: str, key: str, told: str = "") -> Any:
 
 def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:
     """The exact rational in `unit` that `value` stands for; InputError under `key` where it is none."""
-    exact = Exact.parse(measured(value, unit, key, told), key)
+    try:
+        exact = Exact.parse(measured(value, unit, key, told), key)
+    except InputError as error:  # a measured value is no root
+        how = "write a decimal such as 0.67 or a ratio such as 67/100" + (
+            f", with a unit such as {unit}" if unit else ""
+        )
+        raise InputError(key, str(error).removeprefix(f"{key}: ").replace(HOW, how)) from None
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()

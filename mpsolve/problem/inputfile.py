@@ -219,6 +219,6 @@ def _loads(content: Mapping[str, Any], contacts: int) -> tuple[Load, ...] | None
         with errors_under(f"{key}."):
             loads.append(Load(**{name: measured(x, LOAD_UNITS[name], name) for name, x in entry.items()}))
     if len(loads) != contacts:
-        stated = f"has {len(loads)} entries for {contacts} contacts"
+        stated = f"is given for {len(loads)}, not {contacts} contacts"
         raise InputError("load", f"{stated}: give one [[load]] for each contact from rear to front, or none")
     return tuple(loads)

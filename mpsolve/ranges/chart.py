@@ -101,9 +101,8 @@ def stability_chart(
     given = as_problem(problem)
     ranges = from_above_rest(given, checked_over(given, over))
     if len(ranges) != 2:
-        raise InputError(
-            "over", f"has {len(ranges)} ranges, but a chart is over two parameters: give one for each of two"
-        )
+        times = "once" if len(ranges) == 1 else f"{len(ranges)} times"
+        raise InputError("over", f"is given {times}, but a chart is over two parameters: give a range for each")
     if not 2 <= depth <= 10:
         raise InputError("depth", f"is {depth}: give 2 to 10, a chart has 2^depth cells along each parameter")
     with one_thread():

@@ -58,6 +58,11 @@ class Judge:
     def variables(self) -> int:
         return self.matrix.variables
 
+    @cached_property
+    def felt(self) -> Any:
+        """Of q̂ and each parameter whether the track and its contacts' places know it: passivity is told by these."""
+        return np.array([True, *self.matrix.family.felt])
+
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         """(kind of each box, the variable along which to halve it)."""
         kind = np.zeros(low.shape[1], np.int8)
@@ -68,17 +73,26 @@ class Judge:
         verdict = nonzero(s.s)
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         if self.envelope is not None:
-            kind[self._passive(self.envelope, boxes, low, high, kind)] = PASSIVE
+            kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
         if self.found is not None and (kind == 0).any():
             self._look(boxes, s, kind)
         return kind, self._axis(boxes, G, s, verdict)
 
-    def _passive(self, envelope: Envelope, boxes: Boxes, low: Any, high: Any, kind: Any) -> Any:
+    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
         rest = np.flatnonzero((kind == 0) & (low[0] > 0))
         if len(rest):
-            middles = Boxes(boxes.m[:, rest], 0 * boxes.r[:, rest])
-            rest = rest[_seems_passive(self.matrix.receptance(middles))]
-        return rest[passive_on(envelope, low[:, rest].T, high[:, rest].T)] if len(rest) else rest
+            seems, unknown = _seems_passive(G)[rest], ~G.good[rest]
+            if unknown.any():
+                middles = Boxes(boxes.m[:, rest[unknown]], 0 * boxes.r[:, rest[unknown]])
+                seems[unknown] = _seems_passive(self.matrix.receptance(middles))
+            rest = rest[seems]
+        if not len(rest):
+            return rest
+        sides = np.concatenate([low, high])[:, rest]
+        own = np.concatenate([self.felt, self.felt])
+        _, first, which = np.unique(np.where(own[:, None], sides, 0), axis=1, return_index=True, return_inverse=True)
+        a, b = np.split(sides[:, first].T, 2, axis=1)
+        return rest[passive_on(envelope, a, b)[which.ravel()]]
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)

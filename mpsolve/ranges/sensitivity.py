@@ -32,7 +32,7 @@ class Moved(Portable):
     """A root and its slopes: `by[path]` is a ball of dq/d(parameter), Im below 0 where growth comes with it."""
 
     q: Any
-    by: Mapping[str, Any] = field(repr=False)
+    by: Mapping[str, Any]
 
 
 @dataclass(frozen=True)

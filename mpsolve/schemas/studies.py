@@ -60,6 +60,7 @@ def study_schema() -> p.Schema:
     entry = {
         "index": p.COUNT,
         "parameters": p.by_name(p.TEXT),
+        "values": p.by_name(p.REAL),
         "status": p.TEXT,
         "reason": p.TEXT,
         "count": p.maybe(p.COUNT),
@@ -76,7 +77,7 @@ def study_schema() -> p.Schema:
         "assumed": p.TEXT,
         "entries": p.rows(p.table(entry, {"certificate": {"type": "object"}})),
     }
-    return p.document("study", "Entries of a study, from mpsolve export", "mpsolve study", 2, keys)
+    return p.document("study", "Entries of a study, from mpsolve export", "mpsolve study", 3, keys)
 
 
 def status_schema() -> p.Schema:

@@ -237,8 +237,8 @@ def _model(form: Form, u: tuple[complex, ...]) -> Any:
 
 def family_of(content: dict[str, Any], low: int, high: int) -> checker.Family:
     box = ((fmpq(low), fmpq(high)),)
-    track = checker.read_track(content["equations"]["track"], content["equations"]["velocity"], 1)
-    vehicle = checker.read_vehicle(content["equations"]["vehicle"], None, 1, box)
+    track = checker.spectra.read_track(content["equations"]["track"], content["equations"]["velocity"], box)
+    vehicle = checker.spectra.read_bodies(content["equations"]["vehicle"], None, box, 24, 12)
     waves = checker.Waves(track, vehicle)
     envelope = checker.Envelope(7, [(arb(1), arb("1e-5"))], arb(high))
     matrix = checker.Matrix(vehicle, waves)

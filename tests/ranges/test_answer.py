@@ -20,10 +20,11 @@ from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import within
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.crossings import Crossing, Crossings
+from mpsolve.ranges.entry import Entry
 from mpsolve.ranges.onset import Kind, Onset, Unstable, UnstableRanges
 from mpsolve.ranges.robust import Robust
 from mpsolve.ranges.sensitivity import Moved, Sensitivity
-from mpsolve.ranges.table import Entry, Table
+from mpsolve.ranges.table import Table
 from mpsolve.ranges.worst import Worst
 
 CASE = Case(alpha="0.5", eta_b="0.05", eta_m=(1, 1), positions=(0, 1))
