@@ -103,24 +103,26 @@ _lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's 
 
 
 @contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """flint at `bits` inside the block; put back after it. Other threads that come here wait."""
+def precision(bits: int, terms: int = 0) -> Iterator[None]:
+    """flint at `bits`, and with `terms` of series, inside the block; put back after it. Other threads wait."""
     with _lock:
-        before = flint.ctx.prec
-        flint.ctx.prec = bits
+        before, cap = flint.ctx.prec, flint.ctx.cap
+        flint.ctx.prec, flint.ctx.cap = bits, max(cap, terms)
         try:
             yield
         finally:
-            flint.ctx.prec = before
+            flint.ctx.prec, flint.ctx.cap = before, cap
 
 
 # --- reading: numbers, objects ----------------------------------------------------------------------------
 
 
-KEYS = "format version kind sha256 equations basis bits start paths theorem claim roots"
+KEYS = {"spectrum": "equations basis bits start paths theorem claim roots"}
 
 
-def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) -> dict[str, Any]:
+def opened(
+    raw: bytes, kinds: dict[str, str] = KEYS, form: str = "mpsolve certificate", number: int = 2
+) -> dict[str, Any]:
     """The file's object without its digest, which fits, with format, version, kind and keys checked."""
 
     def no_number(text: str) -> Any:
@@ -132,11 +134,11 @@ def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) 
 
     read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
     require(isinstance(read, dict), "the file holds no JSON object")
-    require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
+    require(read.get("format") == form, f"the format is not '{form}'")
     version = read.get("version")
-    require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
-    require(read.get("kind") in kinds, "the kind is not known to this verifier")
-    keys(read, names)
+    require(version == number and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
+    require(read.get("kind") in tuple(kinds), "the kind is not known to this verifier")
+    keys(read, f"format version kind sha256 {kinds[read['kind']]}")
     rest = {key: value for key, value in read.items() if key != "sha256"}
     canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
     digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
@@ -162,10 +164,11 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
     return int(value)
 
 
-def rational(text: Any, name: str) -> Any:
+def rational(text: Any, name: str, digits: int = 120) -> Any:
     """Reads "p" or "p/q"."""
-    match = re.fullmatch(r"(-?[0-9]{1,120})(?:/([0-9]{1,120}))?", text, re.ASCII) if isinstance(text, str) else None
-    if match is None:
+    form = rf"(-?[0-9]{{1,{digits}}})(?:/([0-9]{{1,{digits}}}))?"
+    match = re.fullmatch(form, text, re.ASCII) if isinstance(text, str) else None
+    if match is None or int(match[2] or 1) == 0:
         raise Refused(f"{name} is not a rational number in text")
     return fmpq(int(match[1]), int(match[2] or 1))
 
@@ -188,6 +191,23 @@ def point(value: Any) -> Point:
     m, n = (integer(x, -(2**200), 2**200, "a point") for x in value[:2])
     unit = power_of_2(integer(value[2], -1100, 1100, "a point"))
     return m * unit, n * unit
+
+
+def read_ball(
+    value: Any, names: str, name: str, most: int = MAX_BITS, high: int = 1100
+) -> tuple[list[Any], Any, int]:
+    """(numbers of these names, radius, bits): hexadecimal mantissas times 2^exponent; bits that tell them apart."""
+    parts = []
+    for key in names.split():
+        known = isinstance(value[key], str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", value[key], re.ASCII)
+        require(known, f"{name}: a mantissa is not hexadecimal")
+        parts.append(int(value[key], 16))
+    e = integer(value["exponent"], -most, high, name)
+    m, f = items(value["radius"], 2, name, 2)
+    radius = integer(m, 1, 2**64, name) * power_of_2(integer(f, -most, high, name))
+    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
+    require(bits <= most, f"{name} has too many digits")
+    return [p * power_of_2(e) for p in parts], radius, bits
 
 
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
@@ -414,19 +434,28 @@ def real(ring: Any, p: Any) -> Any:
 
 @dataclass(frozen=True)
 class Track:
-    """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ)."""
+    """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ).
 
+    With parameters all are polynomials in them too, and their powers stand last.
+    """
+
+    ring: Any
     rows: list[list[Any]]
     loaded: int
-    v: Any
+    velocity: Free
     D: Any
     N: Any
-    d: Terms
-    n: Terms
+    d: Free
+    n: Free
+
+    @property
+    def v(self) -> Any:
+        """The velocity, without parameters."""
+        return self.velocity.get((), fmpq(0))
 
     @property
     def degree(self) -> int:
-        return max(i for i, _ in self.d)
+        return max(e[0] for e in self.d)
 
     @property
     def lead(self) -> list[Any]:
@@ -476,19 +505,26 @@ def dispersion(ring: Any, rows: list[list[Any]], loaded: int) -> tuple[Any, Any]
     return D, N
 
 
-def read_track(value: Any, velocity: Any) -> Track:
-    _, rows, loaded = read_rows(value, 0)
-    v = rational(velocity, "velocity")
-    require(v >= 0, "the velocity is negative")
-    return moving_track(rows, loaded, v)
+def read_track(value: Any, velocity: Any, box: Box = ()) -> Track:
+    ring, rows, loaded = read_rows(value, len(box))
+    v = free(velocity, len(box), "velocity")
+    everywhere(never_negative, [v], box, "the velocity is negative")
+    return moving_track(ring, rows, loaded, v)
 
 
-def moving_track(rows: list[list[Any]], loaded: int, v: Any) -> Track:
-    D, N = dispersion(RING, rows, loaded)
-    d, n = (terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (D, N))
-    track = Track(rows, loaded, v, D, N, d, n)
-    require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
+def moving_track(ring: Any, rows: list[list[Any]], loaded: int, velocity: Free) -> Track:
+    D, N = dispersion(ring, rows, loaded)
+    P, s, *x = ring.gens()
+    moved = s - P * speed(ring, velocity)
+    d, n = (terms(p.compose(P, moved, *x, ctx=ring)) for p in (D, N))
+    track = Track(ring, rows, loaded, velocity, D, N, d, n)
+    require(max(e[0] for e in n) + 2 <= track.degree, "N/D does not decay as 1/p²")
     return track
+
+
+def speed(ring: Any, velocity: Free) -> Any:
+    """The velocity as a polynomial of the ring."""
+    return ring.from_dict({(0, 0, *e): c for e, c in velocity.items()})
 
 
 def damped(D: Any, strictly: bool) -> bool:
@@ -577,30 +613,39 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any) -> Vehicle:
-    bodies = read_bodies(value, basis, 0, (), MAX_BODIES, MAX_CONTACTS)
-    nc, felt = bodies.B.ncols(), bodies.B.nrows()
-    places = [rational(x, "a place") for x in value["places"]]
-    h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
-    require(all(x >= 0 for x in h), "a compliance is negative")
-    check_forces(bodies.B, [places.index(x) for x in places], h)
+    bodies = read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
+    felt = bodies.B.nrows()
     M, C, K = (part.get((), fmpq_mat(felt, felt)) for part in bodies.parts)
+    h, places = ([at(x, ()) for x in row] for row in (bodies.h, bodies.places))
     return Vehicle(M, C, K, bodies.B, h, places, bodies.neutral, bodies.unfelt)
 
 
 @dataclass(frozen=True)
 class Bodies:
-    """M, C, K as {exponents of the parameters: matrix} and B of the felt coordinates; the last are neutral."""
+    """M, C, K as {exponents of the parameters: matrix}, B, compliances and places of the felt coordinates; the last
+    are neutral."""
 
     parts: list[dict[Exponents, Any]]
     B: Any
+    h: list[Free]
+    places: list[Free]
     neutral: int
     unfelt: int
 
+    @cached_property
+    def sites(self) -> list[int]:
+        """For each contact the number of its place."""
+        kept: list[Free] = []
+        for place in self.places:
+            kept += [place] if place not in kept else []
+        return [kept.index(place) for place in self.places]
 
-def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contacts: int) -> Bodies:
+
+def read_bodies(value: Any, basis: Any, box: Box, most: int, contacts: int) -> Bodies:
     """Passive for all parameters of the box, and in the basis felt, neutral and unfelt coordinates are apart."""
     keys(value, "M C K B places compliances")
-    nc, nb = len(items(value["places"], contacts, "places")), len(items(value["M"], most, "M"))
+    count, nc = len(box), len(items(value["places"], contacts, "places"))
+    nb = len(items(value["M"], most, "M"))
     require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
     parts, B = [read_matrix(value[name], nb, count, name) for name in "MCK"], matrix(value["B"], nb, nc, "B")
     check_semidefinite(parts, nb, box)
@@ -621,7 +666,14 @@ def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contact
         for i, j in product(range(felt - neutral, felt), range(felt)):
             require(a[i, j] == 0, "a neutral coordinate has a spring")
     parts = [{e: corner(a, felt, felt) for e, a in part.items()} for part in parts]
-    return Bodies(parts, corner(B, felt, nc), neutral, unfelt)
+    places = [free(x, count, "a place") for x in value["places"]]
+    h = [free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
+    for powers, c in (term for f in h for term in f.items()):
+        fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
+        require(fine, "a compliance may be negative, or infinite")
+    bodies = Bodies(parts, corner(B, felt, nc), h, places, neutral, unfelt)
+    check_forces(bodies.B, bodies.sites, h)
+    return bodies
 
 
 def corner(a: Any, height: int, width: int) -> Any:
@@ -1478,12 +1530,25 @@ class Walker:
         for rows in ([[V[g][0] for g in row] for row in where], [[half * V[g][1] for g in row] for row in where]):
             a = acb_mat(rows)
             H.append((a + a.conjugate().transpose()) * acb(0.5))
-        X = acb_mat(inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
-        back = X.conjugate().transpose()
-        size = moduli(X)
         lost = [[(V[where[i][j]][2] + V[where[j][i]][2]) / 2 for j in range(n)] for i in range(n)]
-        E = moduli(X * H[0] * back - identity(n)) + moduli(X * H[1] * back) + size * arb_mat(lost) * size.transpose()
-        require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
+        fine = definite(H, lost)
+        require(fine, "the receptance is not proved passive on it: it is too long, or not passive")
+
+
+def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
+    """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry."""
+    if len(E) == 1:
+        first, *others = [a[0, 0].real for a in H]
+        return bool(first - sum((abs(x) for x in others), arb(0)) - E[0][0] > 0)
+    X = inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()])
+    if X is None:
+        return False
+    left = acb_mat(X)
+    right, size = left.conjugate().transpose(), moduli(left)
+    F = moduli(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
+    for a in H[1:]:
+        F = F + moduli(left * a * right)
+    return contracting(F)
 
 
 def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
@@ -1494,8 +1559,8 @@ def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
     return pivots(R * stop) - pivots(R * start)
 
 
-def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
-    """X with X H X* ≈ 1, in floats: nothing rests on it."""
+def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
+    """X with X H X* ≈ 1, in floats, or None: nothing rests on it."""
     n = len(h)
     low = [[0j] * n for _ in range(n)]
     X = [[0j] * n for _ in range(n)]
@@ -1503,7 +1568,8 @@ def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
         for j in range(i + 1):
             x = h[i][j] - sum(low[i][k] * low[j][k].conjugate() for k in range(j))
             if i == j:
-                require(x.real > 0, "the receptance is not passive in the middle of a piece")
+                if not x.real > 0:
+                    return None
                 low[i][i] = complex(x.real**0.5)
             else:
                 low[i][j] = x / low[j][j]
@@ -1952,7 +2018,7 @@ class Sheet:
         require(known and all(x > 0 for x in sizes), "the whole sheet is known for a beam on one layer only")
         height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
         rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
-        undamped = moving_track(rows, track.loaded, track.v)
+        undamped = moving_track(RING, rows, track.loaded, track.velocity)
         static = in_y(undamped.D.subs({"s": 0}))
         require(height >= 0 and positive(static, (), True), "the cuts do not lie on one line")
         require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
@@ -2256,21 +2322,10 @@ class Root:
 
 def read_root(value: Any) -> Root:
     keys(value, "re im exponent radius multiplicity pair")
-    parts = []
-    for name in ("re", "im"):
-        text = value[name]
-        known = isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text)
-        require(known, "a mantissa is not hexadecimal")
-        parts.append(int(text, 16))
-    e = integer(value["exponent"], -MAX_BITS, 1100, "an exponent")
-    m, f = items(value["radius"], 2, "a radius", 2)
-    radius = integer(m, 1, 2**64, "a radius") * power_of_2(integer(f, -MAX_BITS, 1100, "a radius"))
-    unit = power_of_2(e)
+    (x, y), radius, bits = read_ball(value, "re im", "a root")
     require(type(value["pair"]) is bool, "pair is not true or false")
-    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
-    require(bits <= MAX_BITS, "a root has too many digits")
     multiplicity = integer(value["multiplicity"], 1, MAX_MULTIPLICITY, "multiplicity")
-    return Root((parts[0] * unit, parts[1] * unit), radius, multiplicity, value["pair"], bits)
+    return Root((x, y), radius, multiplicity, value["pair"], bits)
 
 
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
@@ -2449,11 +2504,13 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     for k, row in enumerate(track.rows):
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
-    equations = content["equations"]["vehicle"]
-    said.append(f"  velocity {track.v}; bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ")
-    said += [f"  {name} = {listed(equations[name])}" for name in ("M", "C", "K", "B")]
-    said.append(f"  contacts at {listed(equations['places'])}, compliances {listed(equations['compliances'])}")
-    return "\n".join(said)
+    return "\n".join([*said, f"  velocity {track.v}; {vehicle_words(content['equations']['vehicle'])}"])
+
+
+def vehicle_words(value: Any) -> str:
+    said = ["bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ"]
+    said += [f"  {name} = {listed(value[name])}" for name in "MCKB"]
+    return "\n".join([*said, f"  contacts at {listed(value['places'])}, compliances {listed(value['compliances'])}"])
 
 
 def listed(value: Any) -> str:

@@ -144,6 +144,16 @@ def guess(s: Quadratic) -> Any:
     return u
 
 
+def in_plane(s: Quadratic) -> Quadratic:
+    """As a model in the first two variables, with what the others do in the remainder."""
+    if s.m == 2:
+        return s
+    kept = [0, 1, 2, *(1 + s.m + n for n, (_, j) in enumerate(pairs(s.m)) if j < 2)]
+    rest = np.setdiff1d(np.arange(len(s.k)), kept)
+    more = np.abs(s.k[rest]).sum(0) * (1 + 4 * (len(rest) + 4) * U)
+    return Quadratic(s.k[kept], (s.e + more) * UP, 2)
+
+
 def one_at_most(s: Quadratic) -> Any:
     """Boxes (two variables) in whose half |u_i| ≤ 1/2, real u, s is proved to have one zero at most.
 
