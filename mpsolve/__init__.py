@@ -38,11 +38,12 @@ if TYPE_CHECKING:
     from mpsolve.ranges.chart import Chart, stability_chart
     from mpsolve.ranges.crossings import Crossing, Crossings, crossings
     from mpsolve.ranges.onset import Onset, Unstable, UnstableRanges, onset, unstable_ranges
-    from mpsolve.ranges.robust import Robust, prove_stable
+    from mpsolve.ranges.robust import Robust
     from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
     from mpsolve.ranges.table import Table, stability_table
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
+    from mpsolve.studies.robust import prove_stable
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
@@ -203,7 +204,7 @@ _HOME = {
     "onset": "ranges.onset",
     "unstable_ranges": "ranges.onset",
     "crossings": "ranges.crossings",
-    "prove_stable": "ranges.robust",
+    "prove_stable": "studies.robust",
     "sensitivity": "ranges.sensitivity",
     "cut_points": "cuts.points",
     "CutPoint": "cuts.answer",

@@ -33,3 +33,12 @@ def test_half_a_sleeper_alone() -> None:
     result = CliRunner().invoke(cli, words)
     assert result.exit_code == 0, result.output
     assert 'm_sleeper = "725/3 kg/m"  # 241.7 kg/m' in result.output
+
+
+@pytest.mark.parametrize(("layer", "key"), [([], "k_pad"), (["--layer", "ballast"], "k_ballast")])
+def test_the_key_is_that_of_the_layer(layer: list[str], key: str) -> None:
+    for words in (["per-metre", "--k", "60kN/mm", "--spacing", "0.6m"],
+                  ["damping", "--k", "100 MN/m²", "--loss", "0.2", "--frequency", "100 Hz"]):  # fmt: skip
+        result = CliRunner().invoke(cli, ["work-out", *words, *layer])
+        assert f"{key if words[0] == 'per-metre' else key.replace('k', 'c', 1)} = " in result.output
+        assert ("say --layer ballast" in result.output) == (not layer)

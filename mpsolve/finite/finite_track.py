@@ -20,7 +20,7 @@ from mpsolve.vibration.liftoff import Event
 
 FEWEST_MODES, MOST_MODES = 8, 40_000
 _OPEN = (math.inf, math.inf, math.inf)
-_HELD = 1.1
+_HELD, _HELD_FORCE = 1.3, 2.0
 """Where an error halves with twice as many modes, the change is the error itself; it is not always so even."""
 
 
@@ -115,19 +115,19 @@ def finite_track(
     used = None if steps is None else _count(steps, "steps", FEWEST_STEPS, MOST_STEPS)
     best = _best(case, count, used, begun(effort), progress or silent)
     found, late, cut, used = best.found, best.late, best.cut, best.steps
-    names = case.pencil.names
+    names, force = case.pencil.names, _HELD_FORCE * (late[2] + cut[2])
     return FiniteTrackMotion(
         times=case.times,
         places=case.places,
         rail=found.rail,
         vehicle=dict(zip(names, found.vehicle, strict=True)),
         contact_force=found.force,
-        error=FiniteTrackError(*(_HELD * x for x in (late[0], cut[0], late[1] + cut[1], late[2] + cut[2]))),
+        error=FiniteTrackError(_HELD * late[0], _HELD * cut[0], _HELD * (late[1] + cut[1]), force),
         start=case.origin,
         length=case.length,
         modes=count,
         steps=used,
-        lift_off=_event(found, _HELD * (late[2] + cut[2]), case.duration / used),
+        lift_off=_event(found, force, case.duration / used),
         reason=best.reason,
     )
 

@@ -30,6 +30,7 @@ _MOST_BOXES = 6000  # in the search for a block
 _MOST_ENVELOPE = 40000  # and for the envelope
 _TRIES = 6  # of proofs
 _SHARES = (1.0, 0.2)  # of a planned κ that are tried
+_TRIMMED = 1 / 16  # of a block that is too short for halves, at each end
 _HALVINGS = 4  # of a block that is not proved as it stands
 _PRICE = 0.03  # of a further block, of all that is absorbed
 _ROOM = 1.8  # between what floats sample and what is to be proved
@@ -225,9 +226,12 @@ def _prove(absorption: Absorption, v: Fraction, gap: Fraction | None, plan: Tail
         if held is not None:
             proved.append((z1, z2, held * kappa))
         elif depth < _HALVINGS:
-            middle = float(np.float32((z1 + z2) / 2))
+            middle, rim = float(np.float32((z1 + z2) / 2)), float(np.float32((z2 - z1) * _TRIMMED))
             halves = ((z1, middle, kappa), (middle, z2, kappa))
-            waiting += [(half, depth + 1) for half in halves if half[1] - half[0] > length]
+            long = [half for half in halves if half[1] - half[0] > length]
+            # where two waves are nearly one, W and |D|² vanish together at an end: leave the ends out
+            trimmed = (float(np.float32(z1 + rim)), float(np.float32(z2 - rim)), kappa)
+            waiting += [(part, depth + 1) for part in long or [trimmed]]
     tail = replace(plan, blocks=tuple(sorted(proved)))
     return tail if outweighs(tail, v, gap) else None
 

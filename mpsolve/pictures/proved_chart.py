@@ -12,7 +12,7 @@ from mpsolve.problem.over import Over
 from mpsolve.ranges.chart import Chart
 from mpsolve.report.ranges_asked import Asked
 
-_ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
+ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
 
 
 def proved_chart(found: Chart, asked: Asked) -> str:
@@ -23,12 +23,12 @@ def proved_chart(found: Chart, asked: Asked) -> str:
     here = tuple(float(one.shown(own[one.path])) for one in (first, second) if one.path in own)
     counts = np.where(found.counts < 0, -1, found.counts)
     picture = chart_picture(
-        x, y, counts, _title(first), _title(second), "How many roots grow: proved regions, dotted where open",
+        x, y, counts, axis_title(first), axis_title(second), "How many roots grow: proved regions, dotted where open",
         here=(here[0], here[1]) if len(here) == 2 else None,
         open_words="a boundary, or open",
     )  # fmt: skip
     head, rest = picture.split(">", 1)
-    return f"{head}{_ALONE}><style>{STYLE}</style>{rest}\n"
+    return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
 
 
 def _middles(edges: tuple[Any, ...], over: Over) -> Any:
@@ -36,7 +36,7 @@ def _middles(edges: tuple[Any, ...], over: Over) -> Any:
     return (ends[1:] + ends[:-1]) / 2
 
 
-def _title(over: Over) -> str:
+def axis_title(over: Over) -> str:
     names = {"v": "velocity" if over.unit else "velocity ratio α", "scale.mass": "factor on all masses"}
     name = names.get(over.path, over.path)
     return f"{name}, {over.unit}" if over.unit else name

@@ -33,6 +33,7 @@ _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
 _FINER = 6  # more halvings of the frequency than of a parameter, before a cell counts as open
 _MOST_PARTS = 60
+NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
 BOUNDARY = -1
 OPEN = -2
 
@@ -100,9 +101,8 @@ def stability_chart(
     given = as_problem(problem)
     ranges = from_above_rest(given, checked_over(given, over))
     if len(ranges) != 2:
-        raise InputError(
-            "over", f"has {len(ranges)} ranges, but a chart is over two parameters: give one for each of two"
-        )
+        times = "once" if len(ranges) == 1 else f"{len(ranges)} times"
+        raise InputError("over", f"is given {times}, but a chart is over two parameters: give a range for each")
     if not 2 <= depth <= 10:
         raise InputError("depth", f"is {depth}: give 2 to 10, a chart has 2^depth cells along each parameter")
     with one_thread():
@@ -136,10 +136,9 @@ def _chart(
     verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
+    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
-    return Chart(
-        problem, over, status, reason, proofs=(proof,), cost=cost, x=edges[0], y=edges[1], counts=counts, parts=parts
-    )
+    return Chart(problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, **told)
 
 
 def _marked(scope: Scope, tree: Any, depth: int) -> Any:

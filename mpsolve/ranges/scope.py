@@ -66,9 +66,7 @@ class Scope:
     def envelope(self) -> Envelope:
         """Over the box, which is thin along parameters of the vehicles: the track's receptance knows none of them."""
         family = self.family
-        told = [*family.D_rest.values(), *family.N_rest.values(), family.v, *family.places]
-        felt = [any(e[k] for c in told for e, _ in c) for k in range(len(family.paths))]
-        low = np.where(felt, self.low, self.high)
+        low = np.where(family.felt, self.low, self.high)
         return Envelope(Subject.of_family(family), tuple(low.tolist()), tuple(self.high.tolist()))
 
     @cached_property
@@ -139,6 +137,8 @@ def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[
             first, last = ends
         except (TypeError, ValueError):
             raise InputError(str(path), f"is {ends!r}: give a range (low, high)") from None
+        if first is None:
+            raise InputError(path, "has no lower end: give one, such as 0")
         if last is None and not endless:
             raise InputError(path, f"has no upper end, which only crossings and onsets may have: {_GIVE}")
         low = rational(first, path)
@@ -158,7 +158,7 @@ def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[
 def one_path(over: Mapping[str, Interval]) -> str:
     """The only path; InputError where there are several."""
     if len(over) != 1:
-        raise InputError("over", f"has {len(over)} ranges, but this question is about one: give one path")
+        raise InputError("over", f"names {len(over)} parameters, but this question is about one: give one path")
     return next(iter(over))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +19,7 @@ from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import Scope
 
+_HINT = 2.0**-13  # of half of the whole: how near a zero is to where it is expected
 _NEXT_TO_ZERO = 2.0**-8  # of half an edge
 _SMALLEST = 2.0**-40  # of the whole: heavy masses have crossings at frequencies so low that rooms are this small
 
@@ -44,6 +46,11 @@ class Search:
         """Of all between the corners."""
         tell = lambda share: progress("boxes", 0.9 * share)  # noqa: E731
         return subdivide(self.low, self.high, self.judge, budget, _SMALLEST, tell)
+
+    def enclose_near(self, points: Sequence[tuple[float, float]]) -> None:
+        """Enclose the zeros near points (y, x̂), where they are."""
+        for point in points:
+            self.enclose(np.array(point), self.judge.width * _HINT)
 
     def _judge(self) -> Judge:
         if self.edge == REAL_AXIS:

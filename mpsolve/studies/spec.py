@@ -20,12 +20,20 @@ from mpsolve.problem.inputfile import problem_of
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.regions import Below, Rectangle
 from mpsolve.studies.axes import MAX_CASES, counted, read_axes, total_of
-from mpsolve.studies.design import Axis, Listed, Span, Value, draws
+from mpsolve.studies.design import Axis, Listed, Parts, Span, Value, draws
 from mpsolve.studies.source import PROBLEM, problem_tables
 
-KINDS = ("certified", "float64")
+KINDS = ("certified", "float64", "stable")
 DESIGNS = ("grid", "list", "random", "quasi-random")
 MIN_DIGITS, MAX_DIGITS = 15, 10_000
+BOXES = 100_000
+"""Of the proof of one entry, unless the spec says otherwise."""
+_OTHERS = {
+    "certified": ("roots", "boxes"),
+    "float64": ("digits", "certificates", "boxes"),
+    "stable": ("digits", "roots"),
+}
+"""By kind what is for other kinds only."""
 
 _TOP = {
     "title": "a text",
@@ -40,6 +48,7 @@ _STUDY = {
     "region": "where roots are counted",
     "roots": "whether roots are sought beside the counts",
     "certificates": "whether they are kept",
+    "boxes": "the most boxes of a proof",
     "design": "which entries are made of the parameters",
 }
 _DESIGN = {"kind": "the kind of design", "count": "the number of entries", "seed": "a whole number"}
@@ -52,7 +61,8 @@ _BLOCK = (2_048, 16_384)  # entries of a block in float64: many share one start;
 class Spec:
     """A study: `total` entries in `blocks` of `block` entries each, which are the units of work and of storage.
 
-    tables: the problem as in its file, numbers as texts. axes: by the path of the parameter.
+    tables: the problem as in its file, numbers as texts. axes: by the path of the parameter. boxes: those that the
+    proof of one entry may take (stable); two studies that differ in nothing else are the same.
     """
 
     title: str
@@ -66,6 +76,7 @@ class Spec:
     seed: int
     total: int
     axes: Mapping[str, Axis]
+    boxes: int = BOXES
 
     @cached_property
     def given(self) -> Given:
@@ -92,7 +103,7 @@ class Spec:
     def block(self) -> int:
         """Entries of a block: a function of the spec alone, because float64 digits depend on the neighbours."""
         least, most = _BLOCK
-        return 1 if self.kind == "certified" else min(most, max(least, self.total // 16))
+        return min(most, max(least, self.total // 16)) if self.kind == "float64" else 1
 
     @property
     def blocks(self) -> int:
@@ -103,7 +114,16 @@ class Spec:
         return range(number * self.block, min((number + 1) * self.block, self.total))
 
     def values(self, index: int) -> dict[str, Value]:
-        """The parameters of the entry `index`, 0 ≤ index < total."""
+        """The parameters of the entry `index`, 0 ≤ index < total; of a part of a box those of its middle."""
+        return {name: axis.at(k) for (name, axis), k in zip(self.axes.items(), self._places(index), strict=True)}
+
+    def part(self, index: int) -> dict[str, tuple[Value, Value]]:
+        """The ranges that the entry `index` is about (stable)."""
+        axes = zip(self.axes.items(), self._places(index), strict=True)
+        return {name: axis.ends(k) for (name, axis), k in axes if isinstance(axis, Parts)}
+
+    def _places(self, index: int) -> list[int]:
+        """The number of the value along each axis, or what is drawn."""
         if self.design in ("random", "quasi-random"):
             spans = [name for name, axis in self.axes.items() if isinstance(axis, Span)]
             places = dict(zip(spans, draws(self.design, self.seed, index, len(spans)), strict=True))
@@ -113,26 +133,32 @@ class Spec:
             places, rest = {}, index
             for name in reversed(self.names):
                 rest, places[name] = divmod(rest, counted(self.axes[name]).count)
-        return {name: axis.at(places.get(name, 0)) for name, axis in self.axes.items()}
+        return [places.get(name, 0) for name in self.axes]
 
     def job(self, number: int) -> tuple[str, int, int]:
-        """The arguments of `work` for a block: a certified entry goes alone, so that its cost is not that of all."""
-        if self.kind != "certified":
+        """The arguments of `work` for a block: one that goes alone does not cost what all do."""
+        if self.kind == "float64":
             return self.text, number, number
-        axes = {name: Listed((value,)) for name, value in self.values(number).items()}
-        return replace(self, design="list", total=1, axes=axes).text, number, 0
+        axes: dict[str, Axis] = {name: Listed((value,)) for name, value in self.values(number).items()}
+        axes |= {name: Parts(*ends, 1) for name, ends in self.part(number).items()}
+        design = "grid" if self.kind == "stable" else "list"
+        return replace(self, design=design, total=1, axes=axes).text, number, 0
 
     @cached_property
     def canonical(self) -> dict[str, Any]:
         """A mapping from which `read_spec` makes the same study; two studies are the same if these are equal."""
-        own = {"digits": self.digits, "certificates": self.certificates}
+        own: dict[str, dict[str, Any]] = {
+            "certified": {"digits": self.digits, "certificates": self.certificates},
+            "float64": {"roots": self.roots},
+            "stable": {"certificates": self.certificates, "boxes": self.boxes},
+        }
         drawn = {"count": self.total, "seed": self.seed} if self.design in ("random", "quasi-random") else {}
         return {
             **self.tables,
             "study": {
                 "kind": self.kind,
                 "region": _region_text(self.region),
-                **(own if self.kind == "certified" else {"roots": self.roots}),
+                **own[self.kind],
                 "design": {"kind": self.design, **drawn},
             },
             "parameters": {name: axis.canonical for name, axis in self.axes.items()},
@@ -141,7 +167,8 @@ class Spec:
     @cached_property
     def asked(self) -> str:
         """What is computed of each entry, as JSON; it does not depend on the other entries."""
-        return json.dumps([self.tables, self.canonical["study"] | {"design": None}], sort_keys=True)
+        study = {name: one for name, one in self.canonical["study"].items() if name != "boxes"}
+        return json.dumps([self.tables, study | {"design": None}], sort_keys=True)
 
     @cached_property
     def text(self) -> str:
@@ -181,12 +208,14 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
     problem = as_problem(problem_of(tables, Path("problem")).given)
     table = specs.section(content["study"], "study", _STUDY)
     kind = _named(table, "study.kind", KINDS)
-    for name in ("digits", "certificates") if kind == "float64" else ("roots",):
+    for name in _OTHERS[kind]:
         if name in table:
-            other = "certified" if kind == "float64" else "float64"
-            raise InputError(f"study.{name}", f'is for kind = "{other}" only: drop it')
+            others = " or ".join(f'"{one}"' for one in KINDS if name not in _OTHERS[one])
+            raise InputError(f"study.{name}", f"is for kind = {others} only: drop it")
     design, count, seed = _design(table)
-    axes = read_axes(content["parameters"], design, problem)
+    if kind == "stable" and design != "grid":
+        raise InputError("study.design", f'is a {design}, but kind = "stable" covers a box by its parts: drop it')
+    axes = read_axes(content["parameters"], "parts" if kind == "stable" else design, problem)
     return Spec(
         title=specs.title(content),
         tables=tables,
@@ -194,11 +223,12 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
         digits=_whole(table, "digits", MIN_DIGITS, MIN_DIGITS, MAX_DIGITS),
         region=_region(table.get("region", "unstable"), kind),
         roots=_yes_or_no(table, "roots", True),
-        certificates=_yes_or_no(table, "certificates", False),
+        certificates=_yes_or_no(table, "certificates", kind == "stable"),
         design=design,
         seed=seed,
         total=total_of(axes, design, count),
         axes=axes,
+        boxes=_whole(table, "boxes", BOXES, 1, 10**9),
     )
 
 
@@ -218,6 +248,8 @@ def _design(table: Mapping[str, Any]) -> tuple[str, int, int]:
 
 def _region(given: Any, kind: str) -> Any:
     """ "unstable", "sheet", Below or a Rectangle."""
+    if isinstance(given, Mapping) and kind == "stable":
+        raise InputError("study.region", 'is not for kind = "stable", which is about all roots that grow: drop it')
     if isinstance(given, Mapping) and "below" in given:
         height = specs.rationals(given, "study.region", _BELOW)["below"]
         if height <= 0:
@@ -227,7 +259,7 @@ def _region(given: Any, kind: str) -> Any:
         if kind == "float64":
             raise InputError("study.region", 'is a rectangle, which is for kind = "certified": give another region')
         return Rectangle(**specs.rationals(given, "study.region", _BOUNDS))
-    return _named({"region": given}, "study.region", ("unstable", "sheet"))
+    return _named({"region": given}, "study.region", ("unstable",) if kind == "stable" else ("unstable", "sheet"))
 
 
 def _region_text(region: Any) -> Any:

@@ -1,14 +1,15 @@
 """A motion in three parts: forced, residues at induced frequencies, and the integral along a line below the cuts.
 
-u(t) = Σ residues to the right of Re σ = α + (1/2πi) ∫_{Re σ = α} û e^{σt} dσ, in the physical region of the σ-plane,
+u(t) = Σ residues to the right of the path + (1/2πi) ∫ û e^{σt} dσ along it, in the physical region of the σ-plane,
 where û is analytic but for poles. Before t = 0 the sum must vanish: a root that is left out, or a wrong residue,
-shows there. Where the roots are not known as far as a line below the axis, α lies above all growth and no residue is
+shows there. Where the roots are not known as far as a path below the axis, it lies above all growth and no residue is
 needed.
 """
 
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,6 +22,7 @@ from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.line import CLEAR, Line, extended, sampled_line
+from mpsolve.vibration.path import Path, above_growth, below_axis
 from mpsolve.vibration.poles import Poles, natural
 from mpsolve.vibration.residues import Mode, modes
 
@@ -80,25 +82,27 @@ class Solution:
         waves = sum((one.motion(times) for one in self.steady if one.frequency), zero)
         free = sum((mode.motion(times) for mode in self.modes), zero)
         rest = self.line.motion(times)
-        if self.line.alpha >= 0:
+        if not self.line.path.below:
             rest = rest - static - waves
-        left = [mode for mode in self.modes if mode.sigma.real <= self.line.alpha]
+        _, left = self.line.path.parted(self.modes)
         rest = rest - sum((mode.motion(times) for mode in left), zero)
         return Parts(static + self.held[:, None], waves, free, rest)
 
     def rates(self, times: Any) -> Any:
         """The rate of the sum at times t̂ ≥ 0, per unit of t̂, (channels, times); 0 at 0, where all is at rest."""
-        right: list[Any] = [mode for mode in self.modes if mode.sigma.real > self.line.alpha]
-        right += list(self.steady) if self.line.alpha < 0 else []
         zero = np.zeros((self.image.channels, len(times)))
-        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in right), zero))
+        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in self.right), zero))
 
     def early(self, times: Any) -> Any:
         """The sum at times < 0, which is 0 but for errors, (channels, times)."""
-        right: list[Any] = [mode for mode in self.modes if mode.sigma.real > self.line.alpha]
-        right += list(self.steady) if self.line.alpha < 0 else []
         zero = np.zeros((self.image.channels, len(times)))
-        return self.line.motion(times) + sum((one.motion(times) for one in right), zero)
+        return self.line.motion(times) + sum((one.motion(times) for one in self.right), zero)
+
+    @property
+    def right(self) -> list[Any]:
+        """What comes as residues: all that lies to the right of the path."""
+        path = self.line.path
+        return path.parted(self.modes)[0] + (list(self.steady) if path.below else [])
 
 
 @dataclass(frozen=True)
@@ -143,11 +147,11 @@ class Engine:
         if growth > _LARGEST:
             stated = f"reach {last / self.image.rate:g}, where the motion exceeds e^{growth:.0f}"
             raise InputError("times", f"{stated}: end earlier")
-        alpha = self.line(last)
-        found, excess, causal = self._along(alpha, times)
-        if alpha < 0 and not causal and found.reason is None:
+        path = self.path(last)
+        found, excess, causal = self._along(path, times)
+        if path.below and not causal and found.reason is None:
             try:
-                other, worse, _ = self._along(self.above(last), times)
+                other, worse, _ = self._along(above_growth(self.poles.growth, last), times)
                 found, excess = (found, excess) if excess <= worse else (other, worse)
             except EffortError as error:
                 found = replace(found, reason=error.reason)
@@ -158,28 +162,18 @@ class Engine:
             raise PrecisionError(f"{stated}: end earlier, or give spectrum=certify(problem)")
         return found
 
-    def line(self, last: float) -> float:
-        """α between cuts and axis, far from roots on either side; above all growth where not all are known."""
-        floor = self.poles.floor
-        if floor >= 0 or not self.poles.complete:
-            return self.above(last)
-        tries = floor * np.linspace(0.95, 0.35, 61)
-        real = np.array([pole.sigma.real for pole in self.poles.poles])
-        near = np.abs(tries[:, None] - real).min(1) if len(real) else np.full(len(tries), np.inf)
-        return float(tries[int(np.argmax(np.minimum(near, tries - self.poles.cut)))])
+    def path(self, last: float) -> Path:
+        """Below the axis where the roots allow it, else to the right of all growth, for times up to `last`."""
+        return below_axis(self.poles) or above_growth(self.poles.growth, last)
 
-    def above(self, last: float, rise: float = 3.0) -> float:
-        """α above all growth, by so much that e^{(α − growth) last} = e^rise."""
-        return max(0.0, self.poles.growth) + rise / last
-
-    def _along(self, alpha: float, times: Any) -> tuple[Solution, float, bool]:
-        """The motion by this line, its error over that worked for, and whether it vanishes before t = 0."""
+    def _along(self, path: Path, times: Any) -> tuple[Solution, float, bool]:
+        """The motion along this path, its error over that worked for, and whether it vanishes before t = 0."""
         steady = tuple(forced(self.image, tone) for tone in self.acting)
         held = sum((forced(self.image, tone).amplitude.real for tone in self.held), np.zeros(self.image.channels))
         turns = np.array([1j * one.frequency for one in self.acting])
         last = float(np.max(times, initial=0.0))
         taken = modes(self.transformed, self.poles.poles, turns, self.poles.cut, last)
-        line = sampled_line(self.transformed, alpha, self._reach(alpha, times))
+        line = sampled_line(self.transformed, path, self._reach(path, times))
         some = _sample(times)
         while True:
             solution = Solution(self.image, held, steady, taken, line, self._first(), held)
@@ -194,9 +188,10 @@ class Engine:
 
     def _first(self) -> Any:
         """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""
+        values = np.full((2, self.image.channels), np.nan)
         for high in _HIGH:  # as far out as float64 follows
             at = np.array([high, 100 * high], complex)
-            with np.errstate(all="ignore"):
+            with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
                 values = (self.transformed(at) * at[:, None]).real
             if np.isfinite(values).all():
                 break
@@ -210,7 +205,7 @@ class Engine:
         largest = np.abs([parts.static, parts.forced, parts.free]).max((0, 2), initial=0.0)
         change = _SLOW * np.abs(line.change(times)).max(1, initial=0.0)
         before = np.abs(solution.early(_BEFORE / line.omega)).max(1)
-        grown = math.exp(max(line.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
+        grown = math.exp(max(line.path.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
         error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal + _CANCELS * largest
         worst = int(np.argmax(error / goal))
         early = float((before / goal).max())
@@ -233,14 +228,14 @@ class Engine:
         goal[force] *= _FORCES
         return np.maximum(goal, 1e-300)
 
-    def _reach(self, alpha: float, times: Any) -> float:
+    def _reach(self, path: Path, times: Any) -> float:
         positive = times[times > 0]
         first = float(positive.min()) if len(positive) else 1.0
         fast = [tone.frequency for tone in self.acting] + [abs(pole.sigma) for pole in self.poles.poles]
-        waves = self.arriving(alpha, positive if len(positive) else np.ones(1), GOOD / 10)
+        waves = self.arriving(path, positive if len(positive) else np.ones(1), GOOD / 10)
         return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0), waves)
 
-    def arriving(self, alpha: float, times: Any, share: float) -> float:
+    def arriving(self, path: Path, times: Any, share: float) -> float:
         """How far the path is followed for the sake of waves that run ahead of the rail's deflections."""
         image = self.image
         if not image.places:
@@ -252,7 +247,7 @@ class Engine:
             lambda sigma: self.transformed(sigma)[:, rail],
             lambda sigma: image.receptance.waves(sigma)[0],
             list(away),
-            alpha,
+            path,
             times,
             share,
         )

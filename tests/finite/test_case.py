@@ -26,6 +26,19 @@ def test_without_a_start_the_load_runs_through_the_middle() -> None:
     assert _case(loads=[Load(1, 1, 9000)] * 2).first_steps == 900
 
 
+def test_times_at_equal_distances_are_ends_of_steps() -> None:
+    """Nothing is interpolated there; a little later a wave that turns many times in a step is read less well."""
+    times = np.linspace(0, 0.1, 26)[1:]
+
+    def off(shift: float) -> Any:
+        case = _case(times=times + shift)
+        return np.abs(case.solve(200, 25).rail - case.solve(200, 3200).rail).max()
+
+    assert _case(times=times[2:]).first_steps == 25
+    assert _case(times=[0.1 / np.pi, 0.1]).first_steps == 16
+    assert off(7.5e-4) > 4 * off(0)
+
+
 @pytest.mark.parametrize(
     ("key", "changed"),
     [

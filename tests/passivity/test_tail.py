@@ -55,6 +55,21 @@ def proved(name: str, gap: str = "2.5") -> tuple[Any, Absorption, Tail]:
     return reduced, Absorption.of(reduced.guide), tail
 
 
+SLAB = {"model": "slab", "EI": "4.91e6", "m": "54.77", "k_pad": "6e7", "c_pad": "15384", "EI_slab": "88.4e6",
+        "m_slab": "1100", "k": "8e7", "c": "3e4"}  # fmt: skip
+
+
+def test_a_block_keeps_away_from_two_waves_that_are_nearly_one() -> None:
+    """Rail and slab bend alike: there W and |D|² vanish together, and no block that holds the place is proved."""
+    wheels = [{"model": "mass", "M": "900", "at": x} for x in ("0", "2.2")]
+    problem = {"track": SLAB, "v": "27", "vehicles": wheels}
+    reduced = reduce_problem(as_problem(problem))
+    tail = prove_tail(reduced.guide, reduced.smallest_gap)
+    assert tail is not None
+    G = Floats(problem).receptance(tail.X * float(reduced.frequency_unit) * np.geomspace(1, 30, 60) + 0j)
+    assert (np.linalg.eigvalsh(-(G - np.swapaxes(G.conj(), 1, 2)) / 2j)[:, 0] > 0).all()
+
+
 @pytest.mark.parametrize("name", TRACKS)
 def test_the_matrix_is_passive_beyond(name: str) -> None:
     reduced, _, tail = proved(name)

@@ -14,10 +14,10 @@ from typing import Any
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision, rational_ball
 from mpsolve.vibration.balls.image import BallImage
-from mpsolve.vibration.balls.path import Path
 from mpsolve.vibration.balls.polygon import FarRoot, far_roots, power_of, turn
 from mpsolve.vibration.balls.scatter import Waves
 from mpsolve.vibration.balls.solved import Disc, solved
+from mpsolve.vibration.path import Path
 
 _FIRST, _TIMES, _TRIES = 32.0, 2.0, 22
 
@@ -48,7 +48,7 @@ class _Far:
 
     def _sides(self, roots: Sequence[FarRoot]) -> tuple[list[FarRoot], list[FarRoot]]:
         """Which are upper ones, told at one point of the line."""
-        sigma = self.path.line(self.radius)
+        sigma = self.path.line(acb(self.radius))
         balls = [root.at(sigma) for root in roots]
         sides: list[list[FarRoot]] = []
         for side in self.image.physical(sigma):

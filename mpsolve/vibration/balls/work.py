@@ -15,16 +15,12 @@ from mpsolve.proof.effort import Effort
 from mpsolve.vibration.balls.circles import radius_round, residues
 from mpsolve.vibration.balls.far import far_field
 from mpsolve.vibration.balls.image import BallImage
-from mpsolve.vibration.balls.panels import legs, panels
-from mpsolve.vibration.balls.path import Path, prove_strip
+from mpsolve.vibration.balls.panels import panels
+from mpsolve.vibration.balls.strip import prove_strip
+from mpsolve.vibration.path import Path, bent
 from mpsolve.vibration.poles import lowest, natural
 from mpsolve.vibration.rooms import room
 
-_STEEP, _SPAN = 1.0, 0.25
-"""δ at most, and times the distance of the first from the last contact."""
-_LOWERED = 5
-_LEAST = 2.0
-"""The least r at which the path leaves the line."""
 _MOST_TURNS = 3e5
 """ωt at most on the line."""
 _LONGEST, _TURNS, _ECHOES = 3000.0, 10_000.0, 150.0
@@ -35,20 +31,20 @@ turns too often, or needs too many panels between the echoes of the contacts."""
 class Work:
     """A motion at the times `at` ≥ 0 to so many digits, and the number of those that its parts lose.
 
-    poles: balls of all roots of the problem that may lie above the path's line Re σ = alpha, and of others.
+    poles: balls of all roots of the problem that may lie to the right of the path's line, and of others.
     """
 
     def __init__(
         self,
         image: BallImage,
         poles: list[Any],
-        alpha: float,
+        line: Path,
         at: list[Any],
         digits: tuple[int, int],
         effort: Effort,
         said: Progress,
     ) -> None:
-        self.image, self.alpha, self.at = image, alpha, at
+        self.image, self.line, self.at = image, line, at
         self.digits, self.lost = digits
         self.late = [t for t in at if t > 0]
         self.effort, self.said = effort, said
@@ -64,7 +60,7 @@ class Work:
         path, radius, bounds = self._path()
         self.said("path", 1.0)
         along = self._started(self._integral(path, radius, bounds, goals) if self.late else None)
-        if not all(z.real < self.alpha for z in self.poles):
+        if not all(z.real < self.line.alpha for z in self.poles):
             raise PrecisionError("a root may lie on the path: change a parameter a little")
         steady, harmonic = self._known(self._steady), self._known(self._modes)
         return along, steady, harmonic, along - steady - harmonic
@@ -89,17 +85,12 @@ class Work:
 
     def _path(self) -> tuple[Path, float, list[Any]]:
         """A path that is proved, and from where on û is bounded as told."""
-        image = self.image.image
         fast = [abs(complex(z.mid())) for z in (*self.poles, *self.loaded)]
-        start = max(_LEAST, (1.5 * max([*fast, natural(image)])) ** 0.5)
-        if self.late and start**2 * float(max(self.late, key=float)) > _MOST_TURNS:
-            raise PrecisionError(
-                "a load or the vehicle turns too often on the path of balls: end earlier, or use float64"
-            )
-        delta = min(_STEEP, _SPAN / self.span if self.span else _STEEP)
         error: PrecisionError | None = None
-        for k in range(_LOWERED):
-            path = Path(self.alpha, start * 1.25**k, delta / 2**k)
+        for path in bent(self.line, max([*fast, natural(self.image.image)]), self.span):
+            if self.late and path.start**2 * float(max(self.late, key=float)) > _MOST_TURNS:
+                stated = "a load or the vehicle turns too often on the path of balls"
+                raise error or PrecisionError(f"{stated}: end earlier, or use float64")
             try:
                 radius, bounds = far_field(self.image, path, path.start**2)
                 prove_strip(self.image, path, radius, self.effort)
@@ -123,13 +114,13 @@ class Work:
         total = np.full((len(self.empty), len(self.late)), acb(0), object)
         missed = np.array([self._tail(path, bounds, end, t) for t in self.late], object).T
         share = [goal / 100 for goal in goals]
-        for leg in legs(path, end):
-            for panel in panels(self.image, leg, self.late, share, self.effort):
+        for straight, leg in zip((True, False), path.legs(end), strict=True):
+            for panel in panels(self.image, leg, straight, self.late, share, self.effort):
                 missed = missed + np.array(panel.missed, object)
                 for sigma, values in panel.nodes:
                     waves = np.array([(sigma * t).exp() for t in self.late], object)
                     total = total + np.multiply.outer(np.array(values, object), waves)
-            self.said("integral", 0.5 if leg.straight else 1.0)
+            self.said("integral", 0.5 if straight else 1.0)
         ball = np.vectorize(lambda value, off: (value.imag + arb(0, off.upper())) / arb.pi(), otypes=[object])
         return ball(total, missed)
 

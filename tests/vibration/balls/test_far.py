@@ -2,9 +2,9 @@ import pytest
 
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import arb, precision
+from mpsolve.numbers.balls import acb, precision
 from mpsolve.vibration.balls.far import far_field
-from mpsolve.vibration.balls.path import Path
+from mpsolve.vibration.path import Path
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
 
@@ -15,7 +15,7 @@ def test_the_bound_holds_further_out_between_line_and_path(balls):
     with precision(image.bits):
         radius, bounds = far_field(image, path, 9.0)
         for factor in (1.0, 2.0, 50.0):
-            values = image.values(image.start(path.line(arb(radius * factor))))
+            values = image.values(image.start(path.line(acb(radius * factor))))
             assert all(abs(value) < bound for value, bound in zip(values, bounds, strict=True))
 
 
@@ -37,5 +37,5 @@ def test_the_bound_holds_for_rows_of_masses(balls, places, delta, v):
     with precision(image.bits):
         radius, bounds = far_field(image, path, 9.0)
         for factor in (1.0, 1.1, 1.3, 20.0):
-            values = image.values(image.start(path.line(arb(radius * factor))))
+            values = image.values(image.start(path.line(acb(radius * factor))))
             assert all(abs(value) < bound for value, bound in zip(values, bounds, strict=True))
