@@ -1373,13 +1373,14 @@ def greatest_first(a: list[list[Any]]) -> list[int]:
 class Mark:
     """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
 
-    split: None at q = 0 where waves come to P = 0 there.
+    split: None at q = 0 where waves come to P = 0 there. beside: a pole, and what `turn_beside` needs there for it.
     """
 
     q: Point
     z: list[complex]
     split: Any
     matrix: Any = None
+    beside: tuple[Any, list[Any]] = (None, [])
 
 
 @dataclass
@@ -1511,23 +1512,20 @@ class Walker:
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
-        total = arb(0)
-        over = kernels_beside(disc, r, self.waves, pole)
-        ends = [(x.split.nodes.local.m, kernels_beside(x.split, arb(0), self.waves, pole)) for x in (mark, end)]
-        parts = [self.bordered.beside_pole(m, r, *over, pole)]
-        parts.append([acb_mat([[over[1][0]]]), acb_mat([[over[1][1]]]), arb_mat([[over[1][2]]])])
-        for k, part in enumerate(parts):
-            thin = []
-            for at, (H, g) in ends:
-                a, _, e = (
-                    self.bordered.beside_pole(at, arb(0), H, g, pole)
-                    if k == 0
-                    else (acb_mat([[g[0]]]), 0, arb_mat([[g[2]]]))
-                )
-                n = a.nrows()
-                thin.append(a + acb_mat(n, n, [box(x) for x in e.entries()]))
-            total += turned_by(part, r, *thin)
-        return total
+        H, g = kernels_beside(disc, r, self.waves, pole)
+        parts = [self.bordered.beside_pole(m, r, H, g, pole)]
+        parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
+        ends = zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True)
+        return sum((turned_by(part, r, start, stop) for part, start, stop in ends), arb(0))
+
+    def beside(self, mark: Mark, pole: Any) -> list[Any]:
+        """The two matrices at a mark."""
+        if mark.beside[0] is not pole:
+            H, g = kernels_beside(mark.split, arb(0), self.waves, pole)
+            a, _, e = self.bordered.beside_pole(mark.split.nodes.local.m, arb(0), H, g, pole)
+            lost = acb_mat(a.nrows(), a.nrows(), [box(x) for x in e.entries()])
+            mark.beside = pole, [a + lost, acb_mat([[g[0] + box(g[2])]])]
+        return mark.beside[1]
 
     def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
         """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
