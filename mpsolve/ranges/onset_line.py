@@ -112,14 +112,15 @@ class _Line:
         top = min(high, last + (last - low) / _MORE)
         if not low < first <= last < top:
             return out
-        self._require_stable(path, short_between(low, low + (first - low) / 2))
+        stable = short_between(low, low + (first - low) / 2)
+        self._require_stable(path, stable)
         scope = scope_of(self.problem, {path: (low, short_between(last, top)), self.along: span})
         change = float(family.units[0] / scope.family.units[0])
         scale = float(family.frequency_unit / scope.family.frequency_unit)
         crossings = [(n, self._enclosed(scope, n, (seen[0][n] * scale, seen[1][n] * change))) for n in each.tolist()]
         known = self._with_rooms(scope, [(n, one) for n, one in crossings if one is not None])
         for one in self._proved(scope, known):
-            out[one.at] = self._in_units(scope, one.crossing)
+            out[one.at] = self._in_units(scope, one.crossing, stable)
         return out
 
     def _scaled(self, unit: Fraction) -> Any:
@@ -198,11 +199,11 @@ class _Line:
         missed = asked.needed(*open_).any(0) if len(open_[0][0]) else np.zeros(len(known), bool)
         return [one for one, lost in zip(known, missed, strict=True) if not lost]
 
-    def _in_units(self, scope: Scope, one: Crossing) -> OnsetBall:
+    def _in_units(self, scope: Scope, one: Crossing, stable: Fraction) -> OnsetBall | None:
+        """None unless the crossing lies above the value at which nothing grows."""
         with precision(working_bits(self.digits) + 64):
-            return OnsetBall(
-                one.x * rational_ball(scope.family.units[0]), one.q * rational_ball(scope.family.frequency_unit)
-            )
+            x, q = one.x * rational_ball(scope.family.units[0]), one.q * rational_ball(scope.family.frequency_unit)
+            return OnsetBall(x, q) if x > rational_ball(stable) else None
 
 
 def _inside(one: Crossing, met: _Met) -> bool:
