@@ -139,6 +139,7 @@ def _told(units: CaseUnits, loads: tuple[Load, ...], motion: Vibration, xi: Any,
         contact_note=tuple(note or unknown for _, note in lost),
         error=motion.error.rail / size if size else 0.0,
         reason=motion.reason,
+        motion=motion,
     )
 
 
