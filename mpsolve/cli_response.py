@@ -42,9 +42,23 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
     show_default=True,
     help="In s: all loads at once, or constant ones since ever.",
 )
+@click.option(
+    "--roughness", help='In s: a wave on the rail under all contacts, AMPLITUDE,WAVELENGTH as "20 µm, 0.8 m".'
+)
+@click.option(
+    "--out-of-round", help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".'
+)
 @click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
 def response(
-    file: Path, output: Path, end: str, points: int, xi: str | None, initial: str, animate: Path | None
+    file: Path,
+    output: Path,
+    end: str,
+    points: int,
+    xi: str | None,
+    initial: str,
+    roughness: str | None,
+    out_of_round: str | None,
+    animate: Path | None,
 ) -> None:
     """Compute the motion from rest of the vehicles in FILE (TOML), in float64.
 
@@ -66,13 +80,16 @@ def response(
             last = cli_vibration.seconds(end) or _last(end)
             if animate is not None:
                 checked_suffix(checked_output(animate, file, "the film", "animate"), (".svg",), "animate")
-            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial)
+            rough = cli_vibration.irregularities(source.problem, roughness, out_of_round)
+            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial, rough)
             if animate is not None:
-                cli_vibration.film(source, animate, last, initial)
+                cli_vibration.film(source, animate, last, initial, rough)
             click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
             return
         _only_in_seconds(initial != "rest", "--initial")
         _only_in_seconds(animate is not None, "--animate")
+        _only_in_seconds(roughness is not None, "--roughness")
+        _only_in_seconds(out_of_round is not None, "--out-of-round")
         tau = _times(end, points)
         from mpsolve.vibration.of_case import motion_of_case as respond
 

@@ -119,7 +119,8 @@ def save_film(found: Vibration, path: Path, title: str = "", seconds: float = 12
     said = (
         "" if event is None else f"; contact {event.contact} lifts off at {event.time:.4g} s, then beyond the model"
     )
-    text = f"{_escaped(title)} largest deflection {size * 1e3:.4g} mm, {times[0]:g} s to {times[-1]:g} s{said}"
+    head = f"{title}: " if title else ""
+    text = f"{_escaped(head)}largest deflection {size * 1e3:.4g} mm, {times[0]:g} s to {times[-1]:g} s{said}"
     bar = [f"{_EDGE + (t - times[0]) / (times[-1] - times[0]) * (_WIDTH - 2 * _EDGE):.1f}" for t in times]
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {_HEIGHT}" font-family="sans-serif">',
