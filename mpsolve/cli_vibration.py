@@ -94,7 +94,8 @@ def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Roug
     from mpsolve.vibration.vibrate import vibrate
 
     contacts = [float(x) for x in source.problem.pencil.places]
-    around = max(_AROUND * 2.0 ** scale_guide(source.problem).length, 0.5 * (contacts[-1] - contacts[0]))
+    gap, unit = contacts[-1] - contacts[0], 2.0 ** scale_guide(source.problem).length
+    around = min(_AROUND * unit, max(6 * gap, 4 * unit)) if gap else _AROUND * unit
     places = np.linspace(contacts[0] - around, contacts[-1] + around, _SHAPE_POINTS)
     times = np.linspace(0.0, last, _FRAMES)
     given: dict[str, Any] = {"initial": initial, "irregularities": rough}
