@@ -131,12 +131,14 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
             return
         tau = _times(end, points)
         scale = _scale(source)
-        curves, notes = _curves(source, tau, scale)
-        _save_curves(curves, tau, output, kind, source.title, scale)
+        whole, curves, notes = _curves(source, tau, scale)
+        _save_curves(whole, curves, output, kind, source.title, scale)
         reference, unit = curves["complete"], _unit(scale)
         for name, curve in list(curves.items())[1:]:
-            apart = abs(curve - reference).max() * scale.length
-            click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} {unit}")
+            apart = abs(curve - reference)[whole.within].max() * scale.length
+            click.echo(
+                f"{name}: differs from the complete solution by at most {apart:.6g} {unit} while contact is kept"
+            )
         for note in notes:
             click.echo(note)
         click.echo(str(output))
@@ -227,8 +229,8 @@ def _summary(found: Response, scale: Scale) -> list[str]:
     return [*lines, f"mass {event.contact} lifts off at {at} {off}: what comes later is beyond the model."]
 
 
-def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], list[str]]:
-    """The curves by name, the complete solution first, and what is to be said of them."""
+def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[str, Any], list[str]]:
+    """The motion, the curves by name, the complete solution first, and what is to be said of them."""
     from mpsolve.errors import InputError, PrecisionError
     from mpsolve.finite.beam.beam import finite_beam
     from mpsolve.vibration.case_studies import merged, superposition
@@ -254,17 +256,18 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], 
             curves[name] = compute()
         except (InputError, PrecisionError) as error:  # the other curves stand without it
             notes.append(f"{name}: left out, {error}")
-    return curves, notes
+    return whole, curves, notes
 
 
-def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str, scale: Scale) -> None:
+def _save_curves(whole: Response, curves: dict[str, Any], path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.files import save_columns
         from mpsolve.vibration.case_table import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
-        save_columns(time_columns(tau, scale) | shown, path)
+        shown[named("within the model", "1", scale)] = whole.within.astype(float)
+        save_columns(time_columns(whole.tau, scale) | shown, path)
     else:
         from mpsolve.report.figures_motion import save_curves
 
-        save_curves(curves, tau, path, title, scale)
+        save_curves(whole, curves, path, title, scale)
