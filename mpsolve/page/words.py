@@ -199,7 +199,7 @@ def wave_card(parts: Parts) -> Card | None:
         said += (
             "Without damping the deflection under a constant force grows without bound; with damping it is greatest "
         )
-        said += "at another velocity, often a lower one, which `mpsolve critical` draws."
+        said += "at another velocity, often a lower one, which the command “mpsolve critical” draws."
     if slow_waves(parts.problem.track):
         said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"

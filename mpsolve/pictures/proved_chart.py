@@ -36,7 +36,7 @@ def proved_chart(found: Chart, asked: Asked) -> str:
 
 
 def drawn(found: Chart) -> Any:
-    """The finest counts that are there, −1 where they are open; cells at a proved curve are drawn as those beside it."""
+    """The finest counts that are there, −1 where they are open; at a proved curve what is beside is drawn."""
     counts = np.maximum(found.counts if found.detail is None else found.detail, -1)
     under = met(counts.shape, (found.x, found.y), found.boundaries)
     for _ in range(_ROUNDS):
