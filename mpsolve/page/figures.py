@@ -16,7 +16,7 @@ from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.ranges.onset import Kind
 
-_TALL = 6.0
+_TALL, _BEYOND = 6.0, 1.2
 _BESIDE, _SAME = 1.5, 0.1
 """How near a line is to a root: in steps of the velocity, and of |q|."""
 
@@ -94,7 +94,7 @@ def lines(parts: Parts) -> list[Picture]:
     marks = _marks(parts, 3.6 if speak.si else 1.0)
     grown = lines_picture(
         growth, x_title, f"growth, {rate}", "Growth of each vibration over the velocity",
-        name="growth", marks=marks, grows_above=0.0, y=_growth_range(growth),
+        name="growth", marks=marks, grows_above=0.0, y=_growth_range(_near(growth, marks)),
     )  # fmt: skip
     swung = lines_picture(
         hertz, x_title, f"frequency, {swings}", "Frequency of each vibration over the velocity",
@@ -133,6 +133,14 @@ def _others(names: list[str], known: int) -> str:
     return (
         f"; {known + 1} to {known + beyond} are not in it, as at this velocity they lie above the cuts, or are none"
     )
+
+
+def _near(curves: list[Curve], marks: list[Mark]) -> list[Curve]:
+    """As far as a little beyond the marks, if the onset is among them: what grows far beyond it leaves the picture."""
+    if len(marks) < 2:
+        return curves
+    end = _BEYOND * max(mark.x for mark in marks)
+    return [Curve(curve.x, np.where(curve.x <= end, curve.y, np.nan)) for curve in curves]
 
 
 def _growth_range(curves: list[Curve]) -> tuple[float, float] | None:
