@@ -38,11 +38,12 @@ if TYPE_CHECKING:
     from mpsolve.ranges.chart import Chart, stability_chart
     from mpsolve.ranges.crossings import Crossing, Crossings, crossings
     from mpsolve.ranges.onset import Onset, Unstable, UnstableRanges, onset, unstable_ranges
-    from mpsolve.ranges.robust import Robust, prove_stable
+    from mpsolve.ranges.robust import Robust
     from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
     from mpsolve.ranges.table import Table, stability_table
     from mpsolve.ranges.worst import Worst, worst
     from mpsolve.spectrum.spectrum import Root, Spectrum
+    from mpsolve.studies.robust import prove_stable
     from mpsolve.studies.run import Study, open_study, study
     from mpsolve.vehicles.load import Load
     from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
@@ -56,8 +57,9 @@ if TYPE_CHECKING:
     from mpsolve.vibration.response import response
     from mpsolve.vibration.roughness import out_of_round, rail_roughness
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
-    from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
+    from mpsolve.waves.critical import critical_velocities
     from mpsolve.waves.dispersion import dispersion
+    from mpsolve.waves.velocity import CriticalVelocities, CriticalVelocity
     from mpsolve.zeros.answer import Zero, Zeros
     from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle
 
@@ -177,8 +179,8 @@ _HOME = {
     "receptance": "characteristic.forced",
     "dispersion": "waves.dispersion",
     "critical_velocities": "waves.critical",
-    "CriticalVelocities": "waves.critical",
-    "CriticalVelocity": "waves.critical",
+    "CriticalVelocities": "waves.velocity",
+    "CriticalVelocity": "waves.velocity",
     "passivity_velocity": "passivity.velocity",
     "PassivityVelocity": "passivity.answer",
     "passivity_band": "passivity.band",
@@ -203,7 +205,7 @@ _HOME = {
     "onset": "ranges.onset",
     "unstable_ranges": "ranges.onset",
     "crossings": "ranges.crossings",
-    "prove_stable": "ranges.robust",
+    "prove_stable": "studies.robust",
     "sensitivity": "ranges.sensitivity",
     "cut_points": "cuts.points",
     "CutPoint": "cuts.answer",

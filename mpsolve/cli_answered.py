@@ -28,8 +28,12 @@ def answered(
     defaults: str = "near",
     suffixes: tuple[str, ...] = (".json", ".csv"),
     certificate: Path | None = None,
+    endless: bool = False,
 ) -> None:
-    """Reads, answers, reports, writes and exits. defaults: the ranges where none is given."""
+    """Reads, answers, reports, writes and exits.
+
+    defaults: the ranges where none is given. endless: whether a range may have no upper end.
+    """
     with one_sentence():
         from mpsolve.files import checked_suffix
         from mpsolve.problem.inputfile import read_source
@@ -42,7 +46,7 @@ def answered(
             checked_suffix(
                 checked_output(certificate, file, "the certificate", "certificate"), (".json",), "certificate"
             )
-        question = asked(source.given, source.title, overs)
+        question = asked(source.given, source.title, overs, endless=endless)
         with progress() as tell:
             said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
         if as_json:
@@ -131,6 +135,8 @@ def _write(output: Path, said: list[Said]) -> None:
 
 def _picture(name: str) -> Callable[[Any, Asked], str]:
     from mpsolve.pictures.loci import loci_picture
+    from mpsolve.pictures.open_boxes import open_boxes
     from mpsolve.pictures.proved_chart import proved_chart
 
-    return loci_picture if name == "lines" else proved_chart
+    pictures: dict[str, Callable[[Any, Asked], str]] = {"lines": loci_picture, "robust": open_boxes}
+    return pictures.get(name, proved_chart)

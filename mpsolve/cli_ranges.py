@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mpsolve.cli_answered import answered
-from mpsolve.cli_tools import effort_of, one_sentence
+from mpsolve.cli_tools import DASK, WORKERS, cluster, effort_of, one_sentence
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
@@ -39,12 +40,13 @@ def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callab
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
+_ENDLESS = "A factor of all masses may be without end, scale.mass=0.. .  "
 _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity and the waves of the track]"
 
 
 @click.command()
 @_FILE
-@_over(False, _VELOCITIES)
+@_over(False, _ENDLESS + _VELOCITIES)
 @click.option(
     "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
 )
@@ -97,12 +99,12 @@ def onset(
     with one_sentence():
         _only_one(worsts, everything)
     default = "near" if everything or worsts else "first"
-    answered(file, overs, answer, as_json, output, default, certificate=certificate)
+    answered(file, overs, answer, as_json, output, default, certificate=certificate, endless=not worsts)
 
 
 @click.command()
 @_FILE
-@_over(False, _VELOCITIES)
+@_over(False, _ENDLESS + _VELOCITIES)
 @_DIGITS
 @_EFFORT
 @_JSON
@@ -129,7 +131,7 @@ def crossings(
         found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output, certificate=certificate)
+    answered(file, overs, answer, as_json, output, certificate=certificate, endless=True)
 
 
 @click.command()
@@ -197,8 +199,21 @@ def worst(
 @_over(True, "At least one must be given.")
 @_EFFORT
 @_JSON
-@_OUTPUT
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Draw FILE.svg, what stays open and the counterexample, or write FILE.csv or .json.",
+)
 @_CERTIFICATE
+@click.option(
+    "--store",
+    type=click.Path(path_type=Path),
+    help="Prove it part by part, each kept in this file, such as box.sqlite, when it is proved.",
+)
+@click.option("--boxes", type=int, help="With --store: boxes that the proof of a part may take.  [default: 100000]")
+@WORKERS
+@DASK
 def robust(
     file: Path,
     overs: tuple[str, ...],
@@ -206,23 +221,53 @@ def robust(
     as_json: bool,
     output: Path | None,
     certificate: Path | None,
+    **shared: Any,
 ) -> None:
     """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
 
-    Or find a certified counterexample, or list the parts of the ranges that stay open. Exit status 0: proved stable,
-    or proved unstable at the point that is shown. 1: undecided. 2: the input cannot be used.
+    Or find a certified counterexample, or list the parts of the ranges that stay open. With --store the same command
+    goes on where an earlier one was killed, and tries open parts again with more --boxes; `mpsolve status` and
+    `mpsolve export` read that file. Exit status 0: proved stable, or proved unstable at the point that is shown.
+    1: undecided. 2: the input cannot be used.
     """
 
     def answer(question: Asked, tell: Progress | None) -> Said:
-        from mpsolve.ranges.robust import prove_stable
         from mpsolve.report.robust_words import said_of_robust
+        from mpsolve.studies.robust import prove_stable
 
-        found = prove_stable(question.given, over=question.over, effort=effort_of(effort), progress=tell)
-        return said_of_robust(found, question)
+        with _in_parts(effort, **shared) as options:
+            return said_of_robust(
+                prove_stable(question.given, over=question.over, progress=tell, **options), question
+            )
 
     with one_sentence():
         _required(overs)
-    answered(file, overs, answer, as_json, output, certificate=certificate)
+    answered(file, overs, answer, as_json, output, "near", (".svg", ".json", ".csv"), certificate)
+
+
+@contextmanager
+def _in_parts(
+    effort: str | None, store: Path | None, boxes: int | None, workers: int | None, dask: str | None
+) -> Iterator[dict[str, Any]]:
+    """The options of a proof: at once, or part by part in a store."""
+    from mpsolve.errors import InputError
+    from mpsolve.proof.effort import Effort
+
+    if store is None:
+        for name, given in (("--boxes", boxes), ("--dask", dask)):
+            if given is not None:
+                raise InputError(name, "is given without --store: give the file that keeps what is proved")
+        yield {"effort": effort_of(effort), "workers": workers or 1}
+        return
+    if effort is not None:
+        raise InputError("--effort", "is given beside --store: give --boxes, the work of each part, in its place")
+    with cluster(dask, workers) as (executor, _):
+        yield {
+            "store": store,
+            "executor": executor,
+            "workers": workers,
+            "effort": None if boxes is None else Effort(evaluations=boxes),
+        }
 
 
 def _only_one(worsts: tuple[str, ...], everything: bool) -> None:

@@ -22,7 +22,7 @@ from mpsolve.cli_tools import checked_output, one_sentence
 @click.option(
     "--contacts", is_flag=True, help="In JSON: the matrices between the contacts of FILE, and their inverses, too."
 )
-@click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV.")
+@click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV, as -o FILE.json does.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write this file, not the terminal.")
 def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, output: Path | None) -> None:
     """Tabulate the receptance G(ξ, ω) of the track in FILE (TOML) under a moving harmonic force, in float64.
@@ -40,12 +40,15 @@ def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, o
         from mpsolve.report.receptances import receptances
 
         given = read_problem(file)
+        as_json = as_json or (output is not None and output.suffix.lower() == ".json")
         if contacts and not as_json:
-            raise InputError("--contacts", "is for matrices, which CSV does not hold: add --json")
+            raise InputError("--contacts", "is for matrices, which CSV does not hold: add --json, or -o FILE.json")
         si = not isinstance(given.case, Case)
         if output is not None:
-            checked_suffix(checked_output(output, given.path, "the table"), (".json",) if as_json else (".csv",))
-        table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si), contacts)
+            checked_suffix(
+                checked_output(output, given.path, "the table"), (".json",) if as_json else (".csv", ".json")
+            )
+        table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si), contacts, si)
         text = table.to_json() if as_json else table.to_csv()
         if output is None:
             click.echo(text, nl=False)

@@ -72,7 +72,8 @@ def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, sec
 
     given = [k for k, region in enumerate(regions) if region is not None]
     if len(given) != 1:
-        raise InputError("FUNCTION", f"stands with {len(given)} regions: give one of {', '.join(_REGIONS)}")
+        stated = f"{len(given)} of {', '.join(_REGIONS)} are given" if given else "is given without a region"
+        raise InputError("FUNCTION", f"{stated}: give one of {', '.join(_REGIONS)}")
     effort = effort_of(seconds)
     values = regions[given[0]]
     with progress() as tell:
@@ -81,7 +82,12 @@ def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, sec
             if cuts:
                 raise InputError("cut", "has no meaning for an interval: leave it out")
             return real_roots(function, *values, **common)
-        region = (Rectangle, lambda x, y, r: Disc((x, y), r), HalfPlane)[given[0]](*values)
+        try:
+            region = (Rectangle, lambda x, y, r: Disc((x, y), r), HalfPlane)[given[0]](*values)
+        except InputError as error:
+            raise InputError(
+                _REGIONS[given[0]], f"{error.key.rpartition('.')[2]} {str(error).split(': ', 1)[1]}"
+            ) from None
         rays = [Cut.ray((x, y), (u, v)) for x, y, u, v in cuts]
         return prove(function, region, cuts=rays, **common)
 

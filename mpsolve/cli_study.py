@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence
+from mpsolve.cli_tools import DASK, UNDECIDED, WORKERS, checked_output, cluster, one_sentence
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor
-
     from mpsolve.studies.run import Progress, Study
 
 _STORE = click.argument("store", type=click.Path(path_type=Path))
@@ -26,8 +24,8 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Report for machine
 @click.option(
     "-o", "--output", required=True, type=click.Path(path_type=Path), help="The store, such as study.sqlite."
 )
-@click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
-@click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes.")
+@WORKERS
+@DASK
 def study(file: Path, output: Path, workers: int | None, dask: str | None) -> None:
     """Compute all entries of the study that SPEC (TOML) describes, and store the results.
 
@@ -36,15 +34,12 @@ def study(file: Path, output: Path, workers: int | None, dask: str | None) -> No
     be written. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.errors import InputError
         from mpsolve.studies.run import AHEAD
         from mpsolve.studies.run import study as compute
 
-        if dask is not None and workers is not None:
-            raise InputError("--workers", "is given, but --dask leaves that to the cluster: give one of the two")
         checked_output(output, file, "the store")
         try:
-            with _cluster(dask) as (executor, size), _progress() as tell:
+            with cluster(dask, workers) as (executor, size), _progress() as tell:
                 ahead = max(AHEAD, 2 * size)
                 made = compute(file, executor, store=output, workers=workers, progress=tell, ahead=ahead)
         except KeyboardInterrupt:
@@ -107,10 +102,12 @@ def _sentence(found: Study) -> str:
 
 
 def _report(found: Study) -> str:
-    spec = found.spec.canonical
-    lines = [
-        f"{section}.{name} = {_short(value)}" for section, table in spec.items() for name, value in table.items()
-    ]
+    lines = []
+    for section, table in found.spec.canonical.items():
+        each = (
+            {f"{section}.{name}": one for name, one in table.items()} if isinstance(table, dict) else {section: table}
+        )
+        lines += [f"{name} = {_short(value)}" for name, value in each.items()]
     return "\n".join([*([found.spec.title] if found.spec.title else []), *lines, _sentence(found)])
 
 
@@ -137,32 +134,6 @@ def _data(found: Study) -> str:
         "tally": dict(found.tally),
     }
     return json.dumps(content, indent=1, ensure_ascii=False)
-
-
-@contextmanager
-def _cluster(address: str | None) -> Iterator[tuple[Executor | None, int]]:
-    """The executor of a Dask cluster and the number of its threads; None, 0 without an address."""
-    if address is None:
-        yield None, 0
-        return
-    from mpsolve.errors import InputError, StudyError
-
-    try:
-        from distributed import Client
-        from distributed.comm import get_address_host_port
-    except ImportError:
-        raise InputError("--dask", "needs the package distributed: pip install 'mpsolve[dask]'") from None
-    given, address = address, address if "://" in address else f"tcp://{address}"
-    try:
-        get_address_host_port(address, strict=True)
-    except ValueError as error:
-        raise InputError("--dask", f"is {given!r}: {error}; give HOST:PORT, or what the scheduler says") from None
-    try:
-        client = Client(address, timeout=10, set_as_default=False)
-    except (OSError, ValueError) as error:
-        raise StudyError(f"no Dask scheduler answers at {address} ({error}): start one, or correct it") from None
-    with client:
-        yield client.get_executor(), sum(client.nthreads().values())
 
 
 @contextmanager

@@ -15,6 +15,8 @@ import click
 from mpsolve.cli_voice import told
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from rich.console import Group
 
     from mpsolve.progress import Progress
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
 _NARROW = 40  # columns; a narrower terminal breaks lines itself
 UNDECIDED = 1
 BAD_INPUT = 2
+WORKERS = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
+DASK = click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes.")
 INTERRUPTED = 130  # as a shell says of a program that ended by Ctrl-C
 
 
@@ -70,6 +74,34 @@ def checked_output(path: Path, source: Path, what: str, key: str = "output") -> 
     except OSError as error:  # a name that is too long, a folder that may not be looked into
         raise InputError(key, f"{path} cannot be used ({error.strerror}): give another path for {what}") from None
     return path
+
+
+@contextmanager
+def cluster(address: str | None, workers: int | None) -> Iterator[tuple[Executor | None, int]]:
+    """The executor of a Dask cluster and the number of its threads; None, 0 without an address."""
+    if address is None:
+        yield None, 0
+        return
+    from mpsolve.errors import InputError, StudyError
+
+    if workers is not None:
+        raise InputError("--workers", "is given, but --dask leaves that to the cluster: give one of the two")
+    try:
+        from distributed import Client
+        from distributed.comm import get_address_host_port
+    except ImportError:
+        raise InputError("--dask", "needs the package distributed: pip install 'mpsolve[dask]'") from None
+    given, address = address, address if "://" in address else f"tcp://{address}"
+    try:
+        get_address_host_port(address, strict=True)
+    except ValueError as error:
+        raise InputError("--dask", f"is {given!r}: {error}; give HOST:PORT, or what the scheduler says") from None
+    try:
+        client = Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise StudyError(f"no Dask scheduler answers at {address} ({error}): start one, or correct it") from None
+    with client:
+        yield client.get_executor(), sum(client.nthreads().values())
 
 
 def effort_of(given: str | None) -> Effort | None:

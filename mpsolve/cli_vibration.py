@@ -47,7 +47,8 @@ def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | 
 
 def warnings(source: ProblemFile) -> list[str]:
     """What looks like a mistake in the file."""
-    from mpsolve.problem.warned import titled, warned
+    from mpsolve.problem.titled import titled
+    from mpsolve.problem.warned import warned
 
     found = (*titled(source.problem, source.title), *warned(source.problem))
     return [f"Warning: {reason}." for reason in found]

@@ -14,7 +14,7 @@ import click
 if TYPE_CHECKING:
     from mpsolve.errors import InputError
 
-_NAMES = {"f": "function", "places": "xi", "times": "to"}
+_NAMES = {"f": "function", "places": "xi", "store": "output", "times": "to"}
 """Arguments of the library, and the parameter of a command that they come from."""
 
 
@@ -25,11 +25,13 @@ def told(error: InputError) -> str:
     if context is None:
         return f"{error.key}: {said}"
     key = error.key.split(".")[0].split("[")[0]
-    key = _NAMES.get(key, key)
+    named = {key, f"--{key.lstrip('-')}", _NAMES.get(key, key)}
     for parameter in context.command.params:
-        if parameter.name == key or f"--{key.lstrip('-')}" in parameter.opts:
+        if named & {parameter.name, *parameter.opts}:
             inner = error.key.partition(".")[2]
             return f"{_name(parameter)}: {f'{inner} ' if inner else ''}{said}"
+    if error.key in (text.partition("=")[0].strip() for text in context.params.get("overs", ())):
+        return f"--over: {error.key} {said}"
     return f"{error.key}: {said}{_line(context.params.get('file'), error.key)}"
 
 

@@ -20,11 +20,19 @@ def work_out() -> None:
     """
 
 
-def _show(*found: Worked) -> None:
-    """Each value, and what they assume once."""
+def _show(*found: Worked, layer: str | None = "") -> None:
+    """Each value, and what they assume once. layer: None where a layer may be named, and is not."""
     for one in found:
         click.echo(one.text.removesuffix(f"{one.assumes}\n"), nl=False)
-    click.echo(found[-1].assumes)
+    click.echo(f"{_OTHERS} {found[-1].assumes}" if layer is None else found[-1].assumes)
+
+
+_LAYER = click.option(
+    "--layer",
+    type=click.Choice(["pads", "sleepers", "ballast", "ground"]),
+    help="Which layer it is; it names the keys.  [default: pads]",
+)
+_OTHERS = "The key is that of pads: say --layer ballast, ground or sleepers for that of another layer."
 
 
 @work_out.command("per-metre")
@@ -32,14 +40,8 @@ def _show(*found: Worked) -> None:
 @click.option("--spacing", required=True, help='Distance of the sleepers, such as "0.6 m".')
 @click.option("--c", default="0", help='Damping at one rail seat, such as "18 kN s/m".')
 @click.option("--m", default="0", help="Mass on a rail seat: half a sleeper, such as 150 kg.")
-@click.option(
-    "--layer",
-    type=click.Choice(["pads", "sleepers", "ballast", "ground"]),
-    default="pads",
-    show_default=True,
-    help="Which layer it is; it names the keys.",
-)
-def per_metre(k: str | None, spacing: str, c: str, m: str, layer: str) -> None:
+@_LAYER
+def per_metre(k: str | None, spacing: str, c: str, m: str, layer: str | None) -> None:
     """A layer per metre of track, from its rail seats.
 
     Example: mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m" --m "150 kg"
@@ -47,7 +49,7 @@ def per_metre(k: str | None, spacing: str, c: str, m: str, layer: str) -> None:
     with one_sentence():
         from mpsolve.engineering import per_metre as found
 
-        _show(*found(k, spacing, c, m, layer))
+        _show(*found(k, spacing, c, m, layer or "pads"), layer=layer)
 
 
 @work_out.command()
@@ -69,7 +71,8 @@ def foundation(pad: str, ballast: str, spacing: str) -> None:
 @click.option("--loss", required=True, help="Loss factor of the material, such as 0.2.")
 @click.option("--frequency", required=True, help='Where the damping counts most, such as "100 Hz".')
 @click.option("--k", help='Stiffness of the layer, such as "300 MN/m²"; without it, for the bending of the rail.')
-def damping(loss: str, frequency: str, k: str | None) -> None:
+@_LAYER
+def damping(loss: str, frequency: str, k: str | None, layer: str | None) -> None:
     """Viscous damping from a hysteretic loss factor, at one frequency.
 
     Example: mpsolve work-out damping --loss 0.2 --k "300 MN/m²" --frequency "100 Hz"
@@ -77,7 +80,10 @@ def damping(loss: str, frequency: str, k: str | None) -> None:
     with one_sentence():
         from mpsolve.engineering import rail_damping, viscous
 
-        _show(rail_damping(loss, frequency) if k is None else viscous(k, loss, frequency))
+        if k is None:
+            _show(rail_damping(loss, frequency))
+        else:
+            _show(viscous(k, loss, frequency, layer or "pads"), layer=layer)
 
 
 @work_out.command("axial-force")

@@ -67,14 +67,12 @@ def per_metre(
     >>> per_metre("180 kN/mm", "0.6 m")[0].value
     Fraction(300000000, 1)
     """
-    if layer not in LAYERS:
-        raise InputError("layer", f"is {layer!r}: give one of {', '.join(LAYERS)}")
+    spring, damper, moved = _keys(layer)
     gap = _given(spacing, SPACING, "spacing")
     assumes = (
         "For one rail, if the values are those of one rail seat. A model of both rails takes twice as much. "
         "The layer has no single sleepers: it holds below the pinned-pinned frequency of the rail."
     )
-    spring, damper, moved = LAYERS[layer]
     rows = (
         (spring, stiffness, STIFFNESS, "N/m²", "k"),
         (damper, damping, DAMPING, "N s/m²", "c"),
@@ -98,6 +96,12 @@ def per_metre(
     return tuple(out)
 
 
+def _keys(layer: str) -> tuple[str, str, str]:
+    if layer not in LAYERS:
+        raise InputError("layer", f"is {layer!r}: give one of {', '.join(LAYERS)}")
+    return LAYERS[layer]
+
+
 def foundation(pad: object, ballast: object, spacing: object) -> Worked:
     """Pads and ballast in series as the one foundation of a beam, per metre of track.
 
@@ -114,12 +118,12 @@ def foundation(pad: object, ballast: object, spacing: object) -> Worked:
     return Worked("k", 1 / (1 / upper + 1 / lower) / gap, "N/m²", formula, assumes)
 
 
-def viscous(stiffness: object, loss_factor: object, frequency: object) -> Worked:
+def viscous(stiffness: object, loss_factor: object, frequency: object, layer: str = "pads") -> Worked:
     """The damper that loses as much as a hysteretic spring k (1 + i·loss) at one frequency: c = loss · k / (2π f)."""
     k = _given(stiffness, positive("N/m²", "stiffness of the layer"), "k")
     loss, f = _given(loss_factor, LOSS, "loss"), _given(frequency, FREQUENCY, "frequency")
     formula = f"{rounded(loss)} · {spoken(k, 'N/m²')} / (2π · {rounded(f)} Hz)"
-    return Worked("c_pad", float(loss * k) / (2 * pi * float(f)), "N s/m²", formula, _HYSTERETIC)
+    return Worked(_keys(layer)[1], float(loss * k) / (2 * pi * float(f)), "N s/m²", formula, _HYSTERETIC)
 
 
 def rail_damping(loss_factor: object, frequency: object) -> Worked:

@@ -19,6 +19,7 @@ class Receptance:
         self.mp = mpmath.MPContext()
         self.mp.dps = digits
         self.D, self.N, self.degree = guide.D, guide.N, guide.degree
+        self._last: Any = None  # σ with the p-roots of both sides and their weights
 
     def in_P(self, polynomial: Polynomial, sigma: Any) -> list[Any]:
         """Coefficients in P, the highest first."""
@@ -39,13 +40,16 @@ class Receptance:
 
     def value(self, xi: Any, sigma: Any) -> Any:
         """G(ξ, σ)."""
-        mp, (ahead, behind) = self.mp, self.roots(sigma)
-        D, N = self.in_P(self.D, sigma), self.in_P(self.N, sigma)
-        poles, sign = (ahead, 1) if xi >= 0 else (behind, -1)
+        if self._last is None or self._last[0] != sigma:
+            D, N = self.in_P(self.D, sigma), self.in_P(self.N, sigma)
+            sides = [[(P, self._residue(N, D, P)) for P in side] for side in self.roots(sigma)]
+            self._last = (sigma, *sides)
+        poles, sign = (self._last[1], 1) if xi >= 0 else (self._last[2], -1)
         x = self.number(Fraction(xi))
-        return sign * sum(
-            (mp.polyval(N, P) * mp.exp(P * x) / mp.polyval(D, P, derivative=1)[1] for P in poles), mp.mpc(0)
-        )
+        return sign * sum((weight * self.mp.exp(P * x) for P, weight in poles), self.mp.mpc(0))
+
+    def _residue(self, N: list[Any], D: list[Any], P: Any) -> Any:
+        return self.mp.polyval(N, P) / self.mp.polyval(D, P, derivative=1)[1]
 
     def rim(self, m: complex, r: float, count: int) -> list[Any]:
         """σ on the rim of a disc."""

@@ -19,9 +19,10 @@ EXAMPLES = ROOT / "examples"
 PAIR, RAIL, BOGIE = (str(EXAMPLES / f"{name}.toml") for name in ("dimensionless", "rail_60e1", "two_layer_bogie"))
 OUTPUTS = {
     "certify": f"certify {BOGIE} --region unstable --digits 15 --json",
-    "onset": f"onset {PAIR} --over v=0..1 --json",
-    "unstable_ranges": f"onset {RAIL} --all --json",
+    "onset": f"onset {PAIR} --over v=0.66..0.68 --json",
+    "unstable_ranges": f"onset {PAIR} --all --over v=0.66..0.68 --json",
     "crossings": f"crossings {PAIR} --over scale.mass=0.5..2 --json",
+    "lines": f"lines {PAIR} --over v=0.4..0.5 --points 3 --json",
     "worst": f"worst {RAIL} --over vehicles.M=8..12t --json",
     "robust": f"robust {PAIR} --over v=0.6..0.7 --json",  # with a counterexample
     "chart": f"chart {PAIR} --over v=0.3..0.6 --over scale.mass=0.5..1 --depth 3 --json",

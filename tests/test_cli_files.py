@@ -59,7 +59,7 @@ def test_another_kind_of_file_is_named(command: str, file: str, said: str) -> No
 def test_a_certificate_is_no_input() -> None:
     status, _, err = run("certify", str(EXAMPLES.parent / "certs" / "two_layer_bogie.json"))
     assert status == 2
-    assert "is JSON, not TOML: a certificate is checked by mpsolve verify" in err
+    assert "is a certificate, not an input file: check it with mpsolve verify" in err
 
 
 def test_two_files_of_one_name_leave_two_certificates(tmp_path: Path) -> None:

@@ -166,10 +166,23 @@ def test_robust(run: Run) -> None:
     result = run("robust", RAIL, *over)
     assert (result.exit_code, "STABLE for all these values." in result.stdout) == (0, True)
     assert "Warning: v is 100 m/s, outside" in result.stdout
-    result = run("robust", RAIL, "--over", "v=190..210 m/s", "--over", "track.k=0.9..1.1 MN/m²", "--json")
+    wide = ("--over", "v=190..210 m/s", "--over", "track.k=0.9..1.1 MN/m²")
+    result = run("robust", RAIL, *wide, "--json", "-o", "box.svg")
+    assert "unstable here" in Path("box.svg").read_text("utf-8")
     data = json.loads(result.stdout)
     assert (result.exit_code, data["answer"]["stable"]) == (0, False)
     assert data["verdict"] == "UNSTABLE for some of these values."
+
+
+def test_robust_in_parts_that_a_file_keeps(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mpsolve.studies.robust._PARTS", 2)
+    kept = ("robust", PLAIN, "--over", "v=0.2..0.21", "--store", "box.sqlite", "--workers", 1)
+    result = run(*kept, "--boxes", 1)
+    assert (result.exit_code, "UNDECIDED: 2 of 2 parts are open" in result.stdout) == (1, True)
+    result = run(*kept)
+    assert (result.exit_code, "STABLE for all these values." in result.stdout) == (0, True)
+    assert "2 of its 2 parts have one each, in box.sqlite" in result.stdout
+    assert run("status", "box.sqlite").stdout.endswith("2 of 2 entries finished: 2 proved.\nbox.sqlite\n")
 
 
 def test_a_chart_and_its_files(run: Run) -> None:
@@ -219,6 +232,9 @@ def test_a_table_of_any_problem(run: Run) -> None:
         (["crossings", PLAIN, "-o", "no/c.json"], "output", ""),
         (["crossings", PLAIN, "-o", "c.txt"], "output", ".json, .csv"),
         (["robust", PLAIN], "--over", "is missing"),
+        (["robust", PLAIN, "--over", "v=0..1", "--boxes", 9], "--boxes", "without --store"),
+        (["robust", PLAIN, "--over", "v=0..1", "--dask", "a:1"], "--dask", "without --store"),
+        (["robust", PLAIN, "--over", "v=0..1", "--store", "s", "--effort", 1], "--effort", "give --boxes"),
         (["chart", PLAIN, "-o", "c.png"], "output", ".svg"),
         (["chart", PLAIN, "--over", "v=0..1"], "over", "a chart is over two parameters"),
         (["table", "table.toml", "-o", "a.txt"], "output", ".csv, .json"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 from math import pi
 from pathlib import Path
 
@@ -45,3 +46,10 @@ def test_wrong_units(file: Path, omega: str, xi: str, said: str) -> None:
     result = CliRunner().invoke(cli, ["receptance", str(file), "--omega", omega, "--xi", xi])
     assert result.exit_code == 2
     assert said in result.stderr
+
+
+def test_a_name_in_json_is_enough(tmp_path: Path) -> None:
+    file = tmp_path / "contacts.json"
+    words = ["receptance", str(BOGIE), "--omega", "10,20,2", "--contacts", "-o", str(file)]
+    assert CliRunner().invoke(cli, words).exit_code == 0
+    assert json.loads(file.read_text("utf-8"))["contacts"]["places"] == [-1.28, 1.28]

@@ -33,3 +33,18 @@ def test_half_a_sleeper_alone() -> None:
     result = CliRunner().invoke(cli, words)
     assert result.exit_code == 0, result.output
     assert 'm_sleeper = "725/3 kg/m"  # 241.7 kg/m' in result.output
+
+
+@pytest.mark.parametrize(("layer", "key"), [([], "k_pad"), (["--layer", "ballast"], "k_ballast")])
+def test_the_key_is_that_of_the_layer(layer: list[str], key: str) -> None:
+    for words in (["per-metre", "--k", "60kN/mm", "--spacing", "0.6m"],
+                  ["damping", "--k", "100 MN/m²", "--loss", "0.2", "--frequency", "100 Hz"]):  # fmt: skip
+        result = CliRunner().invoke(cli, ["work-out", *words, *layer])
+        assert f"{key if words[0] == 'per-metre' else key.replace('k', 'c', 1)} = " in result.output
+        assert ("say --layer ballast" in result.output) == (not layer)
+
+
+def test_another_material() -> None:
+    words = ["work-out", "axial-force", "--area", "70 cm²", "--warmer", "10 K"]
+    result = CliRunner().invoke(cli, [*words, "--modulus", "100 GPa", "--expansion", "1e-5 1/K"])
+    assert 'N = "70 kN"' in result.output  # E A α ΔT

@@ -138,7 +138,7 @@ def test_the_command_takes_any_track() -> None:
     rows = list(csv.reader(done.stdout.splitlines()))
     track = read_problem(FOLDER.parent / "two_layer_bogie.toml").problem
     G = receptance(track.track, 0, [10, 455, 900], v=track.v)[0]
-    assert rows[0] == ["omega", "re_G(0)", "im_G(0)"]
+    assert rows[0] == ["omega [rad/s]", "re_G(0) [m/N]", "im_G(0) [m/N]"]
     assert [complex(float(a), float(b)) for _, a, b in rows[1:]] == G.tolist()
 
 

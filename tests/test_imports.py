@@ -19,11 +19,12 @@ CONTRACT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["
 RANK = {room: rank for rank, line in enumerate(reversed(CONTRACT["layers"])) for room in re.findall(r"\w+", line)}
 SIDE_BY_SIDE = [set(re.findall(r"\w+", line)) for line in CONTRACT["layers"] if "|" in line]
 PACKAGE = "mpsolve"
-VERIFIERS = {"mpsolve.certificate.verify2", "mpsolve.certificate.verify_roots"}
+VERIFIER = "mpsolve.certificate.verify2"
+OTHERS = ("mpsolve.certificate.verify_ranges", "mpsolve.certificate.verify_roots")
 UPWARD = ("mpsolve.display", "mpsolve.notebook")
 FRONT_DOORS = {"mpsolve"}
 DOORS_OF_COMMANDS = {"mpsolve.cli", "mpsolve.page.paper"}  # a command by its name; a printer that may be missing
-PRECISION = {"mpsolve.numbers.balls", *VERIFIERS}
+PRECISION = {"mpsolve.numbers.balls", VERIFIER}
 
 Graph = Mapping[str, Iterable[str]]
 Import = tuple[str, str | None]
@@ -127,8 +128,9 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
     assert circle(graph) == []
 
 
-def test_the_verifiers_stand_alone() -> None:
-    assert [IMPORTS[name] for name in VERIFIERS] == [[], []]
+def test_the_verifiers_stand_on_that_of_spectra_alone() -> None:
+    assert not IMPORTS[VERIFIER]
+    assert all({name for name, _ in IMPORTS[other]} <= {VERIFIER, "mpsolve.certificate"} for other in OTHERS)
 
 
 def test_only_the_front_door_loads_modules_by_name() -> None:

@@ -8,7 +8,7 @@ readReceptance := proc(file::string)
   omega := [seq(parse(rows[j, 1]), j = 2 .. last)];
   G := table():
   for i from 2 by 2 to upperbound(rows)[2] do
-    x := parse(StringTools:-Substitute(StringTools:-Substitute(rows[1, i], "re_G(", ""), ")", ""));
+    x := parse(StringTools:-Split(StringTools:-Substitute(rows[1, i], "re_G(", ""), ")")[1]);
     G[x] := [seq(parse(rows[j, i]) + I * parse(rows[j, i + 1]), j = 2 .. last)];
   end do;
   omega, eval(G);

@@ -35,13 +35,11 @@ def verify_bytes(raw: bytes) -> Verdict:
     if _ZEROS.search(raw):
         from mpsolve.certificate.verify_roots import verify_bytes as of_zeros
 
-        zeros = of_zeros(raw)
-        return Verdict(zeros.valid, zeros.reason, zeros.claim)
+        return of_zeros(raw)
     if _VERSION_1.search(raw) and not _VERSION_2.search(raw):
         return Verdict(False, OLD)
     if _RANGES.search(raw):
         from mpsolve.certificate.verify_ranges import verify_bytes as of_ranges
 
-        third = of_ranges(raw)
-        return Verdict(third.valid, third.reason, third.claim)
+        return of_ranges(raw)
     return of_spectra(raw)

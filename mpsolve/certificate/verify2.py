@@ -103,24 +103,26 @@ _lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's 
 
 
 @contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """flint at `bits` inside the block; put back after it. Other threads that come here wait."""
+def precision(bits: int, terms: int = 0) -> Iterator[None]:
+    """flint at `bits`, and with `terms` of series, inside the block; put back after it. Other threads wait."""
     with _lock:
-        before = flint.ctx.prec
-        flint.ctx.prec = bits
+        before, cap = flint.ctx.prec, flint.ctx.cap
+        flint.ctx.prec, flint.ctx.cap = bits, max(cap, terms)
         try:
             yield
         finally:
-            flint.ctx.prec = before
+            flint.ctx.prec, flint.ctx.cap = before, cap
 
 
 # --- reading: numbers, objects ----------------------------------------------------------------------------
 
 
-KEYS = "format version kind sha256 equations basis bits start paths theorem claim roots"
+KEYS = {"spectrum": "equations basis bits start paths theorem claim roots"}
 
 
-def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) -> dict[str, Any]:
+def opened(
+    raw: bytes, kinds: dict[str, str] = KEYS, form: str = "mpsolve certificate", number: int = 2
+) -> dict[str, Any]:
     """The file's object without its digest, which fits, with format, version, kind and keys checked."""
 
     def no_number(text: str) -> Any:
@@ -132,11 +134,11 @@ def opened(raw: bytes, kinds: Sequence[str] = ("spectrum",), names: str = KEYS) 
 
     read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
     require(isinstance(read, dict), "the file holds no JSON object")
-    require(read.get("format") == "mpsolve certificate", "the format is not 'mpsolve certificate'")
+    require(read.get("format") == form, f"the format is not '{form}'")
     version = read.get("version")
-    require(version == 2 and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
-    require(read.get("kind") in kinds, "the kind is not known to this verifier")
-    keys(read, names)
+    require(version == number and type(version) is int, f"version {str(version)[:20]} is not known to this verifier")
+    require(read.get("kind") in tuple(kinds), "the kind is not known to this verifier")
+    keys(read, f"format version kind sha256 {kinds[read['kind']]}")
     rest = {key: value for key, value in read.items() if key != "sha256"}
     canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
     digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
@@ -162,10 +164,11 @@ def integer(value: Any, low: int, high: int, name: str) -> int:
     return int(value)
 
 
-def rational(text: Any, name: str) -> Any:
+def rational(text: Any, name: str, digits: int = 120) -> Any:
     """Reads "p" or "p/q"."""
-    match = re.fullmatch(r"(-?[0-9]{1,120})(?:/([0-9]{1,120}))?", text, re.ASCII) if isinstance(text, str) else None
-    if match is None:
+    form = rf"(-?[0-9]{{1,{digits}}})(?:/([0-9]{{1,{digits}}}))?"
+    match = re.fullmatch(form, text, re.ASCII) if isinstance(text, str) else None
+    if match is None or int(match[2] or 1) == 0:
         raise Refused(f"{name} is not a rational number in text")
     return fmpq(int(match[1]), int(match[2] or 1))
 
@@ -188,6 +191,23 @@ def point(value: Any) -> Point:
     m, n = (integer(x, -(2**200), 2**200, "a point") for x in value[:2])
     unit = power_of_2(integer(value[2], -1100, 1100, "a point"))
     return m * unit, n * unit
+
+
+def read_ball(
+    value: Any, names: str, name: str, most: int = MAX_BITS, high: int = 1100
+) -> tuple[list[Any], Any, int]:
+    """(numbers of these names, radius, bits): hexadecimal mantissas times 2^exponent; bits that tell them apart."""
+    parts = []
+    for key in names.split():
+        known = isinstance(value[key], str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", value[key], re.ASCII)
+        require(known, f"{name}: a mantissa is not hexadecimal")
+        parts.append(int(value[key], 16))
+    e = integer(value["exponent"], -most, high, name)
+    m, f = items(value["radius"], 2, name, 2)
+    radius = integer(m, 1, 2**64, name) * power_of_2(integer(f, -most, high, name))
+    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
+    require(bits <= most, f"{name} has too many digits")
+    return [p * power_of_2(e) for p in parts], radius, bits
 
 
 def matrix(rows: Any, height: int, width: int, name: str) -> Any:
@@ -414,19 +434,28 @@ def real(ring: Any, p: Any) -> Any:
 
 @dataclass(frozen=True)
 class Track:
-    """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ)."""
+    """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ).
 
+    With parameters all are polynomials in them too, and their powers stand last.
+    """
+
+    ring: Any
     rows: list[list[Any]]
     loaded: int
-    v: Any
+    velocity: Free
     D: Any
     N: Any
-    d: Terms
-    n: Terms
+    d: Free
+    n: Free
+
+    @property
+    def v(self) -> Any:
+        """The velocity, without parameters."""
+        return self.velocity.get((), fmpq(0))
 
     @property
     def degree(self) -> int:
-        return max(i for i, _ in self.d)
+        return max(e[0] for e in self.d)
 
     @property
     def lead(self) -> list[Any]:
@@ -476,19 +505,26 @@ def dispersion(ring: Any, rows: list[list[Any]], loaded: int) -> tuple[Any, Any]
     return D, N
 
 
-def read_track(value: Any, velocity: Any) -> Track:
-    _, rows, loaded = read_rows(value, 0)
-    v = rational(velocity, "velocity")
-    require(v >= 0, "the velocity is negative")
-    return moving_track(rows, loaded, v)
+def read_track(value: Any, velocity: Any, box: Box = ()) -> Track:
+    ring, rows, loaded = read_rows(value, len(box))
+    v = free(velocity, len(box), "velocity")
+    everywhere(never_negative, [v], box, "the velocity is negative")
+    return moving_track(ring, rows, loaded, v)
 
 
-def moving_track(rows: list[list[Any]], loaded: int, v: Any) -> Track:
-    D, N = dispersion(RING, rows, loaded)
-    d, n = (terms(p.compose(P_, S_ - v * P_, ctx=RING)) for p in (D, N))
-    track = Track(rows, loaded, v, D, N, d, n)
-    require(max(i for i, _ in track.n) + 2 <= track.degree, "N/D does not decay as 1/p²")
+def moving_track(ring: Any, rows: list[list[Any]], loaded: int, velocity: Free) -> Track:
+    D, N = dispersion(ring, rows, loaded)
+    P, s, *x = ring.gens()
+    moved = s - P * speed(ring, velocity)
+    d, n = (terms(p.compose(P, moved, *x, ctx=ring)) for p in (D, N))
+    track = Track(ring, rows, loaded, velocity, D, N, d, n)
+    require(max(e[0] for e in n) + 2 <= track.degree, "N/D does not decay as 1/p²")
     return track
+
+
+def speed(ring: Any, velocity: Free) -> Any:
+    """The velocity as a polynomial of the ring."""
+    return ring.from_dict({(0, 0, *e): c for e, c in velocity.items()})
 
 
 def damped(D: Any, strictly: bool) -> bool:
@@ -577,30 +613,39 @@ class Vehicle:
 
 
 def read_vehicle(value: Any, basis: Any) -> Vehicle:
-    bodies = read_bodies(value, basis, 0, (), MAX_BODIES, MAX_CONTACTS)
-    nc, felt = bodies.B.ncols(), bodies.B.nrows()
-    places = [rational(x, "a place") for x in value["places"]]
-    h = [rational(x, "a compliance") for x in items(value["compliances"], nc, "compliances", nc)]
-    require(all(x >= 0 for x in h), "a compliance is negative")
-    check_forces(bodies.B, [places.index(x) for x in places], h)
+    bodies = read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
+    felt = bodies.B.nrows()
     M, C, K = (part.get((), fmpq_mat(felt, felt)) for part in bodies.parts)
+    h, places = ([at(x, ()) for x in row] for row in (bodies.h, bodies.places))
     return Vehicle(M, C, K, bodies.B, h, places, bodies.neutral, bodies.unfelt)
 
 
 @dataclass(frozen=True)
 class Bodies:
-    """M, C, K as {exponents of the parameters: matrix} and B of the felt coordinates; the last are neutral."""
+    """M, C, K as {exponents of the parameters: matrix}, B, compliances and places of the felt coordinates; the last
+    are neutral."""
 
     parts: list[dict[Exponents, Any]]
     B: Any
+    h: list[Free]
+    places: list[Free]
     neutral: int
     unfelt: int
 
+    @cached_property
+    def sites(self) -> list[int]:
+        """For each contact the number of its place."""
+        kept: list[Free] = []
+        for place in self.places:
+            kept += [place] if place not in kept else []
+        return [kept.index(place) for place in self.places]
 
-def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contacts: int) -> Bodies:
+
+def read_bodies(value: Any, basis: Any, box: Box, most: int, contacts: int) -> Bodies:
     """Passive for all parameters of the box, and in the basis felt, neutral and unfelt coordinates are apart."""
     keys(value, "M C K B places compliances")
-    nc, nb = len(items(value["places"], contacts, "places")), len(items(value["M"], most, "M"))
+    count, nc = len(box), len(items(value["places"], contacts, "places"))
+    nb = len(items(value["M"], most, "M"))
     require(nc > 0 and nb > 0, "the vehicle has no body or no contact")
     parts, B = [read_matrix(value[name], nb, count, name) for name in "MCK"], matrix(value["B"], nb, nc, "B")
     check_semidefinite(parts, nb, box)
@@ -621,7 +666,14 @@ def read_bodies(value: Any, basis: Any, count: int, box: Box, most: int, contact
         for i, j in product(range(felt - neutral, felt), range(felt)):
             require(a[i, j] == 0, "a neutral coordinate has a spring")
     parts = [{e: corner(a, felt, felt) for e, a in part.items()} for part in parts]
-    return Bodies(parts, corner(B, felt, nc), neutral, unfelt)
+    places = [free(x, count, "a place") for x in value["places"]]
+    h = [free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
+    for powers, c in (term for f in h for term in f.items()):
+        fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
+        require(fine, "a compliance may be negative, or infinite")
+    bodies = Bodies(parts, corner(B, felt, nc), h, places, neutral, unfelt)
+    check_forces(bodies.B, bodies.sites, h)
+    return bodies
 
 
 def corner(a: Any, height: int, width: int) -> Any:
@@ -865,7 +917,7 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
             step = step / ((1 - step * repel) or 1)
             z[k] = p - step
             change = max(change, abs(step) / (abs(p) or 1))
-        if change < 1e-13:
+        if change < 1e-8:  # of the third order
             break
     top = max(map(abs, z), default=1.0)
     for i, k in combinations(range(len(z)), 2):
@@ -966,35 +1018,40 @@ def riding(wave: Bent, weight: Bent, r: Any) -> Callable[[Any], Bent]:
     return at
 
 
-def bent_polynomial(c: Rows, sizes: Rows, root: Bent, e: Any, r: Any) -> Bent:
-    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by the moduli `sizes` of the c_ij."""
-    slope = c[1][0] if len(c) > 1 else acb(0)
-    rest, power = abs(slope) * root[2], arb(1)
-    for i, row in enumerate(sizes):
-        term = power
-        for j, x in enumerate(row):
-            if i + j > 1:
-                rest += x * term
-            term = term * r
-        power = power * e
+def tails(row: Sequence[Any], r: Any) -> tuple[Any, Any, Any]:
+    """Σ |c_j| r^j over j ≥ 0, over j ≥ 1 and over j ≥ 2."""
+    rest = arb(0)
+    for x in row[:1:-1]:
+        rest = (rest + abs(x)) * r
+    rest = rest * r
+    first = rest + abs(row[1]) * r if len(row) > 1 else rest
+    return first + abs(row[0]), first, rest
+
+
+def bent_polynomial(c: Rows, sizes: Sequence[Sequence[Any]], root: Bent, e: Any) -> Bent:
+    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by the `tails` of the rows."""
+    slope, rest = c[1][0] if len(c) > 1 else acb(0), arb(0)
+    for whole, _, _ in sizes[:1:-1]:
+        rest = (rest + whole) * e
+    rest = (rest + sizes[1][1]) * e if len(sizes) > 1 else rest
     time = c[0][1] if len(c[0]) > 1 else acb(0)
-    return c[0][0] + slope * root[0], slope * root[1] + time, rest
+    return c[0][0] + slope * root[0], slope * root[1] + time, rest + sizes[0][2] + abs(slope) * root[2]
 
 
 def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
     """The one root in the disc of radius e round z, and N/D_P there."""
     n, rows = local.degree + 1, local.n.nrows()
     c, above = (shift(z, n, n) * local.d).tolist(), (shift(z, rows, rows) * local.n).tolist()
-    sizes, sizes_above = ([[abs(x) for x in row] for row in part] for part in (c, above))
+    sizes, sizes_above = ([tails(row, r) for row in part] for part in (c, above))
     require(not c[1][0].contains(0), "a p-root may be double on a piece")
     # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
-    higher = bent_polynomial(c, sizes, NOTHING, e, r)[2]
+    higher = bent_polynomial(c, sizes, NOTHING, e)[2]
     first = c[0][1] if len(c[0]) > 1 else acb(0)
-    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / sizes[1][0])
+    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
     e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
-    slopes, sizes = ([[x * i for x in row] for i, row in enumerate(part)][1:] for part in (c, sizes))
-    slope = bent_inverse(bent_polynomial(slopes, sizes, root, e, r), r)
-    weight = bent_product(bent_polynomial(above, sizes_above, root, e, r), slope, r)
+    slopes, steep = ([[x * i for x in row] for i, row in enumerate(part)][1:] for part in (c[:3], sizes))
+    slope = bent_inverse(bent_polynomial(slopes, steep, root, e), r)
+    weight = bent_product(bent_polynomial(above, sizes_above, root, e), slope, r)
     return (z + root[0], root[1], root[2]), weight
 
 
@@ -1233,14 +1290,16 @@ def contracting(E: Any) -> bool:
 def near_weights(E: Any, goal: float) -> tuple[list[Any], Any]:
     """x > 0 by power iteration, each in its own unit, and a bound of max (E x)_i/x_i, for a matrix of moduli."""
     n = E.nrows()
-    x = arb_mat(n, 1, [1] * n)
-    for k in range(14):
+    x, best = arb_mat(n, 1, [1] * n), None
+    for _ in range(14):
         y = (E * x).entries()
         eta = max_bound(*(a / b for a, b in zip(y, x.entries(), strict=True)))
-        if eta < goal or k == 13:
+        if best is None or eta < best[1]:
+            best = x.entries(), eta
+        if eta < goal:
             break
         x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in zip(y, x.entries(), strict=True)])
-    return x.entries(), eta
+    return best or ([], arb(0))
 
 
 def moduli(a: Any) -> Any:
@@ -1248,6 +1307,7 @@ def moduli(a: Any) -> Any:
     return arb_mat(a.nrows(), a.ncols(), [abs(x) for x in a.entries()])
 
 
+@lru_cache(maxsize=64)
 def identity(n: int) -> Any:
     return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
@@ -1313,13 +1373,14 @@ def greatest_first(a: list[list[Any]]) -> list[int]:
 class Mark:
     """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
 
-    split: None at q = 0 where waves come to P = 0 there.
+    split: None at q = 0 where waves come to P = 0 there. beside: a pole, and what `turn_beside` needs there for it.
     """
 
     q: Point
     z: list[complex]
     split: Any
     matrix: Any = None
+    beside: tuple[Any, list[Any]] = (None, [])
 
 
 @dataclass
@@ -1451,23 +1512,20 @@ class Walker:
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
-        total = arb(0)
-        over = kernels_beside(disc, r, self.waves, pole)
-        ends = [(x.split.nodes.local.m, kernels_beside(x.split, arb(0), self.waves, pole)) for x in (mark, end)]
-        parts = [self.bordered.beside_pole(m, r, *over, pole)]
-        parts.append([acb_mat([[over[1][0]]]), acb_mat([[over[1][1]]]), arb_mat([[over[1][2]]])])
-        for k, part in enumerate(parts):
-            thin = []
-            for at, (H, g) in ends:
-                a, _, e = (
-                    self.bordered.beside_pole(at, arb(0), H, g, pole)
-                    if k == 0
-                    else (acb_mat([[g[0]]]), 0, arb_mat([[g[2]]]))
-                )
-                n = a.nrows()
-                thin.append(a + acb_mat(n, n, [box(x) for x in e.entries()]))
-            total += turned_by(part, r, *thin)
-        return total
+        H, g = kernels_beside(disc, r, self.waves, pole)
+        parts = [self.bordered.beside_pole(m, r, H, g, pole)]
+        parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
+        ends = zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True)
+        return sum((turned_by(part, r, start, stop) for part, start, stop in ends), arb(0))
+
+    def beside(self, mark: Mark, pole: Any) -> list[Any]:
+        """The two matrices at a mark."""
+        if mark.beside[0] is not pole:
+            H, g = kernels_beside(mark.split, arb(0), self.waves, pole)
+            a, _, e = self.bordered.beside_pole(mark.split.nodes.local.m, arb(0), H, g, pole)
+            lost = acb_mat(a.nrows(), a.nrows(), [box(x) for x in e.entries()])
+            mark.beside = pole, [a + lost, acb_mat([[g[0] + box(g[2])]])]
+        return mark.beside[1]
 
     def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
         """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
@@ -1478,12 +1536,25 @@ class Walker:
         for rows in ([[V[g][0] for g in row] for row in where], [[half * V[g][1] for g in row] for row in where]):
             a = acb_mat(rows)
             H.append((a + a.conjugate().transpose()) * acb(0.5))
-        X = acb_mat(inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
-        back = X.conjugate().transpose()
-        size = moduli(X)
         lost = [[(V[where[i][j]][2] + V[where[j][i]][2]) / 2 for j in range(n)] for i in range(n)]
-        E = moduli(X * H[0] * back - identity(n)) + moduli(X * H[1] * back) + size * arb_mat(lost) * size.transpose()
-        require(contracting(E), "the receptance is not proved passive on it: it is too long, or not passive")
+        fine = definite(H, lost)
+        require(fine, "the receptance is not proved passive on it: it is too long, or not passive")
+
+
+def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
+    """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry."""
+    if len(E) == 1:
+        first, *others = [a[0, 0].real for a in H]
+        return bool(first - sum((abs(x) for x in others), arb(0)) - E[0][0] > 0)
+    X = inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()])
+    if X is None:
+        return False
+    left = acb_mat(X)
+    right, size = left.conjugate().transpose(), moduli(left)
+    F = moduli(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
+    for a in H[1:]:
+        F = F + moduli(left * a * right)
+    return contracting(F)
 
 
 def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
@@ -1494,8 +1565,8 @@ def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
     return pivots(R * stop) - pivots(R * start)
 
 
-def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
-    """X with X H X* ≈ 1, in floats: nothing rests on it."""
+def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
+    """X with X H X* ≈ 1, in floats, or None: nothing rests on it."""
     n = len(h)
     low = [[0j] * n for _ in range(n)]
     X = [[0j] * n for _ in range(n)]
@@ -1503,7 +1574,8 @@ def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]]:
         for j in range(i + 1):
             x = h[i][j] - sum(low[i][k] * low[j][k].conjugate() for k in range(j))
             if i == j:
-                require(x.real > 0, "the receptance is not passive in the middle of a piece")
+                if not x.real > 0:
+                    return None
                 low[i][i] = complex(x.real**0.5)
             else:
                 low[i][j] = x / low[j][j]
@@ -1952,7 +2024,7 @@ class Sheet:
         require(known and all(x > 0 for x in sizes), "the whole sheet is known for a beam on one layer only")
         height = t.get((0, 1), fmpq(0)) / (2 * t[0, 2])
         rows = [[x.compose(P_, S_ - height, ctx=RING) for x in row] for row in track.rows]
-        undamped = moving_track(rows, track.loaded, track.v)
+        undamped = moving_track(RING, rows, track.loaded, track.velocity)
         static = in_y(undamped.D.subs({"s": 0}))
         require(height >= 0 and positive(static, (), True), "the cuts do not lie on one line")
         require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
@@ -2256,21 +2328,10 @@ class Root:
 
 def read_root(value: Any) -> Root:
     keys(value, "re im exponent radius multiplicity pair")
-    parts = []
-    for name in ("re", "im"):
-        text = value[name]
-        known = isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text)
-        require(known, "a mantissa is not hexadecimal")
-        parts.append(int(text, 16))
-    e = integer(value["exponent"], -MAX_BITS, 1100, "an exponent")
-    m, f = items(value["radius"], 2, "a radius", 2)
-    radius = integer(m, 1, 2**64, "a radius") * power_of_2(integer(f, -MAX_BITS, 1100, "a radius"))
-    unit = power_of_2(e)
+    (x, y), radius, bits = read_ball(value, "re im", "a root")
     require(type(value["pair"]) is bool, "pair is not true or false")
-    bits = max(0, max(abs(p).bit_length() for p in parts) + e - f)
-    require(bits <= MAX_BITS, "a root has too many digits")
     multiplicity = integer(value["multiplicity"], 1, MAX_MULTIPLICITY, "multiplicity")
-    return Root((parts[0] * unit, parts[1] * unit), radius, multiplicity, value["pair"], bits)
+    return Root((x, y), radius, multiplicity, value["pair"], bits)
 
 
 def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
@@ -2304,21 +2365,8 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     X and Y are any numbers, in the units of rows and columns.
     """
     n = A[0].nrows()
-    rows = A[0].tolist()
-    tall = [max((float(abs(x)) for x in row), default=0) or 1.0 for row in rows]
-    wide = [max(float(abs(row[j])) / t for row, t in zip(rows, tall, strict=True)) or 1.0 for j in range(n)]
-
-    def uneven(i: int, j: int) -> float:
-        return 1 + ((i + 1) * (j + 2) * 0.6180339887498949) % 1
-
-    def bordered(a: Any, zero: Any, edge: float) -> list[list[Any]]:
-        right = [
-            [*row, *(edge * t * uneven(i, j) for j in range(m))]
-            for i, (row, t) in enumerate(zip(a.tolist(), tall, strict=True))
-        ]
-        return right + [[*(edge * w * uneven(j, i + m) for j, w in enumerate(wide)), *[zero] * m] for i in range(m)]
-
-    B0, B1, Q = acb_mat(bordered(A[0], 0, 1.0)), acb_mat(bordered(A[1], 0, 0.0)), arb_mat(bordered(A[2], 0, 0.0))
+    none = [[0] * m] * n, [[0] * n] * m
+    B0, B1, Q = acb_mat(framed(A[0], *frame(A[0], m))), acb_mat(framed(A[1], *none)), arb_mat(framed(A[2], *none))
     R = near_inverse(B0)
     N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
     N = moduli(N0) + moduli(N1) * r + Q * size  # BR = 1 + (a matrix with these moduli at most)
@@ -2331,6 +2379,32 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     worst = [max_bound(*(row[n + j] / y for row, y in zip(twice, x, strict=True))) / (1 - eta) for j in range(m)]
     lost = arb_mat([[y + tail[n + i] * worst[j] for j, y in enumerate(row)] for i, row in enumerate(F[3])])
     return [acb_mat(F[0]) - acb_mat(F[1]), -acb_mat(F[2]), lost]
+
+
+def units(a: Any) -> tuple[list[float], list[float]]:
+    """Of the rows and the columns of a matrix."""
+    rows = a.tolist()
+    tall = [max((float(abs(x)) for x in row), default=0) or 1.0 for row in rows]
+    return tall, [
+        max(float(abs(row[j])) / t for row, t in zip(rows, tall, strict=True)) or 1.0 for j in range(len(rows))
+    ]
+
+
+def frame(a: Any, m: int) -> tuple[Rows, Rows]:
+    """m columns and m rows for the edges of a matrix: any numbers, in its units."""
+    tall, wide = units(a)
+
+    def uneven(i: int, j: int) -> float:
+        return 1 + ((i + 1) * (j + 2) * 0.6180339887498949) % 1
+
+    right = [[t * uneven(i, j) for j in range(m)] for i, t in enumerate(tall)]
+    return right, [[w * uneven(j, i + m) for j, w in enumerate(wide)] for i in range(m)]
+
+
+def framed(a: Any, right: Rows, low: Rows) -> Rows:
+    """[[a, right], [low, 0]]."""
+    rows = [[*row, *more] for row, more in zip(a.tolist(), right, strict=True)]
+    return rows + [[*row, *[0] * len(low)] for row in low]
 
 
 def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:
@@ -2449,11 +2523,13 @@ def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: S
     for k, row in enumerate(track.rows):
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
-    equations = content["equations"]["vehicle"]
-    said.append(f"  velocity {track.v}; bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ")
-    said += [f"  {name} = {listed(equations[name])}" for name in ("M", "C", "K", "B")]
-    said.append(f"  contacts at {listed(equations['places'])}, compliances {listed(equations['compliances'])}")
-    return "\n".join(said)
+    return "\n".join([*said, f"  velocity {track.v}; {vehicle_words(content['equations']['vehicle'])}"])
+
+
+def vehicle_words(value: Any) -> str:
+    said = ["bodies M ÿ + C ẏ + K y = B λ, rail under the contacts Bᵀ y + h λ"]
+    said += [f"  {name} = {listed(value[name])}" for name in "MCKB"]
+    return "\n".join([*said, f"  contacts at {listed(value['places'])}, compliances {listed(value['compliances'])}"])
 
 
 def listed(value: Any) -> str:

@@ -36,19 +36,18 @@ require, keys, items, integer, rational, dyadic, listed = (
     spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic, spectra.listed,
 )  # fmt: skip
 
-KEYS = "format version kind sha256 equations basis range base tail X beyond tree zeros claim"
-MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS, MAX_BITS = 32_000_000, 6, 4_000_000, 100, 70_000
+KEYS = "equations basis range base tail X beyond tree zeros claim"
+MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS = 32_000_000, 6, 4_000_000, 100
 MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
 BOXES = 20_000  # that positivity at large q may take
 BITS = 64
-POINTS, TOGETHER, FIRST, SMALL = (
-    24,
+TOGETHER, WIDER, NARROWER = (
     0.3,
-    3,
-    64,
-)  # of a circle; roots closer than this share of the distance of others share one
+    16,
+    fmpq(1, 1 << 20),
+)  # p-roots closer than this share of other distances share a circle
 SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -56,83 +55,35 @@ Free = dict[Exponents, Any]  # {exponents of the parameters: c}
 Box = tuple[tuple[Any, Any], ...]  # exact ends of q and of the parameters, or of the parameters alone
 
 
-def verify(path: Any) -> Any:
+def verify(path: Any) -> spectra.Verdict:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
     return spectra.of_file(path, verify_bytes, MAX_BYTES)
 
 
-def verify_bytes(raw: bytes, most: int | None = None) -> Any:
+def verify_bytes(raw: bytes, most: int | None = None) -> spectra.Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it
     may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
-    claim = lambda: checked(spectra.opened(raw, ("crossings", "stable"), KEYS), most)  # noqa: E731
+    claim = lambda: checked(spectra.opened(raw, {"crossings": KEYS, "stable": KEYS}), most)  # noqa: E731
     return spectra.judged(raw, claim, MAX_BYTES)
 
 
 # --- the equations ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Track:
-    """A(P, s; θ) u = e·load; D = det A, N the cofactor of the loaded row, at rest; d, n: at s = σ − vP."""
-
-    ring: Any
-    rows: list[list[Any]]
-    D: Any
-    N: Any
-    v: Free
-    d: Any
-    n: Any
-    count: int
-
-    @cached_property
-    def powers(self) -> tuple[list[Free], list[Free]]:
-        """Of d and n: for each power of P what stands with it, exponents of (σ, θ)."""
-        return by_power(self.d), by_power(self.n)
-
-    @property
-    def degree(self) -> int:
-        return len(self.powers[0]) - 1
-
-    @cached_property
-    def power(self) -> list[Free]:
-        """W at Ω = q − vp: for each power of p what stands with it, exponents of (q, θ)."""
-        ring = self.ring
-        P, s, *x = ring.gens()
-        v = speed(ring, self.v)
-        return by_power(spectra.absorption(ring, self.D, self.N)[0].compose(P, s - v * P, *x, ctx=ring))
+def by_power(f: Free) -> list[Free]:
+    """For each power of P, or p, what stands with it."""
+    out: list[Free] = [{} for _ in range(max(e[0] for e in f) + 1)]
+    for (i, *e), c in f.items():
+        out[i][tuple(e)] = c
+    return out
 
 
-def by_power(p: Any) -> list[Free]:
-    out: dict[int, Free] = {}
-    for (i, *e), c in p.to_dict().items():
-        out.setdefault(int(i), {})[tuple(map(int, e))] = c
-    return [out.get(k, {}) for k in range(max(out) + 1)]
-
-
-def read_track(value: Any, velocity: Any, count: int) -> Track:
-    ring, rows, loaded = spectra.read_rows(value, count)
-    P, s, *x = ring.gens()
-    D, N = spectra.dispersion(ring, rows, loaded)
-    v = spectra.free(velocity, count, "velocity")
-    require(v, "the velocity is 0 throughout: at rest nothing grows")
-    moved = s - speed(ring, v) * P
-    d, n = (p.compose(P, moved, *x, ctx=ring) for p in (D, N))
-    track = Track(ring, rows, D, N, v, d, n, count)
-    require(len(track.powers[1]) + 1 <= track.degree, "N/D does not decay as 1/p²")
-    return track
-
-
-def speed(ring: Any, v: Free) -> Any:
-    """The velocity as a polynomial of the ring."""
-    return ring.from_dict({(0, 0, *e): c for e, c in v.items()})
-
-
-def check_track(track: Track, box: Box) -> None:
-    """For all parameters: v ≥ 0, passive at rest, no p-root real for Re σ ≥ 0, and none lost (section 10.2)."""
-    spectra.everywhere(spectra.never_negative, [track.v], box, "the velocity may be negative")
-    lead = track.powers[0][-1]
-    require(all(e[0] == 0 for e in lead), "the highest coefficient of D depends on the frequency")
-    top = {e[1:]: c for e, c in lead.items()}
+def check_track(track: spectra.Track, box: Box) -> None:
+    """For all parameters: passive at rest, no p-root real for Re σ ≥ 0, and none lost (section 10.2)."""
+    require(track.velocity, "the velocity is 0 throughout: at rest nothing grows")
+    lead = {e: c for e, c in track.d.items() if e[0] == track.degree}
+    require(all(e[1] == 0 for e in lead), "the highest coefficient of D depends on the frequency")
+    top = {e[2:]: c for e, c in lead.items()}
     if spectra.at(top, [(a + b) / 2 for a, b in box]) < 0:
         top = {e: -c for e, c in top.items()}
     spectra.everywhere(spectra.always_positive, [top], box, "a wave speed may lie in the range")
@@ -143,7 +94,7 @@ def check_track(track: Track, box: Box) -> None:
     check_inertia(track, box)
 
 
-def check_inertia(track: Track, box: Box) -> None:
+def check_inertia(track: spectra.Track, box: Box) -> None:
     """N/D ~ a/s² for s → ∞ at every wavenumber, with one a > 0 (section 10.3)."""
     tops = []
     for p in (track.D, track.N):
@@ -157,53 +108,14 @@ def check_inertia(track: Track, box: Box) -> None:
     spectra.everywhere(spectra.always_positive, [both], box, "the inertia of the track may vanish")
 
 
-@dataclass(frozen=True)
-class Vehicle:
-    """M, C, K as {exponents: matrix}, B constant, compliances and places as polynomials, of the felt coordinates."""
-
-    M: dict[Exponents, Any]
-    C: dict[Exponents, Any]
-    K: dict[Exponents, Any]
-    B: Any
-    h: list[Free]
-    places: list[Free]
-    neutral: int
-
-    @cached_property
-    def sites(self) -> list[int]:
-        """For each contact the number of its place."""
-        kept: list[Free] = []
-        out = []
-        for place in self.places:
-            if place not in kept:
-                kept.append(place)
-            out.append(kept.index(place))
-        return out
-
-
-def read_vehicle(value: Any, basis: Any, count: int, box: Box) -> Vehicle:
-    bodies = spectra.read_bodies(value, basis, count, box, MAX_BODIES, MAX_CONTACTS)
-    nc = bodies.B.ncols()
-    places = [spectra.free(x, count, "a place") for x in value["places"]]
-    h = [spectra.free(x, count, "a compliance", -4) for x in items(value["compliances"], nc, "compliances", nc)]
-    for f in h:
-        for powers, c in f.items():
-            fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
-            require(fine, "a compliance may be negative, or infinite")
-    M, C, K = bodies.parts
-    vehicle = Vehicle(M, C, K, bodies.B, h, places, bodies.neutral)
-    check_places(vehicle, box)
-    return vehicle
-
-
-def check_places(vehicle: Vehicle, box: Box) -> None:
-    """Different places stay apart, and no contact force is indeterminate (section 2.2)."""
-    kept = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
+def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
+    """The different places, in order: they stay apart for all parameters."""
+    kept = [place for k, place in enumerate(vehicle.places) if place not in vehicle.places[:k]]
     middle = [(a + b) / 2 for a, b in box]
     kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
         spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
-    spectra.check_forces(vehicle.B, vehicle.sites, vehicle.h)
+    return kept
 
 
 # --- Taylor forms of second order -------------------------------------------------------------------------
@@ -333,7 +245,7 @@ class Place:
     """A box of (q, θ): the variables (σ, θ) as forms, and their monomials. first: of σ by q."""
 
     def __init__(self, middle: Sequence[Any], half: Sequence[Any], first: complex = 1j) -> None:
-        self.m = len(middle)
+        self.m, self.middle, self.half, self.first = len(middle), middle, half, first
         self._known: dict[Exponents, Form] = {}
         self._powers: list[list[Form]] = []
         for i, (x, r) in enumerate(zip(middle, half, strict=True)):
@@ -345,6 +257,9 @@ class Place:
     @classmethod
     def of(cls, box: Box, first: complex = 1j) -> Place:
         return cls([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box], first)
+
+    def resized(self, factor: Any) -> Place:
+        return Place(self.middle, [r * factor for r in self.half], self.first)
 
     def power(self, i: int, e: int) -> Form:
         if e < 0:
@@ -388,11 +303,14 @@ class Wide(spectra.Refused):
 class Waves:
     """D and N in balls at the present precision, and the distances that G is needed for."""
 
-    def __init__(self, track: Track, vehicle: Vehicle) -> None:
-        self.degree = track.degree
-        self.D, self.N = ([balls(f) for f in part] for part in track.powers)
+    def __init__(self, track: spectra.Track, vehicle: spectra.Bodies) -> None:
+        self.degree, ring = track.degree, track.ring
+        self.D, self.N = ([balls(f) for f in by_power(part)] for part in (track.d, track.n))
+        P, s, *x = ring.gens()
+        W = spectra.absorption(ring, track.D, track.N)[0]  # at Ω = q − vp
+        W = W.compose(P, s - spectra.speed(ring, track.velocity) * P, *x, ctx=ring)
         turn = [acb(1), acb(0, -1), acb(-1), acb(0, 1)]  # q = −iσ
-        self.W = [[(e, turn[e[0] % 4] * c) for e, c in balls(f)] for f in track.power]
+        self.W = [[(e, turn[e[0] % 4] * c) for e, c in balls(f)] for f in by_power(spectra.terms(W))]
         places = [{(0, *e): c for e, c in place.items()} for place in vehicle.places]
         self.distances: list[tuple[bool, list[tuple[Exponents, Any]]]] = []
         kept: list[Free] = []
@@ -467,9 +385,8 @@ class Split:
         wide = self.solved([f.size / size for f, size in zip(self.values, self.scale, strict=True)])
         if wide is None:
             raise Wide("the p-roots of both sides are not kept apart over a box", self.strain())
-        self.thin = [abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)]
         if not self.apart(wide[1]):
-            thin = self.solved(self.thin)
+            thin = self.solved([abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)])
             fine = thin is not None and self.apart(thin[1]) and all(
                 x < y for x, y in zip(thin[1], wide[0], strict=True)
             )  # fmt: skip
@@ -498,50 +415,6 @@ class Split:
                     moved = float(abs(self.values[k].k[1 + i]))
                     out[i] = max(out[i], moved / (float(self.scale[k]) * near))
         return out
-
-    @cached_property
-    def roots(self) -> list[Any]:
-        """Balls of the p-roots at the middle of the box, by Lemma 2."""
-        thin = self.solved(self.thin)
-        require(thin is not None, "the p-roots of both sides are not kept apart")
-        tight, out = thin[1] if thin else [], []
-        for side in self.sides:
-            for k in side:
-                e = (tight[k] * 2).upper()
-                others = [(tight[j], self.gap[k][j] - e) for j in side if j != k]
-                if not all(gap > e for _, gap in others):
-                    raise Wide("two p-roots meet in the middle of a box", self.strain())
-                g = sum((t / gap for t, gap in others), ZERO)
-                require(g < 0.5, "two p-roots meet in the middle of a box")
-                out.append(self.z[k] + spectra.box(arb(e)))
-        return out
-
-    def wave(self, k: int, N: list[Form]) -> tuple[list[Any], list[Any]]:
-        """The Taylor coefficients of the k-th p-root and of N/D_P there, at the middle of the box."""
-        m, p = self.m, self.roots[k]
-        E = [self.about(p, i).k for i in range(min(4, self.n + 1))]
-        E[0][0] = NONE
-        require(not E[1][0].contains(0), "two p-roots meet in the middle of a box")
-        c = -1 / E[1][0]
-        turn, first = [NONE, *E[1][1:]], [x * c for x in E[0]]
-        h = E[0]
-        slope = E[1]
-        if self.n > 1:
-            second = product_of(E[2], product_of(first, first, m), m)
-            h = [(x + y + w) * c for x, y, w in zip(E[0], product_of(turn, first, m), second, strict=True)]
-            slope = [x + 2 * y for x, y in zip(slope, product_of(E[2], h, m), strict=True)]
-        if self.n > 2:
-            square = product_of(h, h, m)
-            slope = [x + 3 * E[3][0] * y for x, y in zip(slope, square, strict=True)]
-        point, above = [p, *h[1:]], N[-1].k
-        for f in reversed(N[:-1]):
-            above = [x + y for x, y in zip(product_of(above, point, m), f.k, strict=True)]
-        return point, product_of(above, inverse_of(slope, m), m)
-
-    def small(self, share: int) -> bool:
-        """Whether the box moves p-roots by less than this share of their distances."""
-        both = combinations(range(self.n), 2)
-        return all((self.tight[k] + self.tight[j]) * share < self.gap[k][j] for k, j in both)
 
     def isolated(self, side: range) -> list[Any]:
         """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
@@ -575,8 +448,8 @@ class Split:
             value = value * point + f
         return point, value * slope.inverse()
 
-    def circles(self, side: int) -> list[tuple[Any, list[Any], list[int]]]:
-        """(middle, radii, nodes inside) of circles; the second radius is theirs. Roots that are close share one."""
+    def circles(self, side: int) -> list[tuple[Any, Any, list[int]]]:
+        """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
         own, z = list(self.sides[side]), [complex(x) for x in self.z]
         others = [k for k in range(self.n) if k not in own]
         far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
@@ -590,138 +463,77 @@ class Split:
             size = max(abs(z[k] - middle) for k in g)
             outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
             size += len(g) * max(float(self.tight[k]) for k in g)
-            radius = max(0.4 * outer, (size * outer) ** 0.5)
-            inner = size + 0.08 * (radius - size)
-            if not inner < 0.9 * radius < 0.75 * outer:
-                raise Wide("p-roots come too near to others over a box", self.strain())
-            out.append((acb(middle), [arb(inner), arb(radius), arb(0.85 * outer)], g))
+            out.append((acb(middle), arb(max(0.4 * outer, (size * outer) ** 0.5)), g))
         return out
 
-    def require_inside(self, middle: Any, radii: list[Any], inside: list[int]) -> None:
-        """The nodes of the circle lie in the inner one, all others outside the outer one: in balls."""
-        for k, z in enumerate(self.z):
-            away = abs(middle - z)
-            if not (away < radii[0] if k in inside else away > radii[2]):
-                raise Wide("p-roots come too near to others over a box", self.strain())
+    def bounds(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
+        """Bounds of |Σ N e^{Pξ}/D_P| over the p-roots of one side, at each distance: by one circle round each group.
 
-    def rest(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
-        """Bounds of what G at each distance departs from its Taylor polynomial of second order (section 10.4): of
-        sums over points of circles round the p-roots, and of what these sums do not see."""
-        m, out = self.m, [ZERO] * len(distances)
-        D = [acb_poly([f.k[i] for f in self.D]) for i in range(1, len(self.D[0].k))]
-        lost, lead = arb_poly([f.e for f in self.D]), abs(self.D[-1].k[0])
-        for middle, radii, inside in self.circles(side):
-            self.require_inside(middle, radii, inside)
-            radius = radii[1]
-            far = abs(middle) + radius
-            above = of_polynomial(N, far)
-            waves = [moduli_of_wave(f, far) for f in distances]
-            share = radius / POINTS
-            for turn in turns(flint.ctx.prec):
-                P = middle + radius * turn
-                d = lead
-                for z in self.roots:
-                    d = d * abs(P - z)
-                sizes = [abs(f(P)) for f in D]
-                p, q, eps = sum(sizes[:m], ZERO) / d, sum(sizes[m:], ZERO) / d, lost(far) / d
-                y = p + q + eps
-                if not y < 0.95:
-                    raise Wide("p-roots move too much over a box", self.strain())
-                inverse = (1 / d, p / d, (q + p * p) / d,
-                           (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y)) / d)  # fmt: skip
-                quotient = of_moduli(above, inverse)
-                for n, (f, wave) in enumerate(zip(distances, waves, strict=True)):
-                    if wave is None:
-                        out[n] = out[n] + quotient[3] * share
-                        continue
-                    grown = (P * f.k[0]).real.exp()
-                    out[n] = out[n] + of_moduli(quotient, wave)[3] * grown * share
-            for n, x in enumerate(self.unseen(middle, radii, N, distances)):
-                out[n] = out[n] + x * (2 + len(D))
-        return [x.upper() for x in out]
-
-    def unseen(self, middle: Any, radii: list[Any], N: list[Form], distances: Sequence[Form]) -> list[Any]:
-        """How much the mean over POINTS points of the circle may differ from the integral, for |u_i| ≤ 1: by bounds
-        of N e^{Pξ}/D on two circles, with no root of D between them."""
+        On a circle |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0, and as many zeros of D in it as nodes.
+        """
         out = [ZERO] * len(distances)
-        for r, ratio in ((radii[0], radii[0] / radii[1]), (radii[2], radii[1] / radii[2])):
-            away = [abs(abs(middle - z) - r) for z in self.z]
-            low = abs(self.D[-1].k[0]) - self.D[-1].spread
-            for x in away:
-                low = low * x
-            for side in self.sides:
-                share = 1 - sum((self.tight[k] / away[k] for k in side), ZERO)
-                if not share > 0:
-                    raise Wide("p-roots come too near to others over a box", self.strain())
-                low = low * share
-            require(low > 0, "p-roots come too near to others over a box")
-            far, power = abs(middle) + r, ratio**POINTS
-            bound_ = sum(of_polynomial(N, far), ZERO) / low * r * power / (1 - power)
+        for middle, radius, inside in self.circles(side):
+            gaps = [abs(middle - z) - radius for z in self.z]
+            fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
+            low, far = abs(self.D[-1].k[0]) - self.D[-1].spread, abs(middle) + radius
+            for gap in gaps:
+                low = low * abs(gap)
+            for here in self.sides:
+                share = 1 - sum((self.tight[k] / abs(gaps[k]) for k in here), ZERO)
+                fine, low = fine and bool(share > 0), low * share
+            if not (fine and low > 0):
+                raise Wide("p-roots come too near to others over a box", self.strain())
+            most = sum((f.size * far**i for i, f in enumerate(N)), ZERO) / low * radius
             for n, f in enumerate(distances):
-                out[n] = out[n] + bound_ * ((middle * f.k[0]).real + r * abs(f.k[0]) + far * f.spread).exp()
+                out[n] += most * ((middle * f.k[0]).real + radius * abs(f.k[0]) + far * f.spread).exp()
         return out
 
 
-@lru_cache(maxsize=8)
-def turns(_precision: int) -> list[Any]:
-    """The POINTS-th roots of 1 at the precision that is set."""
-    return [acb(arb(fmpq(2 * a, POINTS))).exp_pi_i() for a in range(POINTS)]
-
-
-def of_polynomial(f: Sequence[Form], far: Any) -> tuple[Any, Any, Any, Any]:
-    """Moduli of the parts of Σ f_i P^i, |P| ≤ far."""
-    out, power = (ZERO, ZERO, ZERO, ZERO), arb(1)
-    for g in f:
-        a, b, c = g.sizes
-        out = (out[0] + a * power, out[1] + b * power, out[2] + c * power, out[3] + g.e * power)
-        power = power * far
+def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+    """G at each distance over the box: from its p-roots, each alone, or where some of one side meet."""
+    try:
+        isolated = [split.isolated(side) for side in split.sides]
+    except Wide:
+        if any(y > 0.5 / WIDER for y in (split.inverse * arb_mat(split.n, 1, split.tight)).entries()):
+            raise  # it would not split over the wider box
+        out = beside_meeting(waves, split, x)
+    else:
+        out = from_roots(waves, split, isolated, x)
+    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
+    require(finite, "G is not bounded over a box")
     return out
 
 
-def of_moduli(a: Any, b: Any) -> tuple[Any, Any, Any, Any]:
-    """Bounds of the parts of a product: of order 0, 1, 2, and the rest."""
-    rest = a[1] * b[2] + a[2] * (b[1] + b[2]) + (a[0] + a[1] + a[2]) * b[3] + a[3] * (b[0] + b[1] + b[2] + b[3])
-    return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + a[1] * b[1] + a[2] * b[0], rest
-
-
-def moduli_of_wave(distance: Form, far: Any) -> Any:
-    """Of e^{P(ξ − ξ_0)} for |P| ≤ far; None where the distance is 0."""
-    if distance.size.is_zero():
-        return None
-    p, q, eps = distance.sizes[1] * far, distance.sizes[2] * far, distance.e * far
-    y = p + q + eps
-    require(y < 40, "a wave may change too much over a box")
-    return arb(1), p, q + p * p / 2, eps + (q + eps) * (2 * p + q + eps) / 2 + y.exp() * y**3 / 6
-
-
-def receptances(waves: Waves, split: Split, x: Sequence[Any], sharp: bool | None = None) -> list[Form]:
-    """G at each distance over the box: by forms where it is small, as their rests fall with it to any precision."""
-    sharp = split.small(SMALL) if sharp is None else sharp
+def from_roots(waves: Waves, split: Split, isolated: Sequence[list[Any]], x: Sequence[Any]) -> list[Form]:
+    """G as ± Σ N e^{Pξ}/D_P of forms: their rests fall with the box to any precision."""
     place, m = split.place, split.m
-    N = [place.value(f) for f in waves.N]
-    distances = waves.ordered(x)
-    forms = [place.value(f) for _, f in distances]
-    out = [number(0, m)] * len(forms)
+    N, distances = [place.value(f) for f in waves.N], waves.ordered(x)
+    out = [number(0, m)] * len(distances)
     for side, here in enumerate(split.sides):
         chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
-        if not chosen:
-            continue
-        if sharp:
-            roots = [split.sharp(k, e, N) for k, e in zip(here, split.isolated(here), strict=True)]
-            for n in chosen:
-                each_ = [w * (P * forms[n]).exp() if distances[n][1] else w for P, w in roots]
-                out[n] = -total(each_, m) if side else total(each_, m)
-            continue
-        each = [split.wave(k, N) for k in here]
-        rests = split.rest(side, N, [forms[n] for n in chosen])
-        for n, rest in zip(chosen, rests, strict=True):
-            k = [NONE] * len(forms[n].k)
-            for P, w in each:
-                term = w if not distances[n][1] else product_of(w, exponential_of(product_of(P, forms[n].k, m), m), m)
-                k = [a - b if side else a + b for a, b in zip(k, term, strict=True)]
-            out[n] = Form(k, rest, m)
-    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
-    require(finite, "G is not bounded over a box")
+        roots = [split.sharp(k, e, N) for k, e in zip(here, isolated[side], strict=True)] if chosen else []
+        for n in chosen:
+            gap = place.value(distances[n][1])
+            one = total([w * (P * gap).exp() if distances[n][1] else w for P, w in roots], m)
+            out[n] = -one if side else one
+    return out
+
+
+def beside_meeting(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+    """G where p-roots of one side may meet: its Taylor polynomial from a much smaller box, the rest by a bound of |G|
+    over a wider one. It is analytic there, with or without the range: |g_k| ≤ M/w^k for its terms of order k."""
+    small = Split(waves, split.place.resized(NARROWER), False)
+    isolated = [small.isolated(side) for side in small.sides]
+    wide = Split(waves, split.place.resized(WIDER), False)
+    N, distances = [wide.place.value(f) for f in waves.N], waves.ordered(x)
+    gaps = [wide.place.value(f) for _, f in distances]
+    most, m = [wide.bounds(side, N, gaps) for side in (0, 1)], split.m
+    out = []
+    for n, f in enumerate(from_roots(waves, small, isolated, x)):
+        k = [y + spectra.box(f.e) for y in f.k]  # the coefficients themselves, by Cauchy
+        order = [0] + [1] * m + [2] * len(pairs(m))
+        rest = most[0 if distances[n][0] else 1][n] / (WIDER**2 * (WIDER - 1))
+        out.append(Form([y / NARROWER**i for y, i in zip(k, order, strict=True)], rest, m))
     return out
 
 
@@ -731,7 +543,7 @@ def receptances(waves: Waves, split: Split, x: Sequence[Any], sharp: bool | None
 class Matrix:
     """A with det A = Δ̂ up to a constant (section 4.6): direct contacts and their bodies eliminated."""
 
-    def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
+    def __init__(self, vehicle: spectra.Bodies, waves: Waves) -> None:
         nb, nc = vehicle.B.nrows(), len(vehicle.h)
         self.vehicle, self.waves, self.nc = vehicle, waves, nc
         contacts = spectra.direct_contacts(vehicle).items()
@@ -747,7 +559,7 @@ class Matrix:
         v = self.vehicle
         less = 1 if i >= v.B.nrows() - v.neutral else 0
         out = []
-        for power, part in enumerate((v.K, v.C, v.M)):
+        for power, part in enumerate(reversed(v.parts)):
             for e, a in part.items():
                 if a[i, j] != 0:
                     out.append(((power - less, *e), arb(a[i, j])))
@@ -776,55 +588,37 @@ class Matrix:
         return rows
 
 
-def diagonal(a: list[list[complex]]) -> tuple[list[list[complex]], list[list[complex]]]:
-    """X, Y with X a Y ≈ diag(1, …, 1, s), by the singular values of a with rows and columns scaled, the least one
-    last; by rotations of pairs of columns. Nothing rests on them."""
-    n = len(a)
-    r = [1 / (max(map(abs, row)) or 1) for row in a]
-    c = [1 / (max(abs(r[i] * a[i][j]) for i in range(n)) or 1) for j in range(n)]
-    b = [[r[i] * a[i][j] * c[j] for i in range(n)] for j in range(n)]  # columns
-    V = [[c[i] if i == j else 0j for i in range(n)] for j in range(n)]
-    for _ in range(12):
-        turned = False
-        for p, q in combinations(range(n), 2):
-            one = sum(abs(x) ** 2 for x in b[p])
-            two = sum(abs(x) ** 2 for x in b[q])
-            cross = sum(x.conjugate() * y for x, y in zip(b[p], b[q], strict=True))
-            if abs(cross) <= 1e-12 * (one * two) ** 0.5:
-                continue
-            turned = True
-            phase = cross / abs(cross)
-            zeta = (two - one) / (2 * abs(cross))
-            t = (1 if zeta >= 0 else -1) / (abs(zeta) + (1 + zeta * zeta) ** 0.5)
-            cos = 1 / (1 + t * t) ** 0.5
-            sin = cos * t
-            for rows in (b, V):
-                x, y = rows[p], rows[q]
-                rows[p] = [cos * u - sin * phase.conjugate() * v for u, v in zip(x, y, strict=True)]
-                rows[q] = [sin * phase * u + cos * v for u, v in zip(x, y, strict=True)]
-        if not turned:
+def cleared(A: Any) -> tuple[Any, Any]:
+    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value. Nothing rests on
+    them."""
+    (columns, rows), (tall, wide), n = spectra.frame(A, 1), spectra.units(A), A.nrows() - 1
+    before = [0j] * (n + 1)
+    for _ in range(8):  # towards singular vectors
+        R = spectra.near_inverse(acb_mat(spectra.framed(A, columns, rows)))
+        one = reflection([complex(R[n + 1, i]).conjugate() * t for i, t in enumerate(tall)])
+        two = reflection([complex(R[j, n + 1]) * w for j, w in enumerate(wide)])
+        columns = [[row[n] * t] for row, t in zip(one, tall, strict=True)]
+        rows = [[row[n].conjugate() * w for row, w in zip(two, wide, strict=True)]]
+        if abs(sum(x.conjugate() * row[n] for x, row in zip(before, two, strict=True))) > 0.98:
             break
-    sizes = [sum(abs(x) ** 2 for x in column) ** 0.5 or 1e-300 for column in b]
-    order = sorted(range(n), key=lambda k: -sizes[k])
-    scale = [sizes[k] for k in order]
-    if n > 1:
-        scale[-1] = scale[-2]
-    units = [[x / sizes[k] for x in b[k]] for k in order]
-    if n > 1 and sizes[order[-1]] < 1e-8 * scale[0]:  # a unit vector that is normal to the others
-        units[-1] = max((normal_to(units[:-1], i) for i in range(n)), key=lambda one: one[1])[0]
-    X = [[x.conjugate() / size * r[i] for i, x in enumerate(unit)] for unit, size in zip(units, scale, strict=True)]
-    return X, [[V[k][i] for k in order] for i in range(n)]
+        before = [row[n] for row in two]
+    left = acb_mat([[x / t for x, t in zip(row, tall, strict=True)] for row in one])
+    right = acb_mat([[x / w for x in row] for row, w in zip(two, wide, strict=True)])
+    B = (left * A * right).mid().tolist()
+    inverse = spectra.near_inverse(acb_mat([row[:n] for row in B[:n]]))
+    low, side = -acb_mat([B[n][:n]]) * inverse, -inverse * acb_mat([row[n:] for row in B[:n]])
+    L = [[*row, 0] for row in inverse.tolist()] + [[*low.tolist()[0], 1]]
+    Y = [[*row, *more] for row, more in zip(spectra.identity(n).tolist(), side.tolist(), strict=True)]
+    return (acb_mat(L) * left).mid(), (right * acb_mat([*Y, [0] * n + [1]])).mid()
 
 
-def normal_to(units: list[list[complex]], i: int) -> tuple[list[complex], float]:
-    """The i-th unit vector without its parts along others, of length 1; how long it was."""
-    out = [1.0 + 0j if j == i else 0j for j in range(len(units[0]))]
-    for _ in range(2):
-        for unit in units:
-            part = sum(x.conjugate() * y for x, y in zip(unit, out, strict=True))
-            out = [y - part * x for x, y in zip(unit, out, strict=True)]
-    length = sum(abs(x) ** 2 for x in out) ** 0.5 or 1e-300
-    return [x / length for x in out], length
+def reflection(v: list[complex]) -> list[list[complex]]:
+    """A Hermitian unitary matrix whose last column is along v."""
+    size = sum(abs(x) ** 2 for x in v) ** 0.5 or 1.0
+    u = [x / size for x in v]
+    u[-1] += u[-1] / (abs(u[-1]) or 1.0) or 1.0
+    whole = sum(abs(x) ** 2 for x in u) / 2
+    return [[(i == j) - x * y.conjugate() / whole for j, y in enumerate(u)] for i, x in enumerate(u)]
 
 
 def scalar(A: list[list[Form]]) -> Form:
@@ -832,10 +626,7 @@ def scalar(A: list[list[Form]]) -> Form:
     n, m = len(A), A[0][0].m
     if n == 1:
         return A[0][0]
-    X, Y = diagonal([[complex(f.k[0]) for f in row] for row in A])
-    left, right = acb_mat(X), acb_mat(Y)
-    if flint.ctx.prec > BITS:
-        left, right = sharpened(left, right, acb_mat([[f.k[0] for f in row] for row in A]))
+    left, right = cleared(acb_mat([[f.k[0] for f in row] for row in A]))
     parts = [(left * acb_mat([[f.k[p] for f in row] for row in A]) * right).tolist() for p in range(len(A[0][0].k))]
     rest = (spectra.moduli(left) * arb_mat([[f.e for f in row] for row in A]) * spectra.moduli(right)).tolist()
     last = n - 1
@@ -846,7 +637,7 @@ def scalar(A: list[list[Form]]) -> Form:
             x = abs(parts[0][i][j] - (1 if i == j else 0)) + rest[i][j]
             row.append(sum((abs(part[i][j]) for part in parts[1:]), x))
         E.append(row)
-    x, eta = weights(E)
+    x, eta = spectra.near_weights(arb_mat(E), 0.05)
     if not eta < 0.9:
         moved = [float(max(sum((abs(y) for y in row), ZERO) for row in parts[1 + i])) for i in range(m)]
         raise Wide("the matrix changes too much over a box", moved)
@@ -860,42 +651,6 @@ def scalar(A: list[list[Form]]) -> Form:
     for f, y in zip(column, x, strict=True):
         size_column = size_column.max((f.size / y).upper())
     return s.rested(size_row * size_column * eta / (1 - eta))
-
-
-def sharpened(left: Any, right: Any, A: Any) -> tuple[Any, Any]:
-    """The same to all digits: X A Y = [[1 + E, e], [f, g]] cleared of E, e and f at the middle, by exact matrices."""
-    B = (left * A * right).mid()
-    n = B.nrows() - 1
-    try:
-        inverse = acb_mat([[B[i, j] for j in range(n)] for i in range(n)]).inv().mid()
-    except ZeroDivisionError:
-        raise Wide("the matrix has two small singular values") from None
-    row = acb_mat([[B[n, j] for j in range(n)]]) * inverse
-    column = inverse * acb_mat([[B[i, n]] for i in range(n)])
-    L, R = spectra.identity(n + 1), spectra.identity(n + 1)
-    for i, j in product(range(n), repeat=2):
-        L[i, j] = inverse[i, j]
-    for i in range(n):
-        L[n, i], R[i, n] = -row[0, i].mid(), -column[i, 0].mid()
-    return (L * left).mid(), (right * R).mid()
-
-
-def weights(E: list[list[Any]]) -> tuple[list[Any], Any]:
-    """(x > 0, a bound of max (E x)_i/x_i): near the least."""
-    near = [[float(x.upper()) for x in row] for row in E]
-    y = [1.0] * len(E)
-    for _ in range(6):
-        z = [sum(a * b for a, b in zip(row, y, strict=True)) + 0.02 * own for row, own in zip(near, y, strict=True)]
-        top = max(z) or 1.0
-        y = [max(a / top, 1e-9) for a in z]
-        if not all(a < 1e300 for a in y):
-            y = [1.0] * len(E)
-            break
-    x = [arb(a) for a in y]
-    eta = ZERO
-    for row, own in zip(E, x, strict=True):
-        eta = eta.max((sum((a * b for a, b in zip(row, x, strict=True)), ZERO) / own).upper())
-    return x, eta
 
 
 def check_nonzero(s: Form) -> None:
@@ -1097,27 +852,12 @@ def by_roots(problem: Family, place: Place) -> None:
         a = acb_mat([[f.k[k] for f in row] for row in rows])
         H.append((a - a.conjugate().transpose()) * half)
     E = [[(rows[i][j].e + rows[j][i].e) / 2 for j in range(n)] for i in range(n)]
-    require_definite(H, E, n)
+    require_definite(H, E)
 
 
-def require_definite(H: Sequence[Any], E: Sequence[Sequence[Any]], n: int) -> None:
-    """H_0 + Σ ε_k H_k + R > 0 for all |ε_k| ≤ 1 and Hermitian |R| ≤ E entry by entry, or Wide (section 4.7)."""
-    why = "the receptance is not proved passive on a box"
-    if n == 1:
-        first, *others = [a[0, 0].real for a in H]
-        if not first - sum((abs(x) for x in others), ZERO) - E[0][0] > 0:
-            raise Wide(why)
-        return
-    try:
-        X = acb_mat(spectra.inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()]))
-    except Refused:
-        raise Wide(why) from None
-    back, size = X.conjugate().transpose(), spectra.moduli(X)
-    F = spectra.moduli(X * H[0] * back - spectra.identity(n)) + size * arb_mat(E) * size.transpose()
-    for a in H[1:]:
-        F = F + spectra.moduli(X * a * back)
-    if not spectra.contracting(F):
-        raise Wide(why)
+def require_definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> None:
+    if not spectra.definite(H, E):
+        raise Wide("the receptance is not proved passive on a box")
 
 
 def by_cells(problem: Family, box: Box, place: Place) -> None:
@@ -1191,7 +931,7 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
         for v, x in enumerate(values):
             H[v][j][i], H[v][i][j] = x, x.conjugate()
         E[i][j] = E[j][i] = rest
-    require_definite([acb_mat(a) for a in H], E, n)
+    require_definite([acb_mat(a) for a in H], E)
 
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
@@ -1240,7 +980,7 @@ def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
         stack += [(half, depth + 1) for half in spectra.halved(here, moved.index(max(moved)))]
 
 
-def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
+def read_tail(content: Any, track: spectra.Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
     """The envelope, and Q with −Im G > 0 for all q ≥ Q and all parameters: both checked."""
     keys(content, "Q gamma blocks alpha omega bounds")
     Q = dyadic(content["Q"], "Q")
@@ -1248,13 +988,13 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
         (dyadic(p, "a bound"), dyadic(C, "a bound"))
         for p, C in (items(one, 2, "a bound", 2) for one in items(content["bounds"], 20, ""))
     ]
-    fastest = -spectra.least({e: -c for e, c in track.v.items()}, box)
+    fastest = -spectra.least({e: -c for e, c in track.velocity.items()}, box)
     require(fastest > 0, "the velocity is 0 throughout")
     gap = min((spectra.least(spectra.minus(b, a), box) for a, b in pairwise(sites)), default=None)  # may be < 0
     seen = gap is None or gap > 0
     require(seen, "the theorem at large q: no least distance of two contacts is seen over the range")
     parts = spectra.absorption(track.ring, track.D, track.N)
-    alpha = spectra.tail_alpha(content, 4, parts, track.v, fastest, Q, gap, bounds, box, check_positive)
+    alpha = spectra.tail_alpha(content, 4, parts, track.velocity, fastest, Q, gap, bounds, box, check_positive)
     return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
 
 
@@ -1265,8 +1005,8 @@ def read_tail(content: Any, track: Track, sites: Sequence[Free], box: Box) -> tu
 class Family:
     """The problem over its ranges, in balls at 64 bits, and how many boxes have been looked at."""
 
-    track: Track
-    vehicle: Vehicle
+    track: spectra.Track
+    vehicle: spectra.Bodies
     box: Box
     envelope: Envelope
     waves: Waves
@@ -1278,7 +1018,7 @@ class Family:
 
     @cached_property
     def speed(self) -> list[tuple[Exponents, Any]]:
-        return [((0, *e), arb(c)) for e, c in self.track.v.items()]
+        return [((0, *e), arb(c)) for e, c in self.track.velocity.items()]
 
     @cached_property
     def middle(self) -> list[Any]:
@@ -1290,17 +1030,8 @@ class Family:
         return scalar(self.matrix(place, receptances(self.waves, split, self.middle)))
 
     def nonzero(self, place: Place) -> None:
-        """Δ̂ ≠ 0 over a box, or Wide: by forms of p-roots, which take less time, or by sums over circles."""
-        split = Split(self.waves, place, False)
-        for sharp in (True, False):
-            if split.small(SMALL if not sharp else FIRST) != sharp:
-                continue
-            try:
-                check_nonzero(scalar(self.matrix(place, receptances(self.waves, split, self.middle, sharp))))
-                return
-            except Refused:
-                if not sharp or split.small(SMALL):
-                    raise
+        """Δ̂ ≠ 0 over a box, or Wide."""
+        check_nonzero(self.scalar(place))
 
     def prove(self, kind: str, box: Box) -> None:
         """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
@@ -1359,23 +1090,14 @@ class Zero:
     gained: int
 
 
-def read_ball(value: Any, name: str) -> tuple[Any, Any]:
-    keys(value, "middle exponent radius")
-    text = value["middle"]
-    require(
-        isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text), f"{name}: no hexadecimal mantissa"
-    )
-    e = integer(value["exponent"], -MAX_BITS, 1100, name)
-    r, f = items(value["radius"], 2, name, 2)
-    unit = spectra.power_of_2(integer(f, -MAX_BITS, 1100, name))
-    return int(text, 16) * spectra.power_of_2(e), integer(r, 1, 2**64, name) * unit
-
-
 def read_zero(value: Any, family: Family) -> Zero:
     """A crossing: checked that its room holds one real root at most, and its balls one, which crosses."""
     keys(value, "room q x")
     room = tuple(tuple(dyadic(x, "room") for x in items(one, 2, "room", 2)) for one in items(value["room"], 2, "", 2))
-    q, x = read_ball(value["q"], "q"), read_ball(value["x"], "x")
+    for name in "qx":
+        keys(value[name], "middle exponent radius")
+    ((q,), q_r, one), ((x,), x_r, two) = (spectra.read_ball(value[name], "middle", name) for name in "qx")
+    q, x, bits = (q, q_r), (x, x_r), max(one, two)
     require(all(a < b for a, b in room), "a room is empty")
     for (middle, radius), (a, b) in zip((q, x), room, strict=True):
         require(a < middle - radius and middle + radius < b, "a crossing is not inside its room")
@@ -1383,12 +1105,9 @@ def read_zero(value: Any, family: Family) -> Zero:
     require(not at_zero or room[0][0] == -room[0][1], "a room round q = 0 is not symmetric")
     require(at_zero or (q[0] > q[1] and room[0][0] >= 0), "a crossing may lie at q = 0")
     check_alone(family, room, (q[0], x[0]), (q[1], x[1]))
-    digits = max(int((abs(m) / r + 1).numer()).bit_length() - int((abs(m) / r + 1).denom()).bit_length()
-                 for m, r in (q, x))  # fmt: skip
-    require(digits <= MAX_BITS, "a crossing has too many digits")
-    family.pieces += digits // 100
+    family.pieces += bits // 100
     require(family.pieces < family.left, "the certificate asks for more work than this verifier does")
-    with spectra.precision(digits + 128):
+    with spectra.precision(bits + 128):
         waves = Waves(family.track, family.vehicle)
         sharp = replaced(family, waves)
         twice = [(m, 2 * r) for m, r in (q, x)]
@@ -1458,14 +1177,13 @@ def checked(content: dict[str, Any], most: int | None) -> str:
     require(all(a < b for a, b in box), "a range is empty")
     crossing = content["kind"] == "crossings"
     require(not crossing or count == 1, "crossings are over one parameter")
-    track = read_track(content["equations"]["track"], content["equations"]["velocity"], count)
-    vehicle = read_vehicle(content["equations"]["vehicle"], content["basis"], count, box)
+    equations = content["equations"]
+    track = spectra.read_track(equations["track"], equations["velocity"], box)
+    vehicle = spectra.read_bodies(equations["vehicle"], content["basis"], box, MAX_BODIES, MAX_CONTACTS)
+    sites = apart(vehicle, box)
     check_track(track, box)
-    spectra.check_decay(track.ring, track.D, track.N, speed(track.ring, track.v))
+    spectra.check_decay(track.ring, track.D, track.N, spectra.speed(track.ring, track.velocity))
     at_, unstable = check_base(content, count, box)
-    middle = [(a + b) / 2 for a, b in box]
-    sites = [vehicle.places[vehicle.sites.index(k)] for k in range(len(set(vehicle.sites)))]
-    sites.sort(key=lambda f: spectra.at(f, middle))
     envelope, Q = read_tail(content["tail"], track, sites, box)
     waves = Waves(track, vehicle)
     family = Family(track, vehicle, box, envelope, waves, Matrix(vehicle, waves), sites)
@@ -1511,42 +1229,27 @@ def check_base(content: Any, count: int, box: Box) -> tuple[list[Any], int]:
     require(spectrum["claim"]["region"]["kind"] in ("unstable", "below"), "the base does not count all of Im q < 0")
     require(spectrum["basis"] == content["basis"], "the base has another basis")
     ours, other = content["equations"], spectrum["equations"]
-    require(same(ours, other, x, count), "the base is of other equations")
+    require(at_point(ours, x) == at_point(other, ()), "the base is of other equations")
     return x, int(spectrum["claim"]["unstable"])
 
 
-def same(ours: Any, other: Any, x: Sequence[Any], count: int) -> bool:
-    """The equations with free parameters are those of the base at its point: entry by entry, exact."""
+def at_point(equations: Any, x: Sequence[Any]) -> Any:
+    """The equations at exact parameters: entry by entry."""
 
-    def value(f: Any, name: str) -> Any:
-        return spectra.at(spectra.free(f, count, name, -4), x)
+    def value(f: Any) -> Any:
+        return spectra.at(spectra.free(f, len(x), "the base", -4), x)
 
-    def rows(name: str) -> bool:
-        a, b = ours["vehicle"][name], other["vehicle"][name]
-        return len(a) == len(b) and all(
-            len(p) == len(q) and all(value(f, name) == rational(g, name) for f, g in zip(p, q, strict=True))
-            for p, q in zip(a, b, strict=True)
-        )
-
-    def lines(name: str) -> bool:
-        a, b = ours["vehicle"][name], other["vehicle"][name]
-        return len(a) == len(b) and all(value(f, name) == rational(g, name) for f, g in zip(a, b, strict=True))
-
-    def entry(terms_: Any, numbers: bool) -> dict[Any, Any]:
+    def entry(p: Any) -> dict[Any, Any]:
         out: dict[Any, Any] = {}
-        for i, j, c in terms_:
-            out[i, j] = out.get((i, j), fmpq(0)) + (rational(c, "") if numbers else value(c, ""))
+        for (i, j, *e), c in spectra.terms(p).items():
+            out[i, j] = out.get((i, j), 0) + c * spectra.monomial(x, e)
         return {key: c for key, c in out.items() if c != 0}
 
-    a, b = ours["track"], other["track"]
-    fits = a["loaded"] == b["loaded"] and len(a["matrix"]) == len(b["matrix"])
-    fits = fits and all(
-        entry(p, False) == entry(q, True)
-        for one, two in zip(a["matrix"], b["matrix"], strict=True)
-        for p, q in zip(one, two, strict=True)
-    )
-    fits = fits and value(ours["velocity"], "velocity") == rational(other["velocity"], "velocity")
-    return bool(fits and all(map(rows, "MCKB")) and lines("places") and lines("compliances"))
+    _, rows, loaded = spectra.read_rows(equations["track"], len(x))
+    vehicle, track = equations["vehicle"], [[entry(p) for p in row] for row in rows]
+    matrices = [[[value(f) for f in row] for row in vehicle[name]] for name in "MCKB"]
+    lines = [[value(f) for f in vehicle[name]] for name in ("places", "compliances")]
+    return loaded, track, value(equations["velocity"]), matrices, lines
 
 
 def crossings(claim: Any, zeros: Sequence[Zero], box: Box, at_: Sequence[Any], unstable: int) -> list[str]:
@@ -1601,10 +1304,7 @@ def words(content: Any, said: list[str], box: Box, leaves: int, pieces: int) -> 
     for row in equations["track"]["matrix"]:
         said.append(f"  {listed(row)}")
     said.append(f"  row {equations['track']['loaded'] + 1}: contacts; velocity {listed(equations['velocity'])}")
-    said += [f"  {name} = {listed(equations['vehicle'][name])}" for name in "MCKB"]
-    said.append(f"  contacts at {listed(equations['vehicle']['places'])}, "
-                f"compliances {listed(equations['vehicle']['compliances'])}")  # fmt: skip
-    return "\n".join(said)
+    return "\n".join([*said, f"  {spectra.vehicle_words(equations['vehicle'])}"])
 
 
 if __name__ == "__main__":

@@ -1,24 +1,29 @@
 """Checks certificates of zeros of analytic functions against certs/SPEC-ROOTS.md; shares no code with their maker.
 
-Needs Python ≥ 3.11 and python-flint only, and runs as a plain script:  python verify_roots.py FILE [FILE …]
+Needs Python ≥ 3.11 and python-flint, and verify2.py beside it, which reads and judges. Runs as a plain script:
+python verify_roots.py FILE [FILE …]
 Exit status 0: every file is valid; 1: one is not, and its line says why.
 """
 
 from __future__ import annotations
 
-import hashlib
-import json
-import re
 import sys
-import threading
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
 import flint
 from flint import acb, acb_series, arb, fmpq
+
+if __package__:
+    from mpsolve.certificate import verify2 as spectra
+else:
+    import verify2 as spectra  # type: ignore[import-not-found,no-redef]
+
+Refused, Verdict = spectra.Refused, spectra.Verdict
+require, keys, items, integer = spectra.require, spectra.keys, spectra.items, spectra.integer
 
 MAX_BYTES, MAX_STEPS, MAX_POWER, MAX_ROOTS, MAX_CORNERS, MAX_CUTS = 32_000_000, 5_000, 10_000, 5_000, 256, 16
 MAX_PIECES, MAX_WORK, MAX_BITS, MAX_MULTIPLICITY = 400_000, 4e8, 140_000, 4_000
@@ -31,121 +36,31 @@ FUNCTIONS = ("exp", "log", "sqrt", "sin", "cos", "sinh", "cosh", "atan", "rgamma
 SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 
 
-class Refused(Exception):  # noqa: N818
-    """The certificate does not prove its claim; the message says where it fails."""
-
-
-class Undecided(Exception):  # noqa: N818
+class Undecided(spectra.Refused):
     """Balls do not decide a step."""
 
 
-@dataclass(frozen=True)
-class Verdict:
-    """valid: every step was checked. reason: why not. claim: what is proved, of which function, if valid."""
-
-    valid: bool
-    reason: str = ""
-    claim: str = ""
-
-    def __bool__(self) -> bool:
-        raise TypeError("a verdict has no truth value: ask for .valid")
+KEYS = {
+    "region": "function claim region counted cuts bits breaks trees roots",
+    "interval": "function claim interval tiles",
+}
+precision = partial(spectra.precision, terms=MOST_TERMS + 2)
+rational = partial(spectra.rational, digits=400)
 
 
-def verify(path: Any) -> Verdict:
+def verify(path: Any) -> spectra.Verdict:
     """The verdict on the certificate in the file `path`. Never raises for what the file holds."""
-    try:
-        with open(path, "rb") as file:
-            raw = file.read(MAX_BYTES + 1)
-        return verify_bytes(raw)
-    except OSError as error:
-        return Verdict(False, f"the file cannot be read: {error.strerror or error}")
+    return spectra.of_file(path, verify_bytes, MAX_BYTES)
 
 
-def verify_bytes(raw: bytes) -> Verdict:
+def verify_bytes(raw: bytes) -> spectra.Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold."""
-    try:
-        require(len(raw) <= MAX_BYTES, f"the file is larger than {MAX_BYTES} bytes")
-        content = opened(raw)
-        with precision(64):
-            return Verdict(True, "", interval(content) if content["kind"] == "interval" else region(content))
-    except (Refused, Undecided) as error:
-        return Verdict(False, str(error))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        return Verdict(False, f"no certificate, which is JSON in ASCII ({error})"[:200])
-    except (ValueError, TypeError, KeyError, IndexError, ArithmeticError, RecursionError, MemoryError) as error:
-        return Verdict(False, f"malformed: {type(error).__name__}: {str(error)[:200]}")
+    return spectra.judged(raw, lambda: checked(spectra.opened(raw, KEYS, "mpsolve zeros", 1)), MAX_BYTES)
 
 
-def require(condition: Any, message: str) -> None:
-    if not condition:
-        raise Refused(message)
-
-
-_lock = vars(flint).setdefault("_precision_lock", threading.RLock())  # flint's precision is one per process
-
-
-@contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """flint at `bits` and with enough terms inside the block, put back after it. Other threads wait."""
-    with _lock:
-        before, cap = flint.ctx.prec, flint.ctx.cap
-        flint.ctx.prec, flint.ctx.cap = bits, max(cap, MOST_TERMS + 2)
-        try:
-            yield
-        finally:
-            flint.ctx.prec, flint.ctx.cap = before, cap
-
-
-# --- reading ----------------------------------------------------------------------------------------------
-
-
-def opened(raw: bytes) -> dict[str, Any]:
-    """The file's object without its digest, which fits, with format, version, kind and keys checked."""
-
-    def no_number(text: str) -> Any:
-        raise Refused(f"{text[:40]} is not an exact number: numbers are integers, or text")
-
-    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        require(len({k for k, _ in pairs}) == len(pairs), "a key stands twice in one object")
-        return dict(pairs)
-
-    read = json.loads(raw.decode("ascii"), parse_constant=no_number, parse_float=no_number, object_pairs_hook=unique)
-    require(isinstance(read, dict), "the file holds no JSON object")
-    require(read.get("format") == "mpsolve zeros", "the format is not 'mpsolve zeros'")
-    require(read.get("version") == 1 and type(read["version"]) is int, "this version is not known to this verifier")
-    require(read.get("kind") in ("region", "interval"), "the kind is not known to this verifier")
-    more = "region counted cuts bits breaks trees roots" if read["kind"] == "region" else "interval tiles"
-    keys(read, f"format version kind sha256 function claim {more}")
-    rest = {key: value for key, value in read.items() if key != "sha256"}
-    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    digest = hashlib.sha256(canonical.encode("ascii")).hexdigest()
-    require(digest == read["sha256"], "the digest does not fit the content")
-    return rest
-
-
-def keys(value: Any, names: str) -> None:
-    require(isinstance(value, dict), "an object is missing")
-    missing, unknown = sorted(set(names.split()) - value.keys()), sorted(value.keys() - set(names.split()))
-    require(not missing and not unknown, f"keys missing: {missing[:5]}, unknown: {[u[:40] for u in unknown[:5]]}")
-
-
-def items(value: Any, most: int, name: str, length: int | None = None) -> list[Any]:
-    require(isinstance(value, list) and len(value) <= most, f"{name}: no list, or more than {most} entries")
-    require(length is None or len(value) == length, f"{name}: {len(value)} entries in place of {length}")
-    return list(value)
-
-
-def integer(value: Any, low: int, high: int, name: str) -> int:
-    require(type(value) is int and low <= value <= high, f"{name} is not an integer from {low} to {high}")
-    return int(value)
-
-
-def rational(text: Any, name: str) -> Any:
-    """Reads "p" or "p/q"."""
-    match = re.fullmatch(r"(-?[0-9]{1,400})(?:/([0-9]{1,400}))?", text, re.ASCII) if isinstance(text, str) else None
-    if match is None or int(match[2] or 1) == 0:
-        raise Refused(f"{name} is not a rational number in text")
-    return fmpq(int(match[1]), int(match[2] or 1))
+def checked(content: dict[str, Any]) -> str:
+    with precision(64):
+        return interval(content) if content["kind"] == "interval" else region(content)
 
 
 def point(value: Any, name: str) -> Point:
@@ -766,22 +681,10 @@ class Root:
         return (self.x - self.r, self.y - self.r), (self.x + self.r, self.y + self.r)
 
 
-def power_of_2(e: int) -> Any:
-    return fmpq(1 << max(e, 0), 1 << max(-e, 0))
-
-
 def read_root(value: Any) -> Root:
     keys(value, "re im exponent radius multiplicity")
-    texts = [value["re"], value["im"]]
-    for text in texts:
-        require(
-            isinstance(text, str) and re.fullmatch(r"-?0x[0-9a-f]{1,20000}", text, re.ASCII), "a root is no number"
-        )
-    unit = power_of_2(integer(value["exponent"], -80_000, 5_000, "an exponent"))
-    m, e = items(value["radius"], 2, "a radius", 2)
-    r = integer(m, 1, 2**40, "a radius") * power_of_2(integer(e, -80_000, 5_000, "a radius"))
-    times = integer(value["multiplicity"], 1, MAX_MULTIPLICITY, "a multiplicity")
-    return Root(int(texts[0], 16) * unit, int(texts[1], 16) * unit, r, times)
+    (x, y), r, _ = spectra.read_ball(value, "re im", "a root", 80_000, 5_000)
+    return Root(x, y, r, integer(value["multiplicity"], 1, MAX_MULTIPLICITY, "a multiplicity"))
 
 
 def check_root(f: Function, below: Function | None, root: Root) -> list[int]:
@@ -1040,16 +943,5 @@ def tile_value(g: Function, z: Any, n: int) -> list[Any]:
     return row
 
 
-def main(paths: Sequence[str]) -> int:
-    """Prints what each file proves; 0 if all are valid."""
-    if not paths:
-        print("usage: verify_roots.py FILE [FILE …]", file=sys.stderr)
-        return 1
-    verdicts = [(path, verify(path)) for path in paths]
-    for path, verdict in verdicts:
-        print(f"{path}: " + (f"valid: {verdict.claim}" if verdict.valid else f"INVALID: {verdict.reason}"))
-    return 0 if all(verdict.valid for _, verdict in verdicts) else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(spectra.main(sys.argv[1:], verify, "verify_roots.py"))

@@ -9,22 +9,12 @@ from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.decimals import fixed_digits
+from mpsolve.numbers.packed import exact_ends
 
 
 def shown(ball: Any, digits: int = 12) -> str:
     """The ball in decimals that are all proved."""
     return fixed_digits(ball, digits)
-
-
-def ends(ball: Any) -> tuple[Fraction, Fraction]:
-    """Two rationals that enclose the ball."""
-    middle, radius = (_fraction(part) for part in (ball.mid(), ball.rad()))
-    return middle - radius, middle + radius
-
-
-def _fraction(x: Any) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def below(x: Any, y: Any) -> bool:
@@ -47,7 +37,7 @@ def rounds_to(ball: Any, printed: str) -> bool:
     PrecisionError if two points of the ball round differently.
     """
     unit = Fraction(1, 10 ** places(printed))
-    low, high = (math.floor(end / unit + Fraction(1, 2)) for end in ends(ball))
+    low, high = (math.floor(end / unit + Fraction(1, 2)) for end in exact_ends(ball))
     if low != high:
         raise PrecisionError("two points of a ball round differently: ask for more digits")
     return low * unit == Fraction(printed)
@@ -55,7 +45,7 @@ def rounds_to(ball: Any, printed: str) -> bool:
 
 def rounded(ball: Any, decimals: int) -> str:
     """The decimal with so many places to which every point of the ball rounds."""
-    low, high = (math.floor(end * 10**decimals + Fraction(1, 2)) for end in ends(ball))
+    low, high = (math.floor(end * 10**decimals + Fraction(1, 2)) for end in exact_ends(ball))
     if low != high:
         raise PrecisionError("two points of a ball round differently: ask for more digits")
     return _point(low, decimals)
@@ -63,7 +53,7 @@ def rounded(ball: Any, decimals: int) -> str:
 
 def last_on_grid(ball: Any, step: Fraction) -> Fraction:
     """The last multiple of `step` below the ball. PrecisionError if one lies in it."""
-    low, high = (math.floor(end / step) for end in ends(ball))
+    low, high = (math.floor(end / step) for end in exact_ends(ball))
     if low != high:
         raise PrecisionError("a value of the grid lies in a ball: ask for more digits")
     return low * step

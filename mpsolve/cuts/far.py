@@ -13,9 +13,9 @@ from typing import Any
 from mpsolve.characteristic.free_proved import value_at
 from mpsolve.cuts.edge import beam
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
+from mpsolve.numbers.plain import outward
 from mpsolve.problem.family import Family
 from mpsolve.problem.line import on_line
-from mpsolve.ranges.answer import outward
 from mpsolve.spectrum.far_line import Waves, free_beyond
 from mpsolve.spectrum.premises import tight_masses
 

@@ -25,7 +25,7 @@ from mpsolve.numbers.jets import TINY, UP, U, exponential, nearest
 from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted
 from mpsolve.problem.family import Family
 
-_WIDE = 0.75  # half an arc: more of it is bounded only
+WIDE = 0.75  # half an arc: more of it is bounded only
 _LOOSE = 2.0**-8  # of the sum: where roots that nearly meet leave out more, circles may leave out less
 Around = tuple[Quadratic, Quadratic]
 """(z, 1/z) as models of shape (boxes,)."""
@@ -154,7 +154,7 @@ def _turns(boxes: Boxes) -> Around:
     k = np.zeros((len(constant(0.0, 1, m).k), boxes.count), complex)
     k[0], k[m], k[-1] = middle, 1j * r * middle, -r * r / 2 * middle
     e = (r**3 / 6 + (lost + 64 * U) * (1 + r) * (1 + r)) * UP + TINY
-    wide = r > _WIDE
+    wide = r > WIDE
     k, e = np.where(wide, 0, k), np.where(wide, 1 + 64 * U, e)
     return Quadratic(k, e, m), Quadratic(k.conj(), e, m)
 

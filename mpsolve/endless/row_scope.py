@@ -12,7 +12,7 @@ import numpy as np
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.endless.boxes import ROUND
-from mpsolve.endless.free_row import RowMatrix
+from mpsolve.endless.free_row import WIDE, RowMatrix
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP
@@ -24,6 +24,7 @@ from mpsolve.proof.vanishing import Scalar, nonzero, scalar
 from mpsolve.ranges.judge import NONZERO, PASSIVE, boxes_of
 from mpsolve.ranges.scope import Scope, scope_of
 
+_ARC = 0.25  # of what a model leaves out where the arc is wide: how far the arc counts as what moves the matrix
 _SLOWEST = -2  # G(0, s) must fall more slowly than s^−2 for real s → ∞
 
 
@@ -125,9 +126,16 @@ class RowJudge:
         return amount
 
     def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, weight: Any) -> Any:
-        """What stands most against the test; where nothing is bounded, what moves p-roots and the sum most."""
+        """What stands most against the test.
+
+        Where the determinant is not bounded, it is what moves the matrix and the p-roots most; next to a resonance of
+        the vehicle that is the frequency, and for a wide arc what is left out counts as moved by θ.
+        """
         with np.errstate(all="ignore"):
-            weight = np.where(s.good & np.isfinite(weight).all(0), weight, G.strain)
+            moved = np.where(G.good & np.isfinite(s.strain).all(0), s.strain, 0)
+            moved[-1] += np.where(G.good & np.isfinite(s.rest) & (boxes.r[-1] > WIDE), _ARC * s.rest, 0)
+            moved += G.strain
+            weight = np.where(s.good & np.isfinite(weight).all(0), weight, moved)
             width = boxes.r / self.width[:, None]
             share = weight / weight.max(0) + width * 1e-9
             return np.where(np.isfinite(share), share, width).argmax(0).astype(np.int8)

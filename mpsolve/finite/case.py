@@ -26,6 +26,8 @@ FEWEST_STEPS = 16
 MOST_STEPS = 1_000_000
 MOST_WORK = 1e9
 """Most modes times steps of one march: some minutes."""
+MOST_INTERVALS = 4000
+"""Of times at equal distances, of which every one is made the end of a step."""
 _GAUSS = np.array([-1, 1]) / math.sqrt(3)
 
 
@@ -47,6 +49,17 @@ class Answer:
     def near(self, other: Answer, tolerance: float) -> bool:
         rail, vehicle, _ = self.change(other)
         return rail <= tolerance * _largest(self.rail) and vehicle <= tolerance * _largest(self.vehicle)
+
+    def first_fall(self) -> tuple[float, int] | None:
+        """When a force that pressed first comes to 0 or below, between the nodes, and of which contact, from 1."""
+        noise = 1e-6 * np.abs(self.forces).max(initial=0.0)
+        falls = []
+        for j, row in enumerate(self.forces, 1):
+            pressed = np.logical_or.accumulate(row > noise)
+            for k in np.flatnonzero(pressed[:-1] & (row[1:] <= 0))[:1]:
+                share = row[k] / (row[k] - row[k + 1])
+                falls.append((float(self.nodes[k] + share * (self.nodes[k + 1] - self.nodes[k])), j))
+        return min(falls, default=None)
 
 
 def _largest(rows: Any) -> float:
@@ -113,8 +126,10 @@ class Case:
 
     @property
     def first_steps(self) -> int:
+        """Few, and so that times at equal distances are ends of steps, where nothing is interpolated."""
         fastest = max([self.outer.fastest, *(abs(one.frequency) for one in self.rough if one.amplitude)])
-        return max(FEWEST_STEPS, math.ceil(self.duration * fastest))
+        least, every = max(FEWEST_STEPS, math.ceil(self.duration * fastest)), _intervals(self.times)
+        return math.ceil(least / every) * every
 
     def solve(self, modes: int, steps: int, effort: Effort | None = None) -> Answer:
         """The answer with these figures; InputError where they are beyond what can be computed."""
@@ -172,6 +187,14 @@ def _slopes(values: Any, h: float) -> Any:
     out = np.gradient(values, h, axis=1, edge_order=2)
     out[:, 2:-2] = (8 * (values[:, 3:-1] - values[:, 1:-3]) - (values[:, 4:] - values[:, :-4])) / (12 * h)
     return out
+
+
+def _intervals(times: Any) -> int:
+    """Of how many equal parts of 0 to the last time every time is an end; 1 where of none, or of too many."""
+    shares = times / times[-1]
+    count = max(1, round(1 / np.diff(shares, prepend=0.0)[shares > 0].min()))
+    places = shares * count
+    return count if count <= MOST_INTERVALS and np.abs(places - np.round(places)).max() < 1e-9 * count else 1
 
 
 def _ascending(times: Any) -> Any:

@@ -16,12 +16,13 @@ from mpsolve.loci.meeting import Meeting
 from mpsolve.loci.points import roots_at
 from mpsolve.loci.region import Region
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball, square
+from mpsolve.numbers.plain import outward
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Interval, Proof, outward, within
+from mpsolve.ranges.answer import Interval, Proof, within
 from mpsolve.ranges.crossings import Crossing
 from mpsolve.ranges.scope import Scope
 from mpsolve.spectrum.regions import Below, HalfPlane

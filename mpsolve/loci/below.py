@@ -14,10 +14,10 @@ from mpsolve.errors import EffortError
 from mpsolve.loci.chain import Chain, Room, follow
 from mpsolve.loci.tube import Tubes
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.plain import outward
 from mpsolve.problem.family import Interval, family_of
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import outward
 
 _BOXES = 100_000
 _SMALLEST = 2.0**-40

@@ -7,11 +7,11 @@ from typing import Any
 
 from mpsolve.loci.region import Region, Side
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.plain import outward
 from mpsolve.outcome import Reason
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered
-from mpsolve.ranges.answer import outward
 from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.search import Search

@@ -23,6 +23,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
+NOTE = "no certificate states lines; the roots at one point, from which they are counted, are certified"
 _BOXES = 1_000_000  # that an answer may take unless effort says otherwise
 _MOST_POINTS = 100_000
 
@@ -101,6 +102,6 @@ def _find(
     events = tuple(Event(*search.in_units(one), one.gained or 0) for one in search.events)
     counts = search.counts if reason is None else None
     return FrequencyLines(
-        problem, over, status, reason, {"lines": len(lines)}, proof, cost,
+        problem, over, status, reason, {"lines": len(lines)}, proof, cost, note="" if reason else NOTE,
         region=search.answered, lines=lines, events=events, counts=counts, **common,
     )  # fmt: skip

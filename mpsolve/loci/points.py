@@ -11,9 +11,9 @@ from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.loci.grow import Strand
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.plain import outward
 from mpsolve.problem.family import Family
 from mpsolve.problem.reduced import reduce_problem
-from mpsolve.ranges.answer import outward
 from mpsolve.spectrum.enclose import enclose
 
 

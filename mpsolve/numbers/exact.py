@@ -35,7 +35,7 @@ _SIGNED = re.compile(r"(?P<sign>[+-]?)(?:root4\(\s*(?P<radicand>[^()]*?)\s*\)|(?
 _BAD_UNDERSCORE = re.compile(r"(?<![0-9])_|_(?![0-9])")
 _GUARD_BITS = 20
 _GUARD_DIGITS, _FLOAT_DIGITS = 6, 20
-_HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
+HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
 
 
 @final
@@ -74,7 +74,7 @@ class Exact:
             return cls._from_text(float.__repr__(value), key)
         if isinstance(value, (str, Decimal, numbers.Real)) and not isinstance(value, bool):
             return cls._from_text(str(value), key)
-        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + _HOW)
+        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + HOW)
 
     @classmethod
     def root4(cls, radicand: Fraction | int) -> Exact:
@@ -341,7 +341,7 @@ def _bounded(value: Fraction, digits: int, key: str) -> Fraction:
 def _refuse_text(text: str, key: str) -> NoReturn:
     if text.strip().lstrip("+-").lower() in ("nan", "snan", "inf", "infinity"):
         raise InputError(key, f"{_shown(text)} is not finite: give a finite number")
-    raise InputError(key, f"{_shown(text)} is not a number: {_HOW}")
+    raise InputError(key, f"{_shown(text)} is not a number: {HOW}")
 
 
 def _shown(text: str) -> str:

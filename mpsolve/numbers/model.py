@@ -16,7 +16,7 @@ import msgspec
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact, Number
-from mpsolve.numbers.units import measured
+from mpsolve.numbers.units import in_unit
 
 Rational: TypeAlias = Any
 """An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""
@@ -177,7 +177,9 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
 
     unit: what it is measured in; a text may then have a unit of its own, which is converted ("12.5 t" for kg).
     """
-    exact = Exact.parse(value if unit is None else measured(value, unit, key, told), key)
+    if unit is not None:
+        return in_unit(value, unit, key, told)
+    exact = Exact.parse(value, key)
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()

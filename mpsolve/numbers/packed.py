@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from fractions import Fraction
 from typing import Any
 
 from flint import acb, arb
@@ -22,6 +23,18 @@ def pack(ball: Any) -> PackedBall:
 def unpack(packed: PackedBall) -> Any:
     """The flint.arb with the same midpoint, and the same radius up to its rounding upward, at any precision."""
     return arb(*packed)
+
+
+def dyadic(x: Any) -> Fraction:
+    """An exact flint.arb, such as a middle or a radius."""
+    mantissa, exponent = x.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def exact_ends(ball: Any) -> tuple[Fraction, Fraction]:
+    """The ends of a real ball."""
+    middle, radius = dyadic(ball.mid()), dyadic(ball.rad())
+    return middle - radius, middle + radius
 
 
 @dataclass(frozen=True)

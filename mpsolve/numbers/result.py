@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import Field, fields
+from enum import Enum
+from fractions import Fraction
+from html import escape
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from flint import arb
+
+from mpsolve.errors import InputError
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.plain import plain
 
 if TYPE_CHECKING:
     from mpsolve.outcome import Reason, Status
+
+_ROWS = 100  # in a notebook
 
 
 class Result(Portable):
@@ -26,6 +37,8 @@ class Result(Portable):
         @property
         def reason(self) -> Reason | None: ...
 
+    hidden: ClassVar[frozenset[str]] = frozenset({"proofs", "problem", "spectrum", "certificate"})
+    """Fields that are not in `to_dict`."""
     known: Mapping[str, Any] = MappingProxyType({})
     certificate: Any = None
     cost: Any = None
@@ -35,5 +48,67 @@ class Result(Portable):
         """Whether the whole answer is proved."""
         return self.status.holds
 
+    @property
+    def trust(self) -> str:
+        """How far it is proved, why not further, and whether there is a certificate, in plain words."""
+        note = getattr(self, "note", "")
+        if self.proved and self.certificate is None:
+            stated = "proved, without certificate"
+        elif self.proved:
+            stated = f"{self.status.value}, with a certificate"
+        else:
+            stated, note = self.status.value, note or str(self.reason or "")
+        return f"{stated}: {note}" if note else stated
+
+    def records(self) -> Iterable[Mapping[str, Any]]:
+        """The answer as a table: one mapping for each row; here one row with what is a number or a text."""
+        told = {one.name: _cell(getattr(self, one.name)) for one in self._shown()}
+        return [{name: value for name, value in told.items() if value is not None}]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
+        told = {one.name: plain(getattr(self, one.name)) for one in self._shown()}
+        state = {"status": self.status.value, "reason": plain(self.reason)}  # a table has them of its entries
+        return told | state | {"proved": self.proved, "trust": self.trust}
+
+    def to_json(self) -> str:
+        """`to_dict` as a text."""
+        return json.dumps(self.to_dict(), ensure_ascii=False, indent=1)
+
+    def to_frame(self) -> Any:
+        """The table as a pandas.DataFrame; InputError where pandas is not installed."""
+        try:
+            import pandas  # type: ignore[import-untyped,import-not-found,unused-ignore]
+        except ImportError:
+            raise InputError("to_frame", "needs pandas: pip install pandas, or use to_dict()") from None
+        return pandas.DataFrame(list(self.records()))
+
+    def _shown(self) -> list[Field[Any]]:
+        return [one for one in fields(self) if one.name not in self.hidden]  # type: ignore[arg-type]
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        rows = list(self.records())
+        names = list(dict.fromkeys(name for row in rows for name in row))
+        lines = [names, *([_text(row.get(name)) for name in names] for row in rows[:_ROWS])]
+        tags = ["th", *("td" for _ in lines[1:])]
+        cells = ["".join(f"<{tag}>{escape(x)}</{tag}>" for x in line) for tag, line in zip(tags, lines, strict=True)]
+        table = "<table>" + "".join(f"<tr>{cell}</tr>" for cell in cells) + "</table>" if rows else ""
+        more = f"<p>and {len(rows) - _ROWS} more rows</p>" if len(rows) > _ROWS else ""
+        return f"<p>{escape(f'{type(self).__name__}: {self.trust}')}</p>{table}{more}"
+
     def __bool__(self) -> bool:
         raise TypeError(f"{type(self).__name__} has no truth value: ask for .proved, or for what it says")
+
+
+def _cell(value: Any) -> Any:
+    """What stands in a table: a number, rounded to a float, or a text; None for all else."""
+    if isinstance(value, Enum):
+        return value.value
+    if isinstance(value, arb):
+        return float(value.mid())
+    return float(value) if isinstance(value, Fraction) else value if isinstance(value, (int, float, str)) else None
+
+
+def _text(x: Any) -> str:
+    return "" if x is None else f"{x:.8g}" if isinstance(x, (float, complex)) else str(x)

@@ -14,7 +14,7 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.exact import HOW, Exact
 
 Dimension = tuple[int, int, int]
 """Powers of kg, m and s."""
@@ -59,6 +59,7 @@ _NUMBER = re.compile(
     r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+(?![0-9_.])|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)"
 )
 _UNDER = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*([^0-9.\s].*)")
+_TIMES = re.compile(r"[*·×]\s*([0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]+)?|\.[0-9]+)(?=[\s(A-Za-zµ]|$)")
 _SYMBOL = re.compile(r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
 _JOINED = re.compile(r"([GMk]?N)(mm|m|s)(?![A-Za-z])")  # kNm², Ns/m
 _COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*")
@@ -95,7 +96,13 @@ def measured(value: Any, unit: str, key: str, told: str = "") -> Any:
 
 def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:
     """The exact rational in `unit` that `value` stands for; InputError under `key` where it is none."""
-    exact = Exact.parse(measured(value, unit, key, told), key)
+    try:
+        exact = Exact.parse(measured(value, unit, key, told), key)
+    except InputError as error:  # a measured value is no root
+        how = "write a decimal such as 0.67 or a ratio such as 67/100" + (
+            f", with a unit such as {unit}" if unit else ""
+        )
+        raise InputError(key, str(error).removeprefix(f"{key}: ").replace(HOW, how)) from None
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()
@@ -134,16 +141,19 @@ def _bracket(text: str) -> Factor:
 
 def _product(text: str, alone: bool) -> Factor:
     """A product of symbols; one only where it stands under a stroke without brackets."""
-    words = (
-        _JOINED.sub(r"\1 \2", text).replace("·", " ").replace("**", "^").replace("*", " ").replace(" ^", "^").split()
-    )
+    size, text = Fraction(1), _JOINED.sub(r"\1 \2", text).replace("**", "^")
+    if not alone:  # numbers between units, as in 210 GPa * 3038 cm^4
+        for times in _TIMES.findall(text):
+            size *= Fraction(times)
+        text = _TIMES.sub(" ", text)
+    words = text.replace("·", " ").replace("*", " ").replace(" ^", "^").split()
     if not words:
         raise ValueError("has a stroke with nothing on one side")
     if alone and len(words) > 1:
         raise ValueError(f"leaves open what stands under the stroke: write /({' '.join(words)})")
     if alone and re.match(r"[0-9.]", words[0]):
         raise ValueError(f"divides by {words[0]}, a number alone: write the distance as /(0.6 m), with its unit")
-    size, powers = Fraction(1), (0, 0, 0)
+    powers = (0, 0, 0)
     for word in words:
         parts = _SYMBOL.fullmatch(word)
         if parts is None:

@@ -27,7 +27,7 @@ from mpsolve.spectrum.regions import HalfPlane
 from mpsolve.spectrum.shape import root_shape
 from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
-from mpsolve.waves.critical import CriticalVelocities
+from mpsolve.waves.velocity import CriticalVelocities
 
 LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 5
 _SHAPE_POINTS = 121

@@ -17,10 +17,6 @@ from mpsolve.progress import Progress
 Job = TypeVar("Job")
 Result = TypeVar("Result")
 
-_BUNCH = 40  # pieces of work that are done side by side, where this is quicker than one by one
-_BUNCHES = 8  # few pieces make at least so many bunches, so that processors have something to share
-
-
 WORKER_ENDED = (
     "a worker process ended before its work was done: allow fewer workers, and in a script call this under "
     'if __name__ == "__main__":'
@@ -54,19 +50,6 @@ def _end_with_parent() -> None:
         os._exit(1)
 
     Thread(target=watch, daemon=True).start()
-
-
-def run_bunches(
-    work: Callable[[Sequence[Job]], list[Result]],
-    jobs: Sequence[Job],
-    workers: int | None = None,
-    tell: Progress | None = None,
-    stage: str = "working",
-) -> list[Result]:
-    """The results of work(bunch) for bunches of jobs in order, the same for any number of workers; see `run`."""
-    size = min(_BUNCH, -(-len(jobs) // _BUNCHES)) or 1
-    bunches = [jobs[k : k + size] for k in range(0, len(jobs), size)]
-    return [result for results in run(work, bunches, workers, tell, stage) for result in results]
 
 
 def run(

@@ -18,6 +18,7 @@ from mpsolve.passivity.subject import Subject
 
 _OMEGA = 4.0  # where the two charts meet
 _MOST = 60000  # boxes that are looked at
+_FEW = 256  # boxes, which are halved twice at once
 _LEAST_POWER, _MOST_POWER = -3, 12  # of 2 in p₀: nothing is said below 2^−3
 _NEAR = 1.5  # times the largest value met: a bound that is good enough
 
@@ -163,7 +164,10 @@ def _full(f: Affine, ones: Any) -> Affine:
 
 
 def _halved(low: Any, high: Any, bottom: Affine, top: Affine, names: tuple[str, ...]) -> tuple[Any, Any]:
-    """Each box in two, along the variable that moves |D|² most, and W too where |D|² > 0 is known already."""
+    """Each box in two, along the variable that moves |D|² most, and W too where |D|² > 0 is known already.
+
+    Few boxes are halved again: a round takes as long for them as for one.
+    """
     if not len(low):
         return low, high
     weight = np.zeros_like(low)
@@ -173,11 +177,17 @@ def _halved(low: Any, high: Any, bottom: Affine, top: Affine, names: tuple[str, 
                 weight[:, k] += counts * np.abs(f.b[name]) / (np.abs(f.a) + f.spread + f.e + 1e-300)
     rounds = high - low
     span = rounds / (np.abs(high) + np.abs(low) + 1e-300)
-    weight = np.nan_to_num(weight) + 1e-3 * span * (span > 0)
-    k = np.argmax(weight * (rounds > 0), axis=1)
-    rows = np.arange(len(low))
+    weight = (np.nan_to_num(weight) + 1e-3 * span * (span > 0)) * (rounds > 0)
+    for _ in range(2 if len(low) < _FEW else 1):
+        low, high, weight = _once_halved(low, high, weight)
+    return low, high
+
+
+def _once_halved(low: Any, high: Any, weight: Any) -> tuple[Any, Any, Any]:
+    k, rows = np.argmax(weight, axis=1), np.arange(len(low))
     middle = low[rows, k] / 2 + high[rows, k] / 2
-    first, second = high.copy(), low.copy()
+    first, second, weight = high.copy(), low.copy(), weight.copy()
     first[rows, k] = middle
     second[rows, k] = middle
-    return np.concatenate([low, second]), np.concatenate([first, high])
+    weight[rows, k] /= 2
+    return np.concatenate([low, second]), np.concatenate([first, high]), np.concatenate([weight, weight])

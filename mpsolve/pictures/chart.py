@@ -49,10 +49,10 @@ def chart_picture(
 ) -> str:  # fmt: skip
     """counts[i, j] belongs to the cell round (x[i], y[j]): 0 blank, 1 and 2 hatched, more crossed, −1 dotted as open.
 
-    x, y may also be the edges of cells, one more than these. here: the point of the case; boundaries: curves on which
-    a root is real, drawn in place of lines between cells; proved: points (x, y,
-    whether stable) that have been proved: circles are stable, squares not; sure: outlined boxes and lines on which
-    stability is proved. open_words: what the legend says of −1. The legend stands below the axes.
+    x, y may also be the edges of cells, one more than these. here: the point of the case; boundaries: curves on
+    which a root is real, drawn in place of lines between cells; proved: points (x, y, whether stable) that have been
+    proved: circles are stable, squares not; sure: outlined boxes and lines on which stability is proved. open_words:
+    what the legend says of −1. The legend stands below the axes.
     """
     counts = np.asarray(counts)
     edges = _edges(x, counts.shape[0]), _edges(y, counts.shape[1])

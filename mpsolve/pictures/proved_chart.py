@@ -14,7 +14,7 @@ from mpsolve.ranges.cells import met
 from mpsolve.ranges.chart import Chart
 from mpsolve.report.ranges_asked import Asked
 
-_ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
+ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
 _ROUNDS = 6  # cells: as wide as the strip beside a curve is, at most
 
 
@@ -27,16 +27,16 @@ def proved_chart(found: Chart, asked: Asked) -> str:
     here = tuple(float(one.shown(own[one.path])) for one in (first, second) if one.path in own)
     picture = chart_picture(
         ends(found.x, counts.shape[0]) * factors[0], ends(found.y, counts.shape[1]) * factors[1], counts,
-        _title(first), _title(second), "How many roots grow: proved regions, dotted where open",
+        axis_title(first), axis_title(second), "How many roots grow: proved regions, dotted where open",
         here=(here[0], here[1]) if len(here) == 2 else None, boundaries=borders(found, factors),
         open_words=open_words(found),
     )  # fmt: skip
     head, rest = picture.split(">", 1)
-    return f"{head}{_ALONE}><style>{STYLE}</style>{rest}\n"
+    return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
 
 
 def drawn(found: Chart) -> Any:
-    """The finest counts that are there, −1 where they are open; at a proved curve what is beside is drawn."""
+    """The finest counts there are, −1 where they are open; cells at a proved curve are drawn as those beside it."""
     counts = np.maximum(found.counts if found.detail is None else found.detail, -1)
     under = met(counts.shape, (found.x, found.y), found.boundaries)
     for _ in range(_ROUNDS):
@@ -67,7 +67,7 @@ def open_words(found: Chart) -> str:
     return "open" if found.traced else "a boundary, or open"
 
 
-def _title(over: Over) -> str:
+def axis_title(over: Over) -> str:
     names = {"v": "velocity" if over.unit else "velocity ratio α", "scale.mass": "factor on all masses"}
     name = names.get(over.path, over.path)
     return f"{name}, {over.unit}" if over.unit else name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
@@ -18,6 +19,8 @@ from mpsolve.presets.catalogue import Preset, names, preset
 _WIDTH, _COLUMN = 118, 28
 _SHARED = ("kg", "kg m²", "N/m", "N s/m")
 """Units of what a rail takes half of."""
+_OF_ONE_RAIL = re.compile(r" (?:on|under) one rail")
+"""What the models say of their values; here they may be for something else."""
 _OF = {"rail": "one rail", "track": "both rails and the whole vehicle", "wire": "one wire", "ice": "a strip of ice"}
 
 
@@ -57,7 +60,8 @@ def input_file(
         *_row(number, gap),
         *_model(above.model, vehicles.CATALOGUE, above.notes, share, "vehicle"),
     ]  # fmt: skip
-    return "\n".join(lines) + "\n"
+    text = "\n".join(lines) + "\n"
+    return text if below.on == "rail" else _OF_ONE_RAIL.sub("", text)
 
 
 def _share(track: Preset, vehicle: Preset) -> Fraction:

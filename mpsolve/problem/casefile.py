@@ -139,7 +139,7 @@ def _loads(content: Mapping[str, Any], case: Case) -> tuple[Load, ...] | None:
         with errors_under(f"load[{j}]."):
             loads.append(Load(**table))
     if len(loads) != case.count:
-        raise InputError("load", f"has {len(loads)} entries for {case.count} masses: give one [[load]] for each")
+        raise InputError("load", f"is given for {len(loads)}, not {case.count} masses: give one [[load]] for each")
     return tuple(loads)
 
 

@@ -65,6 +65,12 @@ class Family:
         """The intervals of x̂."""
         return tuple((a / u, b / u) for (a, b), u in zip(self.over.values(), self.units, strict=True))
 
+    @cached_property
+    def felt(self) -> tuple[bool, ...]:
+        """Of each parameter whether the track, its velocity or the places of the contacts depend on it."""
+        told = [*self.D_rest.values(), *self.N_rest.values(), self.v, *self.places]
+        return tuple(any(e[k] for c in told for e, _ in c) for k in range(len(self.paths)))
+
     @property
     def degree(self) -> int:
         """The number of p-roots."""

@@ -6,7 +6,7 @@ What a model takes stands in its own class; keys, bounds and messages come from 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
@@ -14,15 +14,17 @@ from typing import Any, TypeVar
 from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Model, Part, defaults, quantities
-from mpsolve.numbers.units import measured
+from mpsolve.numbers.units import measured, split
 from mpsolve.problem.case import Case
 from mpsolve.problem.casefile import InputFile, input_of
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.checked import errors_under
+from mpsolve.problem.lines import line_of
 from mpsolve.problem.load import gives_forces
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.sources import SOURCE, sources_of
+from mpsolve.problem.titled import Title
 from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
@@ -93,9 +95,20 @@ def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:
 def read_source(path: str | Path) -> ProblemFile | InputFile:
     """The same, but a case of the paper stays the case that it is, whose ratios may be irrational."""
     file = Path(path)
-    content = parsed(text_of(file), name_of(file))
+    text = text_of(file)
+    content = parsed(text, name_of(file))
     refuse_other_kind(content, _TOP | {"physical": "a section", "dimensionless": "a section"}, file)
-    return source_of(content, file)
+    source = source_of(content, file)
+    return replace(source, title=Title(source.title, _bare(content, text)))
+
+
+def _bare(content: Mapping[str, Any], text: str) -> bool:
+    """Whether the velocity stands without a unit, and without one in the comment beside it."""
+    table, key = (content["physical"], "physical.v") if "physical" in content else (content, "v")
+    if "v" not in table or split(str(table["v"]))[1]:
+        return False
+    line = line_of(text, key)
+    return line is None or "m/s" not in text.splitlines()[line - 1]
 
 
 def source_of(content: Mapping[str, Any], file: Path) -> ProblemFile | InputFile:
@@ -206,6 +219,6 @@ def _loads(content: Mapping[str, Any], contacts: int) -> tuple[Load, ...] | None
         with errors_under(f"{key}."):
             loads.append(Load(**{name: measured(x, LOAD_UNITS[name], name) for name, x in entry.items()}))
     if len(loads) != contacts:
-        stated = f"has {len(loads)} entries for {contacts} contacts"
+        stated = f"is given for {len(loads)}, not {contacts} contacts"
         raise InputError("load", f"{stated}: give one [[load]] for each contact from rear to front, or none")
     return tuple(loads)

@@ -15,8 +15,9 @@ def line_of(text: str, key: str) -> int | None:
     """
     lines, place = _lines(text), key
     while place:
-        if place in lines:
-            return lines[place]
+        for known in (place, f"{place}[1]"):
+            if known in lines:
+                return lines[known]
         bare = re.sub(r"\[\d+\]$", "", place)
         place = bare if bare != place else place.rpartition(".")[0]
     return None

@@ -16,7 +16,7 @@ from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 
 _OF_FILE = re.compile(r"vehicle\[\d+\](.*)")
-_EXAMPLE = "write PATH=LOW..HIGH, such as v=0..400km/h, or v=0.. for a range without an end"
+_EXAMPLE = "write PATH=LOW..HIGH, such as v=0..400km/h"
 
 
 @dataclass(frozen=True)

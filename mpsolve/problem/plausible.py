@@ -56,7 +56,7 @@ _OTHER: Mapping[str, tuple[tuple[Fraction, str], ...]] = {
 def implausible(problem: Problem) -> Iterator[Reason]:
     """A sentence for each value that no rail and no vehicle on one has; none where the track is no rail."""
     track: Any = problem.track
-    if getattr(track, "name", "") not in _TRACKS:
+    if not on_rails(problem):
         return
     yield from _outside(track, "track", _TRACKS[track.name])
     seen: list[Any] = []
@@ -64,6 +64,11 @@ def implausible(problem: Problem) -> Iterator[Reason]:
         if placed.vehicle not in seen:
             seen.append(placed.vehicle)
             yield from _vehicle(placed.vehicle, f"the {placed.vehicle.name}'s ")
+
+
+def on_rails(problem: Problem) -> bool:
+    """Whether the track is a rail with what carries it; no wire, no ice, no matrix, nothing in units of its own."""
+    return getattr(problem.track, "name", "") in _TRACKS and getattr(problem.track, "m", None) != 1
 
 
 def _vehicle(vehicle: Any, owner: str) -> Iterator[Reason]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import sys
 import tomllib
@@ -35,8 +36,18 @@ def text_of(file: Path) -> str:
     except OSError as error:
         reason = f"cannot be read ({error.strerror}): give the path of a readable TOML file"
     except UnicodeDecodeError as error:
-        reason = f"is no text in UTF-8 (byte {error.start}): give a TOML file, a plain text; no spreadsheet, no PDF"
+        reason = _undecoded(error.object, error.start)
     raise InputError(name_of(file), reason)
+
+
+def _undecoded(content: bytes, at: int) -> str:
+    """What a file is that is no UTF-8, as far as its bytes tell, and what to do."""
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "is a text in UTF-16: save it as UTF-8"
+    if any(byte < 32 and byte not in b"\t\r\n" for byte in content):
+        return f"is no text (byte {at}): give a TOML file, a plain text; no spreadsheet, no PDF"
+    line = content[:at].count(b"\n") + 1
+    return f"has a character in line {line} that is not in UTF-8: save the file as UTF-8"
 
 
 def _bytes(file: Path) -> bytes:
@@ -70,8 +81,9 @@ def _short_enough(content: bytes, file: Path) -> bytes:
 
 def parsed(text: str, key: str) -> dict[str, Any]:
     """The tables of a TOML text, floats as they are written; InputError under `key` for a text that is none."""
-    if text.lstrip().startswith("{"):
-        raise InputError(key, "is JSON, not TOML: a certificate is checked by mpsolve verify")
+    other = _not_toml(text, key)
+    if other:
+        raise InputError(key, other)
     try:
         return tomllib.loads(text, parse_float=Written)
     except tomllib.TOMLDecodeError as error:
@@ -80,6 +92,33 @@ def parsed(text: str, key: str) -> dict[str, Any]:
         raise InputError(key, "has an integer with too many digits: give at most 400") from None
     except RecursionError:
         raise InputError(key, "is nested too deeply: lists in lists have no meaning here") from None
+
+
+_WRITTEN = "mpsolve new ballasted -o mine.toml writes an input file"
+
+
+def _not_toml(text: str, name: str) -> str:
+    """What the text is where it is no TOML at all, and what to do; "" where it may be TOML."""
+    start = text.lstrip()[:1]
+    if start == "{":
+        try:
+            format_ = str(json.loads(text).get("format", ""))
+        except (ValueError, RecursionError):
+            format_ = ""
+        if "certificate" in format_:
+            return f"is a certificate, not an input file: check it with mpsolve verify {name}"
+        if format_.startswith("mpsolve"):
+            return f"is an answer ({format_}), not an input file: give the TOML file that was asked about"
+        return f"is JSON, not TOML: {_WRITTEN}"
+    if start == "<":
+        return f"is a web page or a picture, not TOML: {_WRITTEN}"
+    if "\r" in text.replace("\r\n", ""):
+        return "has lines that end in a carriage return alone: save it with the line ends of Windows or Unix"
+    said = "".join(line for line in text.splitlines(keepends=True) if not line.lstrip().startswith("#"))
+    if said.strip() and not {"=", "["} & set(said):
+        table = any(mark in said for mark in ",;\t")
+        return f"is {'a table of values' if table else 'a text'}, not TOML, which has lines like v = 10: {_WRITTEN}"
+    return ""
 
 
 _AT = re.compile(r" \(at line (\d+), column \d+\)$")

@@ -6,10 +6,9 @@ numbers, what to do.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from itertools import islice, pairwise
 from math import pi, sqrt
 from typing import Any
 
@@ -28,10 +27,10 @@ from mpsolve.vehicles.oscillator import Oscillator
 
 _SOUND = 5100  # m/s in steel: √(EI/m) over it is the radius of gyration of a solid section
 _THINNEST, _THICKEST = 5e-4, 3.0  # radii of gyration in m
-_FASTEST, _ON_ICE = 150, 40  # m/s
+FASTEST, _ON_ICE = 150, 40  # m/s
 _SHEARLESS = 0.2  # p times the radius of gyration up to which a beam without shear is right to some per cent
 _SPACING = 0.6  # m, of sleepers
-_IN_TITLE = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(?:km/h|kmh|kph)")
+_Row = tuple[Fraction, list[Fraction], str]
 _SMEARED = ("two-layer", "three-layer", "slab")
 
 
@@ -56,38 +55,39 @@ def warned(given: Given, frequencies: Sequence[float] = ()) -> tuple[Reason, ...
     return tuple(found)
 
 
-def titled(given: Given, title: str) -> tuple[Reason, ...]:
-    """A title that says the number of v in km/h, where v is in m/s; empty where it says nothing of the kind."""
-    if isinstance(given, Case):
-        return ()
-    v = as_problem(given).v
-    said = [Fraction(number) for number in _IN_TITLE.findall(title)]
-    if not v or v not in said or v * Fraction(18, 5) in said:
-        return ()
-    stated = f"v is {rounded(v)} m/s, which is {spoken(v, 'm/s')}, but the title says {rounded(v)} km/h"
-    return (
-        Reason("velocity-unlike-title", stated, {"v": str(v)}, f'write v = "{rounded(v)} km/h", if that is meant'),
-    )
-
-
 def _of_ratios(case: Case) -> Iterator[Reason]:
     for j, (a, b) in enumerate(pairwise(case.positions), 1):
         if a == b:
-            yield _one_place(f"positions[{j}] and positions[{j + 1}] are both {a.short()}")
+            yield _one_place(f"positions[{j}] and positions[{j + 1}] are both {a.short()}, so the masses move as one")
     if case.eta_b > 1:
         stated = f"eta_b is {case.eta_b.short()}, above 1, the critical damping of the foundation"
         yield Reason("overdamped", stated, {"ratio": case.eta_b.short()}, "check it, if that is not meant")
 
 
 def _at_one_place(problem: Problem) -> Iterator[Reason]:
-    places = problem.pencil.places
-    for place in sorted({a for a, b in pairwise(places) if a == b}):
-        yield _one_place(f"two contacts stand at one place, x = {shown(place)} m")
+    """The first two vehicles at one place or in each other, and the first with two contacts at one place."""
+    own = [(placed, sorted(placed.vehicle.pencil.places)) for placed in problem.vehicles]
+    rows = sorted(((placed.position, places, placed.vehicle.name) for placed, places in own if places))
+    yield from islice((said for behind, ahead in pairwise(rows) for said in _clash(behind, ahead)), 1)
+    twice = (name for _, places, name in rows if len(set(places)) < len(places))
+    yield from islice((_one_place(f"two contacts of one {name} stand at one place") for name in twice), 1)
+
+
+def _clash(behind: _Row, ahead: _Row) -> Iterator[Reason]:
+    """Place of the middle, places of the contacts from there, and name of two vehicles."""
+    (x, wheels, name), (y, others, other) = behind, ahead
+    if x == y:
+        yield _one_place(f"two vehicles, {name} and {other}, stand at one place, x = {shown(x)} m")
+    elif y + others[0] <= x + wheels[-1]:
+        stated = f"the {name} at x = {shown(x)} m and the {other} at x = {shown(y)} m stand in each other"
+        front, rear = shown(x + wheels[-1]), shown(y + others[0])
+        stated = f"{stated}, as wheels of the one reach to {front} m and those of the other from {rear} m on"
+        yield Reason("vehicles-overlap", stated, {}, "give them positions or a spacing further apart")
 
 
 def _one_place(stated: str) -> Reason:
     remedy = "give one of them another position, if that is not meant"
-    return Reason("contacts-at-one-place", f"{stated}, and move as one", {}, remedy)
+    return Reason("contacts-at-one-place", stated, {}, remedy)
 
 
 def _bending(track: Any) -> Iterator[Reason]:
@@ -102,10 +102,15 @@ def _bending(track: Any) -> Iterator[Reason]:
 
 
 def _velocity(problem: Problem) -> Iterator[Reason]:
-    limit = _ON_ICE if isinstance(problem.track, FloatingIce) else _FASTEST
+    limit = _ON_ICE if isinstance(problem.track, FloatingIce) else FASTEST
     if problem.v > limit:
         stated = f"v is {rounded(problem.v)} m/s, which is {spoken(problem.v, 'm/s')}"
-        meant = f'write v = "{rounded(problem.v)} km/h", if km/h is meant'
+        written = 1000 % problem.v.denominator == 0  # else it is likely to have been given in km/h
+        meant = (
+            f'write v = "{rounded(problem.v)} km/h", if km/h is meant'
+            if written
+            else "check it, if that is not meant"
+        )
         yield Reason("velocity-unlikely", stated, {"v": str(problem.v)}, meant)
 
 

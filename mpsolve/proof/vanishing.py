@@ -21,12 +21,13 @@ from mpsolve.numbers.quadratic import Quadratic, pairs
 class Scalar:
     """s over each box, where it is bounded; det A = 0 exactly where s = 0 (boxes with `good`).
 
-    strain[v]: how much each variable moves the reduced matrix.
+    strain[v]: how much each variable moves the reduced matrix; rest: how much of it the model leaves out.
     """
 
     s: Quadratic
     good: Any
     strain: Any
+    rest: Any
 
 
 def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
@@ -35,7 +36,8 @@ def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
     with np.errstate(all="ignore"):
         finite = good & np.isfinite(A.k).all((0, 2, 3)) & np.isfinite(A.e).all((1, 2))
         if n == 1:
-            return Scalar(A[:, 0, 0], finite, np.abs(A.b[:, :, 0, 0] / A.a[:, 0, 0]))
+            one, rest = A[:, 0, 0], A.e[:, 0, 0] / np.abs(A.a[:, 0, 0])
+            return Scalar(one, finite, np.abs(one.b / one.a), rest)
         middle = np.where(finite[:, None, None], A.a.real if real else A.a, np.eye(n))
         left, sizes, right = np.linalg.svd(middle)
         scale = 1 / np.maximum(np.concatenate([sizes[:, :-1], sizes[:, -2:-1]], 1), TINY)
@@ -55,7 +57,8 @@ def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
         rest = (row.size[:, 0] * x).sum(1) * (column.size[:, :, 0] / x).max(1) * eta / (1 - eta) * UP * UP
         fine = eta < 0.9
         strain = np.where(finite, np.abs(B.b).sum(3).max(2), 0.0)
-        return Scalar(Quadratic(s.k, np.where(fine, s.e + rest, np.inf), s.m), finite & fine, strain)
+        bound = np.where(fine, s.e + rest, np.inf)
+        return Scalar(Quadratic(s.k, bound, s.m), finite & fine, strain, B.e.sum(2).max(1))
 
 
 def _weights(defect: Any) -> Any:
@@ -139,6 +142,16 @@ def guess(s: Quadratic) -> Any:
             step = np.stack([(value.conj() * g1).imag, (g0.conj() * value).imag]) / det
             u = u - step
     return u
+
+
+def in_plane(s: Quadratic) -> Quadratic:
+    """As a model in the first two variables, with what the others do in the remainder."""
+    if s.m == 2:
+        return s
+    kept = [0, 1, 2, *(1 + s.m + n for n, (_, j) in enumerate(pairs(s.m)) if j < 2)]
+    rest = np.setdiff1d(np.arange(len(s.k)), kept)
+    more = np.abs(s.k[rest]).sum(0) * (1 + 4 * (len(rest) + 4) * U)
+    return Quadratic(s.k[kept], (s.e + more) * UP, 2)
 
 
 def one_at_most(s: Quadratic) -> Any:

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import json
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
-from enum import Enum
 from fractions import Fraction
-from html import escape
-from typing import Any, ClassVar
+from typing import Any
 
-import numpy as np
-from flint import acb, arb
-
-from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision, rational_ball
-from mpsolve.numbers.packed import Portable, pack
+from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.plain import outward
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
@@ -55,59 +48,8 @@ class Proof(Portable):
     base: Any = None
 
 
-_SHOWN = 100  # rows in a notebook
-
-
-class Tabled(Result):
-    """Base of what is data and a table: for JSON, for pandas and for notebooks. Frozen dataclasses."""
-
-    hidden: ClassVar[frozenset[str]] = frozenset({"proofs", "problem", "spectrum", "certificate"})
-    """Fields that are not in `to_dict`."""
-
-    def records(self) -> Iterable[Mapping[str, Any]]:
-        """The answer as a table, numbers as floats: one mapping for each row."""
-        return ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain data for JSON: exact numbers as texts, with decimals beside them."""
-        names = [one.name for one in fields(self) if one.name not in self.hidden]  # type: ignore[arg-type]
-        return {name: plain(getattr(self, name)) for name in names} | {"proved": self.proved}
-
-    def to_json(self) -> str:
-        """`to_dict` as a text."""
-        return json.dumps(self.to_dict(), ensure_ascii=False, indent=1)
-
-    def to_frame(self) -> Any:
-        """The table as a pandas.DataFrame; InputError where pandas is not installed."""
-        try:
-            import pandas  # type: ignore[import-untyped,import-not-found,unused-ignore]
-        except ImportError:
-            raise InputError("to_frame", "needs pandas: pip install pandas, or use to_dict()") from None
-        return pandas.DataFrame(list(self.records()))
-
-    def sentence(self) -> str:
-        """How far it is proved, and why not further."""
-        said = [self.status.value, str(self.reason or ""), getattr(self, "note", "")]
-        return f"{type(self).__name__}: " + "; ".join(filter(None, said))
-
-    def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        rows = list(self.records())
-        names = list(dict.fromkeys(name for row in rows for name in row))
-        lines = [names, *([_cell(row.get(name)) for name in names] for row in rows[:_SHOWN])]
-        tags = ["th", *("td" for _ in lines[1:])]
-        cells = ["".join(f"<{tag}>{escape(x)}</{tag}>" for x in line) for tag, line in zip(tags, lines, strict=True)]
-        table = "<table>" + "".join(f"<tr>{cell}</tr>" for cell in cells) + "</table>" if rows else ""
-        more = f"<p>and {len(rows) - _SHOWN} more rows</p>" if len(rows) > _SHOWN else ""
-        return f"<p>{escape(self.sentence())}</p>{table}{more}"
-
-
-def _cell(x: Any) -> str:
-    return "" if x is None else f"{x:.8g}" if isinstance(x, (float, complex)) else str(x)
-
-
 @dataclass(frozen=True)
-class Answer(Tabled):
+class Answer(Result):
     """Base of the answers. over: the ranges of which the answer speaks, in the problem's units. A range that is asked
     from v = 0 begins a little above it where the equations lose waves at rest (layers, Kelvin–Voigt damping).
 
@@ -135,15 +77,11 @@ class Answer(Tabled):
         return self.rows()
 
 
-def outward(ball: Any, up: bool) -> float:
-    """The float next to the upper (lower) end of a ball that is not inside of it."""
-    with precision(64):
-        end = ball.upper() if up else ball.lower()
-        x = float(end)
-        toward = math.inf if up else -math.inf
-        while math.isfinite(x) and not (arb(x) >= end if up else arb(x) <= end):
-            x = math.nextafter(x, toward)
-        return x
+def uncounted(base: Any, where: str) -> Reason:
+    """Why the roots at a point, from which all others are counted, are not counted: as its own spectrum says."""
+    why = getattr(base, "note", "")
+    stated = f"whether a root grows {where} is open"
+    return base.reason or Reason("base", f"{stated}: {why}" if why else stated, {}, "")
 
 
 class AtValue:
@@ -178,12 +116,6 @@ class Valued:
         return None if self.value is None else outward(self.value, up=True)
 
 
-def shown_digits(ball: Any) -> str:
-    """The decimals of a ball that are sure, one digit of them within 1."""
-    with precision(max(int(ball.mid().bits()), 53) + 32):
-        return str(ball.str(radius=False))
-
-
 def within(ball: Any, interval: Interval) -> bool | None:
     """Whether a ball lies in a closed interval; None where it cannot be told."""
     with precision(max(int(ball.mid().bits()), 53) + 64):
@@ -191,29 +123,3 @@ def within(ball: Any, interval: Interval) -> bool | None:
         if ball >= low and ball <= high:
             return True
         return False if ball < low or ball > high else None
-
-
-def plain(value: Any) -> Any:
-    """Data that JSON knows."""
-    if isinstance(value, arb):
-        ends = {"lower": outward(value, up=False), "upper": outward(value, up=True)}
-        return {"decimal": shown_digits(value), **ends, "ball": [(str(x), e) for x, e in pack(value)]}
-    if isinstance(value, acb):
-        return {"real": plain(value.real), "imag": plain(value.imag)}
-    if isinstance(value, Fraction):
-        return {"exact": str(value), "decimal": float(value)}
-    if isinstance(value, Enum):
-        return value.value
-    if isinstance(value, np.ndarray):
-        return value.tolist()
-    if isinstance(value, Reason):
-        return value.data()
-    if isinstance(value, Tabled):
-        return value.to_dict()
-    if isinstance(value, Mapping):
-        return {str(key): plain(one) for key, one in value.items()}
-    if isinstance(value, (tuple, list)):
-        return [plain(one) for one in value]
-    if hasattr(value, "__dataclass_fields__"):
-        return {one.name: plain(getattr(value, one.name)) for one in fields(value) if one.repr}
-    return value

@@ -27,7 +27,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
@@ -40,6 +40,7 @@ _DEPTH = 7  # halvings of each parameter
 _SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, before a box stays open
 _MOST_PARTS = 60
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
+NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
 
 
 @dataclass(frozen=True)
@@ -117,9 +118,8 @@ def stability_chart(
     given = as_problem(problem)
     ranges = from_above_rest(given, checked_over(given, over))
     if len(ranges) != 2:
-        raise InputError(
-            "over", f"has {len(ranges)} ranges, but a chart is over two parameters: give one for each of two"
-        )
+        times = "once" if len(ranges) == 1 else f"{len(ranges)} times"
+        raise InputError("over", f"is given {times}, but a chart is over two parameters: give a range for each")
     if not 2 <= depth <= 10:
         raise InputError("depth", f"is {depth}: give 2 to 10, a chart has 2^depth cells along each parameter")
     with one_thread():
@@ -163,12 +163,13 @@ def _chart(
     verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
+    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
     lost = (detail == BOUNDARY) & ~met(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
-        problem, over, status, reason, proofs=(proof,), cost=cost, x=edges[0], y=edges[1], counts=counts, parts=parts,
-        boundaries=curves, traced=whole, detail=detail,
+        problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
+        traced=whole, detail=detail, **told,
     )  # fmt: skip
 
 
@@ -219,7 +220,7 @@ def _counted(
         detail[where] = OPEN if roots is None else roots
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
-            reason = found.reason or Reason("base", "the roots of a region are not counted", {}, "")
+            reason = uncounted(found, "of a region")
     return tuple(parts), reason
 
 

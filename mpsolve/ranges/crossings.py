@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from time import process_time
 from typing import Any
 
 from mpsolve.certificate.solve import certify_problem, checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
-from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.packed import Portable, exact_ends
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -19,7 +19,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, within
+from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, uncounted, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.on_string import quiet
@@ -30,6 +30,7 @@ from mpsolve.ranges.verified import verified
 from mpsolve.ranges.without_end import endless
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
+_ROOM = Fraction(1, 1024)  # of a range: where roots are counted there is so much to the next crossing, if anywhere
 
 
 @dataclass(frozen=True)
@@ -99,37 +100,34 @@ def find(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
-    """`crossings` of checked arguments; the upper end may be None."""
-    if next(iter(over.values()))[1] is not None:
-        return _with_an_end(problem, over, digits, effort, progress, check)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
-    part = lambda ranges: _within(problem, ranges, digits, budget, progress, check)  # noqa: E731
-    reasoned = lambda why: Crossings(problem, over, Status.UNDECIDED, why, digits=digits)  # noqa: E731
-    found: Crossings = endless(problem, over, part, reasoned, budget, progress)
-    return found
+    """`crossings` of checked arguments; the upper end may be None.
 
+    near: points (q, value) at which crossings are expected: they are enclosed first, which saves boxes.
+    """
 
-def _with_an_end(
-    problem: Problem,
-    over: Mapping[str, Interval],
-    digits: int,
-    effort: Effort | None,
-    progress: Progress,
-    check: bool,
-) -> Crossings:
     def none(ranges: Mapping[str, Interval], why: str) -> Crossings:
         return Crossings(problem, ranges, Status.UNVERIFIED, digits=digits, counts=(0,), note=why)
 
     def inside(ranges: Mapping[str, Interval], rest: Effort | None) -> Crossings:
-        return _within(problem, ranges, digits, rest, progress, check)
+        return _within(problem, ranges, digits, rest, progress, check, near)
 
-    why, speeds = quiet(problem, over), speeds_within(problem, over)
+    def left_open(why: Reason) -> Crossings:
+        return Crossings(problem, over, Status.UNDECIDED, why, digits=digits)
+
+    found: Crossings
+    why = quiet(problem, over)
     if why is not None:
         return none(over, why)
+    if next(iter(over.values()))[1] is None:
+        budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+        found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
+        return found
+    speeds = speeds_within(problem, over)
     if not speeds:
         return inside(over, effort)
-    found: Crossings = parted(problem, over, speeds, inside, none, effort)
+    found = parted(problem, over, speeds, inside, none, effort)
     return found
 
 
@@ -141,6 +139,7 @@ def _within(
     effort: Effort | None,
     progress: Progress,
     check: bool,
+    near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
@@ -153,6 +152,8 @@ def _within(
             problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
         )
     search = Search(scope, digits)
+    q_unit, unit = float(scope.family.frequency_unit), float(scope.family.units[0])
+    search.enclose_near([(q / q_unit, x / unit) for q, x in near])
     cover = search.cover(budget, progress)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
@@ -180,7 +181,7 @@ def _within(
         return Crossings(problem, over, Status.UNDECIDED, reason, known, proofs, cost, **common)
     rooms = list(zip(zeros, search.judge.known, strict=True))
     claim = {"counts": list(counts or ()), "directions": [one.direction for one in inside]}
-    at = Base((_counted_at(over, inside),), base)
+    at = Base((_counted_at(over, inside)[0],), base)
     found = verified(lambda: crossings_certificate(scope, cover.tree, rooms, at, claim), cover.tree.nodes, check)
     cost = replace(cost, verification=cost.verification + found.seconds)
     common |= {"proofs": proofs, "cost": cost, "counts": counts}
@@ -203,35 +204,28 @@ def _counts(
         if not one.value < other.value:
             return None, None, Reason("close", "two crossings cannot be told apart", {}, "ask for more digits")
     if any(one.direction is None for one in found):
-        return (
-            None,
-            None,
-            Reason("direction", "a root touches the real axis as far as can be told", {}, "ask for more digits"),
-        )
-    at = _counted_at(over, found)
+        stated = "a root touches the real axis as far as can be told"
+        return None, None, Reason("direction", stated, {}, "ask for more digits")
+    at, first = _counted_at(over, found)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
     if base.stable is None or base.unstable is None:
-        return (
-            None,
-            base,
-            base.reason or Reason("base", f"the roots at {path} = {float(at):.6g} are not counted", {}, ""),
-        )
-    counts = [base.unstable]
-    for one in found:
-        counts.append(counts[-1] + (one.direction or 0))
+        return None, base, uncounted(base, f"at {path} = {float(at):.6g}")
+    gained = [0, *accumulate(one.direction or 0 for one in found)]
+    counts = tuple(base.unstable + number - gained[first] for number in gained)
     if min(counts) < 0:
-        return (
-            None,
-            base,
-            Reason("counts", "the counts contradict each other", {}, "report this as a fault, with the input"),
-        )
-    return tuple(counts), base, None
+        stated = "the counts contradict each other"
+        return None, base, Reason("counts", stated, {}, "report this as a fault, with the input")
+    return counts, base, None
 
 
-def _counted_at(over: Mapping[str, Interval], found: list[Crossing]) -> Fraction:
-    """Where the roots are counted: before the first crossing."""
-    low, high = next(iter(over.values()))
-    return short_between(low, Fraction(found[0].lower) if found else high)
+def _counted_at(over: Mapping[str, Interval], found: list[Crossing]) -> tuple[Fraction, int]:
+    """Where the roots are counted, and behind how many crossings: before the first, if it does not lie too near."""
+    ((low, high),) = over.values()
+    ends = [(low, low), *(exact_ends(one.value) for one in found), (high, high)]
+    gaps = [(a, b) for (_, a), (b, _) in pairwise(ends)]
+    widths = [b - a for a, b in gaps]
+    k = next((n for n, width in enumerate(widths) if width > (high - low) * _ROOM), widths.index(max(widths)))
+    return short_between(*gaps[k]), k
 
 
 def short_between(low: Fraction, high: Fraction) -> Fraction:

@@ -42,6 +42,12 @@ OUTSIDE, CORNER = 4, 5
 """Kinds of leaves: masses below the least one; next to q = 0."""
 
 
+ONLY_MASSES = (
+    "has no upper end: only a factor of all masses, such as scale.mass, may grow without end, as its limit is that "
+    "of pinned contacts; the limits of other parameters are other problems: give an upper end"
+)
+
+
 class SeenError(Exception):
     """A root seems to be real at a mass x̂ in question."""
 
@@ -56,10 +62,7 @@ def require_masses(family: Family, path: str) -> None:
     rest = [*family.D.values(), *family.N.values(), family.v, *family.places, *family.h, *_flat(family.B)]
     fixed = [*rest, *_flat(S0), *_flat(S1)]
     if any(any(e) for c in fixed for e, _ in c) or any(e != (1,) for c in _flat(S2) for e, _ in c):
-        raise InputError(
-            path, "has no upper end: only a factor of all masses, such as scale.mass, may grow without end, as its "
-            "limit is that of pinned contacts; the limits of other parameters are other problems: give an upper end"
-        )  # fmt: skip
+        raise InputError(path, ONLY_MASSES)
     if family.base.neutral:
         stated = "has no upper end, and some body hangs on dampers alone, whose limit is not known here"
         raise InputError(path, f"{stated}: give an upper end")

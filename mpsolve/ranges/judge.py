@@ -25,6 +25,7 @@ NONZERO, PASSIVE, KNOWN = 1, 2, 3
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
+_AROUND = 1.2  # of half a box: how far off its middle a zero is taken for one of the box
 Found = Callable[[Any, Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
 a zero was enclosed there.
@@ -57,6 +58,11 @@ class Judge:
     def variables(self) -> int:
         return self.matrix.variables
 
+    @cached_property
+    def felt(self) -> Any:
+        """Of q̂ and each parameter whether the track and its contacts' places know it: passivity is told by these."""
+        return np.array([True, *self.matrix.family.felt])
+
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         """(kind of each box, the variable along which to halve it)."""
         return self.judged(low, high)[:2]
@@ -71,17 +77,26 @@ class Judge:
         verdict = nonzero(s.s)
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         if self.envelope is not None:
-            kind[self._passive(self.envelope, boxes, low, high, kind)] = PASSIVE
+            kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
         if self.found is not None and (kind == 0).any():
             self._look(boxes, s, kind)
         return kind, self._axis(boxes, G, s, verdict), s
 
-    def _passive(self, envelope: Envelope, boxes: Boxes, low: Any, high: Any, kind: Any) -> Any:
+    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
         rest = np.flatnonzero((kind == 0) & (low[0] > 0))
         if len(rest):
-            middles = Boxes(boxes.m[:, rest], 0 * boxes.r[:, rest])
-            rest = rest[_seems_passive(self.matrix.receptance(middles))]
-        return rest[passive_on(envelope, low[:, rest].T, high[:, rest].T)] if len(rest) else rest
+            seems, unknown = _seems_passive(G)[rest], ~G.good[rest]
+            if unknown.any():
+                middles = Boxes(boxes.m[:, rest[unknown]], 0 * boxes.r[:, rest[unknown]])
+                seems[unknown] = _seems_passive(self.matrix.receptance(middles))
+            rest = rest[seems]
+        if not len(rest):
+            return rest
+        sides = np.concatenate([low, high])[:, rest]
+        own = np.concatenate([self.felt, self.felt])
+        _, first, which = np.unique(np.where(own[:, None], sides, 0), axis=1, return_index=True, return_inverse=True)
+        a, b = np.split(sides[:, first].T, 2, axis=1)
+        return rest[passive_on(envelope, a, b)[which.ravel()]]
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
@@ -93,11 +108,16 @@ class Judge:
         """Zeros that open boxes show are enclosed."""
         u = guess(s.s)
         small = (boxes.r < _SMALL * self.width[:, None]).all(0)
-        near = (kind == 0) & s.good & (np.abs(u) < 1.2).all(0) & (one_at_most(s.s) | small)
+        near = (kind == 0) & s.good & (np.abs(u) < _AROUND).all(0) & (one_at_most(s.s) | small)
         for n in np.flatnonzero(near)[:_TRIED]:
-            point = boxes.m[:, n] + boxes.r[:, n] * u[:, n]
-            if not any(((point >= a) & (point <= b)).all() for a, b in self.known) and self.found is not None:
-                self.found(point, boxes.r[:, n])
+            m, r = boxes.m[:, n], boxes.r[:, n]
+            point = m + r * u[:, n]
+            shown = any(
+                ((point >= a) & (point <= b)).all() or (np.abs((a + b) / 2 - m) < _AROUND * r).all()
+                for a, b in self.known
+            )  # the zero of the box is a known one, as far as can be told: its halves will tell more
+            if not shown and self.found is not None:
+                self.found(point, r)
 
     def room(self, point: Any, size: Any) -> tuple[Any, Any] | None:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""

@@ -18,24 +18,20 @@ from typing import Any
 import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
-from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.answer import Interval, Proof, uncounted
 from mpsolve.ranges.crossingcurve import CrossingCurve
+from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
 from mpsolve.ranges.scope import OpenError, Scope
 from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
-from mpsolve.spectrum.candidates import Area, nearest_root, search
-from mpsolve.tracks.at_rest import lowest_cut
 
-_COLUMNS, _LEVELS = 9, 3  # values of the second and of the first parameter at which roots are looked for
-_DEPTH, _FAR = 1.0, 2.0  # scaled: where
-_STEPS = 12
+_COLUMNS = 9  # values of the second parameter at which crossings are looked for
 _WIDTHS = np.append(1.01, 2.0 ** -np.arange(1.0, 12.0))
 """Of the range of the second parameter: half of the holes that are tried."""
 _LEAST = 2.0 ** -np.arange(4.0, 10.0, 2.0)  # scaled: half of them along the others, and as shares of the first half
@@ -94,65 +90,15 @@ class Question:
 
     def _found(self) -> Candidate | None:
         """The least crossing that floats lead to, with its place; None where none is seen."""
-        seeds = sorted(self._seeds())
-        if not seeds:
+        columns = np.linspace(self.scope.low[1], self.scope.high[1], _COLUMNS)
+        seen = each_seen(self.scope.family, columns)
+        if not np.isfinite(seen).any():
             return None
-        x, q, y, step = seeds[0]
+        n = int(np.nanargmin(seen[1]))
         ends = tuple(rational_ball(a) for a in self.scope.family.box[1])
+        start, step = (arb(float(seen[0, n])), arb(float(seen[1, n]))), float(columns[1] - columns[0])
         with precision(80):
-            return lowest_near(CrossingCurve(self.scope.proved), (arb(q), arb(x)), y, (ends[0], ends[1]), step)
-
-    def _seeds(self) -> list[tuple[float, float, float, float]]:
-        """(x̂, q̂, ŷ, how far the next ŷ is) of crossings that are met from roots that grow."""
-        out = []
-        (x0, x1), (y0, y1) = zip(self.scope.low, self.scope.high, strict=True)
-        columns = np.linspace(y0, y1, _COLUMNS)
-        area = Area(0.0, _FAR, -_DEPTH, _top(self.scope))
-        for y in columns.tolist():
-            for level in range(_LEVELS):
-                x = x1 - (x1 - x0) * level / _LEVELS
-                try:
-                    roots = search(self._reduced(x, y), area, np.zeros(0), 1)
-                except (InputError, PrecisionError):
-                    continue
-                roots = roots[roots.imag < 0]
-                met = [self._down(q, x, y, (x1 - x0) / 16) for q in roots.tolist()]
-                out += [(at, q, y, columns[1] - columns[0]) for at, q in filter(None, met) if x0 <= at <= x1]
-                if len(roots):
-                    break
-        return out
-
-    def _down(self, q: complex, x: float, y: float, step: float) -> tuple[float, float] | None:
-        """(x̂, q̂) where a root that grows becomes real as x̂ falls: by steps, then by false position and halving."""
-        low, high, grown = x, x, q.imag
-        while q.imag < 0:
-            high, grown, low = low, q.imag, low - step
-            moved = self._root(low, y, q) if low >= float(self.scope.low[0]) else None
-            if moved is None:
-                return None
-            q = moved
-        for k in range(_STEPS):
-            share = q.imag / (q.imag - grown) if k % 2 == 0 else 0.5
-            at = low + (high - low) * share
-            moved = self._root(at, y, q)
-            if moved is None or abs(moved.imag) < 1e-7 * abs(moved):
-                return None if moved is None else (at, moved.real)
-            if moved.imag < 0:
-                high, grown = at, moved.imag
-            else:
-                low, q = at, moved
-        return low, q.real
-
-    def _root(self, x: float, y: float, q: complex) -> complex | None:
-        try:
-            return nearest_root(self._reduced(x, y), q)
-        except (InputError, PrecisionError):
-            return None
-
-    def _reduced(self, x: float, y: float) -> Any:
-        box = self.scope.family.box
-        point = [min(max(Fraction(t), a), b) for t, (a, b) in zip((x, y), box, strict=True)]
-        return self.scope.family.reduced(point)
+            return lowest_near(CrossingCurve(self.scope.proved), start, float(columns[n]), (ends[0], ends[1]), step)
 
     def _hole(self, found: Candidate) -> tuple[tuple[Any, Any], Ridge]:
         """(the corners of a box in which one crossing at most is proved for each ŷ, the crossings in it)."""
@@ -212,7 +158,7 @@ class Question:
         point = [s if a < s < b else t for s, t, a, b in zip(short, point, (x0, y0), (top, y1), strict=True)]
         self.base = certify_problem(family.at(point), region="unstable", digits=15, check=self.check)
         if self.base.stable is None:
-            raise OpenError(self.base.reason or Reason("base", "the roots at one point are not counted", {}, ""))
+            raise OpenError(uncounted(self.base, "at one point"))
         if self.base.unstable:
             stated = "roots grow below the least crossing that was found"
             raise OpenError(Reason("unstable", stated, {}, "give a range that begins where all is stable"))
@@ -244,9 +190,3 @@ class Question:
             first, second = map(rational_ball, family.units)
             q, x = lowest.state
             return Least(x * first, q * rational_ball(family.frequency_unit), lowest.x * second, where, proofs)
-
-
-def _top(scope: Scope) -> float:
-    """About the height of the lowest cut, scaled: roots are seen best from both sides of the real axis."""
-    base = scope.family.base
-    return float(lowest_cut(base.problem.track)[0] / base.frequency_unit)

@@ -69,8 +69,7 @@ def cross_line(
         require_below_cuts(family, moved, height)
     scope = Scope(moved, reach if height > 0 else None)
     search = Search(scope, 15)
-    for point in near:
-        search.enclose(np.array(point), search.judge.width * 2.0**-13)
+    search.enclose_near(near)
     covers = [search.cover(budget, progress)]
     if scope.reach is not None:
         covers += _beside(Scope(family), height, scope.reach, budget)

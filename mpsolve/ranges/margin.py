@@ -6,9 +6,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.outcome import Reason
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.ratios import ratios_of
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
@@ -21,8 +24,8 @@ class Margin:
     """Where the problem's own value of one parameter stands among the stable and unstable parts of a range of it.
 
     below, above: balls round the nearest values at which stability changes; None where there is none down to the
-    start, up to the end of the range. stable: at the own value and everywhere between these; None where that is open,
-    and then `reason` says why.
+    start, up to the end of the range, whose upper one may be None: without end. stable: at the own value and
+    everywhere between these; None where that is open, and then `reason` says why.
     """
 
     path: str
@@ -41,8 +44,16 @@ def margin(
 
     No certificate is asked for: the verifier would take as long again.
     """
-    own = as_problem(problem).parameters[path]
+    own = _own(as_problem(problem), path)
     return margin_in(unstable_ranges(problem, over={path: over}, effort=effort, progress=progress, check=False), own)
+
+
+def _own(problem: Problem, path: str) -> Fraction:
+    problem.quantity(path)  # says which paths there are
+    known = ratios_of(problem.track, problem.vehicles, problem.v) | problem.parameters
+    if path not in known:
+        raise InputError(path, "has several values, so that none is its own: name one of them")
+    return known[path]
 
 
 def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
@@ -58,7 +69,7 @@ def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
         below = [x for part in parts for x in part if x is not None and x < here]
         above = [x for part in parts for x in part if x is not None and x > here]
         clear = len(below) + len(above) == sum(x is not None for part in parts for x in part)
-        if not clear or not over[0] <= own <= over[1]:
+        if not clear or own < over[0] or (over[1] is not None and own > over[1]):
             stated = f"{path} is its own limit, or is outside of the range"
             return Margin(path, own, over, None, reason=Reason("margin", stated, {}, "ask for more digits"))
         low, high = (below[-1] if below else None), (above[0] if above else None)
@@ -67,11 +78,11 @@ def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
 
 def _joined(found: UnstableRanges, over: Interval) -> list[tuple[Any | None, Any | None]]:
     """The unstable parts in ascending order, neighbours joined; None for an end that is one of the range itself."""
-    low, high = map(rational_ball, over)
+    low, high = (None if end is None else rational_ball(end) for end in over)
     parts: list[tuple[Any | None, Any | None]] = []
     for one in found.intervals:
         start = None if one.q is None and one.start.overlaps(low) else one.start
-        end = None if one.end.overlaps(high) else one.end
+        end = None if one.end is None or (high is not None and one.end.overlaps(high)) else one.end
         if parts and start is not None and parts[-1][1] is not None and parts[-1][1].overlaps(start):
             parts[-1] = (parts[-1][0], end)
         else:

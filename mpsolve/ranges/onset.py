@@ -13,12 +13,14 @@ from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.plain import outward
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, Valued, joined_cost, outward
+from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
 from mpsolve.ranges.never import never_unstable
@@ -119,7 +121,8 @@ def unstable_ranges(
     check: bool = True,
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
-    found = _found(problem, over, digits, effort, progress, check)
+    given = as_problem(problem)
+    found = _found(given, checked_over(given, over, endless=True), digits, effort, progress, check)
     intervals = intervals_of(found)
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals, **_shared(found))
 
@@ -144,17 +147,34 @@ def onset(
         return _at_worst(
             at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
         )
-    found = _found(problem, over, digits, effort or Effort(evaluations=_QUICK), progress, check)
-    shorter = up_to_first(found)
-    if shorter is not None:
-        again = _found(problem, shorter, digits, quarter(effort), progress, check)
-        if again.proved and again.crossings:
-            note = "; ".join(filter(None, (again.note, BEYOND)))
-            first = _read(again, Onset(problem, found.over, digits=again.digits, **_shared(again)))
-            return replace(first, note=note, cost=joined_cost(found.cost, again.cost))
+    given = as_problem(problem)
+    ranges = checked_over(given, over, endless=True)
+
+    def ask(over: Mapping[str, Interval], effort: Effort | None, near: tuple[Any, ...] = ()) -> Crossings:
+        return _found(given, over, digits, effort, progress, check, near)
+
+    first = _up_to_first(problem, ranges, effort, ask)
+    if first is not None:
+        return first
+    found = ask(ranges, effort or Effort(evaluations=_QUICK))
     if effort is None and found.reason is not None and found.reason.code == "effort":
-        found = _found(problem, over, digits, None, progress, check)
+        found = ask(ranges, None)
     return _read(found, Onset(problem, found.over, digits=found.digits, **_shared(found)))
+
+
+def _up_to_first(problem: Given, over: Mapping[str, Interval], effort: Effort | None, ask: Any) -> Onset | None:
+    """The onset by a proof of the range up to the first crossing that floats see; None where that does not tell."""
+    shorter = up_to_first(as_problem(problem), over)
+    if shorter is None:
+        return None
+    found = ask(shorter.over, quarter(effort) or Effort(evaluations=_QUICK), (shorter.near,))
+    if not found.proved or found.parts or not found.crossings:
+        return None
+    note = "; ".join(filter(None, (found.note, BEYOND)))
+    ((path, (low, _)),) = found.over.items()
+    return replace(
+        _read(found, Onset(problem, {path: (low, over[path][1])}, digits=found.digits, **_shared(found))), note=note
+    )
 
 
 def _shared(found: Crossings) -> dict[str, Any]:
@@ -248,15 +268,14 @@ def _near(ball: Any) -> float | None:
 
 
 def _found(
-    problem: Given,
-    over: Mapping[str, Any],
+    given: Problem,
+    ranges: Mapping[str, Interval],
     digits: int,
     effort: Effort | None,
     progress: Progress | None,
     check: bool,
+    near: tuple[Any, ...] = (),
 ) -> Crossings:
-    given = as_problem(problem)
-    ranges = checked_over(given, over, endless=True)
     one_path(ranges)
     with one_thread():
         why = never_unstable(given, ranges)  # without damping roots are real all over, so that crossings tell nothing
@@ -265,4 +284,4 @@ def _found(
         open_end = stable_up_to(given, ranges)
         if open_end is not None:
             return Crossings(given, ranges, Status.UNDECIDED, *open_end, digits=checked_digits(digits))
-        return find(given, ranges, checked_digits(digits), effort, progress or silent, check)
+        return find(given, ranges, checked_digits(digits), effort, progress or silent, check, near)

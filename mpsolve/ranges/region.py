@@ -10,7 +10,7 @@ from mpsolve.errors import MpsolveError
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
-from mpsolve.ranges.robust import prove_stable
+from mpsolve.ranges.robust import prove_box
 
 _SMALLER = (Fraction(1), Fraction(2, 5), Fraction(1, 10), Fraction(1, 50))
 
@@ -33,7 +33,7 @@ def stable_region(problem: Given, shares: Mapping[str, Fraction], seconds: float
             for path, share in shares.items()
         }
         try:
-            if prove_stable(problem, over=over, effort=Effort(seconds=left), check=False).stable:
+            if prove_box(problem, over=over, effort=Effort(seconds=left), check=False).stable:
                 return over
         except MpsolveError:  # the widest box may reach what cannot be, such as a wave speed
             continue

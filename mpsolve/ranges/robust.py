@@ -12,7 +12,7 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.outcome import Reason, Status
+from mpsolve.outcome import Status
 from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -21,7 +21,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
 from mpsolve.ranges.in_processes import InProcesses
@@ -59,7 +59,7 @@ class Robust(Answer):
 
 
 @stoppable
-def prove_stable(
+def prove_box(
     problem: Given,
     *,
     over: Mapping[str, Any],
@@ -68,18 +68,34 @@ def prove_stable(
     workers: int | None = 1,
     check: bool = True,
 ) -> Robust:
-    """Whether no root grows, for all values of several parameters in closed ranges at once.
-
-    over: {path: (low, high)} in the problem's units, as many as wanted. A point of the box at which a root grows is
-    sought first, and certified; else the box is covered. check: have the standalone verifier pass the spectrum of the
-    one point from which all others are reached. workers: processes that share the boxes, all processors if None; a
-    script then calls this under `if __name__ == "__main__":`. Raises InputError for paths and ranges that cannot be.
-    """
+    """`prove_stable` at once, without a store."""
     given = as_problem(problem)
     ranges = checked_over(given, over)
     with one_thread():
         found = _robust(given, ranges, effort, progress or silent, check, checked_workers(workers))
     return replace(found, problem=problem)
+
+
+def at_first_sight(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> Robust | None:
+    """The answer where no cover is needed: by a theorem, or by a point at which a root grows; else None."""
+    with one_thread():
+        question = _asked(problem, over, effort, check)
+        try:
+            return _by_theorem(problem, over) or question.counterexample()
+        except (EffortError, OpenError):  # parts may tell
+            return None
+
+
+def _by_theorem(problem: Problem, over: dict[str, Interval]) -> Robust | None:
+    why = never_unstable(problem, over)
+    return None if why is None else Robust(problem, over, Status.UNVERIFIED, stable=True, note=why)
+
+
+def _asked(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> _Question:
+    started = process_time()
+    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = from_above_rest(problem, over)
+    return _Question(problem, over, scope_of(problem, over), budget, check, started)
 
 
 @dataclass
@@ -119,6 +135,11 @@ class _Question:
             spectrum=found,
         )
 
+    def counterexample(self) -> Robust | None:
+        """A corner of the box, or one of some other points, at which a root grows."""
+        bad = self.seen(corners_and_more((self.scope.low, self.scope.high)))
+        return self.refuted(bad) if bad is not None else None
+
     def seen(self, points: list[Any]) -> Any:
         """The first of these points at which floats count a root that grows; None where there is none."""
         family = self.scope.family
@@ -137,27 +158,21 @@ class _Question:
 def _robust(
     problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool, workers: int
 ) -> Robust:
-    started = process_time()
-    why = never_unstable(problem, over)
-    if why is not None:
-        return Robust(problem, over, Status.UNVERIFIED, stable=True, note=why)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
-    over = from_above_rest(problem, over)
-    question = _Question(problem, over, scope_of(problem, over), budget, check, started)
+    known = _by_theorem(problem, over)
+    if known is not None:
+        return known
+    question = _asked(problem, over, effort, check)
     try:
         return _answer(question, progress, workers)
-    except EffortError as error:
-        return Robust(problem, over, Status.UNDECIDED, error.reason, cost=question.cost())
-    except OpenError as error:
-        return Robust(problem, over, Status.UNDECIDED, error.reason, cost=question.cost())
+    except (EffortError, OpenError) as error:
+        return Robust(problem, question.over, Status.UNDECIDED, error.reason, cost=question.cost())
 
 
 def _answer(question: _Question, progress: Progress, workers: int) -> Robust:
     scope = question.scope
     X = scope.X
     progress("counterexample", 0.0)
-    bad = question.seen(corners_and_more((scope.low, scope.high)))
-    found = question.refuted(bad) if bad is not None else None
+    found = question.counterexample()
     if found is not None:
         return found
     cover = _cover(question, progress, workers)
@@ -174,7 +189,7 @@ def _answer(question: _Question, progress: Progress, workers: int) -> Robust:
     proofs = (Proof(question.over, family.units, family.frequency_unit, X, cover, base=base),)
     reason = cover.reason
     if reason is None and base.stable is None:
-        reason = base.reason or Reason("base", "the roots in the middle of the box are not counted", {}, "")
+        reason = uncounted(base, "in the middle of the box")
     common: dict[str, Any] = {"proofs": proofs, "cost": question.cost(base)}
     if reason is not None:
         return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)

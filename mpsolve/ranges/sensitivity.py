@@ -32,7 +32,7 @@ class Moved(Portable):
     """A root and its slopes: `by[path]` is a ball of dq/d(parameter), Im below 0 where growth comes with it."""
 
     q: Any
-    by: Mapping[str, Any] = field(repr=False)
+    by: Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -89,10 +89,11 @@ def sensitivity(
         reason = Reason(
             "multiple", "a multiple root has no slope", {}, "ask for more digits, so that close roots part"
         )
-    status = found.status if reason is None else Status.UNDECIDED
+    status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
     seconds = found.cost.verification
     cost = Spent(process_time() - started - seconds, seconds)
-    return Sensitivity(problem, {}, status, reason, cost=cost, roots=roots, left_out=left, spectrum=found)
+    note = "" if reason else "the roots have one, in .spectrum.certificate, and their slopes have none"
+    return Sensitivity(problem, {}, status, reason, cost=cost, note=note, roots=roots, left_out=left, spectrum=found)
 
 
 def _slopes(problem: Problem, path: str, roots: list[Any]) -> list[Any]:

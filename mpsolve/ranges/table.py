@@ -3,58 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from mpsolve.display import card
-from mpsolve.errors import InputError, PrecisionError
-from mpsolve.numbers.balls import precision
-from mpsolve.numbers.decimals import fixed_digits, working_bits
+from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
-from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
-from mpsolve.parallel.pool import run_bunches
+from mpsolve.parallel.pool import run
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
-from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Tabled
-from mpsolve.ranges.onset import Kind, onset, unstable_ranges
-from mpsolve.ranges.parted import not_whole
+from mpsolve.ranges.entry import Entry, Job
 from mpsolve.ranges.scope import checked_over, one_path
+from mpsolve.ranges.table_lines import Axis, lines_of, solve_line
 
 QUANTITIES = ("onset", "unstable ranges")
-_GUARD = 5  # digits beyond those that are printed
-_LEAST = 15
 _MOST = 10_000
 _MOST_DIGITS = 1000
 
 
 @dataclass(frozen=True)
-class Entry(Portable):
-    """One entry. status: "proved" (`text` is the number, correctly rounded in the unit of the table, or the ranges),
-    "stable" (nothing grows in the range), "unstable" (from its start on) or "undecided", with the reason.
-
-    balls: the onset, or the ends of the ranges, in the model's unit. over: the range of which the entry speaks.
-    """
-
-    status: str
-    text: str
-    over: tuple[Fraction, Fraction]
-    reason: Reason | None = None
-    balls: tuple[Any, ...] = field(default=(), repr=False)
-
-
-@dataclass(frozen=True)
-class Table(Tabled):
+class Table(Result):
     """entries[i][j] belongs to rows[1][i] and columns[1][j]; an axis is (path, exact values in the model's unit)."""
 
     quantity: str
     over: Over
-    rows: tuple[str, tuple[Fraction, ...]]
-    columns: tuple[str, tuple[Fraction, ...]]
+    rows: Axis
+    columns: Axis
     digits: int
     entries: tuple[tuple[Entry, ...], ...]
     title: str = ""
@@ -81,15 +60,6 @@ class Table(Tabled):
             for x, row in zip(xs, self.entries, strict=True)
             for y, entry in zip(ys, row, strict=True)
         ]
-
-
-@dataclass(frozen=True)
-class _Job:
-    problem: Problem
-    quantity: str
-    over: Over
-    digits: int
-    seconds: float | None
 
 
 def stability_table(
@@ -121,11 +91,17 @@ def stability_table(
     first, second = _axis(given, rows, "rows"), _axis(given, columns, "columns")
     if len({asked.path, first[0], second[0]}) < 3:
         raise InputError("columns", f"has {second[0]}, rows {first[0]}, the range {asked.path}: give three others")
-    jobs = [_Job(_at(given, first, i, second, j), quantity, asked, digits, seconds)
+    jobs = [Job(_at(given, first, i, second, j), quantity, asked, digits, seconds)
             for i in range(len(first[1])) for j in range(len(second[1]))]  # fmt: skip
-    found = run_bunches(_solve_all, jobs, workers, progress, "table")
+    lines = lines_of(given, jobs, first, second)
+    found = run(solve_line, lines, workers, progress, "table")
+    each = {
+        k: entry
+        for line, answers in zip(lines, found, strict=True)
+        for k, entry in zip(line.places, answers, strict=True)
+    }
     width = len(second[1])
-    entries = tuple(tuple(found[k : k + width]) for k in range(0, len(found), width))
+    entries = tuple(tuple(each[k + j] for j in range(width)) for k in range(0, len(jobs), width))
     return Table(quantity, asked, first, second, digits, entries, title)
 
 
@@ -136,7 +112,7 @@ def _over(problem: Problem, over: Mapping[str, Any]) -> Over:
     return Over(path, *ranges[path], unit, unit)
 
 
-def _axis(problem: Problem, axis: object, key: str) -> tuple[str, tuple[Fraction, ...]]:
+def _axis(problem: Problem, axis: object, key: str) -> Axis:
     if not isinstance(axis, Mapping) or len(axis) != 1:
         raise InputError(key, 'is no grid of one parameter: give {"gap[0]": [1, 2, 3]}, for example')
     path, values = next(iter(axis.items()))
@@ -152,13 +128,7 @@ def _axis(problem: Problem, axis: object, key: str) -> tuple[str, tuple[Fraction
     return path, tuple(out)
 
 
-def _at(
-    problem: Problem,
-    rows: tuple[str, tuple[Fraction, ...]],
-    i: int,
-    columns: tuple[str, tuple[Fraction, ...]],
-    j: int,
-) -> Problem:
+def _at(problem: Problem, rows: Axis, i: int, columns: Axis, j: int) -> Problem:
     """The problem of one entry; factors on masses and gaps are applied last."""
     both = [("rows", i, rows[0], rows[1][i]), ("columns", j, columns[0], columns[1][j])]
     for key, k, path, value in sorted(both, key=lambda one: one[2].startswith("scale.")):
@@ -168,49 +138,3 @@ def _at(
             told = str(error).removeprefix(f"{error.key}: ")
             raise InputError(f"{key}.values[{k + 1}]", f"is a value of {path}, which {told}") from None
     return problem
-
-
-def _solve_all(jobs: Sequence[_Job]) -> list[Entry]:
-    return [_solve(job) for job in jobs]
-
-
-def _solve(job: _Job) -> Entry:
-    ends = (job.over.low, job.over.high)
-    effort = None if job.seconds is None else Effort(seconds=job.seconds)
-    options: dict[str, Any] = {"digits": max(_LEAST, job.digits + _GUARD), "effort": effort, "check": False}
-    try:
-        prove = _onset if job.quantity == "onset" else _ranges
-        return prove(job, {job.over.path: ends}, options)
-    except (InputError, PrecisionError) as error:
-        return Entry("undecided", "undecided", ends, Reason("entry", str(error), {}, ""))  # type: ignore[arg-type]
-
-
-def _onset(job: _Job, over: Any, options: Any) -> Entry:
-    found = onset(job.problem, over=over, **options)
-    ends = found.over[job.over.path]
-    reason = not_whole(found.left_out) if found.proved else found.reason
-    if not found.proved or reason is not None:
-        return Entry("undecided", "undecided", ends, reason)
-    if found.kind is Kind.CROSSES:
-        return Entry("proved", _number(found.value, job), ends, balls=(found.value,))
-    status = "stable" if found.kind is Kind.STABLE else "unstable"
-    return Entry(status, status, ends)
-
-
-def _ranges(job: _Job, over: Any, options: Any) -> Entry:
-    found = unstable_ranges(job.problem, over=over, **options)
-    ends = found.over[job.over.path]
-    reason = not_whole(found.left_out) if found.proved else found.reason
-    if not found.proved or reason is not None:
-        return Entry("undecided", "undecided", ends, reason)
-    if not found.intervals:
-        return Entry("stable", "stable", ends)
-    texts = [f"{_number(one.start, job)}..{_number(one.end, job)}" for one in found.intervals]
-    balls = tuple(ball for one in found.intervals for ball in (one.start, one.end))
-    return Entry("proved", " ".join(texts), ends, balls=balls)
-
-
-def _number(ball: Any, job: _Job) -> str:
-    """In the unit of the table."""
-    with precision(working_bits(job.digits + _GUARD)):
-        return fixed_digits(job.over.shown(ball), job.digits)

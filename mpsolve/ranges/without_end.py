@@ -9,6 +9,7 @@ from math import isfinite
 from time import process_time
 from typing import Any
 
+from mpsolve.errors import InputError
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
@@ -16,10 +17,11 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered
 from mpsolve.ranges.answer import Interval, Proof
 from mpsolve.ranges.default import rounded_up
-from mpsolve.ranges.heavy import Heavy, SeenError
+from mpsolve.ranges.heavy import ONLY_MASSES, Heavy, SeenError
 from mpsolve.ranges.scope import OpenError, scope_of
 
 _TRIES, _BOXES = 40, 30_000  # masses from which on it is tried; boxes for each
+_MASSES = ("scale.mass", "vehicles", "eta_m")  # paths that may be factors of all masses
 _BEYOND = 2  # times the heaviest mass at which a root seems to be real
 
 
@@ -34,6 +36,8 @@ class Beyond:
 
 def beyond(problem: Problem, path: str, low: Fraction, budget: Effort) -> Beyond:
     """A mass above `low` from which on no root is real however heavy it is, and why."""
+    if not path.startswith(_MASSES):
+        raise InputError(path, ONLY_MASSES)
     mass = max(2 * low, problem.parameters.get(path, Fraction(1)))
     over = {path: (mass, 2 * mass)}
     heavy = Heavy(scope_of(problem, over), path)

@@ -10,13 +10,14 @@ from typing import Any
 
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.plain import plain
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Answer, Interval, Spent, Valued, plain
+from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
 from mpsolve.ranges.lowest import NEXT, Question
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 

@@ -19,7 +19,8 @@ from mpsolve.problem.inputfile import read_source
 from mpsolve.problem.specs import load, steps
 from mpsolve.problem.toml import check_keys, kind
 from mpsolve.progress import Progress
-from mpsolve.ranges.table import Entry, Table, stability_table
+from mpsolve.ranges.entry import Entry
+from mpsolve.ranges.table import Table, stability_table
 from mpsolve.report.ranges_asked import asked
 from mpsolve.report.spectrum_words import ASSUMED
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.outcome import Reason
@@ -12,9 +13,10 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over, parse_overs
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.titled import titled
 from mpsolve.problem.warned import warned
 
-_NO_END = "has no upper end: give one, such as {path}=0..{example}, for a range without an end is not proved"
+_NO_END = "has no upper end, which only onset and crossings may have: give one, such as {path}=0..{example}"
 
 
 @dataclass(frozen=True)
@@ -28,9 +30,9 @@ class Asked:
     by_default: bool = False
 
     @property
-    def over(self) -> dict[str, tuple[Fraction, Fraction]]:
-        """The ranges as the library takes them."""
-        return {one.path: (one.low, _end(one)) for one in self.overs}
+    def over(self) -> dict[str, tuple[Fraction, Any]]:
+        """The ranges as the library takes them; an end that is open is None."""
+        return {one.path: (one.low, one.high) for one in self.overs}
 
     @property
     def si(self) -> bool:
@@ -41,14 +43,18 @@ class Asked:
     def warnings(self) -> tuple[Reason, ...]:
         """What looks like a mistake in the problem, and each given range that does not hold the file's own value."""
         free = {one.path for one in self.overs}
-        own = [reason for reason in warned(self.given) if not free & reason.numbers.keys()]
-        found = () if self.by_default else (one.outside(self.problem) for one in self.overs)
-        return (*own, *(reason for reason in found if reason is not None))
+        found = (*titled(self.given, self.title), *warned(self.given))
+        own = [reason for reason in found if not free & reason.numbers.keys()]
+        outside = () if self.by_default else (one.outside(self.problem) for one in self.overs)
+        return (*own, *(reason for reason in outside if reason is not None))
 
     @property
     def ranges(self) -> str:
         """The ranges in words: "v from 0 km/h to 400 km/h"."""
-        return ", ".join(f"{one.path} from {one.told(one.low)} to {one.told(_end(one))}" for one in self.overs)
+        return ", ".join(
+            f"{one.path} from {one.told(one.low)} {'on' if one.high is None else f'to {one.told(one.high)}'}"
+            for one in self.overs
+        )
 
     def by_itself(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
         """The same question over ranges that the user did not give; velocities are told in km/h."""
@@ -69,13 +75,16 @@ class Asked:
         return Over(path, low, high, unit, "km/h" if unit == "m/s" else unit)
 
 
-def asked(given: Given, title: str, texts: Iterable[str], key: str = "--over") -> Asked:
-    """What `texts` ask, such as "v=0..400 km/h"; InputError for a range without an end and for units of a ratio."""
+def asked(given: Given, title: str, texts: Iterable[str], key: str = "--over", endless: bool = False) -> Asked:
+    """What `texts` ask, such as "v=0..400 km/h"; InputError for units of a ratio.
+
+    endless: whether a range may have no upper end; InputError where it has none, and may not.
+    """
     problem = as_problem(given)
     overs = parse_overs(texts, problem, key)
     for one in overs:
-        if one.high is None:
-            example = "400km/h" if one.path == "v" and one.si else "10"
+        if one.high is None and not endless:
+            example = "400km/h" if one.path == "v" and not isinstance(given, Case) else "10"
             raise InputError(key, f"names {one.path}, which {_NO_END.format(path=one.path, example=example)}")
     if isinstance(given, Case):
         for one in overs:
@@ -84,9 +93,3 @@ def asked(given: Given, title: str, texts: Iterable[str], key: str = "--over") -
                 raise InputError(key, f"{stated}: give numbers without units, v being α")
         overs = tuple(replace(one, si="", unit="") for one in overs)
     return Asked(given, problem, title, overs)
-
-
-def _end(over: Over) -> Fraction:
-    if over.high is None:
-        raise InputError("--over", f"names {over.path}, which has no upper end: give one")
-    return over.high

@@ -61,7 +61,9 @@ def said_of_ranges(found: UnstableRanges, asked: Asked) -> Said:
 
 
 def _end_text(ball: Any, over: Over, digits: int) -> str:
-    """An end of the range itself as it was written: no crossing touches it."""
+    """An end of the range itself as it was written: no crossing touches it. None: it is open."""
+    if ball is None:
+        return "∞"
     with precision(working_bits(digits)):
         for end in (over.low, over.high):
             if end is not None and ball.overlaps(rational_ball(end)):

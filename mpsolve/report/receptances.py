@@ -28,7 +28,8 @@ MEANING = (
 class Receptances:
     """G[i, j] = G(xi[i], omega[j]), complex128: displacement of the rail per unit force, in the problem's units.
 
-    contacts: None, or the matrices G(x_i − x_j, omega) of the problem's contacts, shape (omega, i, j).
+    contacts: None, or the matrices G(x_i − x_j, omega) of the problem's contacts, shape (omega, i, j). si: whether
+    the problem's units are SI.
     """
 
     problem: Problem
@@ -37,12 +38,14 @@ class Receptances:
     omega: tuple[float, ...]
     G: Any
     contacts: Any = None
+    si: bool = False
 
     def to_csv(self) -> str:
-        """A row for each ω: omega, then re_G(ξ) and im_G(ξ) for each ξ."""
+        """A row for each ω: omega, then re_G(ξ) and im_G(ξ) for each ξ; in SI with the units behind them."""
+        rate, unit = (" [rad/s]", " [m/N]") if self.si else ("", "")
         stream = io.StringIO()
         rows = csv.writer(stream, lineterminator="\n")
-        rows.writerow(["omega", *(f"{part}_G({xi:.10g})" for xi in self.xi for part in ("re", "im"))])
+        rows.writerow([f"omega{rate}", *(f"{part}_G({xi:.10g}){unit}" for xi in self.xi for part in ("re", "im"))])
         for omega, column in zip(self.omega, self.G.T.tolist(), strict=True):
             rows.writerow([repr(omega), *(repr(part) for value in column for part in (value.real, value.imag))])
         return stream.getvalue()
@@ -76,14 +79,19 @@ class Receptances:
 
 
 def receptances(
-    problem: Problem, title: str, xi: tuple[float, ...], omega: tuple[float, ...], contacts: bool = False
+    problem: Problem,
+    title: str,
+    xi: tuple[float, ...],
+    omega: tuple[float, ...],
+    contacts: bool = False,
+    si: bool = False,
 ) -> Receptances:
     """The table of the problem's track at its velocity. Errors as of `receptance`.
 
     contacts: the matrices between the contacts of the vehicles, too; else the vehicles play no part.
     """
     G = receptance(problem.track, xi, omega, v=problem.v)
-    return Receptances(problem, title, xi, omega, G, _between(problem, omega) if contacts else None)
+    return Receptances(problem, title, xi, omega, G, _between(problem, omega) if contacts else None, si)
 
 
 def _between(problem: Problem, omega: tuple[float, ...]) -> Any:

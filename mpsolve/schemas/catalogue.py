@@ -10,7 +10,7 @@ from mpsolve.problem.schema import input_schema
 from mpsolve.report.schema import certify_schema
 from mpsolve.schemas import certificates, motions, pages, studies, tables
 from mpsolve.schemas.parts import Schema
-from mpsolve.schemas.ranges import QUESTIONS, ranges_schema
+from mpsolve.schemas.ranges import OF_LIBRARY, QUESTIONS, library_schema, ranges_schema
 
 CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "input": ("input files of a problem", input_schema),
@@ -21,6 +21,7 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
         name: (f"the answer about {name.replace('_', ' ')}, --json or -o FILE.json", partial(ranges_schema, name))
         for name in QUESTIONS
     },
+    **{name: (f"{name}(…).to_json() of the library", partial(library_schema, name)) for name in OF_LIBRARY},
     "table": ("mpsolve table -o FILE.json", tables.table_schema),
     "train": ("mpsolve train --json", motions.train_schema),
     "critical": ("mpsolve critical --json", motions.critical_schema),
@@ -41,7 +42,7 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
 def schema_of(name: str) -> Schema:
     """The schema of that name; InputError lists the names."""
     if name not in CATALOGUE:
-        raise InputError("schema", f"is {name[:40]!r}, which is unknown: there are {', '.join(CATALOGUE)}")
+        raise InputError("name", f"is {name[:40]!r}, which is unknown: there are {', '.join(CATALOGUE)}")
     return CATALOGUE[name][1]()
 
 

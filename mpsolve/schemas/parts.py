@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mpsolve.outcome import Status
-from mpsolve.problem.schema import DRAFT
+from mpsolve.problem.schema import DRAFT as DRAFT
 
 Schema = dict[str, Any]
 

@@ -1,4 +1,7 @@
-"""What onset, crossings, worst, robust and chart print: `ranges_data` says what each key means."""
+"""What onset, crossings, lines, worst, robust and chart print, and `to_json` of other answers of the library.
+
+`ranges_data` says what each key means.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from mpsolve.report.schema import certify_schema
 from mpsolve.schemas import parts as p
 
 _CELLS = 2
-_OVER = p.by_name({"type": "array", "items": p.EXACT, "minItems": _CELLS})
+_OVER = p.by_name({"type": "array", "items": p.maybe(p.EXACT), "minItems": _CELLS})
 _COMMON: p.Schema = {
     "over": _OVER,
     "status": p.STATUS,
@@ -16,8 +19,11 @@ _COMMON: p.Schema = {
     "cost": p.table({"seconds": p.SECONDS, "verification": p.SECONDS, "boxes": p.COUNT}),
     "note": p.TEXT,
     "proved": p.YES,
+    "trust": p.TEXT,
 }
 _WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
+_COMPLEX = p.table({"real": p.BALL, "imag": p.BALL})
+_CROSSING = p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})
 _LEFT_OUT = p.rows(p.table({"name": p.TEXT, "value": p.BALL, "start": p.BALL, "end": p.BALL}))
 _ANSWERS: dict[str, p.Schema] = {
     "onset": {
@@ -32,22 +38,50 @@ _ANSWERS: dict[str, p.Schema] = {
     "worst": {
         "digits": p.DIGITS,
         "value": p.maybe(p.BALL),
-        "q": p.maybe(p.table({"real": p.BALL, "imag": p.BALL})),
+        "q": p.maybe(_COMPLEX),
         "where": _WHERE,
         "reach": p.maybe(p.EXACT),
         "growth": p.maybe(p.BALL),
     },
     "unstable_ranges": {
         "digits": p.DIGITS,
-        "intervals": p.rows(p.table({"start": p.BALL, "end": p.BALL, "q": p.maybe(p.BALL), "roots": p.COUNT})),
+        "intervals": p.rows(
+            p.table({"start": p.BALL, "end": p.maybe(p.BALL), "q": p.maybe(p.BALL), "roots": p.COUNT})
+        ),
         "left_out": _LEFT_OUT,
     },
     "crossings": {
         "digits": p.DIGITS,
-        "crossings": p.rows(p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})),
+        "crossings": p.rows(_CROSSING),
         "counts": p.maybe(p.rows(p.COUNT)),
         "left_out": _LEFT_OUT,
         "parts": p.rows({"type": "object", "description": "answers of the same form over the parts of the range"}),
+    },
+    "lines": {
+        "digits": p.DIGITS,
+        "region": p.table({}, {name: p.maybe(p.EXACT) for name in ("height", "reach", "radius")}),
+        "values": p.rows(p.EXACT),
+        "lines": p.rows(
+            p.table(
+                {
+                    "values": p.rows(p.EXACT),
+                    "q": p.rows(_COMPLEX),
+                    "ends": p.rows(
+                        p.table(
+                            {
+                                "kind": {"enum": ["range", "region", "collision", "open"]},
+                                "value": p.maybe(p.BALL),
+                                "q": p.maybe(_COMPLEX),
+                            }
+                        )
+                    ),
+                    "weight": p.COUNT,
+                    "crossings": p.rows(_CROSSING),
+                }
+            )
+        ),
+        "events": p.rows(p.table({"value": p.BALL, "q": _COMPLEX, "gained": p.WHOLE})),
+        "counts": p.maybe(p.rows(p.COUNT)),
     },
     "robust": {"stable": p.maybe(p.YES), "counterexample": p.maybe(p.by_name(p.EXACT)), "open": p.rows(_OVER)},
     "chart": {
@@ -58,7 +92,26 @@ _ANSWERS: dict[str, p.Schema] = {
     },
 }
 QUESTIONS = tuple(_ANSWERS)
+OF_LIBRARY: dict[str, p.Schema] = {
+    "cut_points": {
+        "digits": p.DIGITS,
+        "points": p.rows(
+            p.table({"value": p.BALL, "q": _COMPLEX, "side": {"enum": ["below", "above", "gap"]}, "appears": p.YES})
+        ),
+        "reach": p.maybe(p.REAL),
+    },
+    "sensitivity": {
+        "roots": p.rows(p.table({"q": _COMPLEX, "by": p.by_name(_COMPLEX)})),
+        "left_out": p.by_name(p.TEXT),
+    },
+}
 _RANGE = p.table({"low": p.EXACT, "high": p.maybe(p.EXACT), "own": p.maybe(p.EXACT), "unit": p.TEXT})
+
+
+def library_schema(name: str) -> p.Schema:
+    """What `to_json` of that answer gives: the answer alone, without format, version and words."""
+    head: p.Schema = {"$schema": p.DRAFT, "$id": f"https://mpsolve.invalid/{name}/1", "title": f"Answer of {name}(…)"}
+    return head | p.table(_COMMON | OF_LIBRARY[name])
 
 
 def ranges_schema(question: str) -> p.Schema:

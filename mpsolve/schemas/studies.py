@@ -10,7 +10,7 @@ _AXIS = p.one_of(
     _NUMBER,
     {"type": "array", "minItems": 1, "items": _NUMBER},
     p.table({"start": _NUMBER, "stop": _NUMBER, "step": _NUMBER}),
-    p.table({"low": _NUMBER, "high": _NUMBER}),
+    p.table({"low": _NUMBER, "high": _NUMBER}, {"parts": p.COUNT}),
 )
 _BOUNDS = dict.fromkeys(("re_min", "re_max", "im_min", "im_max"), _NUMBER)
 _REGION = p.one_of({"enum": ["unstable", "sheet"]}, p.table({"below": _NUMBER}), p.table(_BOUNDS))
@@ -20,11 +20,12 @@ def study_file_schema() -> p.Schema:
     """A study: a problem as in a problem file, or the path of one, with a plan."""
     whole = input_schema()
     study = {
-        "kind": {"enum": ["certified", "float64"]},
+        "kind": {"enum": ["certified", "float64", "stable"]},
         "digits": {"type": "integer", "minimum": 15},
         "region": _REGION,
         "roots": p.YES,
         "certificates": p.YES,
+        "boxes": {"type": "integer", "minimum": 1},
         "design": p.table(
             {"kind": {"enum": ["grid", "list", "random", "quasi-random"]}}, {"count": p.COUNT, "seed": p.COUNT}
         ),
@@ -59,6 +60,7 @@ def study_schema() -> p.Schema:
     entry = {
         "index": p.COUNT,
         "parameters": p.by_name(p.TEXT),
+        "values": p.by_name(p.REAL),
         "status": p.TEXT,
         "reason": p.TEXT,
         "count": p.maybe(p.COUNT),
@@ -75,7 +77,7 @@ def study_schema() -> p.Schema:
         "assumed": p.TEXT,
         "entries": p.rows(p.table(entry, {"certificate": {"type": "object"}})),
     }
-    return p.document("study", "Entries of a study, from mpsolve export", "mpsolve study", 2, keys)
+    return p.document("study", "Entries of a study, from mpsolve export", "mpsolve study", 3, keys)
 
 
 def status_schema() -> p.Schema:

@@ -12,14 +12,16 @@ from mpsolve.numbers.units import measured
 from mpsolve.problem import specs
 from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
-from mpsolve.studies.design import Axis, Listed, Span, Steps, Value
+from mpsolve.studies.design import Axis, Listed, Parts, Span, Steps, Value
 
 MAX_CASES = 10**12
 _SPAN = {"low": "the least value", "high": "the bound above"}
+_PARTS = 10**6
 _AXIS = {"start", "stop", "step", "low", "high"}
 
 
 def read_axes(given: Any, design: str, problem: Problem) -> dict[str, Axis]:
+    """The axis of each path. design: that of the study, or "parts" where an entry is a part of a box."""
     if not isinstance(given, Mapping):
         raise InputError("parameters", "is no section: give paths and their values in it")
     flat = dict(_flattened(given, ""))
@@ -65,13 +67,12 @@ def _flattened(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Any
 
 def _axis(given: Any, name: str, design: str) -> Axis:
     key, drawn = f"parameters.{name}", design in ("random", "quasi-random")
+    if design == "parts":
+        return _parts(given, key)
     if isinstance(given, Mapping) and ({"low", "high"} & given.keys()):
         if not drawn:
             raise InputError(key, f'is a range, but a {design} draws nothing: give design = {{kind = "random", …}}')
-        span = Span(**specs.rationals(given, key, _SPAN))
-        if not span.low < span.high:
-            raise InputError(f"{key}.high", "is not above low: give the bounds in order")
-        return span
+        return _span(given, key)
     if drawn and isinstance(given, (Mapping, list, tuple)):
         raise InputError(key, f"is several values, but a {design} design draws: give {{low, high}} or one number")
     if isinstance(given, Mapping):
@@ -87,6 +88,26 @@ def _axis(given: Any, name: str, design: str) -> Axis:
             raise InputError(f"{key}[{j}]", f"is {value}, which is there already: drop one")
         seen.add(value)
     return Listed(tuple(values))
+
+
+def _span(given: Mapping[Any, Any], key: str) -> Span:
+    span = Span(**specs.rationals(given, key, _SPAN))
+    if not span.low < span.high:
+        raise InputError(f"{key}.high", "is not above low: give the bounds in order")
+    return span
+
+
+def _parts(given: Any, key: str) -> Axis:
+    """A range in parts, or one number."""
+    if isinstance(given, (list, tuple)) or (isinstance(given, Mapping) and "low" not in given):
+        raise InputError(key, 'is several values, but kind = "stable" is about ranges: give {low, high, parts}')
+    if not isinstance(given, Mapping):
+        return Listed((rational(given, key),))
+    count = given.get("parts", 1)
+    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= _PARTS:
+        raise InputError(f"{key}.parts", f"is {count!r}: give a whole number from 1 to {_PARTS}")
+    span = _span({name: value for name, value in given.items() if name != "parts"}, key)
+    return Parts(span.low, span.high, count)
 
 
 def total_of(axes: Mapping[str, Axis], design: str, count: int) -> int:
@@ -105,7 +126,7 @@ def total_of(axes: Mapping[str, Axis], design: str, count: int) -> int:
     return total
 
 
-def counted(axis: Axis) -> Listed | Steps:
+def counted(axis: Axis) -> Listed | Steps | Parts:
     if isinstance(axis, Span):
         raise ContradictionError("a range between bounds has no values of its own, and was counted")
     return axis

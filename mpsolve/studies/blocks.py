@@ -23,6 +23,7 @@ ENGINE = f"mpsolve {__version__}, results {FORMAT}"
 STATUSES = {
     "certified": ("proved", "proved, not verified", "undecided", "refused"),
     "float64": ("ok", "unresolved", "refused"),
+    "stable": ("proved", "proved, not verified", "undecided", "refused"),
 }
 """What can become of an entry. "refused": it cannot be, see its reason."""
 GOOD = ("proved", "ok")
@@ -51,6 +52,7 @@ class Result:
     """The result of one entry. status: see STATUSES; reason: "" if all is well.
 
     count, unstable: the number of roots with multiplicity, and of those with Im q < 0, or None where that is open.
+    Of a part of a box (stable): 0 where nothing grows all over it, else those of a point in it where some do.
     roots: sorted by (Re q, Im q). certificate: its content, if the study keeps certificates and there is one.
     """
 
@@ -107,9 +109,8 @@ def work(text: str, number: int, place: int | None = None) -> Block:
     spec = spec_of(text)
     indices = spec.indices(number if place is None else place)
     with _alone:
-        results = (
-            [_certify(spec, index) for index in indices] if spec.kind == "certified" else _float64(spec, indices)
-        )
+        one = {"certified": _certify, "stable": _stable}.get(spec.kind)
+        results = _float64(spec, indices) if one is None else [one(spec, index) for index in indices]
     return block_of(spec, number, [spec.values(index) for index in indices], results)
 
 
@@ -162,6 +163,25 @@ def _certify(spec: Spec, index: int) -> Result:
     certificate = found.certificate if spec.certificates else None
     reason = "" if found.reason is None else str(found.reason)
     return Result(found.status.value, reason, found.count, found.unstable, roots, certificate)
+
+
+def _stable(spec: Spec, index: int) -> Result:
+    from mpsolve.proof.effort import Effort
+    from mpsolve.ranges.robust import prove_box
+
+    effort = Effort(evaluations=spec.boxes)
+    try:
+        found = prove_box(spec.problem(index), over=spec.part(index), effort=effort, check=spec.certificates)
+    except InputError as error:
+        return Result("refused", str(error), None, None, ())
+    except MpsolveError as error:
+        return Result("undecided", str(error), None, None, ())
+    if found.reason is not None and found.reason.code == "interrupted":
+        raise KeyboardInterrupt
+    grow = {True: 0, False: getattr(found.spectrum, "unstable", None), None: None}[found.stable]
+    certificate = (found.certificate or getattr(found.spectrum, "certificate", None)) if spec.certificates else None
+    reason = str(found.reason or found.note)
+    return Result(found.status.value, reason, grow, grow, (), certificate)
 
 
 def _root(root: Any, digits: int) -> Root:

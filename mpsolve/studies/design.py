@@ -93,7 +93,33 @@ class Span:
         return {"low": str(self.low), "high": str(self.high)}
 
 
-Axis: TypeAlias = Listed | Steps | Span
+@dataclass(frozen=True)
+class Parts:
+    """`count` equal parts of the range from low to high; an entry of a study is one of them."""
+
+    low: Fraction
+    high: Fraction
+    count: int
+
+    def at(self, k: int) -> Value:
+        """The middle of part number k."""
+        return sum(self.ends(k), Fraction(0)) / 2
+
+    def ends(self, k: int) -> tuple[Fraction, Fraction]:
+        """Of part number k."""
+        step = (self.high - self.low) / self.count
+        return self.low + k * step, self.low + (k + 1) * step
+
+    @property
+    def extremes(self) -> tuple[Value, ...]:
+        return self.low, self.high
+
+    @property
+    def canonical(self) -> Any:
+        return {"low": str(self.low), "high": str(self.high), "parts": self.count}
+
+
+Axis: TypeAlias = Listed | Steps | Span | Parts
 
 
 def draws(kind: str, seed: int, index: int, number: int) -> list[int]:

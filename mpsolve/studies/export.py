@@ -25,7 +25,7 @@ from mpsolve.studies.spec import Spec
 from mpsolve.studies.store import Store, store_path
 
 FORMAT = "mpsolve study"
-VERSION = 2
+VERSION = 3
 ASSUMED = (
     "The model: an infinite track and vehicles that move at a constant velocity and never leave it, linear. The "
     "software: Python, and FLINT's ball arithmetic for what is certified; float64 results prove nothing."
@@ -66,6 +66,7 @@ def value_text(value: Value) -> str:
 def write_csv(source: Store, target: BinaryIO) -> None:
     """index, the parameters, status, reason, count, unstable, re_1, im_1, …: a root stands as often as it counts.
 
+    A parameter is a decimal, exact where a short one is, else the nearest float; JSON has all of them exactly.
     A certified root's decimals are right to one unit in the last digit, a float64 root's give the floats back.
     """
     names, width = source.spec.names, source.width()
@@ -74,7 +75,7 @@ def write_csv(source: Store, target: BinaryIO) -> None:
         roots = [title for k in range(1, width + 1) for title in root_titles(source.spec, k)]
         writer.writerow(["index", *parameter_titles(source.spec), "status", "reason", "count", "unstable", *roots])
         for index, values, result in stored_results(source):
-            given = (value_text(values[name]) for name in names)
+            given = (text if "/" not in (text := value_text(values[name])) else float(values[name]) for name in names)
             parts = [part for root in counted(result) for part in (root.re, root.im)]
             parts += [""] * (2 * width - len(parts))
             writer.writerow([index, *given, result.status, result.reason, result.count, result.unstable, *parts])
@@ -88,14 +89,14 @@ def counted(result: Result) -> list[Root]:
 def write_json(source: Store, target: BinaryIO) -> None:
     """An object with these keys, each entry on a line of its own.
 
-    format, version   "mpsolve study", 2; a version adds no meaning to a key that is there
+    format, version   "mpsolve study", 3; a version adds no meaning to a key that is there
     title, engine     the version that computed the results
     spec              the spec, its numbers as exact texts
     units             of each parameter, and of re and im
     total, tally      the number of entries of the study, and of the finished ones by status
     assumed           what the results rest on
     entries           for each finished one
-        index, parameters (texts: decimals where short ones are exact, else p/q), status, reason
+        index, parameters (texts: decimals where short ones are exact, else p/q), values (floats), status, reason
         count, unstable   null where it is not known
         roots             float64: [re, im]; certified: re, im {"value", "radius"}: the exact number is within radius
                           of value; multiplicity; axis, "none", "real" or "imaginary": where it is proved to lie
@@ -118,7 +119,8 @@ def write_json(source: Store, target: BinaryIO) -> None:
         separator = "\n"
         for index, values, result in stored_results(source):
             given = {name: value_text(value) for name, value in values.items()}
-            one = {"index": index, "parameters": given, **_result(result)}
+            near = {name: float(value) for name, value in values.items()}
+            one = {"index": index, "parameters": given, "values": near, **_result(result)}
             stream.write(separator + json.dumps(one, ensure_ascii=False, allow_nan=False))
             separator = ",\n"
         stream.write("\n]}\n")

@@ -90,23 +90,26 @@ def study(
         title = "…"                      # may be left out
         problem = "rail.toml"            # a problem file, or what would stand in one: v, [track], [[vehicle]] …
         [study]
-        kind = "certified"               # or "float64": quick, by `frequencies`, without proof
+        kind = "certified"               # or "float64": quick, by `frequencies`, without proof; or "stable": an entry
+                                         # is a part of a box of parameters, proved for all its values at once
         digits = 15                      # certified digits of each root, 15 to 10000
         region = "unstable"              # or {below = h}, "sheet", {re_min, re_max, im_min, im_max} (certified)
         roots = true                     # float64 only; false: counts alone
-        certificates = false             # true: keep the certificate of each entry
+        certificates = false             # true (so if stable): keep the certificate of each entry
+        boxes = 100000                   # stable only: that the proof of one entry may take
         design = { kind = "grid" }       # every combination; "list": the first values together, the second, …;
                                          # { kind = "random" or "quasi-random", count = 1000, seed = 0 }
         [parameters]                     # any paths of the problem's parameters, in its units
         v = { start = 50, stop = 90, step = 0.5 }
         "track.k_pad" = [100e6, 300e6]
-        "vehicles.wheel" = 900           # { low = 800, high = 1000 } in a random design
+        "vehicles.wheel" = 900           # { low = 800, high = 1000 } in a random design; with parts = 8 if stable
 
     executor: any concurrent.futures.Executor whose workers can import mpsolve; None: `workers` processes (all
     processors if None; 1: this one), spawned, so that a script must call this under `if __name__ == "__main__":`.
     Results do not depend on it. Each block of entries (one certified entry; some thousand in float64) is stored when
-    it is done: after an interruption the same call goes on, and computes damaged blocks anew. `ahead`: blocks that
-    are handed out at a time, at least twice the number of workers. progress(finished, total) hears of each block.
+    it is done: after an interruption the same call goes on, and computes what is damaged anew, as parts of boxes that
+    are undecided. `ahead`: blocks that are handed out at a time, at least twice the number of workers.
+    progress(finished, total) hears of each block.
 
     Raises InputError under the key at fault, or if the store is that of another study; StudyError if it cannot be
     written or is damaged, or if a worker ends before its work is done.

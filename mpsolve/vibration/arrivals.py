@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.vibration.path import Path
+
 _OCTAVES, _STEP = 17, 1e-4
 _FALLS, _SPARE = 0.93, 1.5
 _TURNS = 1500.0
@@ -23,17 +25,17 @@ def reach_of_waves(
     image: Callable[[Any], Any],
     waves: Callable[[Any], Any],
     distances: list[Any],
-    alpha: float,
+    path: Path,
     times: Any,
     share: float,
 ) -> float:
     """The scaled Ω from which on no wave arrives at about one of the times with a `share` of the motion.
 
-    image: û, (len(σ), channels), on Re σ = α; waves: P, (len(σ), waves); distances: of each channel from the
+    image: û, (len(σ), channels), on the path's line; waves: P, (len(σ), waves); distances: of each channel from the
     contacts. All channels are measured together: give those of one kind.
     """
     omega = 2.0 ** np.arange(0, _OCTAVES + 0.5, 0.5)
-    sigma = alpha + 1j * omega
+    sigma = path.line(omega)
     with np.errstate(all="ignore"):
         size = np.nan_to_num(np.abs(image(sigma)) * omega[:, None])
         slow = _slopes(waves, sigma)

@@ -1,14 +1,15 @@
 """A motion in three parts: forced, residues at induced frequencies, and the integral along a line below the cuts.
 
-u(t) = Σ residues to the right of Re σ = α + (1/2πi) ∫_{Re σ = α} û e^{σt} dσ, in the physical region of the σ-plane,
+u(t) = Σ residues to the right of the path + (1/2πi) ∫ û e^{σt} dσ along it, in the physical region of the σ-plane,
 where û is analytic but for poles. Before t = 0 the sum must vanish: a root that is left out, or a wrong residue,
-shows there. Where the roots are not known as far as a line below the axis, α lies above all growth and no residue is
+shows there. Where the roots are not known as far as a path below the axis, it lies above all growth and no residue is
 needed.
 """
 
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,8 +22,10 @@ from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.line import CLEAR, Line, extended, sampled_line
+from mpsolve.vibration.path import Path, above_growth, below_axis
 from mpsolve.vibration.poles import Poles, natural
 from mpsolve.vibration.residues import Mode, modes
+from mpsolve.waves.speeds import wave_speeds
 
 GOOD = 1e-8
 """Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
@@ -30,12 +33,15 @@ _FORCES = 1000.0
 _ROUNDED = 2e-10
 _CANCELS = 2.0**-50
 """Of the largest part: what is lost where parts cancel, as next to a resonance."""
+_STILL = 1e-6
+"""Of what the forces would deflect a track at rest: less is none, as under a load that outruns the waves."""
 _SLOW = 2.5
 """1/(√2 − 1): an error that falls as Ω^(−1/2), as that of a force soon after the start, is so much the change."""
 _LEAST = 24.0
 _LARGEST = 650.0
 _HOPELESS = 1e6
 """Of GOOD: an error from which on nothing is returned."""
+_AT_SPEED = 1e-4
 _HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
 _FARTHEST = 2.0**17
 _JUDGED = 80
@@ -80,25 +86,27 @@ class Solution:
         waves = sum((one.motion(times) for one in self.steady if one.frequency), zero)
         free = sum((mode.motion(times) for mode in self.modes), zero)
         rest = self.line.motion(times)
-        if self.line.alpha >= 0:
+        if not self.line.path.below:
             rest = rest - static - waves
-        left = [mode for mode in self.modes if mode.sigma.real <= self.line.alpha]
+        _, left = self.line.path.parted(self.modes)
         rest = rest - sum((mode.motion(times) for mode in left), zero)
         return Parts(static + self.held[:, None], waves, free, rest)
 
     def rates(self, times: Any) -> Any:
         """The rate of the sum at times t̂ ≥ 0, per unit of t̂, (channels, times); 0 at 0, where all is at rest."""
-        right: list[Any] = [mode for mode in self.modes if mode.sigma.real > self.line.alpha]
-        right += list(self.steady) if self.line.alpha < 0 else []
         zero = np.zeros((self.image.channels, len(times)))
-        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in right), zero))
+        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in self.right), zero))
 
     def early(self, times: Any) -> Any:
         """The sum at times < 0, which is 0 but for errors, (channels, times)."""
-        right: list[Any] = [mode for mode in self.modes if mode.sigma.real > self.line.alpha]
-        right += list(self.steady) if self.line.alpha < 0 else []
         zero = np.zeros((self.image.channels, len(times)))
-        return self.line.motion(times) + sum((one.motion(times) for one in right), zero)
+        return self.line.motion(times) + sum((one.motion(times) for one in self.right), zero)
+
+    @property
+    def right(self) -> list[Any]:
+        """What comes as residues: all that lies to the right of the path."""
+        path = self.line.path
+        return path.parted(self.modes)[0] + (list(self.steady) if path.below else [])
 
 
 @dataclass(frozen=True)
@@ -143,43 +151,40 @@ class Engine:
         if growth > _LARGEST:
             stated = f"reach {last / self.image.rate:g}, where the motion exceeds e^{growth:.0f}"
             raise InputError("times", f"{stated}: end earlier")
-        alpha = self.line(last)
-        found, excess, causal = self._along(alpha, times)
-        if alpha < 0 and not causal and found.reason is None:
+        path = self.path(last)
+        found, excess, causal = self._along(path, times)
+        if path.below and not causal and found.reason is None:
             try:
-                other, worse, _ = self._along(self.above(last), times)
+                other, worse, _ = self._along(above_growth(self.poles.growth, last), times)
                 found, excess = (found, excess) if excess <= worse else (other, worse)
             except EffortError as error:
                 found = replace(found, reason=error.reason)
         if not excess < _HOPELESS and found.reason is not None:
             raise EffortError(found.reason)
         if not excess < _HOPELESS:
-            stated = f"the motion is off by {excess * GOOD:.1e} of itself, as a root is missing or growth is too fast"
-            raise PrecisionError(f"{stated}: end earlier, or give spectrum=certify(problem)")
+            raise PrecisionError(f"the motion is off by {excess * GOOD:.1e} of itself, as {self._why()}")
         return found
 
-    def line(self, last: float) -> float:
-        """α between cuts and axis, far from roots on either side; above all growth where not all are known."""
-        floor = self.poles.floor
-        if floor >= 0 or not self.poles.complete:
-            return self.above(last)
-        tries = floor * np.linspace(0.95, 0.35, 61)
-        real = np.array([pole.sigma.real for pole in self.poles.poles])
-        near = np.abs(tries[:, None] - real).min(1) if len(real) else np.full(len(tries), np.inf)
-        return float(tries[int(np.argmax(np.minimum(near, tries - self.poles.cut)))])
+    def _why(self) -> str:
+        """Of what no motion was found, and what helps."""
+        problem = self.image.problem
+        for name, square in wave_speeds(problem.track).items():
+            if abs(problem.v**2 / square - 1) < _AT_SPEED:
+                return f"v is the speed of the {name}, where they do not run away: change v a little"
+        return "a root is missing or growth is too fast: end earlier, or give spectrum=certify(problem)"
 
-    def above(self, last: float, rise: float = 3.0) -> float:
-        """α above all growth, by so much that e^{(α − growth) last} = e^rise."""
-        return max(0.0, self.poles.growth) + rise / last
+    def path(self, last: float) -> Path:
+        """Below the axis where the roots allow it, else to the right of all growth, for times up to `last`."""
+        return below_axis(self.poles) or above_growth(self.poles.growth, last)
 
-    def _along(self, alpha: float, times: Any) -> tuple[Solution, float, bool]:
-        """The motion by this line, its error over that worked for, and whether it vanishes before t = 0."""
+    def _along(self, path: Path, times: Any) -> tuple[Solution, float, bool]:
+        """The motion along this path, its error over that worked for, and whether it vanishes before t = 0."""
         steady = tuple(forced(self.image, tone) for tone in self.acting)
         held = sum((forced(self.image, tone).amplitude.real for tone in self.held), np.zeros(self.image.channels))
         turns = np.array([1j * one.frequency for one in self.acting])
         last = float(np.max(times, initial=0.0))
         taken = modes(self.transformed, self.poles.poles, turns, self.poles.cut, last)
-        line = sampled_line(self.transformed, alpha, self._reach(alpha, times))
+        line = sampled_line(self.transformed, path, self._reach(path, times))
         some = _sample(times)
         while True:
             solution = Solution(self.image, held, steady, taken, line, self._first(), held)
@@ -194,9 +199,10 @@ class Engine:
 
     def _first(self) -> Any:
         """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""
+        values = np.full((2, self.image.channels), np.nan)
         for high in _HIGH:  # as far out as float64 follows
             at = np.array([high, 100 * high], complex)
-            with np.errstate(all="ignore"):
+            with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
                 values = (self.transformed(at) * at[:, None]).real
             if np.isfinite(values).all():
                 break
@@ -210,7 +216,7 @@ class Engine:
         largest = np.abs([parts.static, parts.forced, parts.free]).max((0, 2), initial=0.0)
         change = _SLOW * np.abs(line.change(times)).max(1, initial=0.0)
         before = np.abs(solution.early(_BEFORE / line.omega)).max(1)
-        grown = math.exp(max(line.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
+        grown = math.exp(max(line.path.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
         error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal + _CANCELS * largest
         worst = int(np.argmax(error / goal))
         early = float((before / goal).max())
@@ -229,18 +235,21 @@ class Engine:
         largest[body] = np.maximum(largest[body], 1e-2 * largest[body].max(initial=0.0))
         for kind in (force, rail):
             largest[kind] = largest[kind].max(initial=0.0)
+        still = _STILL * float(image.guide.g) * largest[force].max()
+        for kind in (body, rail):
+            largest[kind] = np.maximum(largest[kind], still)
         goal = GOOD * largest
         goal[force] *= _FORCES
         return np.maximum(goal, 1e-300)
 
-    def _reach(self, alpha: float, times: Any) -> float:
+    def _reach(self, path: Path, times: Any) -> float:
         positive = times[times > 0]
         first = float(positive.min()) if len(positive) else 1.0
         fast = [tone.frequency for tone in self.acting] + [abs(pole.sigma) for pole in self.poles.poles]
-        waves = self.arriving(alpha, positive if len(positive) else np.ones(1), GOOD / 10)
+        waves = self.arriving(path, positive if len(positive) else np.ones(1), GOOD / 10)
         return max(CLEAR / first, _LEAST, 8 * natural(self.image), 5 * max(fast, default=0.0), waves)
 
-    def arriving(self, alpha: float, times: Any, share: float) -> float:
+    def arriving(self, path: Path, times: Any, share: float) -> float:
         """How far the path is followed for the sake of waves that run ahead of the rail's deflections."""
         image = self.image
         if not image.places:
@@ -252,7 +261,7 @@ class Engine:
             lambda sigma: self.transformed(sigma)[:, rail],
             lambda sigma: image.receptance.waves(sigma)[0],
             list(away),
-            alpha,
+            path,
             times,
             share,
         )

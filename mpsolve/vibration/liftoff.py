@@ -10,13 +10,13 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.vibration.engine import Solution
+from mpsolve.vibration.fall import first_fall, last_above
 from mpsolve.vibration.line import CLEAR
 from mpsolve.vibration.poles import natural
 
-_PER_PERIOD = 16
+_PER_PERIOD, _EARLY = 16, 40
 _CHUNK = 1024
 _MOST = 10**7  # steps
-_HALVINGS = 60
 _PRESSED = 1e-9
 """Of the largest static force: a contact with less is pressed by nothing."""
 _SHARP = 1e-13
@@ -26,7 +26,7 @@ _SHARP = 1e-13
 class Event:
     """The contact (from rear to front, counted from 1) whose force comes to 0 first, and when.
 
-    tolerance: by which the time may be off, an estimate.
+    tolerance: by which the time may be off, an estimate: as far as the force may be off.
     """
 
     time: float
@@ -35,7 +35,10 @@ class Event:
 
 
 def first_lift_off(solution: Solution, last: float) -> Event | None:
-    """In the problem's units, up to the time `last`; only contacts that static forces press are judged."""
+    """In the problem's units, up to the time `last`; only contacts that static forces press are judged.
+
+    At t = 0 where a force begins below 0. None where none comes lower than its own error allows.
+    """
     image = solution.image
     force = np.arange(image.size, image.size + image.contacts)
     static = solution.held + sum(
@@ -46,25 +49,29 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
         return None
     some = only(solution, pressed)
     noise = solution.error[pressed] + 1e-13 * static[pressed]
+    above: list[float | None] = [None] * len(pressed)
     for grid in _grids(solution, last * image.rate):
-        values = some(grid)
-        found = [_root(some, j, grid, row, noise[j]) for j, row in enumerate(values)]
-        times = [(time, j) for j, time in enumerate(found) if time is not None]
-        if times:
-            time, j = min(times)
-            step = max(1e-9 * time, 1e-12)
-            ends = some(np.array([time - step, time + step]))[j]
-            slope = abs(ends[1] - ends[0]) / (2 * step)
-            off = noise[j] / slope if slope else 0.0
+        falls = []
+        for j, row in enumerate(some(grid)):
+            fall = first_fall(_row(some, j), grid, row, float(noise[j]), above[j])
+            if fall is not None:
+                falls.append((fall.time, j, fall.off))
+            above[j] = last_above(grid, row, noise[j], above[j])
+        if falls:
+            time, j, off = min(falls)
             return Event(time / image.rate, int(pressed[j] - image.size) + 1, (off + _SHARP * time) / image.rate)
     return None
+
+
+def _row(some: Callable[[Any], Any], j: int) -> Callable[[Any], Any]:
+    return lambda times: some(times)[j]
 
 
 def only(solution: Solution, channels: Any) -> Callable[[Any], Any]:
     """The motion of some channels at times > 0, (channels, times), without what they do not need."""
     line = solution.line.only(channels)
-    whole = [*solution.steady] if line.alpha < 0 else []
-    right = [mode for mode in solution.modes if mode.sigma.real > line.alpha]
+    whole = [*solution.steady] if line.path.below else []
+    right, _ = line.path.parted(solution.modes)
 
     def motion(times: Any) -> Any:
         total = line.motion(times) + solution.held[channels][:, None]
@@ -77,11 +84,23 @@ def only(solution: Solution, channels: Any) -> Callable[[Any], Any]:
     return motion
 
 
-def _grids(solution: Solution, last: float) -> Iterator[Any]:
-    """Times in pieces that share their ends: first geometric ones, then equal steps well below the fastest period."""
-    image = solution.image
+def early_times(solution: Solution, last: float) -> Any:
+    """Times t̂ up to the last at which the motion must be known, and is not, for its first steps; none if it is."""
+    step = _step(solution)
+    if CLEAR / solution.line.omega <= step or last <= step:
+        return np.zeros(0)
+    return np.geomspace(step / 2, last, _EARLY)
+
+
+def _step(solution: Solution) -> float:
+    """Well below the fastest period."""
     fast = [one.frequency for one in solution.steady] + [abs(mode.sigma) for mode in solution.modes]
-    step = 2 * np.pi / (_PER_PERIOD * max(1.0, natural(image), *fast))
+    return float(2 * np.pi / (_PER_PERIOD * max(1.0, natural(solution.image), *fast)))
+
+
+def _grids(solution: Solution, last: float) -> Iterator[Any]:
+    """Times in pieces that share their ends: first geometric ones, then equal steps."""
+    image, step = solution.image, _step(solution)
     start = min(CLEAR / solution.line.omega, last)
     ends = np.geomspace(start, max(min(step, last), start * 1.01), 24) if start < last else np.array([start])
     if last - ends[-1] > _MOST * step:
@@ -90,34 +109,4 @@ def _grids(solution: Solution, last: float) -> Iterator[Any]:
     times = np.concatenate([ends, np.arange(ends[-1], last, step)[1:], [last]])
     times = np.unique(times[times <= last])
     for k in range(0, max(1, len(times) - 1), _CHUNK):
-        yield times[k : k + _CHUNK + 1]
-
-
-def _root(some: Any, j: int, grid: Any, row: Any, noise: float) -> float | None:
-    """The first time at which the row comes from above the noise to below 0, or None."""
-    for k in range(1, len(grid)):
-        if row[k] < -noise and row[k - 1] > 0:
-            return _bisected(some, j, grid[k - 1], grid[k])
-        if 0 < k < len(grid) - 1 and row[k] < min(row[k - 1], row[k + 1]) and 0 <= row[k] < 0.1 * abs(row).max():
-            inner = np.linspace(grid[k - 1], grid[k + 1], 33)
-            values = some(inner)[j]
-            low = int(np.argmin(values))
-            if values[low] < -noise:
-                return _bisected(some, j, grid[k - 1], inner[low])
-    return None
-
-
-def _bisected(some: Any, j: int, left: float, right: float) -> float:
-    """Between a positive and a negative value, by the secant's point where it halves at least."""
-    a, b = left, right
-    fa, fb = some(np.array([a, b]))[j]
-    for turn in range(_HALVINGS):
-        middle = (a + b) / 2 if turn % 3 == 2 or fa == fb else a + (b - a) * fa / (fa - fb)
-        value = float(some(np.array([middle]))[j, 0])
-        if value > 0:
-            a, fa = middle, value
-        else:
-            b, fb = middle, value
-        if b - a <= _SHARP * b or value == 0:
-            break
-    return float(b)
+        yield times[k : k + _CHUNK + 2]  # a dip at an end is within one of them

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from mpsolve.errors import PrecisionError
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
@@ -84,7 +85,10 @@ def _searched(image: Image) -> Poles:
     count, path = count_zeros(image, floor, reach)
     for _ in range(_FURTHER):  # fast loads may shake a track at high frequencies
         reach *= _WIDER
-        more, longer = count_zeros(image, floor, reach)
+        try:
+            more, longer = count_zeros(image, floor, reach)
+        except PrecisionError:
+            break
         if len(longer) > _LONG:
             break
         if more > count:

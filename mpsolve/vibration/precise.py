@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.line import sampled_line
+from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.precise_image import PreciseImage, exact_terms, number
 from mpsolve.vibration.precise_motion import PreciseVibration, unknown_precise
@@ -73,13 +74,13 @@ def response_mp(
         poles = certified(image, found)
         at = [K.number(t) * precise.rate for t in exact]
         engine = Engine(image, tones(image, outer, ()), (), poles)
-        alpha = engine.line(float(max(at)))
-        made = _Work(precise, poles, found, digits, alpha, work, said)
+        path = engine.path(float(max(at)))
+        made = _Work(precise, poles, found, digits, path, work, said)
         far = 4 * digits * math.log(10) / float(min(at))
-        waves = engine.arriving(alpha, np.array([float(t) for t in at]), 10.0**-digits)
+        waves = engine.arriving(path, np.array([float(t) for t in at]), 10.0**-digits)
         omega = max(_FURTHER * far, _LEAST, 8 * natural(image), 5 * made.fastest, _FURTHER * waves)
         with one_thread():
-            line = sampled_line(engine.transformed, alpha, omega)
+            line = sampled_line(engine.transformed, path, omega)
         return made.motion(at, exact, line.panels.middle, line.panels.half, omega)
     except EffortError as error:
         return unknown_precise(image, K.mp, exact, error.reason)
@@ -94,6 +95,13 @@ def _certified(problem: Problem, digits: int, effort: Effort | None, said: Progr
     return found
 
 
+class _Residue(NamedTuple):
+    """A pole and its moments (1/2πi) ∮ (σ − pole)^m û dσ, by channels."""
+
+    sigma: Any
+    moments: list[list[Any]]
+
+
 class _Work:
     """One motion in the making; everything scaled."""
 
@@ -103,12 +111,12 @@ class _Work:
         poles: Poles,
         spectrum: Spectrum,
         digits: int,
-        alpha: float,
+        path: Path,
         effort: Effort,
         said: Progress,
     ) -> None:
         self.image, self.mp, self.digits, self.effort, self.said = image, image.mp, digits, effort, said
-        self.alpha = self.mp.mpf(alpha)
+        self.path = path
         rate = image.rate
         balls = [(number(self.mp, root.q), root.multiplicity) for root in spectrum.roots if root.q.real >= 0]
         self.roots = [(self.mp.mpc(0, 1) * q / rate, times) for q, times in balls]
@@ -134,15 +142,14 @@ class _Work:
         wide, narrow = (self._along(panels, mp.mpf(x), [*at, *early]) for x in (omega, omega / _FURTHER))
         kept = [self._sum(steady, t) for t in [*at, *early]]
         free = [self._sum(modes, t) for t in [*at, *early]]
-        right = [self._sum([one for one in modes if one[0].real > self.alpha], t) for t in early]
-        below = self.alpha < 0
+        right, left = self.path.parted(modes)
+        below = self.path.below
         rest, misfit = [], []
         for k in range(len(at)):
             own = wide[k] if below else _minus(wide[k], kept[k])
-            left = self._sum([one for one in modes if one[0].real <= self.alpha], at[k])
-            rest.append(_minus(own, left))
-        for k in range(len(early)):
-            before = [a + b for a, b in zip(wide[len(at) + k], right[k], strict=True)]
+            rest.append(_minus(own, self._sum(left, at[k])))
+        for k, t in enumerate(early):
+            before = [a + b for a, b in zip(wide[len(at) + k], self._sum(right, t), strict=True)]
             misfit.append([a + b for a, b in zip(before, kept[len(at) + k], strict=True)] if below else before)
         parts = [np.array(rows, object).T for rows in (kept[: len(at)], free[: len(at)], rest)]
         total = parts[0] + parts[1] + parts[2]
@@ -162,7 +169,7 @@ class _Work:
     def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], list[list[Any]]]:
         """Middle, half, nodes of ω, values there."""
         nodes = [middle + half * x for x in self.rule.nodes]
-        return middle, half, nodes, [self._value(self.mp.mpc(self.alpha, w)) for w in nodes]
+        return middle, half, nodes, [self._value(self.path.line(w)) for w in nodes]
 
     def _value(self, sigma: Any) -> list[Any]:
         self.effort.spend(1)
@@ -184,22 +191,21 @@ class _Work:
                 moments = self.rule.moments(half * abs(t))
                 if t < 0:
                     moments = [mp.conj(x) for x in moments]
-                turn = half * mp.exp(mp.mpc(self.alpha, middle) * t) / mp.pi
+                turn = half * mp.exp(self.path.line(middle) * t) / mp.pi
                 out[k] = [
                     x + (turn * mp.fdot(moments, column)).real for x, column in zip(out[k], columns, strict=True)
                 ]
         return out
 
-    def _steady(self) -> list[tuple[Any, list[list[Any]]]]:
+    def _steady(self) -> list[_Residue]:
         """Poles of the loads with what they keep up, from circles round them."""
         poles = [self.mp.mpc(0), *(self.mp.mpc(0, w) for w in self.image.frequencies)]
         return [self._circle(z, 1) for z in poles]
 
-    def _modes(self) -> list[tuple[Any, list[list[Any]]]]:
+    def _modes(self) -> list[_Residue]:
         return [self._circle(z, times) for z, times in self.roots]
 
-    def _circle(self, middle: Any, times: int) -> tuple[Any, list[list[Any]]]:
-        """The pole and its moments (1/2πi) ∮ (σ − pole)^m û dσ."""
+    def _circle(self, middle: Any, times: int) -> _Residue:
         mp = self.mp
         others = [z for z, _ in self.roots] + [mp.mpc(0)] + [mp.mpc(0, w) for w in self.image.frequencies]
         gaps = [abs(middle - z) for other in others for z in (other, mp.conj(other))]
@@ -208,15 +214,16 @@ class _Work:
         count = 2 * (self.digits + _GUARD) + 8
         turns = [radius * mp.expjpi(mp.mpf(2 * k + 1) / count) for k in range(count)]
         values = [self._value(middle + turn) for turn in turns]
-        return middle, [
+        moments = [
             [
                 mp.fdot([turn ** (m + 1) for turn in turns], [row[c] for row in values]) / count
                 for c in range(len(self.zero))
             ]
             for m in range(times)
         ]
+        return _Residue(middle, moments)
 
-    def _sum(self, poles: list[tuple[Any, list[list[Any]]]], t: Any) -> list[Any]:
+    def _sum(self, poles: list[_Residue], t: Any) -> list[Any]:
         """The motion of the poles and their mirror images at the time t."""
         total = list(self.zero)
         for z, moments in poles:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.errors import PrecisionError
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.residues import Pole
 
@@ -25,11 +26,19 @@ _ROWS = (0.5, 0.15, 0.02, -0.02, -0.3)
 
 
 def count_zeros(image: Image, floor: float, reach: float) -> tuple[int, Any]:
-    """How many zeros have Re σ > floor, |σ| below the reach, by the turn of the argument; and the path walked."""
+    """How many zeros have Re σ > floor, |σ| below the reach, by the turn of the argument; and the path walked.
+
+    PrecisionError where floats lose det A on the path, as for very short waves far out.
+    """
     up = floor + 1j * np.concatenate([[0.0], np.geomspace(1e-5, 1, 120) * reach])
     angle = np.linspace(float(np.angle(up[-1])), 0, 40)[1:]
     path = np.concatenate([up, abs(up[-1]) * np.exp(1j * angle)])
-    path, turn = _turned(image, path)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        path, turn = _turned(image, path)
+    if not np.isfinite(turn):
+        raise PrecisionError(
+            "float64 loses the determinant on the path round the induced frequencies: use response_mp"
+        )
     return max(0, int(np.rint(-turn / np.pi))), path
 
 

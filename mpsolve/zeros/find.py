@@ -13,6 +13,7 @@ from flint import acb
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import exact_ball, precision
+from mpsolve.numbers.packed import exact_ends
 from mpsolve.numbers.rootball import RootBall
 from mpsolve.parallel.threads import one_thread
 from mpsolve.progress import Progress
@@ -94,14 +95,8 @@ def _close(ball: RootBall, seed: complex) -> bool:
 
 def corners_of(ball: RootBall) -> tuple[Point, Point]:
     """The lower left and upper right corner of a ball, exactly."""
-    ends = [(_dyadic(x.mid()), _dyadic(x.rad())) for x in (ball.q.real, ball.q.imag)]
-    low, high = (tuple(m + sign * r for m, r in ends) for sign in (-1, 1))
-    return low, high  # type: ignore[return-value]
-
-
-def _dyadic(x: Any) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    (a, b), (c, d) = exact_ends(ball.q.real), exact_ends(ball.q.imag)
+    return (a, c), (b, d)
 
 
 def find_zeros(f: Function, count: Count, digits: int, effort: Effort, tell: Progress) -> list[RootBall]:

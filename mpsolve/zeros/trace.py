@@ -16,6 +16,7 @@ from typing import Any
 import flint
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.packed import dyadic
 from mpsolve.zeros.program import NAMES, Program
 
 _NOT_ANALYTIC = (
@@ -122,9 +123,9 @@ def constant(program: Program, x: Any) -> int:
     if isinstance(x, (flint.fmpz, flint.fmpq)):
         return program.number(Fraction(int(x.numerator), int(x.denominator)) if hasattr(x, "denominator") else int(x))
     if isinstance(x, flint.arb) and x.is_exact() and x.is_finite():
-        return program.number(_dyadic(x))
+        return program.number(dyadic(x))
     if isinstance(x, flint.acb) and x.is_exact() and x.is_finite():
-        return program.add(program.number(_dyadic(x.real)), program.mul(program.number(_dyadic(x.imag)), program.i))
+        return program.add(program.number(dyadic(x.real)), program.mul(program.number(dyadic(x.imag)), program.i))
     if isinstance(x, Decimal) and x.is_finite():
         return program.number(Fraction(x))
     raise UnreadableError(f"it has a constant of type {type(x).__name__} that is not exact")
@@ -135,11 +136,6 @@ def _finite(x: float) -> Fraction:
         return Fraction(x)
     except (ValueError, OverflowError):
         raise InputError("f", f"has the constant {x}: give finite numbers") from None
-
-
-def _dyadic(x: Any) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def trace(program: Program, f: Callable[..., Any]) -> int:

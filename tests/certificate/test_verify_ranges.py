@@ -9,6 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import acb, arb, fmpq
 
@@ -234,20 +235,24 @@ def _model(form: Form, u: tuple[complex, ...]) -> Any:
     return total
 
 
+def family_of(content: dict[str, Any], low: int, high: int) -> checker.Family:
+    box = ((fmpq(low), fmpq(high)),)
+    track = checker.spectra.read_track(content["equations"]["track"], content["equations"]["velocity"], box)
+    vehicle = checker.spectra.read_bodies(content["equations"]["vehicle"], None, box, 24, 12)
+    waves = checker.Waves(track, vehicle)
+    envelope = checker.Envelope(7, [(arb(1), arb("1e-5"))], arb(high))
+    matrix = checker.Matrix(vehicle, waves)
+    return checker.Family(track, vehicle, box, envelope, waves, matrix, vehicle.places, left=1000)
+
+
 @pytest.fixture(scope="module")
 def family(content: dict[str, Any]) -> checker.Family:
-    box = ((fmpq(170), fmpq(210)),)
-    track = checker.read_track(content["equations"]["track"], content["equations"]["velocity"], 1)
-    vehicle = checker.read_vehicle(content["equations"]["vehicle"], None, 1, box)
-    waves = checker.Waves(track, vehicle)
-    envelope = checker.Envelope(7, [(arb(1), arb("1e-5"))], arb(210))
-    matrix = checker.Matrix(vehicle, waves)
-    return checker.Family(track, vehicle, box, envelope, waves, matrix, vehicle.places)
+    return family_of(content, 170, 210)
 
 
 @pytest.mark.parametrize("half", [("0.5", 2), ("0.001", "0.01")])
 def test_receptances_over_boxes_hold_those_at_points(family: checker.Family, half: tuple[object, object]) -> None:
-    """Wide boxes by sums over circles, narrow ones by forms, against thin boxes at points of them."""
+    """Against thin boxes at points of them."""
     with precision(64):
         r = [arb(str(x)) for x in half]
         split = Split(family.waves, Place([arb(12), arb(180)], r), False)
@@ -260,15 +265,55 @@ def test_receptances_over_boxes_hold_those_at_points(family: checker.Family, hal
                 assert one.e < abs(one.k[0])
 
 
-def test_a_circle_with_another_node_in_it_is_not_taken(family: checker.Family) -> None:
+MEETING = (132.66819917, 35.62467215)  # q, v: two p-roots with Re P > 0 meet there
+
+
+def floats_of(q: float, v: float, xi: float) -> complex:
+    """G(ξ) of RAIL: residues of N e^{Pξ}/D at numpy's roots."""
+    s = 1j * q
+    d = np.array([6.4e6, 0, 60 * v * v, -(120 * s + 770) * v, 60 * s * s + 770 * s + 1e6])
+    roots = np.roots(d)
+    own = roots[(roots.real < 0) == (xi >= 0)]
+    return complex((1 if xi >= 0 else -1) * sum(np.exp(own * xi) / np.polyval(np.polyder(d), own)))
+
+
+def test_where_p_roots_of_one_side_meet(content: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their sum is bounded over a box round the point, and holds what numpy finds beside it; the box is proved."""
+    family, used = family_of(content, 30, 40), []
+    beside = checker.beside_meeting
+    monkeypatch.setattr(checker, "beside_meeting", lambda *some: used.append(1) or beside(*some))
+    half = (0.002, 0.001)
     with precision(64):
-        split = Split(family.waves, Place([arb(12), arb(180)], [arb("0.5"), arb(2)]), False)
-        middle, radii, inside = split.circles(0)[0]
-        split.require_inside(middle, radii, inside)
-        with pytest.raises(checker.Wide):
-            split.require_inside(middle, radii, [])
-        with pytest.raises(checker.Wide):
-            split.require_inside(middle, [radii[0], radii[1], radii[2] * 1e6], inside)
+        middle = [arb(m) + arb(r) / 3 for m, r in zip(MEETING, half, strict=True)]
+        split = Split(family.waves, Place(middle, [arb(r) for r in half]), False)
+        forms = receptances(family.waves, split, family.middle)
+        assert used
+        for n, (_, gap) in enumerate(family.waves.ordered(family.middle)):
+            xi = float(gap[0][1]) if gap else 0.0
+            for u in ((1, 1), (-1, 1), (0.3, -0.7)):
+                q, v = (float(m) + x * r for m, x, r in zip(middle, u, half, strict=True))
+                away = abs(_model(forms[n], u) - acb(floats_of(q, v, xi)))
+                assert not away > forms[n].e + abs(forms[n].k[0]) * 1e-9
+                assert away + forms[n].e < 1e-2 * abs(forms[n].k[0])
+        ends = [(fmpq(int((m - 8 * r) * 10**6), 10**6), fmpq(int((m + 8 * r) * 10**6), 10**6))
+                for m, r in zip(MEETING, half, strict=True)]  # fmt: skip
+        family.prove("n", (ends[0], ends[1]))
+
+
+def test_a_circle_through_other_nodes_bounds_nothing(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
+    with precision(64):
+        place = Place([arb(12), arb(180)], [arb("0.5"), arb(2)])
+        split = Split(family.waves, place, False)
+        N = [place.value(f) for f in family.waves.N]
+        gaps = [place.value(f) for _, f in family.waves.ordered(family.middle)]
+        least = [abs(f.k[0]) for f in receptances(family.waves, split, family.middle)]
+        both = [split.bounds(side, N, gaps) for side in (0, 1)]
+        assert all(a > x or b > x for a, b, x in zip(*both, least, strict=True))
+        middle, radius, inside = split.circles(0)[0]
+        for wrong in ((middle, radius, []), (middle, radius * 1e6, inside), (middle, radius * 0, inside)):
+            monkeypatch.setattr(Split, "circles", lambda *_, one=wrong: [one])
+            with pytest.raises(checker.Wide):
+                split.bounds(0, N, gaps)
 
 
 def test_the_scalar_vanishes_where_the_determinant_does() -> None:

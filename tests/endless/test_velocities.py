@@ -28,6 +28,8 @@ def test_the_two_velocities_of_the_papers_beam() -> None:
     assert abs(found.convective - 0.190146901) < 1e-8
     assert found.limit is not None
     assert abs(found.limit - 0.445073) < 1e-6
+    assert found.long is not None
+    assert 0 < found.long.v - found.limit < 2e-5
     assert "threshold" in found.words
     with pytest.raises(TypeError):
         bool(found)
@@ -100,3 +102,17 @@ def test_a_threshold_on_a_layered_track_is_enclosed() -> None:
     assert found.proved
     assert found.threshold.contains(arb(found.convective))
     assert abs(found.convective - 502.344242) < 1e-5
+
+
+@pytest.mark.slow
+def test_the_threshold_of_a_row_of_coaches_is_enclosed() -> None:
+    """Four axles on bogies under a body: the whole range is covered, resonances of all bodies included."""
+    layers = tracks.TwoLayer(
+        EI="6.38e6", m="60.2", k_pad="300e6", c_pad="3e4", m_sleeper="250", k_ballast="100e6", c_ballast="8e4"
+    )
+    bogie = vehicles.Bogie(wheel=900, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="1e4", k_contact="1e9")
+    coach = vehicles.Coach(body=30000, inertia="1e6", bogie=bogie, pivots=17, k2="0.4e6", c2="2e4")
+    found = train_velocities(Problem(layers, coach, v=100), 25, (560, 600))
+    assert found.proved
+    assert found.threshold.contains(arb(found.convective))
+    assert abs(found.convective - 589.819917) < 1e-5

@@ -9,7 +9,7 @@ import pytest
 from track_models import DAMPED
 
 from mpsolve import InputError, Load, Problem, vehicles
-from mpsolve.finite.case import Case
+from mpsolve.finite.case import Answer, Case
 
 PROBLEM = Problem(DAMPED["two-layer"], [vehicles.Mass(900), vehicles.Mass(900).at(3)], v=10)
 
@@ -24,6 +24,28 @@ def test_without_a_start_the_load_runs_through_the_middle() -> None:
     assert case.origin == pytest.approx((60 - 3 - 1) / 2)
     assert case.duration == 0.1
     assert _case(loads=[Load(1, 1, 9000)] * 2).first_steps == 900
+
+
+def test_times_at_equal_distances_are_ends_of_steps() -> None:
+    """Nothing is interpolated there; a little later a wave that turns many times in a step is read less well."""
+    times = np.linspace(0, 0.1, 26)[1:]
+
+    def off(shift: float) -> Any:
+        case = _case(times=times + shift)
+        return np.abs(case.solve(200, 25).rail - case.solve(200, 3200).rail).max()
+
+    assert _case(times=times[2:]).first_steps == 25
+    assert _case(times=[0.1 / np.pi, 0.1]).first_steps == 16
+    assert off(7.5e-4) > 4 * off(0)
+
+
+def test_the_first_fall_of_a_force() -> None:
+    """Samples that are hardly above 0 do not hide it, and a contact that nothing has pressed yet does not fall."""
+    nothing = np.zeros((2, 5))
+    forces = np.array([[-1, 0, 3e-8, -1, 0], [0, 1, 1e-8, -1e-8, 0]])
+    answer = Answer(nothing, nothing, nothing, np.arange(5.0), forces)
+    assert answer.first_fall() == (2.5, 2)
+    assert Answer(nothing, nothing, nothing, np.arange(5.0), np.abs(forces) + 1).first_fall() is None
 
 
 @pytest.mark.parametrize(
@@ -48,5 +70,5 @@ def test_more_times_read_the_same_motion() -> None:
     few, many = (_case(times=np.linspace(0.02, 0.1, n)).solve(200, 800) for n in (3, 9))
     assert few.rail == pytest.approx(many.rail[:, ::4], rel=1e-12)
     assert few.near(
-        many.__class__(many.rail[:, ::4], many.vehicle[:, ::4], many.force[:, ::4], many.nodes, many.forces), 1e-9
+        Answer(many.rail[:, ::4], many.vehicle[:, ::4], many.force[:, ::4], many.nodes, many.forces), 1e-9
     )

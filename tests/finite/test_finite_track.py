@@ -61,7 +61,7 @@ def test_the_steady_deflection_is_that_of_the_residues(
     found = finite_track(problem, [Load(80000)], length=length, modes=900, times=[duration], places=places)
     steady = 80000 * receptance(track, [float(x) for x in places], 0, velocity)[:, 0].real
     assert np.abs(found.rail[:, 0] - steady).max() < found.error.total + 2e-5 * np.abs(steady).max()
-    assert found.error.total < 2e-3 * np.abs(steady).max()
+    assert found.error.total < 3e-3 * np.abs(steady).max()
     assert found.contact_force[0, 0] == pytest.approx(80000, rel=1e-4)
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import copy
 import pickle
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from flint import acb, arb
 
 from mpsolve.numbers.balls import precision
-from mpsolve.numbers.packed import Portable, pack, unpack
+from mpsolve.numbers.packed import Portable, dyadic, exact_ends, pack, unpack
 
 
 def test_balls_travel_exactly() -> None:
@@ -57,3 +58,10 @@ def test_arrays_of_balls_travel_and_infinite_ones_stay_so() -> None:
     assert again[1, 0].contains(arb(10) ** 1000)
     assert again[2, 0].real == 1
     assert not again[2, 0].imag.is_finite()
+
+
+def test_the_ends_of_a_ball_are_exact() -> None:
+    ball = arb(7, arb(2) ** -80) / 4
+    assert dyadic(ball.mid()) == Fraction(7, 4)
+    low, high = exact_ends(ball)
+    assert Fraction(7, 4) - low == high - Fraction(7, 4) == dyadic(ball.rad()) >= Fraction(2) ** -82

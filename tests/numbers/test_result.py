@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from html import escape
 from typing import Any
 
 import pytest
@@ -70,6 +72,19 @@ def test_an_answer(name: str) -> None:
     assert hasattr(found, "cost")
     with pytest.raises(TypeError, match=r"has no truth value: ask for \.proved"):
         bool(found)
+    data = json.loads(found.to_json())
+    assert data == json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    assert data["status"] == found.status.value
+    said = f"{type(found).__name__}: {found.trust}"
+    assert name in ("Spectrum", "Table") or escape(said) in found._repr_html_()
+    assert all(isinstance(row, Mapping) for row in found.records())
+    if found.proved and found.certificate is None:
+        assert found.trust.startswith("proved, without certificate")
+        assert "without certificate" in found.to_json()
+    elif found.proved:
+        assert found.trust.startswith("proved, with a certificate")
+    else:
+        assert str(found.reason) in found.trust
     again = pickle.loads(pickle.dumps(found))
     assert type(again) is type(found)
     assert (again.status, again.reason, again.cost) == (found.status, found.reason, found.cost)

@@ -129,3 +129,22 @@ def test_what_has_no_unit_stays() -> None:
 def test_any_text_is_a_number_or_refused(text: str, unit: str) -> None:
     with suppress(InputError):
         assert isinstance(in_unit(text, unit, "x", "length"), Fraction)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("210 GPa * 3038 cm^4", "N m²", "6379800"),
+        ("210e9 Pa·3038.3e-8 m^4", "N m²", "6380430"),
+        ("2 * 3.4 m", "m", "6.8"),
+        ("3 m**2", "m²", "3"),
+    ],
+)
+def test_products_of_numbers_with_units(text: str, unit: str, value: str) -> None:
+    assert measured(text, unit, "x") == Fraction(value)
+
+
+@pytest.mark.parametrize("text", ["3**2 m", "5 m 30", "40 kN/mm * 2", "2 * m"])
+def test_what_is_no_such_product(text: str) -> None:
+    with pytest.raises(InputError):
+        measured(text, "kg", "x")

@@ -71,3 +71,9 @@ def test_what_does_not_belong_together_is_refused() -> None:
 
 def test_the_list_names_everything() -> None:
     assert all(name in listing() for name in (*names("track"), *names("vehicle")))
+
+
+def test_nothing_is_of_one_rail_where_both_are_meant() -> None:
+    for track in ("slab", "embankment", "contact-wire", "ice-road"):
+        assert "one rail" not in input_file(track), track
+    assert "mass of one wheelset on one rail" in input_file("ballasted")

@@ -159,7 +159,7 @@ def test_the_example() -> None:
         (TRACK + "[vehicle]\nmodel = 'mass'\n", "vehicle", "double brackets"),
         ("vehicle = [3]\n" + TRACK, "vehicle[1]", "not a section"),
         ("vehicle = []\n" + TRACK, "vehicles", "at least one"),
-        (BOTH + "[[load]]\n[[load]]\n", "load", "2 entries for 1 contacts"),
+        (BOTH + "[[load]]\n[[load]]\n", "load", "is given for 2, not 1 contacts"),
         (BOTH + "[[load]]\nconstnat = 3\n", "load[1].constnat", "did you mean constant"),
         (BOTH + "[[load]]\namplitude = 'a'\n", "load[1].amplitude", "not a number"),
         (COACH, "vehicle[1].bogie", "missing"),

@@ -13,16 +13,18 @@ from mpsolve import Case
 from mpsolve.errors import InputError
 from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.over import Over
-from mpsolve.ranges.answer import Tabled, outward, plain, within
+from mpsolve.ranges.answer import within
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.crossings import Crossing, Crossings
+from mpsolve.ranges.entry import Entry
 from mpsolve.ranges.onset import Kind, Onset, Unstable, UnstableRanges
 from mpsolve.ranges.robust import Robust
 from mpsolve.ranges.sensitivity import Moved, Sensitivity
-from mpsolve.ranges.table import Entry, Table
+from mpsolve.ranges.table import Table
 from mpsolve.ranges.worst import Worst
 
 CASE = Case(alpha="0.5", eta_b="0.05", eta_m=(1, 1), positions=(0, 1))
@@ -33,7 +35,7 @@ AT = Crossing(arb(1.5), arb(0.5), 2)
 END = LineEnd("range")
 SCALED = Over("v", Fraction(1, 3), Fraction(2), "m/s", "m/s")
 ENTRY = Entry("proved", "1.2", OVER["v"])
-ANSWERS: dict[str, tuple[Tabled, int]] = {
+ANSWERS: dict[str, tuple[Result, int]] = {
     "crossings": (Crossings(*FIRST, crossings=(AT,), counts=(0, 2)), 1),
     "ranges": (UnstableRanges(*FIRST, intervals=(Unstable(arb(1.5), None, arb(0.5), 2),)), 1),
     "onset": (Onset(*FIRST, kind=Kind.CROSSES, value=arb(1.5), q=arb(0.5)), 1),
@@ -81,24 +83,9 @@ def test_exact_numbers_have_decimals_beside_them() -> None:
     assert data["value"]["lower"] <= 1.5 <= data["value"]["upper"]
 
 
-def test_floats_of_a_ball_hold_it() -> None:
-    with precision(200):
-        ball = arb(1) / 3
-        low, high = outward(ball, up=False), outward(ball, up=True)
-        assert arb(low) < ball < arb(high)
-        assert high - low < 1e-15
-    assert (outward(arb(0.5), up=False), outward(arb(0.5), up=True)) == (0.5, 0.5)
-
-
 def test_whether_a_ball_lies_in_a_range() -> None:
     interval = (Fraction(1, 3), Fraction(2, 3))
     assert within(arb(0.5), interval) is True
     assert within(arb(0.7), interval) is False
     with precision(100):
         assert within(arb(1) / 3, interval) is None
-
-
-def test_data_is_plain() -> None:
-    data = plain({"a": arb(2), "b": (Fraction(1, 3), None)})
-    assert float(data["a"]["decimal"]) == data["a"]["lower"] == 2
-    assert data["b"] == [{"exact": "1/3", "decimal": 1 / 3}, None]

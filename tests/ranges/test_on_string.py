@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import Problem, certify, tracks, vehicles
+from mpsolve import Problem, certify, prove_stable, tracks, vehicles
 from mpsolve.ranges.on_string import FASTER, SLOWER, quiet
-from mpsolve.ranges.robust import prove_stable
 
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)  # waves run at 158.85
 SPRUNG = vehicles.Oscillator(wheel=9, body=15, k=7000, c=30)

@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, Effort, certify, crossings, onset, read_case, sensitivity, unstable_ranges, worst
+from mpsolve import (
+    Case,
+    Effort,
+    certify,
+    crossings,
+    cut_points,
+    onset,
+    read_case,
+    sensitivity,
+    unstable_ranges,
+    worst,
+)
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.packed import dyadic
 from mpsolve.problem.cases import as_problem
 from mpsolve.ranges.onset import Kind
 
@@ -22,6 +36,31 @@ def test_a_float_handed_out_as_a_bound_is_one() -> None:
     with precision(300):
         assert arb(found.lower) <= found.value
         assert arb(found.upper) >= found.value
+
+
+@pytest.mark.parametrize("beside", [-1, 1])
+def test_an_answer_at_the_very_end_of_a_range_is_in_it_or_not(beside: int) -> None:
+    """1e-20 beside the end: compared in 53 bits it was on the wrong side, and the count before it was never ended."""
+    case, little = pair("0.05", 70), Fraction(beside, 10**20)
+    value = dyadic(crossings(case, over={"v": ("0.66", "0.69")}, digits=40, check=False).crossings[0].value.mid())
+    for over, inside in (((value + little, "0.69"), beside < 0), (("0.66", value + little), beside > 0)):
+        found = crossings(case, over={"v": over}, digits=40, check=inside)
+        assert found.counts is not None, found.reason
+        assert (len(found.crossings), found.certificate is not None) == (int(inside), inside)
+        assert {0, 2} >= set(found.counts)
+        assert onset(case, over={"v": over}, digits=40, check=False).kind is (
+            Kind.CROSSES if inside else Kind.UNSTABLE_FROM_START if beside > 0 else Kind.STABLE
+        )
+
+
+@pytest.mark.parametrize("beside", [-1, 1])
+def test_a_cut_point_at_the_very_end_of_a_range_is_in_it_or_not(beside: int) -> None:
+    """Not provably outside was taken for inside."""
+    case = Case(alpha="0.5", eta_b=0, eta_m=(40, 40), positions=(0, "0.5"))
+    value = dyadic(cut_points(case, over={"v": ("0.7", "0.8")}, digits=40).points[0].value.mid())
+    end = value + Fraction(beside, 10**20)
+    found = cut_points(case, over={"v": (end, "0.8")}, digits=40)
+    assert (found.proved, len(found.points)) == (True, int(beside < 0))
 
 
 def test_ends_have_the_digits_that_were_asked_for() -> None:

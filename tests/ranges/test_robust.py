@@ -3,11 +3,10 @@
 import pytest
 from free_cases import BEAM, BOGIE, LAYERS, PAIR
 
-from mpsolve import Problem, certify
+from mpsolve import Problem, certify, prove_stable
 from mpsolve.certificate.verify_ranges import verify_bytes
 from mpsolve.outcome import Status
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.robust import prove_stable
 
 PROBLEM = Problem(BEAM, PAIR, v="0.5")
 SOFT = {"track.k": ("0.5", "1.5"), "track.c": ("0.05", "0.15")}

@@ -6,10 +6,9 @@ import pytest
 from flint import arb
 from free_cases import PAIR
 
-from mpsolve import Case, Problem, certify, tracks
+from mpsolve import Case, Problem, certify, prove_stable, tracks
 from mpsolve.numbers.balls import precision
 from mpsolve.ranges.onset import Kind, onset, unstable_ranges
-from mpsolve.ranges.robust import prove_stable
 from mpsolve.ranges.undamped import NOTE, never_unstable
 
 BEAM = tracks.EulerBernoulli(EI="1/4", m=1, k=1)  # cuts join at v = 1

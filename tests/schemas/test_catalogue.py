@@ -39,5 +39,15 @@ def test_names_and_versions() -> None:
 
 
 def test_no_schema_is_left_out() -> None:
-    others = {"ranges-certificate", "study", "status", "seeds", "study-file", "table-file", "input"}
+    others = {
+        "ranges-certificate",
+        "cut_points",
+        "sensitivity",
+        "study",
+        "status",
+        "seeds",
+        "study-file",
+        "table-file",
+        "input",
+    }
     assert {*OUTPUTS, *others} == set(CATALOGUE)

@@ -34,7 +34,8 @@ import time
 
 from distributed import Client, LocalCluster
 
-from mpsolve import study
+from mpsolve import Problem, prove_stable, study, tracks, vehicles
+from mpsolve.studies import robust
 
 killed = []
 
@@ -56,6 +57,11 @@ if __name__ == "__main__":
             time.sleep(0.05)
         client.wait_for_workers(2)
         print("killed", len(killed))
+        beam = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
+        problem = Problem(beam, [vehicles.Mass(40).at(0)], v="0.5")
+        robust._PARTS = 2
+        box = {"over": {"v": ("0.2", "0.3")}, "store": "box.sqlite", "check": False}
+        print("stable", prove_stable(problem, executor=client.get_executor(), **box).stable)
         command = [sys.executable, "-m", "mpsolve", "study", "s.toml", "-o", "command.sqlite"]
         print(subprocess.run([*command, "--dask", cluster.scheduler_address], check=True, text=True).returncode)
 """
@@ -78,7 +84,9 @@ def test_a_killed_worker_changes_nothing(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     said = done.stdout.splitlines()  # of the script, and of a command in a process of its own
-    assert sorted(said) == sorted(["killed 1", "8 of 8 entries finished: 8 proved.", "command.sqlite", "0"])
+    assert sorted(said) == sorted(
+        ["killed 1", "stable True", "8 of 8 entries finished: 8 proved.", "command.sqlite", "0"]
+    )
     alone = study(tmp_path / "s.toml", store=tmp_path / "alone.sqlite", workers=1)
     for name in ("killed", "command"):
         other = open_study(tmp_path / f"{name}.sqlite")

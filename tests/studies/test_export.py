@@ -31,8 +31,10 @@ def test_csv(made: Study) -> None:
     for row, (index, values, result) in zip(rows, made.results(), strict=True):
         assert int(row["index"]) == index
         for title, value in zip(parameter_titles(made.spec), values.values(), strict=True):
-            assert row[title] == value_text(value)
-            assert Fraction(row[title]) == value
+            exact = value_text(value)
+            assert row[title] == (repr(float(value)) if "/" in exact else exact)
+            assert float(row[title]) == float(value)
+            assert "/" in exact or Fraction(row[title]) == value
         assert (row["status"], row["reason"]) == (result.status, result.reason)
         assert row["count"] == ("" if result.count is None else str(result.count))
         for k, root in enumerate(result.roots, 1):
@@ -52,6 +54,7 @@ def test_json(made: Study) -> None:
         assert json.loads(line.removesuffix(",")) == case
         assert case["index"] == index
         assert case["parameters"] == {name: value_text(value) for name, value in values.items()}
+        assert case["values"] == {name: float(value) for name, value in values.items()}
         assert (case["status"], case["count"], case["unstable"]) == (result.status, result.count, result.unstable)
         for entry, root in zip(case["roots"], result.roots, strict=True):
             if made.spec.kind == "float64":

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from mpsolve.vibration.arrivals import reach_of_waves
+from mpsolve.vibration.path import Path
 
 FIRST = 40.0
 
@@ -12,7 +13,7 @@ def reach(wave, size, time):
     def image(sigma):
         return np.stack([1 / sigma, size / sigma], 1)
 
-    return reach_of_waves(image, wave, [[0.0], [FIRST]], 0.0, np.array([time]), 1e-9)
+    return reach_of_waves(image, wave, [[0.0], [FIRST]], Path(0.0), np.array([time]), 1e-9)
 
 
 def bending(sigma):

@@ -26,7 +26,7 @@ def test_a_root_that_is_kept_back_is_noticed() -> None:
     poles = searched(PROBLEM)
     whole = Engine(IMAGE, ACTING, (), poles).solve(TIMES)
     lacking = Engine(IMAGE, ACTING, (), replace(poles, poles=poles.poles[1:])).solve(TIMES)
-    assert whole.line.alpha < 0 < lacking.line.alpha
+    assert whole.line.path.alpha < 0 < lacking.line.path.alpha
     one, other = (found.parts(TIMES[1:]).total for found in (whole, lacking))
     assert np.abs(one - other).max() <= 1e-7 * np.abs(one).max()
     assert (np.abs(one - other) <= (whole.error + lacking.error)[:, None] + 1e-12 * np.abs(one).max(1)[:, None]).all()
@@ -43,6 +43,6 @@ def test_the_parts_do_not_hang_on_where_the_line_runs() -> None:
     poles = searched(PROBLEM)
     below = Engine(IMAGE, ACTING, (), poles).solve(TIMES)
     above = Engine(IMAGE, ACTING, (), replace(poles, complete=False)).solve(TIMES)
-    assert above.line.alpha > 0
+    assert above.line.path.alpha > 0
     for one, other in zip(vars(below.parts(TIMES[1:])).values(), vars(above.parts(TIMES[1:])).values(), strict=True):
         assert np.abs(one - other).max() <= 1e-7 * np.abs(below.parts(TIMES[1:]).total).max()

@@ -7,7 +7,7 @@ import pytest
 from track_models import DAMPED
 from vehicle_models import TYPICAL
 
-from mpsolve import Case, Load, Problem, response, vehicles
+from mpsolve import Case, Load, Problem, read_problem, receptance, response, vehicles
 from mpsolve.problem.cases import as_problem
 from mpsolve.vibration.liftoff import first_lift_off, only
 from mpsolve.vibration.of_case import motion_of_case as by_the_paper
@@ -50,6 +50,50 @@ def test_a_harmonic_load_lifts_a_wheel_at_its_first_trough() -> None:
     found = response(problem, [Load(1000, -2000, 1)], times=[0, 10], initial="steady")
     assert found.lift_off is not None
     assert found.lift_off.time == pytest.approx(np.pi / 6, rel=1e-3)
+
+
+WHEEL = Problem(DAMPED["two-layer"], vehicles.Mass(900), v=1)
+
+
+@pytest.mark.parametrize("amplitude", ["1000.0001", "1001"])
+def test_a_force_that_hardly_comes_to_0(amplitude: str) -> None:
+    """The forced part is known: c + a |H| sin(t + arg H), H = 1/(1 − MG). Few samples are below 0, if any."""
+    H = 1 / (1 - 900 * receptance(WHEEL.track, 0, 1, 1)[0, 0])
+    known = np.pi + np.arcsin(1000 / (float(amplitude) * abs(H))) - np.angle(H)
+    for times in ([5], np.linspace(0, 5, 200)):
+        event = response(WHEEL, [Load(1000, amplitude, 1)], times=times, initial="steady").lift_off
+        assert event is not None
+        assert abs(event.time - known) < event.tolerance + 1e-6  # what is left of the free part
+    assert response(WHEEL, [Load(1000, 999, 1)], times=[5], initial="steady").lift_off is None
+
+
+def test_a_lift_off_before_the_first_time_asked_for() -> None:
+    """It comes at 0.317 s; nothing but the last time is wanted, long after, or hardly after."""
+    problem = read_problem("examples/rail_60e1.toml").problem
+    events = [response(problem, times=times).lift_off for times in ([0.4], [5.0], np.linspace(0, 5, 5000))]
+    for event in events:
+        assert event is not None
+        assert event.contact == 1
+        assert event.time == pytest.approx(0.31731601, abs=2 * event.tolerance + 1e-8)
+        assert event.tolerance < 1e-4
+    assert response(problem, times=[0.31]).lift_off is None
+
+
+def test_a_load_that_pulls_at_once_lifts_at_once() -> None:
+    event = response(WHEEL, [Load(1000, -3000, 1, "1.5")], times=[4, 8]).lift_off
+    assert event is not None
+    assert event.time == 0
+    assert event.tolerance < 1e-3
+
+
+def test_of_two_contacts_that_leave_together_the_first_one_is_told_on_any_grid() -> None:
+    """The second load runs ahead by a millionth of a turn; a single time after both, and many before and after."""
+    two = Problem(DAMPED["two-layer"], [vehicles.Mass(900).at(0), vehicles.Mass(900).at(40)], v=40)
+    loads = [Load(9000, -20000, 200), Load(9000, -20000, 200, "1e-3")]
+    events = [response(two, loads, times=t, initial="steady").lift_off for t in ([0.3], np.linspace(0, 0.3, 2000))]
+    assert [event.contact for event in events if event] == [2, 2]
+    one, other = (event for event in events if event)
+    assert abs(one.time - other.time) <= one.tolerance + other.tolerance < 1e-7
 
 
 def test_a_contact_that_nothing_presses_is_not_judged() -> None:

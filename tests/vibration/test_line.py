@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from mpsolve.vibration.line import CLEAR, extended, faded, sampled_line
+from mpsolve.vibration.path import Path
 
 
 def _image(sigma: np.ndarray) -> np.ndarray:
@@ -19,7 +20,7 @@ def _known(t: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("omega", [80.0, 1000.0])
 def test_clear_of_the_start_the_fading_is_not_felt(omega: float) -> None:
-    line = sampled_line(_image, 0.05, omega)
+    line = sampled_line(_image, Path(0.05), omega)
     times = np.array([1.0, 1.5, 3.0]) * CLEAR / omega
     off = np.abs(line.motion(times) - _known(times)).max()
     assert off < 1e-9
@@ -27,7 +28,7 @@ def test_clear_of_the_start_the_fading_is_not_felt(omega: float) -> None:
 
 
 def test_the_change_from_half_of_it_tells_where_it_is_felt() -> None:
-    line = sampled_line(_image, 0.05, 160.0)
+    line = sampled_line(_image, Path(0.05), 160.0)
     times = np.array([0.02, 0.1, 0.4])
     off, change = np.abs(line.motion(times) - _known(times)), np.abs(line.change(times))
     assert (off <= 2.5 * change + 1e-10).all()
@@ -38,7 +39,7 @@ def test_the_change_from_half_of_it_tells_where_it_is_felt() -> None:
 
 def test_an_extended_line_is_one_that_was_sampled_so_far() -> None:
     times = np.array([0.05, 1.0])
-    one, other = extended(_image, sampled_line(_image, 0.05, 80.0)), sampled_line(_image, 0.05, 160.0)
+    one, other = extended(_image, sampled_line(_image, Path(0.05), 80.0)), sampled_line(_image, Path(0.05), 160.0)
     assert one.omega == other.omega == 160
     assert one.motion(times) == pytest.approx(other.motion(times), abs=1e-10)
     assert one.only([1]).motion(times) == pytest.approx(one.motion(times)[1:])

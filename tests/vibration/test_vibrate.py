@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
+from catalogue_models import made
 from image_truth import Image as Truth
 from infinite import inverted
+from receptance_truth import Receptance
 from track_models import DAMPED
 from vehicle_models import TYPICAL
 
@@ -26,7 +30,11 @@ from mpsolve import (
     vehicles,
 )
 from mpsolve.errors import PrecisionError
+from mpsolve.presets.catalogue import names, preset
+from mpsolve.presets.written import input_file
 from mpsolve.problem.cases import as_problem
+from mpsolve.problem.reduced import scale_guide, track_guide
+from mpsolve.vehicles.bounce import rigid_bounce
 
 BOGIE = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
 
@@ -34,31 +42,22 @@ BOGIE = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
 # --- other ways -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("track", "vehicle", "v", "t"),
-    [
-        ("two-layer", "bogie", 100, 0.04),
-        ("string", "mass", 40, 0.3),
-        ("timoshenko", "oscillator", 60, 0.05),
-        ("floating-ice", "oscillator", 3, 0.02),
-        ("slab", "bogie", 80, 0.02),
-    ],
-)
-def test_the_image_inverted_by_mpmath(track: str, vehicle: str, v: int, t: float) -> None:
-    """The third way, at one time, with a harmonic load: de Hoog's method reaches about eight digits."""
-    problem = Problem(DAMPED[track], TYPICAL[vehicle], v=v)
-    n = problem.pencil.contacts
-    loads = [Load(3000, 1000, 90, "0.7")] + [Load(2000)] * (n - 1)
+@pytest.mark.parametrize("track", tracks.CATALOGUE, ids=lambda model: model.name)
+def test_the_image_inverted_by_mpmath(track: Any) -> None:
+    """The third way, for every track, at one time, with a harmonic load: de Hoog's method has about eight digits."""
+    few = [vehicle for vehicle in map(made, vehicles.CATALOGUE) if vehicle.pencil.contacts < 3]
+    problem = Problem(made(track), few[tracks.CATALOGUE.index(track) % len(few)], v="0.3")
+    loads = [Load(3, 1, "0.9", "0.7"), Load(2)][: problem.pencil.contacts]
     B = np.array(problem.pencil.B, float)
     terms = [
         (B[:, j], float(one.constant), float(one.amplitude), float(one.frequency), float(one.phase))
         for j, one in enumerate(loads)
     ]
     places = [Fraction(-1), Fraction(1, 2)]
-    known = Truth(problem, terms, places).inverted(t)
-    found = response(problem, loads, places=places, times=[t / 3, t])
+    known = Truth(problem, terms, places).inverted(2.0)
+    found = response(problem, loads, places=places, times=[0.7, 2])
     rows = np.array([*found.vehicle.values(), *found.contact_force, *found.rail])[:, -1]
-    size, m = problem.pencil.size, n
+    size, m = problem.pencil.size, problem.pencil.contacts
     for part in (slice(0, size), slice(size, size + m), slice(size + m, None)):
         assert np.abs(rows - known)[part].max() < 1e-6 * np.abs(known)[part].max()
 
@@ -86,18 +85,30 @@ def test_the_papers_beam(alpha: str, eta_b: str, masses: Any, places: Any, loads
     assert found.error.rail <= 1e-8 * largest
 
 
-CATALOGUE = [(track, vehicle) for track in DAMPED for vehicle in TYPICAL]
-LENGTH = {"floating-ice": (2500.0, 2.0), "string": (400.0, 0.8)}
+@pytest.mark.parametrize("vehicle", vehicles.CATALOGUE, ids=lambda model: model.name)
+@pytest.mark.parametrize("track", tracks.CATALOGUE, ids=lambda model: model.name)
+def test_the_finite_track_agrees_to_the_sum_of_both_errors(track: Any, vehicle: Any) -> None:
+    """The second way, for every track and vehicle there is: before waves come back from the supports."""
+    problem = Problem(made(track), made(vehicle), v="0.3")
+    _agree(problem, [Load(1, "0.5", 1, "0.3")] + [Load(1)] * (problem.pencil.contacts - 1), np.array([2.0, 3, 4]), 1)
 
 
-@pytest.mark.parametrize(("track", "vehicle"), CATALOGUE)
-def test_the_finite_track_agrees_to_the_sum_of_both_errors(track: str, vehicle: str) -> None:
-    """The second way, for every track and vehicle: before waves come back from the supports."""
-    problem = Problem(DAMPED[track], TYPICAL[vehicle], v=20)
-    loads = [Load(1000)] if vehicle == "matrices" else None
-    length, last = LENGTH.get(track, (180.0, 0.12))
-    times = last * np.linspace(0.2, 1, 9)
-    known = finite_track(problem, loads, length=length, modes=700, times=times, tolerance=1e-3)
+@pytest.mark.parametrize("name", names("track"))
+def test_every_preset_of_a_track(name: str, tmp_path: Path) -> None:
+    """Numbers from practice: weights that come on suddenly, or unit forces on what a frame holds up."""
+    file = tmp_path / "file.toml"
+    file.write_text(input_file(name, "wheelset" if preset("track", name).on == "rail" else None), "utf-8")
+    problem = read_problem(file).problem
+    guide = scale_guide(problem)
+    unit, last = 2.0**guide.length, 8 * 2.0**guide.time
+    loads = None if rigid_bounce(problem.pencil) else [Load(1)] * problem.pencil.contacts
+    _agree(problem, loads, last * np.array([0.3, 0.7, 1]), unit)
+
+
+def _agree(problem: Problem, loads: Any, times: Any, unit: float) -> None:
+    places = [float(x) for x in problem.pencil.places]
+    length = 60 * unit + places[-1] - places[0] + float(problem.v) * times[-1]
+    known = finite_track(problem, loads, length=length, modes=int(7 * length / unit), times=times, tolerance=1e-3)
     found = response(problem, loads, times=times)
     size = np.abs(found.rail).max()
     assert np.abs(found.rail - known.rail).max() <= found.error.rail + known.error.total
@@ -180,6 +191,17 @@ def test_long_times_and_waves_far_away() -> None:
     assert found.error.rail < 1e-8 * np.abs(found.rail).max()
 
 
+def test_what_float64_loses_far_out_is_left_out(tmp_path: Path) -> None:
+    """p-roots of a damped beam on the way to the start, and those of very short waves far beyond all frequencies."""
+    beam = Problem(made(tracks.EulerBernoulli), vehicles.Mass(1), v="0.2")
+    assert response(beam, [Load(1)], times=[0, 1]).error.rail < 1e-8
+    file = tmp_path / "file.toml"
+    file.write_text(input_file("zhai-2004", "manchester"), "utf-8")
+    coach = read_problem(file).problem
+    found = response(coach, times=[40])
+    assert found.rail[:, 0] == pytest.approx(found.steady[:, 0], rel=1e-3)
+
+
 # --- what is refused ------------------------------------------------------------------------------------------
 
 
@@ -248,3 +270,23 @@ def test_a_root_far_out_is_found() -> None:
 def test_a_track_without_stiffness_at_rest_is_refused() -> None:
     with pytest.raises((InputError, PrecisionError)):
         response(Problem(tracks.EulerBernoulli(EI=1, m=1, k=0), vehicles.Mass(1), v=0), times=[1])
+
+
+@pytest.mark.parametrize("faster", ["1.0003", "1.5", "4"])
+def test_a_load_that_outruns_the_waves_of_a_string(faster: str) -> None:
+    """The rail under it stays at rest and bears the weight at once; behind it moves as under a constant force."""
+    string = DAMPED["string"]
+    problem = Problem(string, TYPICAL["mass"], v=Fraction(faster) * Fraction("158.851"))
+    times, place = [0.05, 0.3], Fraction(-5)
+    found = response(problem, times=times, places=[0, place])
+    weight = 900 * 9.80665
+    assert found.contact_force[0] == pytest.approx([weight] * 2, rel=1e-7)
+    guide = track_guide(string, problem.v)
+    truth = Receptance(guide, 25)
+    unit, g, rate = Fraction(2) ** guide.length, float(guide.g), 2.0**guide.time
+    for k, t in enumerate(times):
+        known = mpmath.invertlaplace(
+            lambda s: weight * g * truth.value(place / unit, s * rate) / s, t, method="dehoog"
+        )
+        assert found.rail[1, k] == pytest.approx(float(known), rel=1e-5)
+        assert abs(found.rail[0, k]) < 1e-9 * abs(found.rail[1, k])

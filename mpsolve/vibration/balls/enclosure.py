@@ -3,7 +3,7 @@
 u(t) = Σ residues to the right of the path + (1/π) Im ∫ û e^{σt} dσ along its upper half. What is proved on the way:
 
     the residues                                  circles.py, from the certified induced frequencies
-    that the path may leave the physical region   path.py near, far.py far out
+    that the path may leave the physical region   strip.py near, far.py far out
     the integral                                  panels.py
     what is cut off                               far.py
 """
@@ -37,16 +37,15 @@ from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
+from mpsolve.vibration.path import above_growth
 from mpsolve.vibration.poles import certified
 from mpsolve.vibration.precise_image import Term, exact_terms
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 100
 _GUARD, _SPARE, _MOST_LOST = 20, 3, 400
-_LATE = 8.0
+_LATE = 2.0
 """Scaled: a path for earlier times lies no farther right."""
-_RISE = 8.0
-"""What a motion that neither grows nor decays grows by along the path, as an exponent: far from cuts and roots."""
 
 
 @dataclass(frozen=True)
@@ -117,12 +116,16 @@ def response_balls(
 
 @dataclass(frozen=True)
 class Asked:
-    """A problem with its places, what acts on it, the times, and to how many digits."""
+    """A problem with its places, what acts on it, the times, and to how many digits.
+
+    exact: the places where they are irrational; the image then has them in float64.
+    """
 
     image: Image
     terms: list[Term]
     times: list[Exact]
     digits: int
+    exact: tuple[Exact, ...] = ()
 
 
 def proved_parts(
@@ -146,15 +149,15 @@ def proved_parts(
             "change the frequency of a load that meets an induced frequency, or end earlier",
         )
     lost = max(0, ceil(lost))
-    balls = BallImage(asked.image, asked.terms, asked.digits + lost + _GUARD)
+    balls = BallImage(asked.image, asked.terms, asked.digits + lost + _GUARD, asked.exact)
     with precision(balls.bits):
         poles, floor = _poles(asked.image, found)
         at = [t.ball() * balls.rate_ball for t in asked.times]
         growth = max((float(z.real.upper()) for z in poles), default=0.0)
-        alpha = max(0.0, growth) + _RISE / max(_LATE, *(float(t) for t in at))
-        if not alpha > floor:
+        line = above_growth(growth, max(_LATE, *(float(t) for t in at)))
+        if not line.alpha > floor:
             raise PrecisionError("not all roots above the path are certified: certify a larger region")
-        return Work(balls, poles, alpha, at, (asked.digits, lost), work, said).parts(_sizes(balls))
+        return Work(balls, poles, line, at, (asked.digits, lost), work, said).parts(_sizes(balls))
 
 
 def _lost(asked: Asked, spectrum: Spectrum) -> float:

@@ -8,7 +8,7 @@ times, whose waves have decayed there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, log
@@ -18,7 +18,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, bits_now
 from mpsolve.proof.effort import Effort
 from mpsolve.vibration.balls.image import BallImage, Cell
-from mpsolve.vibration.balls.path import Path
+from mpsolve.vibration.path import Leg
 
 _RHO = 3
 _REAL, _IMAGINARY = 5 / 3, 4 / 3
@@ -37,37 +37,20 @@ class Panel:
     missed: tuple[tuple[Any, ...], ...]
 
 
-@dataclass(frozen=True)
-class Leg:
-    """A piece of the path: σ(x) and σ'(x) for x from `first` to `last`. straight: along the line."""
-
-    place: Callable[[Any], Any]
-    slope: Callable[[Any], Any]
-    first: float
-    last: float
-    straight: bool
-
-
-def legs(path: Path, end: float) -> tuple[Leg, Leg]:
-    """The line up to the corner, and the parabola up to r = end."""
-    return (
-        Leg(path.line, lambda _: acb(0, 1), 0.0, path.start**2, True),
-        Leg(path.lifted, path.slope, path.start, end, False),
-    )
-
-
-def panels(image: BallImage, leg: Leg, times: list[Any], goals: list[Any], effort: Effort) -> Iterator[Panel]:
-    """Panels that cover the leg in order; goals: by channels, of one panel.
+def panels(
+    image: BallImage, leg: Leg, straight: bool, times: list[Any], goals: list[Any], effort: Effort
+) -> Iterator[Panel]:
+    """Panels that cover the leg in order; goals: by channels, of one panel. straight: to the right of the cuts.
 
     PrecisionError where a pole, or a point where p-roots meet, lies on the path or next to it.
     """
     here, size = leg.first, (leg.last - leg.first) / 8
-    cell = image.start(leg.place(arb(here)))
+    cell = image.start(leg.place(acb(here)))
     while here < leg.last:
         there = min(here + size, leg.last)
         effort.spend(1)
         try:
-            wide, found = _panel(image, leg, (here, there), cell, (times, goals), effort)
+            wide, found = _panel(image, leg, (here, there), None if straight else cell, (times, goals), effort)
         except PrecisionError as error:
             if size < _LEAST * max(1.0, leg.last) or not isinstance(error, _WidePanelError):
                 raise
@@ -76,8 +59,8 @@ def panels(image: BallImage, leg: Leg, times: list[Any], goals: list[Any], effor
         yield found
         size = (_GROWS if len(found.nodes) < _FULL else 1.0) * (there - here)
         here = there
-        if not leg.straight and here < leg.last:
-            cell = image.within(wide, leg.place(arb(here)))
+        if not straight and here < leg.last:
+            cell = image.within(wide, leg.place(acb(here)))
 
 
 class _WidePanelError(PrecisionError):
@@ -88,7 +71,7 @@ def _panel(
     image: BallImage,
     leg: Leg,
     ends: tuple[float, float],
-    begin: Cell,
+    begin: Cell | None,
     asked: tuple[list[Any], list[Any]],
     effort: Effort,
 ) -> tuple[Cell, Panel]:
@@ -97,21 +80,23 @@ def _panel(
     ellipse = acb(middle + arb(0, half * _REAL * 1.0001), arb(0, half * _IMAGINARY * 1.0001))
     ball, slope = leg.place(ellipse), leg.slope(ellipse)
     try:
-        point = leg.place(middle) if leg.straight else leg.place(a)
-        cell = image.cell(ball, point) if leg.straight else image.beside(ball, point, begin)
+        if begin is None:
+            cell = image.cell(ball, leg.place(acb(middle)))
+        else:
+            cell = image.beside(ball, leg.place(acb(a)), begin)
         largest = [(x * abs(slope)).upper() for x in image.sizes(cell)]
     except PrecisionError as error:
         raise _WidePanelError(str(error)) from None
     times, goals = asked
     growth = [(t * ball.real).exp().upper() for t in times]
-    plain = [4 * half * (t * leg.place(a.union(b)).real).exp().upper() for t in times]
+    plain = [4 * half * (t * leg.place(acb(a.union(b))).real).exp().upper() for t in times]
     n = _number(largest, list(zip(growth, plain, strict=True)), half, goals)
     share = 8 * half * arb(_RHO) ** (1 - 2 * n) / (_RHO - 1) if n else None
     errors = [one if share is None else one.min(grown * share) for grown, one in zip(growth, plain, strict=True)]
     missed = tuple(tuple((M * error).upper() for error in errors) for M in largest)
     nodes = []
     for x, weight in rule(n, bits_now()) if n else ():
-        at = middle + half * x
+        at = acb(middle + half * x)
         sigma, factor = leg.place(at), leg.slope(at) * half * weight
         effort.spend(1)
         values = image.values(image.within(cell, sigma))

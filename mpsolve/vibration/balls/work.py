@@ -13,18 +13,14 @@ from mpsolve.numbers.balls import acb, arb
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.vibration.balls.circles import radius_round, residues
-from mpsolve.vibration.balls.far import far_field
+from mpsolve.vibration.balls.far import Bound, far_field
 from mpsolve.vibration.balls.image import BallImage
-from mpsolve.vibration.balls.panels import legs, panels
-from mpsolve.vibration.balls.path import Path, prove_strip
+from mpsolve.vibration.balls.panels import panels
+from mpsolve.vibration.balls.strip import prove_strip
+from mpsolve.vibration.path import Path, bent
 from mpsolve.vibration.poles import lowest, natural
 from mpsolve.vibration.rooms import room
 
-_STEEP, _SPAN = 1.0, 0.25
-"""δ at most, and times the distance of the first from the last contact."""
-_LOWERED = 5
-_LEAST = 2.0
-"""The least r at which the path leaves the line."""
 _MOST_TURNS = 3e5
 """ωt at most on the line."""
 _LONGEST, _TURNS, _ECHOES = 3000.0, 10_000.0, 150.0
@@ -35,20 +31,20 @@ turns too often, or needs too many panels between the echoes of the contacts."""
 class Work:
     """A motion at the times `at` ≥ 0 to so many digits, and the number of those that its parts lose.
 
-    poles: balls of all roots of the problem that may lie above the path's line Re σ = alpha, and of others.
+    poles: balls of all roots of the problem that may lie to the right of the path's line, and of others.
     """
 
     def __init__(
         self,
         image: BallImage,
         poles: list[Any],
-        alpha: float,
+        line: Path,
         at: list[Any],
         digits: tuple[int, int],
         effort: Effort,
         said: Progress,
     ) -> None:
-        self.image, self.alpha, self.at = image, alpha, at
+        self.image, self.line, self.at = image, line, at
         self.digits, self.lost = digits
         self.late = [t for t in at if t > 0]
         self.effort, self.said = effort, said
@@ -64,7 +60,7 @@ class Work:
         path, radius, bounds = self._path()
         self.said("path", 1.0)
         along = self._started(self._integral(path, radius, bounds, goals) if self.late else None)
-        if not all(z.real < self.alpha for z in self.poles):
+        if not all(z.real < self.line.alpha for z in self.poles):
             raise PrecisionError("a root may lie on the path: change a parameter a little")
         steady, harmonic = self._known(self._steady), self._known(self._modes)
         return along, steady, harmonic, along - steady - harmonic
@@ -87,21 +83,17 @@ class Work:
         except PrecisionError:
             return np.full(self.empty.shape, arb(0, float("inf")), object)
 
-    def _path(self) -> tuple[Path, float, list[Any]]:
+    def _path(self) -> tuple[Path, float, list[Bound]]:
         """A path that is proved, and from where on û is bounded as told."""
-        image = self.image.image
         fast = [abs(complex(z.mid())) for z in (*self.poles, *self.loaded)]
-        start = max(_LEAST, (1.5 * max([*fast, natural(image)])) ** 0.5)
-        if self.late and start**2 * float(max(self.late, key=float)) > _MOST_TURNS:
-            raise PrecisionError(
-                "a load or the vehicle turns too often on the path of balls: end earlier, or use float64"
-            )
-        delta = min(_STEEP, _SPAN / self.span if self.span else _STEEP)
         error: PrecisionError | None = None
-        for k in range(_LOWERED):
-            path = Path(self.alpha, start * 1.25**k, delta / 2**k)
+        for path in bent(self.line, max([*fast, natural(self.image.image)]), self.span):
+            if self.late and path.start**2 * float(max(self.late, key=float)) > _MOST_TURNS:
+                stated = "a load or the vehicle turns too often on the path of balls"
+                raise error or PrecisionError(f"{stated}: end earlier, or use float64")
             try:
                 radius, bounds = far_field(self.image, path, path.start**2)
+                self._arrived(bounds)
                 prove_strip(self.image, path, radius, self.effort)
             except EffortError:
                 raise
@@ -111,7 +103,7 @@ class Work:
             return path, radius, bounds
         raise error or PrecisionError("no path is proved: change a parameter")
 
-    def _integral(self, path: Path, radius: float, bounds: list[Any], goals: list[Any]) -> Any:
+    def _integral(self, path: Path, radius: float, bounds: list[Bound], goals: list[Any]) -> Any:
         """(1/π) Im ∫, with what is missed in the radii."""
         first, end = min(self.late, key=float), radius**0.5 * 1.001
         longest = min(_LONGEST, (_TURNS / float(first)) ** 0.5, _ECHOES / self.span if self.span else _LONGEST)
@@ -123,21 +115,33 @@ class Work:
         total = np.full((len(self.empty), len(self.late)), acb(0), object)
         missed = np.array([self._tail(path, bounds, end, t) for t in self.late], object).T
         share = [goal / 100 for goal in goals]
-        for leg in legs(path, end):
-            for panel in panels(self.image, leg, self.late, share, self.effort):
+        for straight, leg in zip((True, False), path.legs(end), strict=True):
+            for panel in panels(self.image, leg, straight, self.late, share, self.effort):
                 missed = missed + np.array(panel.missed, object)
                 for sigma, values in panel.nodes:
                     waves = np.array([(sigma * t).exp() for t in self.late], object)
                     total = total + np.multiply.outer(np.array(values, object), waves)
-            self.said("integral", 0.5 if leg.straight else 1.0)
+            self.said("integral", 0.5 if straight else 1.0)
         ball = np.vectorize(lambda value, off: (value.imag + arb(0, off.upper())) / arb.pi(), otypes=[object])
         return ball(total, missed)
 
-    def _tail(self, path: Path, bounds: list[Any], end: float, t: Any) -> list[Any]:
-        """Bounds of what lies beyond r = end, by channels: ∫ |σ'| e^{(α − δ(r − r₀))t} dr in closed form."""
-        rate = t * path.delta
-        wave = (t * path.alpha - rate * (arb(end) - path.start)).exp()
-        return [bound * wave * ((path.delta + 2 * arb(end)) / rate + 2 / rate**2) for bound in bounds]
+    def _arrived(self, bounds: list[Bound]) -> None:
+        """PrecisionError unless all waves have arrived at the first time."""
+        last = max((bound.delay for bound in bounds), key=float)
+        if self.late and not last < min(self.late, key=float):
+            when = float(last / self.image.rate_ball)
+            raise PrecisionError(
+                f"a place is reached by waves at t = {when:.6g} only: give later times, or nearer places"
+            )
+
+    def _tail(self, path: Path, bounds: list[Bound], end: float, t: Any) -> list[Any]:
+        """Bounds of what lies beyond r = end, by channels: ∫ |σ'| e^{αt − δ(r − r₀)(t − delay)} dr in closed form."""
+        out = []
+        for size, delay in bounds:
+            rate = (t - delay) * path.delta
+            wave = (t * path.alpha - rate * (arb(end) - path.start)).exp()
+            out.append(size * wave * ((path.delta + 2 * arb(end)) / rate + 2 / rate**2))
+        return out
 
     def _steady(self) -> Any:
         """What the loads keep up for ever."""

@@ -1,8 +1,8 @@
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.proof.effort import Effort
-from mpsolve.vibration.balls.panels import legs, panels, rule
-from mpsolve.vibration.balls.path import Path
+from mpsolve.vibration.balls.panels import panels, rule
+from mpsolve.vibration.path import Path
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
 
@@ -19,9 +19,9 @@ def test_two_covers_of_a_leg_agree_within_what_they_tell(balls):
     totals = []
     with precision(image.bits):
         for goal in (1e-4, 1e-12):
-            for leg in legs(path, 3.0):
+            for straight, leg in zip((True, False), path.legs(3.0), strict=True):
                 total, missed = acb(0), arb(0)
-                for panel in panels(image, leg, times, [arb(goal)] * 3, Effort()):
+                for panel in panels(image, leg, straight, times, [arb(goal)] * 3, Effort()):
                     total += sum((values[0] * (sigma * times[0]).exp() for sigma, values in panel.nodes), acb(0))
                     missed += panel.missed[0][0]
                 totals.append((total, missed))

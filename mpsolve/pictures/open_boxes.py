@@ -1,0 +1,58 @@
+"""A box of parameters under proof: open parts, a counterexample, and the case; a panel for each pair."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from mpsolve.pictures.axes import HIGH, LEFT, RIGHT, STYLE, TOP, WIDE, Axes, box, disc, svg, text
+from mpsolve.pictures.proved_chart import ALONE, axis_title
+from mpsolve.problem.over import Over
+from mpsolve.ranges.robust import Robust
+from mpsolve.report.ranges_asked import Asked
+
+_DRAWN = 400  # open parts
+
+
+def open_boxes(found: Robust, asked: Asked) -> str:
+    """The SVG of an answer, as a file of its own; axes in the units that the user wrote.
+
+    A point of a panel lies in an open part wherever some value of the other parameters makes it one.
+    """
+    pairs: list[tuple[Over, ...]] = list(combinations(asked.overs, 2)) or [(asked.overs[0],)]
+    panels = [
+        f'<g transform="translate(0 {k * HIGH})">{"".join(_panel(found, asked, pair))}</g>'
+        for k, pair in enumerate(pairs)
+    ]
+    head, rest = svg(panels, _title(found), HIGH * len(panels)).split(">", 1)
+    return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
+
+
+def _title(found: Robust) -> str:
+    if found.stable:
+        return "Stable for all these values: nothing is open"
+    if found.stable is False:
+        return "Unstable at the point that is marked"
+    return f"Open parts of the ranges: {len(found.open)}" + (f", {_DRAWN} drawn" if len(found.open) > _DRAWN else "")
+
+
+def _panel(found: Robust, asked: Asked, pair: tuple[Over, ...]) -> list[str]:
+    ends = [tuple(float(one.shown(x)) for x in found.over[one.path]) for one in pair]
+    x, y = (ends[0][0], ends[0][1]), (ends[1][0], ends[1][1]) if len(pair) == 2 else (0.0, 1.0)
+    axes = Axes(x, y)
+    out = []
+    for part in found.open[:_DRAWN]:
+        sides = [tuple(float(one.shown(x)) for x in part[one.path]) for one in pair]
+        (a, b), (c, d) = sides[0], sides[1] if len(pair) == 2 else y
+        left, top = float(axes.px(a)), float(axes.py(d))
+        out.append(box(left, top, float(axes.px(b)) - left, float(axes.py(c)) - top, "hatch"))
+    out += axes.titled(axis_title(pair[0]), axis_title(pair[1]) if len(pair) == 2 else "")
+    for values, name, words in (
+        (asked.problem.parameters, "ring", "this case"),
+        (found.counterexample or {}, "root unstable", "unstable here"),
+    ):
+        if all(one.path in values for one in pair):
+            at = [float(one.shown(values[one.path])) for one in pair] + [0.5]
+            inside = all(low <= t <= high for t, (low, high) in zip(at, (x, y), strict=False))
+            px, py = float(axes.px(at[0])), float(axes.py(at[1]))
+            out += [disc(px, py, 5, name, words), text(px + 8, py - 6, words)] if inside else []
+    return [*out, text((LEFT + WIDE - RIGHT) / 2, TOP + 14, _title(found), "middle")]

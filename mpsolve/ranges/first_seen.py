@@ -1,0 +1,91 @@
+"""Where the first crossing of a range seems to lie, in floats: heuristic, proofs start from it and do not rest on it.
+
+From points of a grid of (q̂, x̂) Newton's method is tried, all points side by side; what stays near its point is kept.
+A second parameter may have given values.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.boxes import Boxes
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.problem.family import Family
+from mpsolve.proof.vanishing import guess, in_plane, scalar
+
+_Q = np.geomspace(2.0**-6, 2.0**3, 19)
+"""Ends of cells of q̂."""
+_X = 12  # cells of x̂
+_WIDE = 4  # ends of a range further apart than by this factor are parted by equal factors
+_SMALL = 2.0**-8  # of a cell: the boxes in which slopes are taken
+_ROUNDS, _NEAR, _DONE = 4, 4.0, 2.0**-6  # steps; of a cell: as far as they may lead, and the last
+_SAMPLES = 6  # values of the second parameter at which the whole grid is tried
+
+
+def first_seen(family: Family) -> tuple[float, float] | None:
+    """(q̂, x̂) of the crossing with the least x̂ that is met, for a family of one parameter; None where none is."""
+    m, half = _grid(family)
+    found = met(FreeMatrix(family), m, half)
+    return _least(found, family)
+
+
+def each_seen(family: Family, values: Any) -> Any:
+    """The same for given values of a second parameter, ascending: q̂ and x̂ of each, nan where none is met."""
+    matrix, out = FreeMatrix(family), np.full((2, len(values)), np.nan)
+    sampled = np.unique(np.linspace(0, len(values) - 1, _SAMPLES).astype(int))
+    m, half = _grid(family)
+    every = [np.repeat(a, len(sampled), 1) for a in (m, half)]
+    at = np.tile(values[sampled], m.shape[1])
+    found = met(matrix, np.vstack([every[0], at]), np.vstack([every[1], 0 * at]))
+    for n in sampled:
+        least = _least(found[:2, found[2] == values[n]], family)
+        if least is not None:
+            out[:, n] = least
+    known = np.flatnonzero(np.isfinite(out[0]))
+    rest = np.setdiff1d(np.arange(len(values)), sampled)
+    if not len(known) or not len(rest):
+        return out
+    # between samples from both of them, as the branch that is first may change
+    sides = [np.clip(np.searchsorted(known, rest) + k, 0, len(known) - 1) for k in (-1, 0)]
+    line = np.array([np.interp(values[rest], values[known], row[known]) for row in out])
+    starts = [line, *(out[:, known[side]] for side in sides)]
+    start = np.hstack([np.vstack([at, values[rest]]) for at in starts])
+    found = met(matrix, start, np.vstack([np.abs(start[:2]) / 4, 0 * start[2:]]))
+    for n in rest:
+        least = _least(found[:2, found[2] == values[n]], family)
+        if least is not None:
+            out[:, n] = least
+    return out
+
+
+def met(matrix: FreeMatrix, start: Any, half: Any) -> Any:
+    """Points at which roots are real, met from some of these, shape (variables, points)."""
+    m, step = start, 0 * start[:2]
+    with np.errstate(all="ignore"):
+        for _ in range(_ROUNDS):
+            if not m.size:
+                return m
+            r = half * _SMALL
+            A, G = matrix(Boxes(m, r))
+            s = scalar(A, G.good)
+            step = np.vstack([r[:2] * guess(in_plane(s.s)), 0 * r[2:]])
+            kept = s.good & (np.abs(m + step - start)[:2] < _NEAR * half[:2]).all(0)
+            start, half, m, step = (a[:, kept] for a in (start, half, m + step, step))
+    return m[:, (np.abs(step)[:2] < _DONE * half[:2]).all(0)]
+
+
+def _least(found: Any, family: Family) -> tuple[float, float] | None:
+    low, high = (float(x) for x in family.box[0])
+    inside = (found[0] > 0) & (found[1] > low) & (found[1] < high)
+    return min(((float(q), float(x)) for q, x in found[:2, inside].T), key=lambda one: one[1], default=None)
+
+
+def _grid(family: Family) -> tuple[Any, Any]:
+    """Middles and halves of cells of (q̂, x̂)."""
+    low, high = (float(x) for x in family.box[0])
+    x = np.geomspace(low, high, _X + 1) if 0 < low * _WIDE < high else np.linspace(low, high, _X + 1)
+    middles = np.meshgrid((_Q[1:] + _Q[:-1]) / 2, (x[1:] + x[:-1]) / 2)
+    halves = np.meshgrid((_Q[1:] - _Q[:-1]) / 2, (x[1:] - x[:-1]) / 2)
+    return np.stack([a.ravel() for a in middles]), np.stack([a.ravel() for a in halves])

@@ -1,0 +1,59 @@
+"""Balls are rounded outward, and all data is such as JSON knows."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from enum import Enum
+from fractions import Fraction
+
+import numpy as np
+from flint import acb, arb
+
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.plain import outward, plain, shown_digits
+from mpsolve.outcome import Reason
+
+
+class Colour(Enum):
+    RED = "red"
+
+
+@dataclass
+class Inner:
+    x: object
+    hidden: int = field(default=1, repr=False)
+
+
+def test_floats_of_a_ball_hold_it() -> None:
+    with precision(200):
+        ball = arb(1) / 3
+        low, high = outward(ball, up=False), outward(ball, up=True)
+        assert arb(low) < ball < arb(high)
+        assert high - low < 1e-15
+    assert (outward(arb(0.5), up=False), outward(arb(0.5), up=True)) == (0.5, 0.5)
+
+
+def test_data_is_plain() -> None:
+    data = plain({"a": arb(2), "b": (Fraction(1, 3), None)})
+    assert float(data["a"]["decimal"]) == data["a"]["lower"] == 2
+    assert data["b"] == [{"exact": "1/3", "decimal": 1 / 3}, None]
+
+
+def test_all_that_answers_hold_is_plain() -> None:
+    given = {
+        "none": None, "int": 1, "inf": float("inf"), "complex": 1 + 2j, "enum": Colour.RED, "ball": acb(1, 2),
+        "open": arb(0, float("inf")), "array": np.array([[1, 2.5]]), "scalar": np.int64(3), "inner": Inner((arb(1),)),
+        "reason": Reason("code", "it is open", {}, "wait"), "other": range(2),
+    }  # fmt: skip
+    data = json.loads(json.dumps(plain(given), allow_nan=False))
+    assert (data["inf"], data["open"], data["array"], data["scalar"]) == (None, None, [[1, 2.5]], 3)
+    assert (data["enum"], data["complex"], data["other"]) == ("red", {"real": 1, "imag": 2}, "range(0, 2)")
+    assert float(data["ball"]["imag"]["decimal"]) == 2
+    assert list(data["inner"]) == ["x"]
+    assert data["reason"]["remedy"] == "wait"
+
+
+def test_digits_that_are_shown_are_sure() -> None:
+    assert shown_digits(arb("0.123456", "1e-4")).startswith("0.123")
+    assert not shown_digits(arb("0.123456", "1e-4")).startswith("0.123456")
