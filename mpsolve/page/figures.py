@@ -136,7 +136,7 @@ def _others(names: list[str], known: int) -> str:
 
 
 def _near(curves: list[Curve], marks: list[Mark]) -> list[Curve]:
-    """As far as a little beyond the marks, if the onset is among them: what grows far beyond it leaves the picture."""
+    """As far as a little beyond the marks, if the onset is one of them: what grows far beyond leaves the picture."""
     if len(marks) < 2:
         return curves
     end = _BEYOND * max(mark.x for mark in marks)

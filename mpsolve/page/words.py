@@ -88,7 +88,7 @@ def velocity_card(parts: Parts) -> Card:
             question, "unstable from the start", f"A vibration grows at the least velocities too. {here}", "proved"
         )
     if found.kind is not Kind.CROSSES:
-        return Card(question, "undecided", f"{found.reason}. {here}", "open")
+        return Card(question, "undecided", f"{capital(str(found.reason))}. {here}", "open")
     with precision(128):
         value = found.value
         shift = value - rational_ball(v)
@@ -207,7 +207,12 @@ def wave_card(parts: Parts) -> Card | None:
 
 
 def missing(question: str, part: Part[Any]) -> Card:
-    return Card(question, "not in time" if part.late else "not available", f"{part.reason}.", "open")
+    return Card(question, "not in time" if part.late else "not available", f"{capital(part.reason)}.", "open")
+
+
+def capital(said: str) -> str:
+    """As a sentence begins."""
+    return said[:1].upper() + said[1:]
 
 
 def doing(root: Root, speak: Speech) -> str:
