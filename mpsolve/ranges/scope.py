@@ -28,7 +28,7 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _GIVE = "give an upper end"
-_LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
+LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
 
 
 _MOST = 256
@@ -114,10 +114,10 @@ class Scope:
         found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=0), "X", None)
         return None if found is None else float(found)
 
-    def judge(self) -> Judge:
+    def judge(self, kind: type[Judge] = Judge) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return Judge(self.matrix, self.envelope if self.reach is None else None, width)
+        return kind(self.matrix, self.envelope if self.reach is None else None, width)
 
     @property
     def corners(self) -> tuple[Any, Any]:
@@ -145,7 +145,7 @@ def from_above_rest(problem: Problem, over: Mapping[str, Interval]) -> dict[str,
         return out
     D = problem.track.waveguide.dispersion
     if max(i for i, _ in D) < max(i + j for i, j in D):
-        out["v"] = (high * _LEAST, high)
+        out["v"] = (high * LEAST, high)
     return out
 
 
