@@ -20,6 +20,7 @@ from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
 from mpsolve.passivity.subject import Subject
+from mpsolve.passivity.tail import Absorption, overtakes
 from mpsolve.problem.family import Family, Interval, family_of, require_ends
 from mpsolve.problem.problem import Problem
 from mpsolve.ranges.judge import Judge
@@ -28,6 +29,19 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _GIVE = "give an upper end"
+_NO_END: dict[bool, tuple[str, dict[str, str], str]] = {
+    True: (
+        "the contacts run faster than short waves of the track, so that roots may cross at any frequency",
+        {},
+        "give a range below that speed, or certify single velocities, where roots are counted within a radius",
+    ),
+    False: (
+        "no frequency is found beyond which the contacts are passive for all these parameters",
+        {},
+        "give slower velocities or narrower ranges",
+    ),
+}
+"""Why the frequencies of roots have no bound, by whether some short wave is slower than the contacts."""
 LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
 
 
@@ -82,8 +96,8 @@ class Scope:
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
         found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=0), "X", None)
         if found is None:
-            message = "no frequency is found beyond which the contacts are passive for all these parameters"
-            raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
+            fast = overtakes(Absorption.of(self.family.base.guide), Fraction(self.envelope.fastest))
+            raise OpenError(Reason("passivity", *_NO_END[fast]))
         return float(found)
 
     def judge(self) -> Judge:
