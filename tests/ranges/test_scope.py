@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
 from ranges_of_a_pair import PAIR, TRACK, over_velocity
 
 from mpsolve import InputError, Problem, crossings, receptance, tracks, vehicles
-from mpsolve.ranges.scope import checked_over, from_above_rest, one_path
+from mpsolve.ranges import scope
+from mpsolve.ranges.scope import checked_over, from_above_rest, one_path, scope_of
 
 
 def test_the_corners_hold_the_range_and_the_band() -> None:
@@ -69,3 +71,17 @@ def test_contacts_faster_than_short_waves_are_told_so() -> None:
     found = crossings(Problem(track, [vehicles.Mass(3000)], v=2300), over={"v": (2100, 2600)}, check=False)
     assert found.reason is not None
     assert "faster than short waves" in str(found.reason)
+
+
+def test_a_frequency_is_found_once_for_all_vehicles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It depends on track, velocities and places; another velocity or place asks anew."""
+    scope.forget()
+    asked: list[Any] = []
+    found = scope.passive_beyond
+    monkeypatch.setattr(scope, "passive_beyond", lambda *a, **k: asked.append(a) or found(*a, **k))
+    first = scope_of(PAIR, {"scale.mass": (Fraction(1, 2), Fraction(1))}).X
+    assert first == scope_of(PAIR.changed("scale.mass", 3), {"scale.mass": (Fraction(1, 100), Fraction(40))}).X
+    assert len(asked) == 1
+    for path, value in (("v", 120), ("gap[0]", 3), ("track.c", 900)):
+        scope_of(PAIR.changed(path, value), {"scale.mass": (Fraction(1, 2), Fraction(1))}).X  # noqa: B018
+    assert len(asked) == 4
