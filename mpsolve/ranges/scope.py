@@ -16,11 +16,11 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.model import rational, shown
 from mpsolve.outcome import Reason
+from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
 from mpsolve.passivity.subject import Subject
-from mpsolve.passivity.tail import Absorption, overtakes
 from mpsolve.problem.family import Family, Interval, family_of, require_ends
 from mpsolve.problem.problem import Problem
 from mpsolve.ranges.judge import Judge
