@@ -143,7 +143,7 @@ CHARACTERISTIC = [
 PASSIVITY = [
     Mutation(
         "what is absorbed: a product has the other sign",
-        "passivity.tail",
+        "passivity.absorption",
         "Absorption.of",
         "Fraction(-1)",
         "Fraction(1)",
@@ -156,7 +156,7 @@ PASSIVITY = [
     Mutation("the Hermitian part is the difference", "characteristic.paths", "_hermitian", "+ np", "- np"),
     Mutation(
         "the exponent of what is absorbed is off by one",
-        "passivity.tail",
+        "passivity.absorption",
         "Absorption.exponent",
         "tops[1] - tops[0]",
         "tops[1] - tops[0] - 1",

@@ -15,8 +15,8 @@ import numpy as np
 
 from mpsolve.batch.entries import Entries
 from mpsolve.errors import InputError
+from mpsolve.passivity.absorption import Absorption, slowest_short_wave
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.tail import Absorption, slowest_short_wave
 from mpsolve.problem.parameters import changed
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.tracks.at_rest import Status, at_rest

@@ -917,7 +917,7 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
             step = step / ((1 - step * repel) or 1)
             z[k] = p - step
             change = max(change, abs(step) / (abs(p) or 1))
-        if change < 1e-13:
+        if change < 1e-8:  # of the third order
             break
     top = max(map(abs, z), default=1.0)
     for i, k in combinations(range(len(z)), 2):
@@ -1018,35 +1018,40 @@ def riding(wave: Bent, weight: Bent, r: Any) -> Callable[[Any], Bent]:
     return at
 
 
-def bent_polynomial(c: Rows, sizes: Rows, root: Bent, e: Any, r: Any) -> Bent:
-    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by the moduli `sizes` of the c_ij."""
-    slope = c[1][0] if len(c) > 1 else acb(0)
-    rest, power = abs(slope) * root[2], arb(1)
-    for i, row in enumerate(sizes):
-        term = power
-        for j, x in enumerate(row):
-            if i + j > 1:
-                rest += x * term
-            term = term * r
-        power = power * e
+def tails(row: Sequence[Any], r: Any) -> tuple[Any, Any, Any]:
+    """Σ |c_j| r^j over j ≥ 0, over j ≥ 1 and over j ≥ 2."""
+    rest = arb(0)
+    for x in row[:1:-1]:
+        rest = (rest + abs(x)) * r
+    rest = rest * r
+    first = rest + abs(row[1]) * r if len(row) > 1 else rest
+    return first + abs(row[0]), first, rest
+
+
+def bent_polynomial(c: Rows, sizes: Sequence[Sequence[Any]], root: Bent, e: Any) -> Bent:
+    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by the `tails` of the rows."""
+    slope, rest = c[1][0] if len(c) > 1 else acb(0), arb(0)
+    for whole, _, _ in sizes[:1:-1]:
+        rest = (rest + whole) * e
+    rest = (rest + sizes[1][1]) * e if len(sizes) > 1 else rest
     time = c[0][1] if len(c[0]) > 1 else acb(0)
-    return c[0][0] + slope * root[0], slope * root[1] + time, rest
+    return c[0][0] + slope * root[0], slope * root[1] + time, rest + sizes[0][2] + abs(slope) * root[2]
 
 
 def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
     """The one root in the disc of radius e round z, and N/D_P there."""
     n, rows = local.degree + 1, local.n.nrows()
     c, above = (shift(z, n, n) * local.d).tolist(), (shift(z, rows, rows) * local.n).tolist()
-    sizes, sizes_above = ([[abs(x) for x in row] for row in part] for part in (c, above))
+    sizes, sizes_above = ([tails(row, r) for row in part] for part in (c, above))
     require(not c[1][0].contains(0), "a p-root may be double on a piece")
     # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
-    higher = bent_polynomial(c, sizes, NOTHING, e, r)[2]
+    higher = bent_polynomial(c, sizes, NOTHING, e)[2]
     first = c[0][1] if len(c[0]) > 1 else acb(0)
-    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / sizes[1][0])
+    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
     e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
-    slopes, sizes = ([[x * i for x in row] for i, row in enumerate(part)][1:] for part in (c, sizes))
-    slope = bent_inverse(bent_polynomial(slopes, sizes, root, e, r), r)
-    weight = bent_product(bent_polynomial(above, sizes_above, root, e, r), slope, r)
+    slopes, steep = ([[x * i for x in row] for i, row in enumerate(part)][1:] for part in (c[:3], sizes))
+    slope = bent_inverse(bent_polynomial(slopes, steep, root, e), r)
+    weight = bent_product(bent_polynomial(above, sizes_above, root, e), slope, r)
     return (z + root[0], root[1], root[2]), weight
 
 
@@ -1285,14 +1290,16 @@ def contracting(E: Any) -> bool:
 def near_weights(E: Any, goal: float) -> tuple[list[Any], Any]:
     """x > 0 by power iteration, each in its own unit, and a bound of max (E x)_i/x_i, for a matrix of moduli."""
     n = E.nrows()
-    x = arb_mat(n, 1, [1] * n)
-    for k in range(14):
+    x, best = arb_mat(n, 1, [1] * n), None
+    for _ in range(14):
         y = (E * x).entries()
         eta = max_bound(*(a / b for a, b in zip(y, x.entries(), strict=True)))
-        if eta < goal or k == 13:
+        if best is None or eta < best[1]:
+            best = x.entries(), eta
+        if eta < goal:
             break
         x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in zip(y, x.entries(), strict=True)])
-    return x.entries(), eta
+    return best or ([], arb(0))
 
 
 def moduli(a: Any) -> Any:
@@ -1300,6 +1307,7 @@ def moduli(a: Any) -> Any:
     return arb_mat(a.nrows(), a.ncols(), [abs(x) for x in a.entries()])
 
 
+@lru_cache(maxsize=64)
 def identity(n: int) -> Any:
     return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
@@ -1365,13 +1373,14 @@ def greatest_first(a: list[list[Any]]) -> list[int]:
 class Mark:
     """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
 
-    split: None at q = 0 where waves come to P = 0 there.
+    split: None at q = 0 where waves come to P = 0 there. beside: a pole, and what `turn_beside` needs there for it.
     """
 
     q: Point
     z: list[complex]
     split: Any
     matrix: Any = None
+    beside: tuple[Any, list[Any]] = (None, [])
 
 
 @dataclass
@@ -1503,23 +1512,20 @@ class Walker:
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
-        total = arb(0)
-        over = kernels_beside(disc, r, self.waves, pole)
-        ends = [(x.split.nodes.local.m, kernels_beside(x.split, arb(0), self.waves, pole)) for x in (mark, end)]
-        parts = [self.bordered.beside_pole(m, r, *over, pole)]
-        parts.append([acb_mat([[over[1][0]]]), acb_mat([[over[1][1]]]), arb_mat([[over[1][2]]])])
-        for k, part in enumerate(parts):
-            thin = []
-            for at, (H, g) in ends:
-                a, _, e = (
-                    self.bordered.beside_pole(at, arb(0), H, g, pole)
-                    if k == 0
-                    else (acb_mat([[g[0]]]), 0, arb_mat([[g[2]]]))
-                )
-                n = a.nrows()
-                thin.append(a + acb_mat(n, n, [box(x) for x in e.entries()]))
-            total += turned_by(part, r, *thin)
-        return total
+        H, g = kernels_beside(disc, r, self.waves, pole)
+        parts = [self.bordered.beside_pole(m, r, H, g, pole)]
+        parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
+        ends = zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True)
+        return sum((turned_by(part, r, start, stop) for part, start, stop in ends), arb(0))
+
+    def beside(self, mark: Mark, pole: Any) -> list[Any]:
+        """The two matrices at a mark."""
+        if mark.beside[0] is not pole:
+            H, g = kernels_beside(mark.split, arb(0), self.waves, pole)
+            a, _, e = self.bordered.beside_pole(mark.split.nodes.local.m, arb(0), H, g, pole)
+            lost = acb_mat(a.nrows(), a.nrows(), [box(x) for x in e.entries()])
+            mark.beside = pole, [a + lost, acb_mat([[g[0] + box(g[2])]])]
+        return mark.beside[1]
 
     def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
         """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
@@ -2359,21 +2365,8 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     X and Y are any numbers, in the units of rows and columns.
     """
     n = A[0].nrows()
-    rows = A[0].tolist()
-    tall = [max((float(abs(x)) for x in row), default=0) or 1.0 for row in rows]
-    wide = [max(float(abs(row[j])) / t for row, t in zip(rows, tall, strict=True)) or 1.0 for j in range(n)]
-
-    def uneven(i: int, j: int) -> float:
-        return 1 + ((i + 1) * (j + 2) * 0.6180339887498949) % 1
-
-    def bordered(a: Any, zero: Any, edge: float) -> list[list[Any]]:
-        right = [
-            [*row, *(edge * t * uneven(i, j) for j in range(m))]
-            for i, (row, t) in enumerate(zip(a.tolist(), tall, strict=True))
-        ]
-        return right + [[*(edge * w * uneven(j, i + m) for j, w in enumerate(wide)), *[zero] * m] for i in range(m)]
-
-    B0, B1, Q = acb_mat(bordered(A[0], 0, 1.0)), acb_mat(bordered(A[1], 0, 0.0)), arb_mat(bordered(A[2], 0, 0.0))
+    none = [[0] * m] * n, [[0] * n] * m
+    B0, B1, Q = acb_mat(framed(A[0], *frame(A[0], m))), acb_mat(framed(A[1], *none)), arb_mat(framed(A[2], *none))
     R = near_inverse(B0)
     N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
     N = moduli(N0) + moduli(N1) * r + Q * size  # BR = 1 + (a matrix with these moduli at most)
@@ -2386,6 +2379,32 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     worst = [max_bound(*(row[n + j] / y for row, y in zip(twice, x, strict=True))) / (1 - eta) for j in range(m)]
     lost = arb_mat([[y + tail[n + i] * worst[j] for j, y in enumerate(row)] for i, row in enumerate(F[3])])
     return [acb_mat(F[0]) - acb_mat(F[1]), -acb_mat(F[2]), lost]
+
+
+def units(a: Any) -> tuple[list[float], list[float]]:
+    """Of the rows and the columns of a matrix."""
+    rows = a.tolist()
+    tall = [max((float(abs(x)) for x in row), default=0) or 1.0 for row in rows]
+    return tall, [
+        max(float(abs(row[j])) / t for row, t in zip(rows, tall, strict=True)) or 1.0 for j in range(len(rows))
+    ]
+
+
+def frame(a: Any, m: int) -> tuple[Rows, Rows]:
+    """m columns and m rows for the edges of a matrix: any numbers, in its units."""
+    tall, wide = units(a)
+
+    def uneven(i: int, j: int) -> float:
+        return 1 + ((i + 1) * (j + 2) * 0.6180339887498949) % 1
+
+    right = [[t * uneven(i, j) for j in range(m)] for i, t in enumerate(tall)]
+    return right, [[w * uneven(j, i + m) for j, w in enumerate(wide)] for i in range(m)]
+
+
+def framed(a: Any, right: Rows, low: Rows) -> Rows:
+    """[[a, right], [low, 0]]."""
+    rows = [[*row, *more] for row, more in zip(a.tolist(), right, strict=True)]
+    return rows + [[*row, *[0] * len(low)] for row in low]
 
 
 def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:

@@ -588,55 +588,37 @@ class Matrix:
         return rows
 
 
-def diagonal(a: list[list[complex]]) -> tuple[list[list[complex]], list[list[complex]]]:
-    """X, Y with X a Y ≈ diag(1, …, 1, s), by the singular values of a with rows and columns scaled, the least one
-    last; by rotations of pairs of columns. Nothing rests on them."""
-    n = len(a)
-    r = [1 / (max(map(abs, row)) or 1) for row in a]
-    c = [1 / (max(abs(r[i] * a[i][j]) for i in range(n)) or 1) for j in range(n)]
-    b = [[r[i] * a[i][j] * c[j] for i in range(n)] for j in range(n)]  # columns
-    V = [[c[i] if i == j else 0j for i in range(n)] for j in range(n)]
-    for _ in range(12):
-        turned = False
-        for p, q in combinations(range(n), 2):
-            one = sum(abs(x) ** 2 for x in b[p])
-            two = sum(abs(x) ** 2 for x in b[q])
-            cross = sum(x.conjugate() * y for x, y in zip(b[p], b[q], strict=True))
-            if abs(cross) <= 1e-12 * (one * two) ** 0.5:
-                continue
-            turned = True
-            phase = cross / abs(cross)
-            zeta = (two - one) / (2 * abs(cross))
-            t = (1 if zeta >= 0 else -1) / (abs(zeta) + (1 + zeta * zeta) ** 0.5)
-            cos = 1 / (1 + t * t) ** 0.5
-            sin = cos * t
-            for rows in (b, V):
-                x, y = rows[p], rows[q]
-                rows[p] = [cos * u - sin * phase.conjugate() * v for u, v in zip(x, y, strict=True)]
-                rows[q] = [sin * phase * u + cos * v for u, v in zip(x, y, strict=True)]
-        if not turned:
+def cleared(A: Any) -> tuple[Any, Any]:
+    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value. Nothing rests on
+    them."""
+    (columns, rows), (tall, wide), n = spectra.frame(A, 1), spectra.units(A), A.nrows() - 1
+    before = [0j] * (n + 1)
+    for _ in range(8):  # towards singular vectors
+        R = spectra.near_inverse(acb_mat(spectra.framed(A, columns, rows)))
+        one = reflection([complex(R[n + 1, i]).conjugate() * t for i, t in enumerate(tall)])
+        two = reflection([complex(R[j, n + 1]) * w for j, w in enumerate(wide)])
+        columns = [[row[n] * t] for row, t in zip(one, tall, strict=True)]
+        rows = [[row[n].conjugate() * w for row, w in zip(two, wide, strict=True)]]
+        if abs(sum(x.conjugate() * row[n] for x, row in zip(before, two, strict=True))) > 0.98:
             break
-    sizes = [sum(abs(x) ** 2 for x in column) ** 0.5 or 1e-300 for column in b]
-    order = sorted(range(n), key=lambda k: -sizes[k])
-    scale = [sizes[k] for k in order]
-    if n > 1:
-        scale[-1] = scale[-2]
-    units = [[x / sizes[k] for x in b[k]] for k in order]
-    if n > 1 and sizes[order[-1]] < 1e-8 * scale[0]:  # a unit vector that is normal to the others
-        units[-1] = max((normal_to(units[:-1], i) for i in range(n)), key=lambda one: one[1])[0]
-    X = [[x.conjugate() / size * r[i] for i, x in enumerate(unit)] for unit, size in zip(units, scale, strict=True)]
-    return X, [[V[k][i] for k in order] for i in range(n)]
+        before = [row[n] for row in two]
+    left = acb_mat([[x / t for x, t in zip(row, tall, strict=True)] for row in one])
+    right = acb_mat([[x / w for x in row] for row, w in zip(two, wide, strict=True)])
+    B = (left * A * right).mid().tolist()
+    inverse = spectra.near_inverse(acb_mat([row[:n] for row in B[:n]]))
+    low, side = -acb_mat([B[n][:n]]) * inverse, -inverse * acb_mat([row[n:] for row in B[:n]])
+    L = [[*row, 0] for row in inverse.tolist()] + [[*low.tolist()[0], 1]]
+    Y = [[*row, *more] for row, more in zip(spectra.identity(n).tolist(), side.tolist(), strict=True)]
+    return (acb_mat(L) * left).mid(), (right * acb_mat([*Y, [0] * n + [1]])).mid()
 
 
-def normal_to(units: list[list[complex]], i: int) -> tuple[list[complex], float]:
-    """The i-th unit vector without its parts along others, of length 1; how long it was."""
-    out = [1.0 + 0j if j == i else 0j for j in range(len(units[0]))]
-    for _ in range(2):
-        for unit in units:
-            part = sum(x.conjugate() * y for x, y in zip(unit, out, strict=True))
-            out = [y - part * x for x, y in zip(unit, out, strict=True)]
-    length = sum(abs(x) ** 2 for x in out) ** 0.5 or 1e-300
-    return [x / length for x in out], length
+def reflection(v: list[complex]) -> list[list[complex]]:
+    """A Hermitian unitary matrix whose last column is along v."""
+    size = sum(abs(x) ** 2 for x in v) ** 0.5 or 1.0
+    u = [x / size for x in v]
+    u[-1] += u[-1] / (abs(u[-1]) or 1.0) or 1.0
+    whole = sum(abs(x) ** 2 for x in u) / 2
+    return [[(i == j) - x * y.conjugate() / whole for j, y in enumerate(u)] for i, x in enumerate(u)]
 
 
 def scalar(A: list[list[Form]]) -> Form:
@@ -644,10 +626,7 @@ def scalar(A: list[list[Form]]) -> Form:
     n, m = len(A), A[0][0].m
     if n == 1:
         return A[0][0]
-    X, Y = diagonal([[complex(f.k[0]) for f in row] for row in A])
-    left, right = acb_mat(X), acb_mat(Y)
-    if flint.ctx.prec > BITS:
-        left, right = sharpened(left, right, acb_mat([[f.k[0] for f in row] for row in A]))
+    left, right = cleared(acb_mat([[f.k[0] for f in row] for row in A]))
     parts = [(left * acb_mat([[f.k[p] for f in row] for row in A]) * right).tolist() for p in range(len(A[0][0].k))]
     rest = (spectra.moduli(left) * arb_mat([[f.e for f in row] for row in A]) * spectra.moduli(right)).tolist()
     last = n - 1
@@ -658,7 +637,7 @@ def scalar(A: list[list[Form]]) -> Form:
             x = abs(parts[0][i][j] - (1 if i == j else 0)) + rest[i][j]
             row.append(sum((abs(part[i][j]) for part in parts[1:]), x))
         E.append(row)
-    x, eta = weights(E)
+    x, eta = spectra.near_weights(arb_mat(E), 0.05)
     if not eta < 0.9:
         moved = [float(max(sum((abs(y) for y in row), ZERO) for row in parts[1 + i])) for i in range(m)]
         raise Wide("the matrix changes too much over a box", moved)
@@ -672,42 +651,6 @@ def scalar(A: list[list[Form]]) -> Form:
     for f, y in zip(column, x, strict=True):
         size_column = size_column.max((f.size / y).upper())
     return s.rested(size_row * size_column * eta / (1 - eta))
-
-
-def sharpened(left: Any, right: Any, A: Any) -> tuple[Any, Any]:
-    """The same to all digits: X A Y = [[1 + E, e], [f, g]] cleared of E, e and f at the middle, by exact matrices."""
-    B = (left * A * right).mid()
-    n = B.nrows() - 1
-    try:
-        inverse = acb_mat([[B[i, j] for j in range(n)] for i in range(n)]).inv().mid()
-    except ZeroDivisionError:
-        raise Wide("the matrix has two small singular values") from None
-    row = acb_mat([[B[n, j] for j in range(n)]]) * inverse
-    column = inverse * acb_mat([[B[i, n]] for i in range(n)])
-    L, R = spectra.identity(n + 1), spectra.identity(n + 1)
-    for i, j in product(range(n), repeat=2):
-        L[i, j] = inverse[i, j]
-    for i in range(n):
-        L[n, i], R[i, n] = -row[0, i].mid(), -column[i, 0].mid()
-    return (L * left).mid(), (right * R).mid()
-
-
-def weights(E: list[list[Any]]) -> tuple[list[Any], Any]:
-    """(x > 0, a bound of max (E x)_i/x_i): near the least."""
-    near = [[float(x.upper()) for x in row] for row in E]
-    y = [1.0] * len(E)
-    for _ in range(6):
-        z = [sum(a * b for a, b in zip(row, y, strict=True)) + 0.02 * own for row, own in zip(near, y, strict=True)]
-        top = max(z) or 1.0
-        y = [max(a / top, 1e-9) for a in z]
-        if not all(a < 1e300 for a in y):
-            y = [1.0] * len(E)
-            break
-    x = [arb(a) for a in y]
-    eta = ZERO
-    for row, own in zip(E, x, strict=True):
-        eta = eta.max((sum((a * b for a, b in zip(row, x, strict=True)), ZERO) / own).upper())
-    return x, eta
 
 
 def check_nonzero(s: Form) -> None:

@@ -18,8 +18,9 @@ from mpsolve.characteristic.discs import split
 from mpsolve.endless.boxes import ROUND, Boxes
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
+from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.tail import Absorption, overtakes, prove_tail
+from mpsolve.passivity.tail import prove_tail
 from mpsolve.proof.boxes import cover_boxes
 from mpsolve.proof.effort import Effort
 

@@ -14,10 +14,10 @@ from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
+from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.subject import Subject
-from mpsolve.passivity.tail import Absorption, overtakes
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.tracks.at_rest import Status as Rest

@@ -16,8 +16,9 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import Path, Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.float64 import distinct
+from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.tail import Absorption, Tail, overtakes, prove_tail
+from mpsolve.passivity.tail import Tail, prove_tail
 from mpsolve.proof.effort import Effort
 
 _NO_TAIL = {

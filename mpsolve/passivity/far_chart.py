@@ -14,7 +14,7 @@ from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.mesh import cells
 from mpsolve.passivity.power import Terms, value
 from mpsolve.passivity.subject import Subject
-from mpsolve.passivity.tail import best_blocks
+from mpsolve.passivity.taking import best_blocks
 
 _SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh

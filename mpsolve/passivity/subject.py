@@ -92,13 +92,6 @@ def _is_free(family: Any) -> bool:
     return any(any(powers) for a in (family.D_rest, family.N_rest) for row in a.values() for powers, _ in row)
 
 
-def _passive_at_rest(family: Any) -> bool:
-    track = family.problem.track
-    if not _is_free(family):
-        return passivity(track).passive
-    return isinstance(track, Track) and passive_by_structure(type(track))
-
-
 def _difference(a: Free, b: Free) -> dict[tuple[int, ...], Fraction]:
     out = dict(a)
     for key, c in b.items():

@@ -8,25 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from oracle_general import Floats
 from oracle_general.package import as_problem
 
-from mpsolve.characteristic.table import Table
-from mpsolve.numbers.jets import UP
-from mpsolve.passivity.tail import (
-    Absorption,
-    Tail,
-    _clipped,
-    _envelope,
-    _negative,
-    _supremum,
-    block_holds,
-    bounds,
-    outweighs,
-    prove_tail,
-)
+from mpsolve.passivity.absorption import Absorption
+from mpsolve.passivity.tail import Tail, _envelope, block_holds, outweighs, prove_tail
 from mpsolve.problem.reduced import reduce_problem
 
 RAIL = {"model": "euler-bernoulli", "EI": "6.38e6", "m": "60.2", "k": "1e6", "c": "770"}
@@ -155,50 +141,3 @@ def test_the_envelope_is_near_what_is_given() -> None:
 def test_faster_than_waves_there_is_none(name: str, v: str) -> None:
     reduced = reduce_problem(as_problem({**plain(name), "v": v}))
     assert prove_tail(reduced.guide, reduced.smallest_gap) is None
-
-
-def test_where_the_bottom_vanishes_there_is_no_bound() -> None:
-    circle = {(2, 0): Fraction(1), (0, 2): Fraction(1), (0, 0): Fraction(-1)}
-    one = {(0, 0): Fraction(1)}
-    assert _supremum(one, circle, ((0.0, 2.0), (0.0, 2.0)), 9.0) is None
-    assert _supremum(one, circle, ((0.0, 0.5), (0.0, 0.5)), 9.0) is None  # negative there
-    away = {(2, 0): Fraction(1), (0, 2): Fraction(1), (0, 0): Fraction(1, 4)}
-    found = _supremum(one, away, ((0.0, 2.0), (0.0, 2.0)), 1.0)
-    assert found is not None
-    assert 4 <= found < 6.1
-
-
-def test_a_touching_polynomial_is_not_negative() -> None:
-    touching = {(2, 0): Fraction(-1), (1, 1): Fraction(2), (0, 2): Fraction(-1)}
-    assert not _negative(touching, ((0.0, 1.0), (0.0, 1.0)))
-    assert _negative({**touching, (0, 0): Fraction(-1, 1000)}, ((0.0, 1.0), (0.0, 1.0)))
-
-
-SIDE = st.tuples(st.floats(0, 4), st.floats(0, 4)).map(sorted)
-PART = st.fractions(0, 1, max_denominator=50)
-
-
-POWERS = st.tuples(st.integers(0, 5), st.integers(0, 4))
-POLYNOMIALS = st.dictionaries(POWERS, st.fractions(-9, 9, max_denominator=40), min_size=1)
-
-
-@given(POLYNOMIALS, SIDE, SIDE, PART, PART)
-def test_bounds_hold_exactly(polynomial: Any, x: list[float], y: list[float], s: Fraction, t: Fraction) -> None:
-    boxes = tuple(np.array([value]) for a, b in (x, y) for value in ((a + b) / 2, (b - a) / 2 * UP + 1e-15 * b))
-    low, high, _ = bounds(Table.of(polynomial), boxes)
-    at = [Fraction(a) + part * (Fraction(b) - Fraction(a)) for (a, b), part in ((x, s), (y, t))]
-    value = sum(c * at[0] ** i * at[1] ** j for (i, j), c in polynomial.items())
-    assert Fraction(low[0]) <= value <= Fraction(high[0])
-
-
-@given(SIDE, SIDE, PART, PART, st.floats(1e-3, 9))
-def test_clipping_keeps_what_counts(x: list[float], y: list[float], s: Fraction, t: Fraction, product: float) -> None:
-    boxes = tuple(np.array([value]) for a, b in (x, y) for value in ((a + b) / 2, (b - a) / 2 * UP + 1e-15 * b))
-    at = [Fraction(a) + part * (Fraction(b) - Fraction(a)) for (a, b), part in ((x, s), (y, t))]
-    left = _clipped(boxes, product)
-    if at[0] * at[1] <= Fraction(product):
-        assert len(left[0]) == 1
-        for value, middle, radius in ((at[0], left[0], left[1]), (at[1], left[2], left[3])):
-            assert abs(value - Fraction(middle[0])) <= Fraction(radius[0])
-    for k in range(len(left[0])):
-        assert (left[0][k] - left[1][k]) * (left[2][k] - left[3][k]) <= product * (1 + 1e-9)
