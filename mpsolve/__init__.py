@@ -57,8 +57,9 @@ if TYPE_CHECKING:
     from mpsolve.vibration.response import response
     from mpsolve.vibration.roughness import out_of_round, rail_roughness
     from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
-    from mpsolve.waves.critical import CriticalVelocities, CriticalVelocity, critical_velocities
+    from mpsolve.waves.critical import critical_velocities
     from mpsolve.waves.dispersion import dispersion
+    from mpsolve.waves.velocity import CriticalVelocities, CriticalVelocity
     from mpsolve.zeros.answer import Zero, Zeros
     from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle
 
@@ -178,8 +179,8 @@ _HOME = {
     "receptance": "characteristic.forced",
     "dispersion": "waves.dispersion",
     "critical_velocities": "waves.critical",
-    "CriticalVelocities": "waves.critical",
-    "CriticalVelocity": "waves.critical",
+    "CriticalVelocities": "waves.velocity",
+    "CriticalVelocity": "waves.velocity",
     "passivity_velocity": "passivity.velocity",
     "PassivityVelocity": "passivity.answer",
     "passivity_band": "passivity.band",

@@ -201,12 +201,13 @@ def _summary(found: Response, scale: Scale) -> list[str]:
     for pair in found.harmonic_pairs:
         size = abs(pair.amplitude[0]) * scale.length
         lines.append(f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {_unit(scale)} at ξ = {found.xi[0]:g}")
-    for j, (time, note) in enumerate(zip(found.contact_loss, found.contact_note, strict=True), 1):
-        if time is not None and not note:
-            at = f"t = {time * scale.time:.6g} s" if scale.physical else f"τ = {time:.6g}"
-            note = f"contact is lost at {at}"
-        lines.append(f"mass {j}: {note or 'contact is kept at the given times'}.")
-    return lines
+    lines += [f"mass {j}: {note}." for j, note in enumerate(found.contact_note, 1) if note and "before" not in note]
+    event = found.lift_off
+    if event is None:
+        return [*lines, "contact is kept."]
+    at = f"t = {event.time * scale.time:.8g} s" if scale.physical else f"τ = {event.time:.8g}"
+    off = f"(± {event.tolerance * scale.time:.1e})"
+    return [*lines, f"mass {event.contact} lifts off at {at} {off}: what comes later is beyond the model."]
 
 
 def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], list[str]]:

@@ -11,8 +11,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from track_models import DAMPED
+from vehicle_models import TYPICAL
 
 from mpsolve import Effort, Problem, frequencies, vehicles
+from mpsolve.batch.count import MAX_STEP
 from mpsolve.ranges.crossings import crossings
 
 # m/s up to which is asked, and kg of a typical mass; floating ice is left open by the proof
@@ -35,13 +37,35 @@ def problem_of(name: str, rng: np.random.Generator) -> Problem:
     return Problem(DAMPED[name], contacts, v=top * between(0.4, 1))
 
 
+def vehicle_of(kind: str, rng: np.random.Generator, path: str) -> Problem:
+    """One of this kind on a rail, each of its numbers up to twice or half the typical one, and a wheel behind it."""
+    track = DAMPED["euler-bernoulli" if path == "v" else "two-layer"]
+    problem = Problem(track, [vehicles.Mass(1000).at(-3), TYPICAL[kind].at(0)], v=300)
+    for name, value in problem.parameters.items():
+        if name.startswith("vehicles[1].") and value:
+            problem = problem.changed(name, value * Fraction(round(float(2 ** rng.uniform(-1, 1)), 3)))
+    return problem
+
+
+@pytest.mark.parametrize("path", ["v", "scale.mass"])
+@pytest.mark.parametrize("kind", [kind for kind in TYPICAL if kind != "matrices"])
+def test_counts_of_every_vehicle(kind: str, path: str) -> None:
+    problem = vehicle_of(kind, np.random.default_rng([7, *kind.encode()]), path)
+    assert_counts(problem, path, (60, 400) if path == "v" else ("0.2", 5))
+
+
 @pytest.mark.parametrize("path", ["v", "scale.mass"])
 @pytest.mark.parametrize("seed", [0, 1])
 @pytest.mark.parametrize("name", MODELS)
 def test_counts_on_both_sides_of_each_boundary(name: str, seed: int, path: str) -> None:
     problem = problem_of(name, np.random.default_rng([seed, *name.encode()]))
     top = MODELS[name][0]
-    over = (Fraction(top, 5), top) if path == "v" else ("0.2", 3)
+    assert_counts(problem, path, (Fraction(top, 5), top) if path == "v" else ("0.2", 3))
+
+
+def assert_counts(problem: Problem, path: str, over: tuple[object, object]) -> None:
+    """Floats count by steps of the argument of at most 0.5."""
+    assert MAX_STEP <= 0.5
     found = crossings(problem, over={path: over}, check=False, effort=Effort(seconds=60))
     assert found.counts is not None
     low, high = found.over[path]

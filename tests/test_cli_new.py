@@ -33,3 +33,9 @@ def test_a_name_that_there_is_not() -> None:
     status, out, said = run("balasted")
     assert (status, out) == (2, "")
     assert said == "mpsolve: TRACK: is 'balasted', which is unknown: did you mean ballasted?\n"
+
+
+def test_several_in_a_row(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    assert run("slab", "--count", "3", "--spacing", "25 m", "-o", str(file))[0] == 0
+    assert [one.position for one in read_problem(file).problem.vehicles] == [0, 25, 50]

@@ -42,3 +42,9 @@ def test_the_key_is_that_of_the_layer(layer: list[str], key: str) -> None:
         result = CliRunner().invoke(cli, ["work-out", *words, *layer])
         assert f"{key if words[0] == 'per-metre' else key.replace('k', 'c', 1)} = " in result.output
         assert ("say --layer ballast" in result.output) == (not layer)
+
+
+def test_another_material() -> None:
+    words = ["work-out", "axial-force", "--area", "70 cm²", "--warmer", "10 K"]
+    result = CliRunner().invoke(cli, [*words, "--modulus", "100 GPa", "--expansion", "1e-5 1/K"])
+    assert 'N = "70 kN"' in result.output  # E A α ΔT

@@ -55,10 +55,25 @@ def test_the_store_answers_the_query_that_is_shown(tmp_path: Path, monkeypatch: 
     assert stored.unstable == answer.unstable
 
 
-def test_every_option_that_readme_shows_is_one() -> None:
-    """An option in README is known to the command of its line, which runs in test_readme.py."""
+def test_no_block_of_readme_is_left_out() -> None:
+    """What is no Python (which runs whole) is a command, a verifier, the drawing, or one of these."""
+    outside = re.sub(r"```python\n.*?```", "", README, flags=re.DOTALL)
+    assert "```" not in outside
+    blocks = [line.strip() for line in outside.splitlines() if re.match(r"    [a-z]", line)]
+    tried = [line for line in blocks if re.match(r"mpsolve |python \S+(verify\w*|check)\.py ", line)]
+    installing = ["pip install . && mpsolve certify examples/rail_60e1.toml", "pip install '.[test]' && pytest"]
+    assert [line for line in blocks if line not in tried] == [*installing, "pip install python-flint"]
+
+
+PAGES = "\n".join(file.read_text("utf-8") for file in sorted((ROOT / "docs").rglob("*.md")))
+
+
+def test_every_option_that_a_page_shows_is_one() -> None:
+    """An option is known to the command of its line; those of README and By example run in test_readme.py."""
     context = Context(cli)
-    for line in re.findall(r"^    mpsolve (\S+) (.*)$", README + EXAMPLES_PAGE, flags=re.MULTILINE):
+    lines = re.findall(r"^(?:    |\$ )?mpsolve (\S+) (-.*|\S*[./=].*)$", README + PAGES, flags=re.MULTILINE)
+    assert len(lines) > 60
+    for line in lines:
         command = cli.get_command(context, line[0])
         assert command is not None, line
         words = line[1].split()

@@ -24,7 +24,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Spent, within
-from mpsolve.ranges.scope import checked_over, one_path
+from mpsolve.ranges.scope import LEAST, checked_over, one_path
+from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 _NEAR = 6.0  # W of what is looked at where no theorem tells of what is far
@@ -41,9 +42,10 @@ def cut_points(
     """Every value of one parameter in a closed range at which a root of the whole sheet reaches a cut.
 
     The track is a beam whose cuts lie on the line Im q = c/2m (the paper's, with damping below critical damping).
-    over: {path: (low, high)}, in the problem's units. digits: of each value. The answer is proved where the list is
-    complete; else `Status.UNDECIDED` with a reason, and the points found, each of them proved. There are no
-    certificates. Raises InputError for other tracks, for a path that there is not and for ranges that cannot be.
+    over: {path: (low, high)}, in the problem's units; on beams without tension velocities from 0 begin a little above
+    it, as `.over` says. digits: of each value. The answer is proved where the list is complete; else
+    `Status.UNDECIDED` with a reason, and the points found, each of them proved. There are no certificates. Raises
+    InputError for other tracks, for a path that there is not and for ranges that cannot be.
 
     >>> from mpsolve import Case
     >>> case = Case(alpha="0.5", eta_b=0, eta_m=(40, 40), positions=(0, "0.5"))
@@ -67,6 +69,7 @@ def _find(
 ) -> CutPoints:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    over = _from_above_rest(problem, over)
     family = family_of(problem, over)
     far = far_reach(family)
     P, reach = wavenumber_of(family, far or _NEAR)
@@ -98,6 +101,13 @@ def _find(
         cost=Spent(process_time() - started, 0.0, budget.spent), digits=digits, points=tuple(points), reach=told,
         note="" if reason else "no certificate states a list of cut points",
     )  # fmt: skip
+
+
+def _from_above_rest(problem: Problem, over: Mapping[str, Interval]) -> Mapping[str, Interval]:
+    """Without tension all four p-roots meet where the cut begins at rest: nothing is claimed next to that."""
+    ((path, (low, high)),) = over.items()
+    slack = isinstance(problem.track, EulerBernoulli) and problem.track.N - problem.track.kp >= 0
+    return {path: (high * LEAST, high)} if path in ("v", "alpha") and not low and slack else over
 
 
 def _low(search: Search, budget: Effort, progress: Progress) -> Reason | None:

@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.endless.axis import gains
+from mpsolve.endless.axis import closest, gains
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.convective import Covered, cover_row
 from mpsolve.endless.growing import find_growing
 from mpsolve.endless.infinite_train import EVALUATIONS, InfiniteTrain, decide, long_trains_grow, reach_of
+from mpsolve.endless.long_trains import LongTrains, prove_long
 from mpsolve.endless.row import Row, row_of
 from mpsolve.endless.row_scope import row_scope
 from mpsolve.endless.seek import first_where, threshold_of
@@ -34,6 +35,7 @@ from mpsolve.spectrum.regions import HalfPlane
 
 _GRID = 13
 _ABOVE = (2.0**-28, 2.0**-20, 1e-4, 1e-3, 1e-2)  # how far above it a growing motion is enclosed, relative, about
+_LONG = (1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # how far above the limit long trains are proved to grow, relative, about
 _ROOM = Fraction(65, 64)  # of the range of the family, over the threshold
 _BOXES = 1_000_000  # that the proof over the range may take unless effort says otherwise
 
@@ -48,7 +50,9 @@ class TrainVelocities(Result):
     the velocity up to which none is proved to grow from `low` on. calm: the count at one velocity below. grows: a
     motion enclosed at one above.
     convective: the computed velocity. limit: the computed velocity from which on long finite trains grow by
-    themselves, to which the onsets of finite trains fall as they get longer; None where that is not met.
+    themselves, to which the onsets of finite trains fall as they get longer; None where that is not met. long: a
+    velocity above it at which all trains that are long enough are proved to grow; None where that is not proved.
+    The limit itself stays computed: that long trains come to rest below it is not proved.
     A range from v = 0 begins a little above it where the equations lose waves at rest.
     """
 
@@ -57,6 +61,7 @@ class TrainVelocities(Result):
     status: Status
     convective: float | None
     limit: float | None
+    long: LongTrains | None = None
     threshold: Any | None = None
     stable_to: Fraction | None = None
     calm: InfiniteTrain | None = None
@@ -104,7 +109,8 @@ def train_velocities(
     tell("limit", 0.3)
     after = [x for x in grid if convective is not None and x > convective]
     limit = first_where([low, *after], lambda x: _meets(row, x))
-    known = TrainVelocities(low, high, Status.UNDECIDED, convective, limit)
+    long = None if limit is None else next((x for x in (_long(row, limit, w) for w in _LONG) if x is not None), None)
+    known = TrainVelocities(low, high, Status.UNDECIDED, convective, limit, long)
     tell("proving", 0.5)
     if convective is not None and convective <= low:
         return _from_the_start(row, known, effort)
@@ -190,6 +196,11 @@ def _short(v: float, width: float) -> Fraction:
     """A decimal of few digits above v, one or two times `width` away from it."""
     unit = Fraction(10) ** math.floor(math.log10(v * width))
     return (math.floor(Fraction(v) / unit) + 2) * unit
+
+
+def _long(row: Row, limit: float, width: float) -> LongTrains | None:
+    here = row.at_velocity(_short(limit, width))
+    return prove_long(here, closest(Bloch(here), reach_of(here))[1])
 
 
 def _between(low: Fraction, high: Fraction) -> Fraction:

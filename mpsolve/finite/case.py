@@ -50,6 +50,17 @@ class Answer:
         rail, vehicle, _ = self.change(other)
         return rail <= tolerance * _largest(self.rail) and vehicle <= tolerance * _largest(self.vehicle)
 
+    def first_fall(self) -> tuple[float, int] | None:
+        """When a force that pressed first comes to 0 or below, between the nodes, and of which contact, from 1."""
+        noise = 1e-6 * np.abs(self.forces).max(initial=0.0)
+        falls = []
+        for j, row in enumerate(self.forces, 1):
+            pressed = np.logical_or.accumulate(row > noise)
+            for k in np.flatnonzero(pressed[:-1] & (row[1:] <= 0))[:1]:
+                share = row[k] / (row[k] - row[k + 1])
+                falls.append((float(self.nodes[k] + share * (self.nodes[k + 1] - self.nodes[k])), j))
+        return min(falls, default=None)
+
 
 def _largest(rows: Any) -> float:
     return float(np.max(np.abs(rows), initial=0.0))

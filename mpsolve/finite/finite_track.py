@@ -114,33 +114,54 @@ def finite_track(
     count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
     used = None if steps is None else _count(steps, "steps", FEWEST_STEPS, MOST_STEPS)
     best = _best(case, count, used, begun(effort), progress or silent)
-    found, late, cut, used = best.found, best.late, best.cut, best.steps
-    names, force = case.pencil.names, _HELD_FORCE * (late[2] + cut[2])
+    found, late, cut = best.found, best.late, best.cut
+    names = case.pencil.names
     return FiniteTrackMotion(
         times=case.times,
         places=case.places,
         rail=found.rail,
         vehicle=dict(zip(names, found.vehicle, strict=True)),
         contact_force=found.force,
-        error=FiniteTrackError(_HELD * late[0], _HELD * cut[0], _HELD * (late[1] + cut[1]), force),
+        error=FiniteTrackError(
+            _HELD * late[0], _HELD * cut[0], _HELD * (late[1] + cut[1]), _HELD_FORCE * (late[2] + cut[2])
+        ),
         start=case.origin,
         length=case.length,
         modes=count,
-        steps=used,
-        lift_off=_event(found, force, case.duration / used),
+        steps=best.steps,
+        lift_off=best.lift_off(case.duration),
         reason=best.reason,
     )
 
 
 @dataclass
 class _Best:
-    """What is known so far: an answer, its number of steps, its changes to half as many, and half as many modes."""
+    """What is known so far: an answer and its number of steps, one with half as many, one with half as many modes."""
 
     found: Answer
     steps: int
-    late: tuple[float, float, float] = _OPEN
-    cut: tuple[float, float, float] = _OPEN
+    coarse: Answer | None = None
+    thin: Answer | None = None
     reason: Reason | None = None
+
+    @property
+    def late(self) -> tuple[float, float, float]:
+        return self.found.change(self.coarse) if self.coarse else _OPEN
+
+    @property
+    def cut(self) -> tuple[float, float, float]:
+        return self.found.change(self.thin) if self.thin else _OPEN
+
+    def lift_off(self, duration: float) -> Event | None:
+        """The first fall of a force, off by as much as it moves with half as many steps and modes, and a step."""
+        fall = self.found.first_fall()
+        if fall is None:
+            return None
+        off = duration / self.steps
+        for other in (self.coarse, self.thin):
+            before = other and other.first_fall()
+            off += _HELD * abs(fall[0] - before[0]) if before else duration
+        return Event(fall[0], fall[1], off)
 
 
 def _best(case: Case, modes: int, steps: int | None, work: Effort, said: Progress) -> _Best:
@@ -150,33 +171,18 @@ def _best(case: Case, modes: int, steps: int | None, work: Effort, said: Progres
         said("steps", 0.0)
         best.found = case.solve(modes, best.steps, work)
         if steps is not None:
-            best.late = best.found.change(case.solve(modes, steps // 2, work))
+            best.coarse = case.solve(modes, steps // 2, work)
         while steps is None:
-            before = best.found
             now = case.solve(modes, 2 * best.steps, work)
-            best.found, best.steps, best.late = now, 2 * best.steps, now.change(before)
-            if now.near(before, case.tolerance):
+            best.found, best.steps, best.coarse = now, 2 * best.steps, best.found
+            if now.near(best.coarse, case.tolerance):
                 break
         said("modes", 0.5)
-        best.cut = best.found.change(case.solve(modes // 2, best.steps, work))
+        best.thin = case.solve(modes // 2, best.steps, work)
         said("modes", 1.0)
     except EffortError as error:
         best.reason = error.reason
     return best
-
-
-def _event(found: Answer, error: float, step: float) -> Event | None:
-    """The first time at which a force that pressed comes to 0 or below, between the nodes."""
-    noise = 1e-6 * np.abs(found.forces).max(initial=0.0)
-    error = error if math.isfinite(error) else 0.0  # not known
-    out = []
-    for j, row in enumerate(found.forces):
-        for k in np.flatnonzero((row[:-1] > noise) & (row[1:] <= 0))[:1]:
-            a, b = row[k], row[k + 1]
-            gap = found.nodes[k + 1] - found.nodes[k]
-            off = step + error * gap / max(a - b, noise)
-            out.append(Event(float(found.nodes[k] + gap * a / (a - b)), j + 1, float(off)))
-    return min(out, key=lambda event: event.time, default=None)
 
 
 def _count(value: Any, key: str, least: int, most: int) -> int:

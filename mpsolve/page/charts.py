@@ -10,14 +10,19 @@ from mpsolve.page.parts import Parts, worth_drawing
 from mpsolve.page.picture import Picture
 from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import Sure, chart_picture
+from mpsolve.pictures.proved_chart import borders, drawn, ends, open_words
 from mpsolve.problem.case import Case
+from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.margin import Margin
 from mpsolve.ranges.onset import Kind
 
 
 def chart(parts: Parts) -> Picture | None:
     """Proved regions where there are any, else computed counts."""
-    grid = _proved(parts) or _computed(parts)
+    found, grid = _proved(parts), _computed(parts)
+    if found is not None:
+        counts = drawn(found)
+        grid = ends(found.x, counts.shape[0]), ends(found.y, counts.shape[1]), counts
     if grid is None:
         return None
     speak = speech(parts)
@@ -27,10 +32,12 @@ def chart(parts: Parts) -> Picture | None:
     svg = chart_picture(
         v * scale, factors * mass, counts, "velocity, km/h" if speak.si else "velocity ratio α", y_title,
         "How many roots grow, over velocity and masses", here=(float(parts.problem.v) * scale, mass), sure=sure,
-        open_words="a boundary, or open",
+        boundaries=[] if found is None else borders(found, (scale, mass)),
+        open_words="open" if found is None else open_words(found),
     )  # fmt: skip
-    proved = chart_status(parts) == "proved"
-    how = "proved, with strips that hold the boundaries" if proved else "computed in floats"
+    how = "computed in floats" if found is None else "proved, and so are the curves between the areas"
+    if found is not None and not found.traced:
+        how = "proved, with dotted strips in which a boundary runs or may run"
     outlined = " What is outlined is proved stable all over." if sure else ""
     said = f"How many roots grow at each velocity and size of all masses: {how}.{outlined} The cross is this case."
     return Picture("chart", svg, f"{said} Each vibration is a pair of roots, q and −q̄.")
@@ -41,11 +48,9 @@ def chart_status(parts: Parts) -> str:
     return "computed" if _proved(parts) is None else "proved"
 
 
-def _proved(parts: Parts) -> tuple[Any, Any, Any] | None:
-    found = parts.proved_chart.value
-    if found is None or not worth_drawing(found):
-        return None
-    return _middles(found.x), _middles(found.y), np.maximum(found.counts, -1)
+def _proved(parts: Parts) -> Chart | None:
+    found: Chart | None = parts.proved_chart.value
+    return found if worth_drawing(found) else None
 
 
 def _computed(parts: Parts) -> tuple[Any, Any, Any] | None:
@@ -54,11 +59,6 @@ def _computed(parts: Parts) -> tuple[Any, Any, Any] | None:
         return None
     over: dict[str, Any] = {path: np.asarray(values) for path, values in found.over.items()}
     return over["v"][:, 0], over["scale.mass"][0], found.count
-
-
-def _middles(edges: Any) -> Any:
-    ends = np.array([float(x) for x in edges])
-    return (ends[1:] + ends[:-1]) / 2
 
 
 def sure_of(parts: Parts, scale: float, mass: float) -> list[Sure]:

@@ -27,9 +27,9 @@ from mpsolve.spectrum.regions import HalfPlane
 from mpsolve.spectrum.shape import root_shape
 from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
-from mpsolve.waves.critical import CriticalVelocities
+from mpsolve.waves.velocity import CriticalVelocities
 
-LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 7
+LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 5
 _SHAPE_POINTS = 121
 _ROOTS = 0.7  # of the time, for the roots with their verifier
 _ASKED = 0.3  # of the time, for each region that is tried

@@ -35,6 +35,7 @@ STYLE = """
 .picture .three { stroke: var(--green, #00805f); stroke-dasharray: 2 3; }
 .picture .four { stroke: var(--pink, #a8588a); stroke-dasharray: 8 3 2 3; }
 .picture .boundary { fill: none; stroke: var(--ink, currentColor); stroke-width: 2; }
+.picture .zero { stroke-dasharray: 7 4; }
 .picture .beyond { stroke: var(--soft, #777); stroke-opacity: 0.5; }
 .picture .here { stroke: var(--ink, currentColor); stroke-width: 2; stroke-dasharray: 3 3; fill: none; }
 .picture .body { fill: var(--card, Canvas); stroke: var(--ink, currentColor); stroke-width: 2; }

@@ -26,6 +26,15 @@ _ROW = 17
 
 
 @dataclass(frozen=True)
+class Border:
+    """A curve on which a root is real; at_zero: q = 0 all along."""
+
+    x: Any
+    y: Any
+    at_zero: bool = False
+
+
+@dataclass(frozen=True)
 class Sure:
     """A box of the two parameters, or a line, all over which stability is proved."""
 
@@ -35,46 +44,46 @@ class Sure:
 
 def chart_picture(
     x: Any, y: Any, counts: Any, x_title: str, y_title: str, title: str,
-    here: tuple[float, float] | None = None, boundaries: Sequence[tuple[Any, Any]] = (),
+    here: tuple[float, float] | None = None, boundaries: Sequence[Border] = (),
     proved: Sequence[tuple[float, float, bool]] = (), sure: Sequence[Sure] = (), open_words: str = "open",
 ) -> str:  # fmt: skip
     """counts[i, j] belongs to the cell round (x[i], y[j]): 0 blank, 1 and 2 hatched, more crossed, −1 dotted as open.
 
-    here: the point of the case; boundaries: curves (x, y) where a root crosses the real axis; proved: points (x, y,
-    whether stable) that have been proved: circles are stable, squares not; sure: outlined boxes and lines on which
-    stability is proved. open_words: what the legend says of −1. The legend stands below the axes.
+    x, y may also be the edges of cells, one more than these. here: the point of the case; boundaries: curves on
+    which a root is real, drawn in place of lines between cells; proved: points (x, y, whether stable) that have been
+    proved: circles are stable, squares not; sure: outlined boxes and lines on which stability is proved. open_words:
+    what the legend says of −1. The legend stands below the axes.
     """
     counts = np.asarray(counts)
-    edges = _edges(x), _edges(y)
+    edges = _edges(x, counts.shape[0]), _edges(y, counts.shape[1])
     axes = Axes((edges[0][0], edges[0][-1]), (edges[1][0], edges[1][-1]))
     kinds = np.select([counts < 0, counts == 0, counts <= 2], [-1, 0, 1], 2)
-    parts = [_PATTERNS, *_areas(axes, edges, kinds), *_borders(axes, edges, kinds)]
-    parts += [line(axes, bx, by, "boundary") for bx, by in boundaries]
+    parts = [_PATTERNS, *_areas(axes, edges, kinds)]
+    parts += [line(axes, one.x, one.y, "boundary zero" if one.at_zero else "boundary") for one in boundaries]
+    parts += [] if boundaries else _borders(axes, edges, kinds)
     parts += [_sure(axes, one) for one in sure]
     parts += [_proved(axes, *one) for one in proved]
     if here is not None:
         parts += _here(axes, *here)
     parts += axes.titled(x_title, y_title)
-    legend = _legend(counts, open_words, bool(sure))
+    legend = _legend(counts, open_words, bool(sure), [one.at_zero for one in boundaries])
     return svg([*parts, *legend], title, HIGH + 4 + _ROW * -(-len(legend) // 4))
 
 
 def _areas(axes: Axes, edges: tuple[list[float], list[float]], kinds: Any) -> list[str]:
-    parts = []
+    """One path for each kind; its rows of cells overlap a little, so that no gap shows between them."""
+    d: dict[int, list[str]] = {}
     for j in range(kinds.shape[1]):
         low, high = float(axes.py(edges[1][j])), float(axes.py(edges[1][j + 1]))
         for first, last, kind in _runs(kinds[:, j]):
             a, b = float(axes.px(edges[0][first])), float(axes.px(edges[0][last + 1]))
-            parts += _cell(a, high, b - a, low - high, kind)
+            d.setdefault(kind, []).append(f"M{a:.1f} {high:.2f}h{b - a:.2f}v{low - high + 0.1:.2f}h{a - b:.2f}z")
+    parts = []
+    for kind, name in ((-1, OPEN), (1, SOME), (2, MANY)):
+        if kind in d:
+            parts += [path("".join(d[kind]), "grows")] * (kind > 0)
+            parts.append(f'<path class="area {name}" d="{"".join(d[kind])}" fill="url(#chart-{name})"/>')
     return parts
-
-
-def _cell(x: float, y: float, wide: float, high: float, kind: int) -> list[str]:
-    if kind == 0:
-        return []
-    name = {-1: OPEN, 1: SOME, 2: MANY}[kind]
-    tint = [box(x, y, wide, high, "grows")] * (kind > 0)
-    return [*tint, _hatched(x, y, wide, high, name)]
 
 
 def _hatched(x: float, y: float, wide: float, high: float, name: str) -> str:
@@ -92,8 +101,10 @@ def _borders(axes: Axes, edges: tuple[list[float], list[float]], kinds: Any) -> 
     return [path("".join(d), "border")] if d else []
 
 
-def _edges(values: Any) -> list[float]:
+def _edges(values: Any, cells: int) -> list[float]:
     v = np.asarray(values, float)
+    if len(v) == cells + 1:
+        return [float(x) for x in v]
     middle = (v[1:] + v[:-1]) / 2
     return [float(v[0]), *middle.tolist(), float(v[-1])]
 
@@ -141,7 +152,7 @@ def _sure(axes: Axes, one: Sure) -> str:
     return f'<path class="sure" d="{outline}"><title>proved: stable all over</title></path>'
 
 
-def _legend(counts: Any, open_words: str, sure: bool) -> list[str]:
+def _legend(counts: Any, open_words: str, sure: bool, at_zero: list[bool]) -> list[str]:
     """Four pieces of picture for each row: frame, tint, hatching, words."""
     found = sorted(set(np.ravel(counts).tolist()))
     few, more = [k for k in found if 0 < k <= 2], [k for k in found if k > 2]
@@ -152,10 +163,15 @@ def _legend(counts: Any, open_words: str, sure: bool) -> list[str]:
     if more:
         rows.append((MANY, f"crossed: {more[0]} roots grow{', or more' if len(more) > 1 else ''}"))
     rows += [(OPEN, f"dotted: {open_words}")] * (found[0] < 0)
+    rows += [("boundary", "line: proved boundary, a pair of roots crosses")] * (False in at_zero)
+    rows += [("boundary zero", "dashed line: proved boundary, a root passes q = 0")] * (True in at_zero)
     rows += [("sure", "outlined, or on the line: proved stable")] * sure
     parts = []
     for k, (name, words) in enumerate(rows):
         y = HIGH + 4 + _ROW * k
+        if name.startswith("boundary"):
+            parts += [path(f"M{LEFT} {y + 6}h22", name), text(LEFT + 30, y + 11, words, name="note"), "", ""]
+            continue
         frame = box(LEFT, y, 22, 12, "sure" if name == "sure" else "frame")
         tint = box(LEFT, y, 22, 12, "grows") if name in (SOME, MANY) else ""
         area = _hatched(LEFT, y, 22, 12, name) if name not in ("", "sure") else ""

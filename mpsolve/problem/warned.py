@@ -105,7 +105,12 @@ def _velocity(problem: Problem) -> Iterator[Reason]:
     limit = _ON_ICE if isinstance(problem.track, FloatingIce) else FASTEST
     if problem.v > limit:
         stated = f"v is {rounded(problem.v)} m/s, which is {spoken(problem.v, 'm/s')}"
-        meant = f'write v = "{rounded(problem.v)} km/h", if km/h is meant'
+        written = 1000 % problem.v.denominator == 0  # else it is likely to have been given in km/h
+        meant = (
+            f'write v = "{rounded(problem.v)} km/h", if km/h is meant'
+            if written
+            else "check it, if that is not meant"
+        )
         yield Reason("velocity-unlikely", stated, {"v": str(problem.v)}, meant)
 
 

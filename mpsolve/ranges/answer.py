@@ -77,6 +77,13 @@ class Answer(Result):
         return self.rows()
 
 
+def uncounted(base: Any, where: str) -> Reason:
+    """Why the roots at a point, from which all others are counted, are not counted: as its own spectrum says."""
+    why = getattr(base, "note", "")
+    stated = f"whether a root grows {where} is open"
+    return base.reason or Reason("base", f"{stated}: {why}" if why else stated, {}, "")
+
+
 class AtValue:
     """What stands at a ball `value`: floats that hold it between them."""
 

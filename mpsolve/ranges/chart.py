@@ -1,8 +1,10 @@
-"""Stability charts as proved regions: how many roots grow over two parameters.
+"""Stability charts as proved regions: how many roots grow over two parameters, and the curves between them.
 
-The box of (q, x, y) is covered. Boxes that stay open project to a thin strip of cells round the curves on which a
-root is real, whatever folds, crossings and cusps they have. No root is real over any other cell, so the number of
-roots that grow is the same on each connected part of them: one certified spectrum in each tells it.
+The box of (q, x, y) is covered. In a leaf either no root is real, or the real roots form one arc at most (`arcs`).
+The arcs are enclosed piece by piece, so that they project to thin strips round the curves on which a root is real,
+whatever folds, crossings and cusps these have. No root is real over any cell that no strip meets, so the number of
+roots that grow is the same on each connected part of them: one certified spectrum in each tells it. The curves
+themselves are proved by chains of boxes (`boundary`).
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from time import process_time
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -25,24 +27,28 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
+from mpsolve.ranges.arcs import ARC, ArcJudge
+from mpsolve.ranges.boundary import Boundary, boundaries
+from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
+from mpsolve.ranges.strips import Strips, strips_of
 from mpsolve.spectrum.regions import HalfPlane
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
-_FINER = 6  # more halvings of the frequency than of a parameter, before a cell counts as open
+_SMALLER = (10, 5, 5)  # halvings of (q, x, y) beyond those, before a box stays open
 _MOST_PARTS = 60
+_FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
 NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
-BOUNDARY = -1
-OPEN = -2
 
 
 @dataclass(frozen=True)
 class Part:
     """A connected part of the chart on which no root is real: the number of roots that grow, proved at one point.
 
-    cells: how many; point: the exact parameters at which the roots were certified; roots: None where that is open.
+    cells: how many of `detail`; point: the exact parameters at which the roots were certified; roots: None where that
+    is open.
     """
 
     cells: int
@@ -55,24 +61,35 @@ class Part:
 class Chart(Answer):
     """counts[i, j]: the number of growing roots over the cell x[i] … x[i + 1], y[j] … y[j + 1]; −1: a boundary passes
     or may pass through the cell; −2: open. x, y: edges of cells, in the problem's units, as exact numbers.
+    detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real.
+    traced: whether each goes from edge to edge of the chart or back to its start, and each cell of `detail` that is
+    −1 is next to one that a curve meets.
     """
+
+    hidden: ClassVar[frozenset[str]] = Answer.hidden | {"detail"}
 
     x: tuple[Fraction, ...] = ()
     y: tuple[Fraction, ...] = ()
     counts: Any = None
     parts: tuple[Part, ...] = ()
+    boundaries: tuple[Boundary, ...] = ()
+    traced: bool = False
+    detail: Any = field(default=None, repr=False)
 
     @property
     def share(self) -> float:
         """Of the area of the chart that is decided."""
-        return float((self.counts >= 0).mean()) if self.counts is not None else 0.0
+        cells = self.counts if self.detail is None else self.detail
+        return float((cells >= 0).mean()) if cells is not None else 0.0
 
     def at(self, x: object, y: object) -> int | None:
         """The number of growing roots at a point, None where the chart does not tell; InputError outside of it."""
+        cells = self.counts if self.detail is None else self.detail
         i, j = (
-            _cell(edges, value, path) for edges, value, path in zip((self.x, self.y), (x, y), self.over, strict=True)
+            _cell(edges[0], edges[-1], n, value, path)
+            for edges, n, value, path in zip((self.x, self.y), cells.shape, (x, y), self.over, strict=True)
         )
-        count = int(self.counts[i, j])
+        count = int(cells[i, j])
         return count if count >= 0 else None
 
     def rows(self) -> list[Mapping[str, Any]]:
@@ -124,13 +141,23 @@ def _chart(
         cost = Spent(process_time() - started)
         return Chart(problem, over, Status.UNDECIDED, error.reason, cost=cost, x=edges[0], y=edges[1], counts=counts)
     low, high = scope.corners
-    smallest = 2.0 ** -np.array([depth + _FINER, depth, depth])
-    tell = lambda share: progress("boxes", 0.8 * share)  # noqa: E731
-    cover = subdivide(low, high, scope.judge(), budget, smallest, tell)
+    smallest = 2.0 ** -(float(depth) + np.array(_SMALLER))
+    tell = lambda share: progress("boxes", 0.7 * share)  # noqa: E731
+    cover = subdivide(low, high, scope.judge(ArcJudge), budget, smallest, tell)
     spent = cover.reason is not None and cover.reason.code != "boxes"
-    counts = _marked(scope, cover.tree, depth)
-    labels = parts_of(counts == 0)
-    parts, reason = _counted(problem, scope, edges, labels, counts, budget, progress, check)
+    progress("boundaries", 0.7)
+    cells = 2**depth * _FINER_CELLS
+    strips = strips_of(scope.matrix, *cover.tree.boxes(np.flatnonzero(cover.tree.kind == ARC)), scope.corners, cells)
+    free = _free(scope, cover.tree, strips, cells)
+    units = tuple(map(float, (scope.family.frequency_unit, *scope.family.units)))
+    rest = sum(cover.tree.boxes(cover.tree.open)) / 2
+    curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
+    labels = parts_of(free.reshape(2**depth, _FINER_CELLS, 2**depth, _FINER_CELLS).all((1, 3)))
+    detail = np.where(free, 0, BOUNDARY)
+    parts, reason = _counted(
+        problem, scope, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
+    )
+    counts = np.where(labels > 0, detail[::_FINER_CELLS, ::_FINER_CELLS], BOUNDARY)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover)
     verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
@@ -138,81 +165,69 @@ def _chart(
     reason = cover.reason if spent else reason
     told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
-    return Chart(problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, **told)
+    lost = (detail == BOUNDARY) & ~met(detail.shape, edges, curves)
+    whole = all(curve.whole for curve in curves) and not lost.any()
+    return Chart(
+        problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
+        traced=whole, detail=detail, **told,
+    )  # fmt: skip
 
 
-def _marked(scope: Scope, tree: Any, depth: int) -> Any:
-    """0 where no box over the cell stayed open, else BOUNDARY; a box that only touches a cell counts too."""
-    n = 2**depth
-    counts = np.zeros((n, n), int)
-    low, high = tree.boxes(tree.open)
-    width = scope.high - scope.low
-    first = np.floor((low[1:] - scope.low[:, None]) / width[:, None] * n - 2.0**-20).astype(int).clip(0, n - 1)
-    last = np.floor((high[1:] - scope.low[:, None]) / width[:, None] * n + 2.0**-20).astype(int).clip(0, n - 1)
-    for i, j, k, m in zip(first[0], first[1], last[0], last[1], strict=True):
-        counts[i : k + 1, j : m + 1] = BOUNDARY
-    return counts
-
-
-def parts_of(free: Any) -> Any:
-    """Labels 1, 2, … of the connected parts of the free cells, which share sides; 0 elsewhere."""
-    labels = np.zeros(free.shape, int)
-    current = 0
-    for start in np.argwhere(free):
-        if labels[tuple(start)]:
-            continue
-        current += 1
-        labels[tuple(start)] = current
-        stack = [tuple(start)]
-        while stack:
-            i, j = stack.pop()
-            for k, m in ((i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)):
-                if 0 <= k < free.shape[0] and 0 <= m < free.shape[1] and free[k, m] and not labels[k, m]:
-                    labels[k, m] = current
-                    stack.append((k, m))
-    return labels
+def _free(scope: Scope, tree: Any, strips: Strips, cells: int) -> Any:
+    """The cells of the finer grid over which no root is real."""
+    width = (scope.high - scope.low)[:, None]
+    rest = ((end[1:] - scope.low[:, None]) / width for end in tree.boxes(tree.open))
+    low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
+    return marked(low, high, (cells, cells)) == 0
 
 
 def _counted(
     problem: Problem,
     scope: Scope,
     edges: Any,
-    labels: Any,
-    counts: Any,
+    labels: tuple[Any, Any],
+    detail: Any,
     budget: Effort,
     progress: Progress,
     check: bool,
 ) -> tuple[tuple[Part, ...], Reason | None]:
-    """The parts with their counts, which are written into `counts`; the greatest first."""
-    sizes = np.bincount(labels.ravel())[1:]
+    """The parts with their counts, which are written into `detail`; the greatest first.
+
+    labels: of cells, and of finer ones. Parts that hold no cell whole are pockets between curves.
+    """
+    coarse, fine = labels
+    sizes = np.bincount(fine.ravel())[1:]
     order = np.argsort(-sizes, kind="stable")
     parts: list[Part] = []
     reason: Reason | None = None
     for number, k in enumerate(order):
-        where = labels == k + 1
+        where, whole = fine == k + 1, coarse == k + 1
         if number >= _MOST_PARTS:
-            counts[where] = OPEN
-            reason = reason or _too_many(len(order))
+            detail[where] = OPEN
+            reason = reason or (_too_many(len(order)) if whole.any() else None)
             continue
         progress("regions", 0.8 + 0.2 * number / len(order))
-        i, j = _inmost(where)
-        point = {
-            path: (ends[n] + ends[n + 1]) / 2 for path, ends, n in zip(scope.family.paths, edges, (i, j), strict=True)
-        }
+        point = _point(scope, edges, whole if whole.any() else where)
         try:
             budget.spend(1)
             found = certify_problem(_at(problem, point), region="unstable", digits=15, check=check)
         except EffortError as error:
             reason = reason or error.reason
-            counts[where] = OPEN
+            detail[where] = OPEN
             parts.append(Part(int(sizes[k]), point, None))
             continue
         roots = found.unstable if _whole(found) else None
-        counts[where] = OPEN if roots is None else roots
+        detail[where] = OPEN if roots is None else roots
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
-            reason = found.reason or Reason("base", "the roots of a region are not counted", {}, "")
+            reason = uncounted(found, "of a region")
     return tuple(parts), reason
+
+
+def _point(scope: Scope, edges: Any, where: Any) -> dict[str, Fraction]:
+    """The middle of a cell far inside."""
+    each = zip(scope.family.paths, edges, inmost(where), where.shape, strict=True)
+    return {path: ends[0] + (ends[-1] - ends[0]) * Fraction(2 * k + 1, 2 * n) for path, ends, k, n in each}
 
 
 def _too_many(parts: int) -> Reason:
@@ -231,25 +246,10 @@ def _at(problem: Problem, point: Mapping[str, Fraction]) -> Problem:
     return problem
 
 
-def _inmost(where: Any) -> tuple[int, int]:
-    """A cell far from the edge of its part."""
-    kept = where
-    while True:
-        inner = kept.copy()
-        inner[1:], inner[:-1] = inner[1:] & kept[:-1], inner[:-1] & kept[1:]
-        inner[:, 1:], inner[:, :-1] = inner[:, 1:] & kept[:, :-1], inner[:, :-1] & kept[:, 1:]
-        inner[[0, -1]], inner[:, [0, -1]] = False, False
-        if not inner.any():
-            i, j = np.argwhere(kept)[len(np.argwhere(kept)) // 2]
-            return int(i), int(j)
-        kept = inner
-
-
-def _cell(edges: tuple[Fraction, ...], value: object, path: str) -> int:
+def _cell(low: Fraction, high: Fraction, cells: int, value: object, path: str) -> int:
     from mpsolve.numbers.model import rational, shown
 
     number = rational(value, path)
-    if not edges[0] <= number <= edges[-1]:
-        raise InputError(path, f"is {shown(number)}, outside the chart from {shown(edges[0])} to {shown(edges[-1])}")
-    step = (edges[-1] - edges[0]) / (len(edges) - 1)
-    return min(int((number - edges[0]) / step), len(edges) - 2)
+    if not low <= number <= high:
+        raise InputError(path, f"is {shown(number)}, outside the chart from {shown(low)} to {shown(high)}")
+    return min(int((number - low) / (high - low) * cells), cells - 1)

@@ -19,7 +19,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, within
+from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, uncounted, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.on_string import quiet
@@ -209,8 +209,7 @@ def _counts(
     at, first = _counted_at(over, found)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
     if base.stable is None or base.unstable is None:
-        reason = base.reason or Reason("base", f"the roots at {path} = {float(at):.6g} are not counted", {}, "")
-        return None, base, reason
+        return None, base, uncounted(base, f"at {path} = {float(at):.6g}")
     gained = [0, *accumulate(one.direction or 0 for one in found)]
     counts = tuple(base.unstable + number - gained[first] for number in gained)
     if min(counts) < 0:

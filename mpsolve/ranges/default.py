@@ -8,8 +8,9 @@ from math import isqrt
 
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
-from mpsolve.waves.critical import CriticalVelocities, critical_velocities
+from mpsolve.waves.critical import critical_velocities
 from mpsolve.waves.speeds import wave_speeds
+from mpsolve.waves.velocity import CriticalVelocities
 
 MASS_FACTORS = (Fraction(1, 5), Fraction(3))
 """Of all masses, on a chart."""

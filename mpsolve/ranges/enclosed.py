@@ -71,13 +71,22 @@ class _AtZero:
 
 
 def enclose(
-    proved: FreeProved, seed: tuple[float, float], size: tuple[float, float], digits: int, edge: Edge = REAL_AXIS
+    proved: FreeProved,
+    seed: tuple[float, float],
+    size: tuple[float, float],
+    digits: int,
+    edge: Edge = REAL_AXIS,
+    pains: bool = True,
 ) -> Crossing:
-    """The crossing near `seed` (y, x̂), to so many digits; `PrecisionError` where none is proved. size: of its box."""
+    """The crossing near `seed` (y, x̂), to so many digits; `PrecisionError` where none is proved. size: of its box.
+
+    pains: whether it is tried again with more bits where it is not found; where there is none that takes long.
+    """
+    most = _TRIED if pains else BASE_BITS
     goal = math.ceil(digits * math.log2(10)) + 2
     if edge.mirrored and abs(seed[0]) <= _AT_ZERO * size[0]:
-        return climb(lambda _: _at_zero(proved, seed[1], size[1], goal, edge), BASE_BITS, _TRIED)
-    return climb(lambda _: _in_plane(proved, seed, size, goal, edge), BASE_BITS, _TRIED)
+        return climb(lambda _: _at_zero(proved, seed[1], size[1], goal, edge), BASE_BITS, most)
+    return climb(lambda _: _in_plane(proved, seed, size, goal, edge), BASE_BITS, most)
 
 
 def _reduction(proved: FreeProved, y: Any, x: Any, edge: Edge) -> Reduction:

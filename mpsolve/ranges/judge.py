@@ -65,6 +65,10 @@ class Judge:
 
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         """(kind of each box, the variable along which to halve it)."""
+        return self.judged(low, high)[:2]
+
+    def judged(self, low: Any, high: Any) -> tuple[Any, Any, Scalar]:
+        """The same, and the reduced determinant."""
         kind = np.zeros(low.shape[1], np.int8)
         kind[self._in_known(low, high)] = KNOWN
         boxes = boxes_of(low, high, self.origin, self.way)
@@ -76,7 +80,7 @@ class Judge:
             kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
         if self.found is not None and (kind == 0).any():
             self._look(boxes, s, kind)
-        return kind, self._axis(boxes, G, s, verdict)
+        return kind, self._axis(boxes, G, s, verdict), s
 
     def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
         rest = np.flatnonzero((kind == 0) & (low[0] > 0))

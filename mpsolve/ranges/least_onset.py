@@ -24,7 +24,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.answer import Interval, Proof, uncounted
 from mpsolve.ranges.crossingcurve import CrossingCurve
 from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
@@ -158,7 +158,7 @@ class Question:
         point = [s if a < s < b else t for s, t, a, b in zip(short, point, (x0, y0), (top, y1), strict=True)]
         self.base = certify_problem(family.at(point), region="unstable", digits=15, check=self.check)
         if self.base.stable is None:
-            raise OpenError(self.base.reason or Reason("base", "the roots at one point are not counted", {}, ""))
+            raise OpenError(uncounted(self.base, "at one point"))
         if self.base.unstable:
             stated = "roots grow below the least crossing that was found"
             raise OpenError(Reason("unstable", stated, {}, "give a range that begins where all is stable"))

@@ -22,7 +22,7 @@ from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.answer import Interval, Proof, uncounted
 from mpsolve.ranges.followed import follow, stretch
 from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
@@ -129,7 +129,7 @@ class Question:
             self.progress("base", 0.9)
             self.base = certify_problem(family.at([at]), region=region, digits=15, check=self.check)
         if not self.base.proved:
-            raise OpenError(self.base.reason or Reason("base", "the roots at one point are not counted", {}, ""))
+            raise OpenError(uncounted(self.base, "at one point"))
         counted = self.base.region
         if getattr(counted, "radius", None) is not None or (height > 0 and getattr(counted, "reach", None) is None):
             raise OpenError(Reason("reach", "no frequency bounds the roots at one point", {}, NEXT))

@@ -26,7 +26,7 @@ HALF = 0.49  # of a box: where crossings are alone
 _BITS = 64
 _SIDE = 0.4
 _SHARPER = 3
-_REGULAR = 0.9
+REGULAR = 0.9
 _TURNED = 1 + 2.0**-40  # more than the modulus of a float next to the unit circle
 _LEAST = 0.3  # of a box along ŷ: along the others, in scaled units
 
@@ -40,13 +40,21 @@ def alone(matrix: FreeMatrix, middle: Any, size: Any) -> Any:
 
 def one_for_each(s: Quadratic) -> Any:
     """Boxes (three variables) in whose half s is injective in the first two of them."""
+    return unevenness(s) < REGULAR
+
+
+def unevenness(s: Quadratic) -> Any:
+    """A bound of by how much the slopes by the first two variables vary in half a box, times their inverse; or ∞.
+
+    Below 1 the map is injective in them for each value of the third.
+    """
     with np.errstate(all="ignore"):
         g0, g1, _ = s.b
         c00, c01, c02, c11, c12, _ = np.abs(s.c)
         vary = np.stack([c00 + c01 / 2 + c02 / 2 + 2 * s.e, c11 + c01 / 2 + c12 / 2 + 2 * s.e]) * (1 + 64 * U)
         det = np.abs((g0.conj() * g1).imag) - 8 * U * np.abs(g0) * np.abs(g1)
         worst = (np.abs(g1) * vary[0] + np.abs(g0) * vary[1]) / det * (1 + 64 * U)
-        return (det > 0) & np.isfinite(worst) & (worst < _REGULAR)
+        return np.where((det > 0) & np.isfinite(worst), worst, np.inf)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.outcome import Reason, Status
+from mpsolve.outcome import Status
 from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -21,7 +21,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
 from mpsolve.ranges.in_processes import InProcesses
@@ -189,7 +189,7 @@ def _answer(question: _Question, progress: Progress, workers: int) -> Robust:
     proofs = (Proof(question.over, family.units, family.frequency_unit, X, cover, base=base),)
     reason = cover.reason
     if reason is None and base.stable is None:
-        reason = base.reason or Reason("base", "the roots in the middle of the box are not counted", {}, "")
+        reason = uncounted(base, "in the middle of the box")
     common: dict[str, Any] = {"proofs": proofs, "cost": question.cost(base)}
     if reason is not None:
         return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)

@@ -28,7 +28,17 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _GIVE = "give an upper end"
-_LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
+LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
+
+
+_MOST = 256
+_KNOWN: dict[Any, float | None] = {}
+"""X̂ of tracks, velocities and places that were asked before."""
+
+
+def forget() -> None:
+    """What was found for earlier questions, so that times of questions can be compared."""
+    _KNOWN.clear()
 
 
 class OpenError(PrecisionError):
@@ -77,19 +87,37 @@ class Scope:
         """
         if self.reach is not None:
             return self.reach
+        key = self._told_by
+        if key not in _KNOWN:
+            if len(_KNOWN) >= _MOST:
+                _KNOWN.clear()
+            _KNOWN[key] = self._found()
+        found = _KNOWN[key]
+        if found is None:
+            message = "no frequency is found beyond which the contacts are passive for all these parameters"
+            raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
+        return found
+
+    @property
+    def _told_by(self) -> Any:
+        """All that the frequency depends on: exact, and none of it of the vehicles but where they touch the track."""
+        subject, felt = self.envelope.subject, self.family.felt
+        terms = (subject.power.w, subject.power.real, subject.power.imaginary, subject.D, subject.v, *subject.places)
+        ends = tuple(zip(self.envelope.low, self.envelope.high, strict=True))
+        told = tuple(both if known else None for both, known in zip(ends, felt, strict=True))
+        return (*(frozenset(one.items()) for one in terms), told)
+
+    def _found(self) -> float | None:
         # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
         one = len(self.family.paths) == len(self.family.places) == 1
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
         found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=0), "X", None)
-        if found is None:
-            message = "no frequency is found beyond which the contacts are passive for all these parameters"
-            raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
-        return float(found)
+        return None if found is None else float(found)
 
-    def judge(self) -> Judge:
+    def judge(self, kind: type[Judge] = Judge) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return Judge(self.matrix, self.envelope if self.reach is None else None, width)
+        return kind(self.matrix, self.envelope if self.reach is None else None, width)
 
     @property
     def corners(self) -> tuple[Any, Any]:
@@ -117,7 +145,7 @@ def from_above_rest(problem: Problem, over: Mapping[str, Interval]) -> dict[str,
         return out
     D = problem.track.waveguide.dispersion
     if max(i for i, _ in D) < max(i + j for i, j in D):
-        out["v"] = (high * _LEAST, high)
+        out["v"] = (high * LEAST, high)
     return out
 
 

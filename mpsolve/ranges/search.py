@@ -20,6 +20,7 @@ from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.scope import Scope
 
 _HINT = 2.0**-13  # of half of the whole: how near a zero is to where it is expected
+_TINY = 2.0**-20  # the same, of boxes that show a zero for which pains are taken
 _NEXT_TO_ZERO = 2.0**-8  # of half an edge
 _SMALLEST = 2.0**-40  # of the whole: heavy masses have crossings at frequencies so low that rooms are this small
 
@@ -69,18 +70,20 @@ class Search:
         seeds = [y]
         if self.edge.mirrored and y < _NEXT_TO_ZERO * self.judge.width[0]:
             seeds.insert(0, 0.0)
-        if any(self._enclosed((q, float(point[1]))) for q in seeds):
+        pains = bool((half < self.judge.width * _TINY).all())
+        if any(self._enclosed((q, float(point[1])), pains) for q in seeds):
             return True
         self._failed.append(point)
         return False
 
-    def _enclosed(self, seed: tuple[float, float]) -> bool:
+    def _enclosed(self, seed: tuple[float, float], pains: bool) -> bool:
         size = 2 * self.judge.width * 2.0**-6
         if seed[0] and self.edge.mirrored:
             size = size * np.minimum(1.0, seed[0] / size[0])
+            size[1] = min(size[1], abs(seed[1]) or np.inf)  # a range may reach from light masses to heavy ones
         try:
             with precision(80):
-                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, self.edge)
+                zero = enclose(self.scope.proved, seed, tuple(size * 2.0**-6), self.digits, self.edge, pains)
             at = np.array([float(zero.q.mid()), float(zero.x.mid())])
             if any(((at >= a) & (at <= b)).all() for a, b in self.judge.known):
                 return True

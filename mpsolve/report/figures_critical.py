@@ -14,8 +14,8 @@ from mpsolve.files import write_whole
 from mpsolve.problem.reduced import track_guide
 from mpsolve.report.figures import rendered, require_matplotlib
 from mpsolve.tracks.undamped import undamped
-from mpsolve.waves.critical import CriticalVelocities
 from mpsolve.waves.dispersion import dispersion
+from mpsolve.waves.velocity import CriticalVelocities
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

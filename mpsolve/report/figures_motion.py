@@ -37,9 +37,8 @@ def draw_history(
     for part in parts:
         curve = getattr(found, part)[index, order] * scale.length
         ax.plot(found.tau[order] * scale.time, curve, color=_COLOURS[part], linewidth=1.0, label=_PARTS[part])
-    lost = min((time for time in found.contact_loss if time is not None), default=None)
-    if lost is not None:
-        _beyond(found, ax, lost, [getattr(found, part)[index] * scale.length for part in parts], scale)
+    if found.lift_off is not None:
+        _beyond(found, ax, found.lift_off.time, [getattr(found, part)[index] * scale.length for part in parts], scale)
     return _over_time(ax, scale, f"at $ξ = {found.xi[index]:g}$")
 
 

@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.numbers.spoken import decimal
-from mpsolve.ranges.chart import BOUNDARY, Chart
+from mpsolve.ranges.cells import BOUNDARY
+from mpsolve.ranges.chart import Chart
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said
 

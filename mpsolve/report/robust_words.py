@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.outcome import Status
-from mpsolve.ranges.chart import BOUNDARY, Chart
+from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.robust import Robust
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, framed, growing, undecided
@@ -66,15 +66,19 @@ def _chart_verdict(found: Chart) -> str:
     if not found.proved:
         return undecided(found)
     regions = f"{len(found.parts)} region{'s' if len(found.parts) > 1 else ''}"
-    return f"{100 * found.share:.3g} % of the chart is decided, in {regions}; in strips the number may change."
+    between = "proved curves run between them" if found.traced else "in strips the number may change"
+    return f"{100 * found.share:.3g} % of the chart is decided, in {regions}; {between}."
 
 
 def _chart(found: Chart, asked: Asked) -> list[str]:
     lines = [_chart_verdict(found)]
-    total = found.counts.size
+    total = found.counts.size if found.detail is None else found.detail.size
     for part in found.parts:
         where = ", ".join(f"{one.path} = {one.told(part.point[one.path])}" for one in asked.overs)
         count = "open" if part.roots is None else growing(part.roots)
         lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, certified at {where}")
-    strip = float((found.counts == BOUNDARY).mean())
-    return [*lines, f"  strips in which a boundary runs, or may run: {100 * strip:.3g} % of the chart"]
+    for curve in found.boundaries:
+        kind = "a root passes q = 0 (divergence)" if curve.divergence else "a pair of roots crosses the real axis"
+        end = "" if curve.whole else "; it could not be followed further"
+        lines.append(f"  a boundary, proved through {len(curve.x)} points: {kind}{end}")
+    return [*lines, f"  strips round the boundaries: {100 * (1 - found.share):.3g} % of the chart"]

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from flint import fmpq, fmpq_mat
+
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import shown
 from mpsolve.problem.line import Line
@@ -71,26 +73,14 @@ def require_off_cuts(line: Line, box: Rectangle) -> None:
 def _require_forces(reduced: Reduced) -> None:
     """No set of contact forces is felt by nobody: B f = 0, h f = 0 and no resultant at any place only for f = 0."""
     contacts = range(reduced.contacts)
+    if len(set(reduced.index)) == reduced.contacts:  # each has a place of its own
+        return
     rows = [list(row) for row in reduced.B]
     rows += [[Fraction(int(reduced.index[j] == k)) for j in contacts] for k in range(len(reduced.places))]
     rows += [[reduced.h[i] if i == j else Fraction(0) for j in contacts] for i in contacts]
-    if _rank(rows) < reduced.contacts:
+    if fmpq_mat([[fmpq(x.numerator, x.denominator) for x in row] for row in rows]).rank() < reduced.contacts:
         stated = "has two tight contacts of one rigid body at one place, which share a force that nothing determines"
         raise InputError("vehicles", f"{stated}: leave one of them out, or give them a contact stiffness")
-
-
-def _rank(rows: list[list[Fraction]]) -> int:
-    rank = 0
-    for column in range(len(rows[0])):
-        pivot = next((i for i in range(rank, len(rows)) if rows[i][column]), None)
-        if pivot is None:
-            continue
-        rows[rank], rows[pivot] = rows[pivot], rows[rank]
-        for i in range(rank + 1, len(rows)):
-            factor = rows[i][column] / rows[rank][column]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[rank], strict=True)]
-        rank += 1
-    return rank
 
 
 def open_on_sheet(line: Line) -> str:

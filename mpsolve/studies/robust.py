@@ -20,8 +20,8 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.robust import Robust, at_first_sight, prove_box
 from mpsolve.ranges.scope import checked_over, from_above_rest
+from mpsolve.studies.plan import BOXES
 from mpsolve.studies.run import Study, study
-from mpsolve.studies.spec import BOXES
 
 _PARTS = 64  # of the whole, at least
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
@@ -18,22 +18,10 @@ from mpsolve.problem import specs
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.inputfile import problem_of
 from mpsolve.problem.problem import Problem
-from mpsolve.spectrum.regions import Below, Rectangle
-from mpsolve.studies.axes import MAX_CASES, counted, read_axes, total_of
+from mpsolve.studies.axes import counted, read_axes, total_of
 from mpsolve.studies.design import Axis, Listed, Parts, Span, Value, draws
+from mpsolve.studies.plan import BOXES, read_plan, region_text
 from mpsolve.studies.source import PROBLEM, problem_tables
-
-KINDS = ("certified", "float64", "stable")
-DESIGNS = ("grid", "list", "random", "quasi-random")
-MIN_DIGITS, MAX_DIGITS = 15, 10_000
-BOXES = 100_000
-"""Of the proof of one entry, unless the spec says otherwise."""
-_OTHERS = {
-    "certified": ("roots", "boxes"),
-    "float64": ("digits", "certificates", "boxes"),
-    "stable": ("digits", "roots"),
-}
-"""By kind what is for other kinds only."""
 
 _TOP = {
     "title": "a text",
@@ -42,18 +30,6 @@ _TOP = {
     "study": "a section",
     "parameters": "a section",
 }
-_STUDY = {
-    "kind": "what is computed",
-    "digits": "certified digits",
-    "region": "where roots are counted",
-    "roots": "whether roots are sought beside the counts",
-    "certificates": "whether they are kept",
-    "boxes": "the most boxes of a proof",
-    "design": "which entries are made of the parameters",
-}
-_DESIGN = {"kind": "the kind of design", "count": "the number of entries", "seed": "a whole number"}
-_BOUNDS = dict.fromkeys(("re_min", "re_max", "im_min", "im_max"), "the bound of the rectangle")
-_BELOW = {"below": "the height"}
 _BLOCK = (2_048, 16_384)  # entries of a block in float64: many share one start; fewer where there are few
 
 
@@ -157,7 +133,7 @@ class Spec:
             **self.tables,
             "study": {
                 "kind": self.kind,
-                "region": _region_text(self.region),
+                "region": region_text(self.region),
                 **own[self.kind],
                 "design": {"kind": self.design, **drawn},
             },
@@ -206,83 +182,8 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
     folder = Path(spec).parent if isinstance(spec, (str, os.PathLike)) else Path()
     tables = problem_tables(content, folder)
     problem = as_problem(problem_of(tables, Path("problem")).given)
-    table = specs.section(content["study"], "study", _STUDY)
-    kind = _named(table, "study.kind", KINDS)
-    for name in _OTHERS[kind]:
-        if name in table:
-            others = " or ".join(f'"{one}"' for one in KINDS if name not in _OTHERS[one])
-            raise InputError(f"study.{name}", f"is for kind = {others} only: drop it")
-    design, count, seed = _design(table)
-    if kind == "stable" and design != "grid":
-        raise InputError("study.design", f'is a {design}, but kind = "stable" covers a box by its parts: drop it')
-    axes = read_axes(content["parameters"], "parts" if kind == "stable" else design, problem)
-    return Spec(
-        title=specs.title(content),
-        tables=tables,
-        kind=kind,
-        digits=_whole(table, "digits", MIN_DIGITS, MIN_DIGITS, MAX_DIGITS),
-        region=_region(table.get("region", "unstable"), kind),
-        roots=_yes_or_no(table, "roots", True),
-        certificates=_yes_or_no(table, "certificates", kind == "stable"),
-        design=design,
-        seed=seed,
-        total=total_of(axes, design, count),
-        axes=axes,
-        boxes=_whole(table, "boxes", BOXES, 1, 10**9),
-    )
-
-
-def _design(table: Mapping[str, Any]) -> tuple[str, int, int]:
-    """Kind, count (0 where the parameters tell) and seed."""
-    given = specs.section(table.get("design", {"kind": "grid"}), "study.design", _DESIGN)
-    kind = _named(given, "study.design.kind", DESIGNS)
-    if kind in ("grid", "list"):
-        for name in ("count", "seed"):
-            if name in given:
-                raise InputError(f"study.design.{name}", f"is for random designs, and this is a {kind}: drop it")
-        return kind, 0, 0
-    if "count" not in given:
-        raise InputError("study.design.count", "is missing: give the number of entries")
-    return kind, _whole(given, "design.count", 0, 1, MAX_CASES), _whole(given, "design.seed", 0, 0, 2**63 - 1)
-
-
-def _region(given: Any, kind: str) -> Any:
-    """ "unstable", "sheet", Below or a Rectangle."""
-    if isinstance(given, Mapping) and kind == "stable":
-        raise InputError("study.region", 'is not for kind = "stable", which is about all roots that grow: drop it')
-    if isinstance(given, Mapping) and "below" in given:
-        height = specs.rationals(given, "study.region", _BELOW)["below"]
-        if height <= 0:
-            raise InputError("study.region.below", 'is not above 0: give a height, or region = "unstable"')
-        return Below(height)
-    if isinstance(given, Mapping):
-        if kind == "float64":
-            raise InputError("study.region", 'is a rectangle, which is for kind = "certified": give another region')
-        return Rectangle(**specs.rationals(given, "study.region", _BOUNDS))
-    return _named({"region": given}, "study.region", ("unstable",) if kind == "stable" else ("unstable", "sheet"))
-
-
-def _region_text(region: Any) -> Any:
-    if isinstance(region, Rectangle):
-        return region.as_dict()
-    return {"below": str(region.height)} if isinstance(region, Below) else region
-
-
-def _named(table: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> str:
-    """The text under the last name of `key`."""
-    name = key.rpartition(".")[2]
-    return specs.choice({key: table[name]} if name in table else {}, key, allowed)
-
-
-def _whole(table: Mapping[str, Any], key: str, default: int, low: int, high: int) -> int:
-    number = table.get(key.rpartition(".")[2], default)
-    if isinstance(number, bool) or not isinstance(number, int) or not low <= number <= high:
-        raise InputError(f"study.{key}", f"is {number!r}: give a whole number from {low} to {high}")
-    return number
-
-
-def _yes_or_no(table: Mapping[str, Any], key: str, default: bool) -> bool:
-    value = table.get(key, default)
-    if not isinstance(value, bool):
-        raise InputError(f"study.{key}", f"is {value!r}: give true or false")
-    return value
+    plan = read_plan(content["study"])
+    axes = read_axes(content["parameters"], "parts" if plan.kind == "stable" else plan.design, problem)
+    total = total_of(axes, plan.design, plan.count)
+    settings = {one.name: getattr(plan, one.name) for one in fields(plan) if one.name != "count"}
+    return Spec(specs.title(content), tables, total=total, axes=axes, **settings)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -16,13 +16,16 @@ from mpsolve.numbers.exact import Exact, Number, exact_list
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
+from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.load import Load
+from mpsolve.vehicles.mass import Mass
 from mpsolve.vibration.balls.enclosure import MOST, Asked, checked_digits, proved_parts
+from mpsolve.vibration.case_units import rounded, units_of
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.of_case import beam_problem, certified_of
+from mpsolve.vibration.of_case import certified_of
 
 _SLOW = "the truly transient part decays slowly near τ = 0; ask for later times, nearer positions or fewer digits"
 
@@ -76,39 +79,49 @@ def balls_of_case(
 ) -> ProvedMotion:
     """The motion in balls proved to hold it, of a beam from rest under moving masses.
 
-    loads, xi, tau, spectrum as for `response`; ratios and positions are rational. digits: the balls aim at a radius
-    of 10^−digits times the displacement of a unit force; they are returned whatever their radius is, which grows
-    towards τ = 0, where the transient part decays with an algebraic tail only. Digits that a growing motion, or a
-    force near an induced frequency, costs are added to the work.
+    loads, xi, tau, spectrum as for `response`; a PhysicalCase is done in SI, the ratios of a Case are rational.
+    digits: the balls aim at a radius of 10^−digits times the displacement of a unit force; they are returned whatever
+    their radius is, which grows towards τ = 0, where the transient part decays with an algebraic tail only. Digits
+    that a growing motion, or a force near an induced frequency, costs are added to the work.
 
     InputError for input that has no meaning, PrecisionError where a step of the proof fails, EffortError where the
     effort runs out; all say what helps.
     """
     checked_digits(digits)
-    forces = loads_of(case, loads)
-    whole = case.dimensionless if isinstance(case, PhysicalCase) else case
-    places = tuple(whole.merged.positions if xi is None else exact_list(xi, "xi"))
-    times = exact_list(tau, "tau")
+    forces, units = loads_of(case, loads), units_of(case, exact=True)
+    whole, problem = units.case, _merged(units.problem)
+    places = tuple(dict.fromkeys(whole.positions)) if xi is None else tuple(exact_list(xi, "xi"))
+    times = tuple(exact_list(tau, "tau"))
     if any(t.sign < 0 for t in times):
         raise InputError("tau", "holds a time before 0, where the motion starts: give no earlier time")
-    problem, work = beam_problem(_rational(whole).merged), begun(effort)
+    work = begun(effort)
     if not places or not times:
         w, steady, harmonic, transient = np.full((4, len(places), len(times)), arb(0), object)
         return ProvedMotion(whole, forces, places, times, w, steady, harmonic, transient, 0)
-    names = list(dict.fromkeys(whole.positions))
+    group = list(dict.fromkeys(whole.positions))
     terms = [
-        (tuple(2 * row[names.index(place)] for row in problem.pencil.B), load)
-        for place, load in zip(whole.positions, forces, strict=True)
+        (problem.pencil.B[group.index(place)], load)
+        for place, load in zip(whole.positions, units.loads(forces, 1 / units.w_st), strict=True)
     ]
-    image = Image(problem, tuple(_exact(x, "xi") for x in places))
+    at = tuple(x / units.chi for x in places)
+    image = Image(problem, tuple(rounded(x) for x in at))
 
     def found(digits: int) -> Spectrum:
-        return certified_of(whole, problem, spectrum, digits)
+        return certified_of(replace(units, problem=problem), spectrum, digits)
 
     known: Any = found if spectrum is None else found(digits)
-    parts = proved_parts(Asked(image, terms, list(times), digits), known, work, progress or silent)
+    asked = Asked(image, terms, [t / units.rate for t in times], digits, at)
+    parts = proved_parts(asked, known, work, progress or silent)
     w, steady, harmonic, transient = (part[image.channels - len(places) :] for part in parts)
     return ProvedMotion(whole, forces, places, times, w, steady, harmonic, transient, work.spent)
+
+
+def _merged(problem: Problem) -> Problem:
+    """With masses at one position as one."""
+    total: dict[Fraction, Fraction] = {}
+    for one in problem.vehicles:
+        total[one.position] = total.get(one.position, Fraction(0)) + one.vehicle.pencil.M[0][0]
+    return Problem(problem.track, [Mass(mass).at(place) for place, mass in total.items()], problem.v)
 
 
 def numbers_of_case(*arguments: Any, digits: int = 15, **options: Any) -> PreciseMotion:
@@ -130,19 +143,3 @@ def _middle(ball: Any) -> Any:
     """The middle of a ball as an mpmath number, exactly."""
     mantissa, exponent = ball.mid().man_exp()
     return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(int(mantissa), int(exponent)))
-
-
-def _rational(case: Case) -> Case:
-    for key in ("alpha", "eta_b", "eta_s", "eta_n"):
-        _exact(getattr(case, key), key)
-    for key in ("eta_m", "positions"):
-        for x in getattr(case, key):
-            _exact(x, key)
-    return case
-
-
-def _exact(x: Exact, key: str) -> Fraction:
-    if not x.is_rational:
-        stated = f"is the irrational {x.short()}, for which there are no balls"
-        raise InputError(key, f"{stated}: give a decimal, or response_balls of the problem in its own units")
-    return x.as_fraction()

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,8 @@ from mpsolve.display import card
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.vehicles.load import Load
+from mpsolve.vibration.liftoff import Event
+from mpsolve.vibration.motion import Vibration
 
 
 @dataclass(frozen=True)
@@ -43,7 +46,8 @@ class Response:
     P_j(τ) − M_j ẅ of (2), same shape, in units of the unit force, compression positive. contact_loss: for each mass
     the first time at which its contact force falls below zero, linear between the given times, or None; contact_note
     says why it is not known, or only that it is earlier ("" if it is known). error: an estimate, relative to the
-    largest of the parts. reason: why less is known than was asked for, then NaN where nothing is.
+    largest of the parts. reason: why less is known than was asked for, then NaN where nothing is. motion: the general
+    response that all of it is taken from.
     """
 
     case: Case
@@ -62,6 +66,29 @@ class Response:
     contact_note: tuple[str, ...]
     error: float
     reason: Reason | None = None
+    motion: Vibration | None = field(default=None, repr=False, compare=False)
+
+    @cached_property
+    def lift_off(self) -> Event | None:
+        """When a contact force first comes to 0, up to the last τ, and of which mass; then the model does not hold.
+
+        It is found on the motion itself, whatever the times; of masses at one place, or without `motion`, it is only
+        the first loss between the given times, off by as much as the longest step.
+        """
+        if self.motion is None or self.motion.reason is not None or len(set(self.case.positions)) < len(self.loads):
+            lost = [(time, j) for j, time in enumerate(self.contact_loss, 1) if time is not None]
+            step = float(np.max(np.diff(np.sort(self.tau), prepend=0.0), initial=0.0))
+            return Event(*min(lost), step) if lost else None
+        event = self.motion.lift_off
+        if event is None:
+            return None
+        unit = float(self.tau.max() / self.motion.times.max())
+        return Event(event.time * unit, event.contact, event.tolerance * unit)
+
+    @property
+    def within(self) -> Any:
+        """Which times are within the model: before the first lift-off, (len(tau),) of booleans."""
+        return np.full(len(self.tau), True) if self.lift_off is None else self.tau <= self.lift_off.time
 
     @property
     def w(self) -> Any:

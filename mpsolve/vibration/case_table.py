@@ -18,7 +18,8 @@ _PARTS = ("w", "steady", "harmonic", "transient")
 def columns(found: Response, scale: Scale) -> dict[str, Any]:
     """Name and values of each column, by time: the four displacements at each ξ, the contact force of each mass.
 
-    In the units of `scale`, which the names tell where they are physical.
+    The last one is 1 up to the first lift-off and 0 beyond it. In the units of `scale`, which the names tell where
+    they are physical.
     """
     table = time_columns(found.tau, scale)
     for k, place in enumerate(found.xi):
@@ -27,6 +28,7 @@ def columns(found: Response, scale: Scale) -> dict[str, Any]:
             table[named(f"{part}[xi={at}]", scale.length_name, scale)] = getattr(found, part)[k] * scale.length
     for j, row in enumerate(found.contact_forces, 1):
         table[named(f"contact_force[{j}]", scale.force_name, scale)] = row * scale.force
+    table[named("within the model", "1", scale)] = found.within.astype(float)
     return table
 
 
@@ -56,6 +58,7 @@ def save_arrays(found: Response, path: Path, scale: Scale) -> Path:
         "velocity",
         "acceleration",
         "contact_forces",
+        "within",
     )
     stream = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(found, name) for name in names}

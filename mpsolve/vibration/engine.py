@@ -25,6 +25,7 @@ from mpsolve.vibration.line import CLEAR, Line, extended, sampled_line
 from mpsolve.vibration.path import Path, above_growth, below_axis
 from mpsolve.vibration.poles import Poles, natural
 from mpsolve.vibration.residues import Mode, modes
+from mpsolve.waves.speeds import wave_speeds
 
 GOOD = 1e-8
 """Of the largest deflection: the error that is worked for; forces are worked for to a thousand times as much."""
@@ -32,12 +33,15 @@ _FORCES = 1000.0
 _ROUNDED = 2e-10
 _CANCELS = 2.0**-50
 """Of the largest part: what is lost where parts cancel, as next to a resonance."""
+_STILL = 1e-6
+"""Of what the forces would deflect a track at rest: less is none, as under a load that outruns the waves."""
 _SLOW = 2.5
 """1/(√2 − 1): an error that falls as Ω^(−1/2), as that of a force soon after the start, is so much the change."""
 _LEAST = 24.0
 _LARGEST = 650.0
 _HOPELESS = 1e6
 """Of GOOD: an error from which on nothing is returned."""
+_AT_SPEED = 1e-4
 _HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
 _FARTHEST = 2.0**17
 _JUDGED = 80
@@ -158,9 +162,16 @@ class Engine:
         if not excess < _HOPELESS and found.reason is not None:
             raise EffortError(found.reason)
         if not excess < _HOPELESS:
-            stated = f"the motion is off by {excess * GOOD:.1e} of itself, as a root is missing or growth is too fast"
-            raise PrecisionError(f"{stated}: end earlier, or give spectrum=certify(problem)")
+            raise PrecisionError(f"the motion is off by {excess * GOOD:.1e} of itself, as {self._why()}")
         return found
+
+    def _why(self) -> str:
+        """Of what no motion was found, and what helps."""
+        problem = self.image.problem
+        for name, square in wave_speeds(problem.track).items():
+            if abs(problem.v**2 / square - 1) < _AT_SPEED:
+                return f"v is the speed of the {name}, where they do not run away: change v a little"
+        return "a root is missing or growth is too fast: end earlier, or give spectrum=certify(problem)"
 
     def path(self, last: float) -> Path:
         """Below the axis where the roots allow it, else to the right of all growth, for times up to `last`."""
@@ -224,6 +235,9 @@ class Engine:
         largest[body] = np.maximum(largest[body], 1e-2 * largest[body].max(initial=0.0))
         for kind in (force, rail):
             largest[kind] = largest[kind].max(initial=0.0)
+        still = _STILL * float(image.guide.g) * largest[force].max()
+        for kind in (body, rail):
+            largest[kind] = np.maximum(largest[kind], still)
         goal = GOOD * largest
         goal[force] *= _FORCES
         return np.maximum(goal, 1e-300)

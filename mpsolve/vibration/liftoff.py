@@ -14,7 +14,7 @@ from mpsolve.vibration.fall import first_fall, last_above
 from mpsolve.vibration.line import CLEAR
 from mpsolve.vibration.poles import natural
 
-_PER_PERIOD = 16
+_PER_PERIOD, _EARLY = 16, 40
 _CHUNK = 1024
 _MOST = 10**7  # steps
 _PRESSED = 1e-9
@@ -84,11 +84,23 @@ def only(solution: Solution, channels: Any) -> Callable[[Any], Any]:
     return motion
 
 
-def _grids(solution: Solution, last: float) -> Iterator[Any]:
-    """Times in pieces that share their ends: first geometric ones, then equal steps well below the fastest period."""
-    image = solution.image
+def early_times(solution: Solution, last: float) -> Any:
+    """Times t̂ up to the last at which the motion must be known, and is not, for its first steps; none if it is."""
+    step = _step(solution)
+    if CLEAR / solution.line.omega <= step or last <= step:
+        return np.zeros(0)
+    return np.geomspace(step / 2, last, _EARLY)
+
+
+def _step(solution: Solution) -> float:
+    """Well below the fastest period."""
     fast = [one.frequency for one in solution.steady] + [abs(mode.sigma) for mode in solution.modes]
-    step = 2 * np.pi / (_PER_PERIOD * max(1.0, natural(image), *fast))
+    return float(2 * np.pi / (_PER_PERIOD * max(1.0, natural(solution.image), *fast)))
+
+
+def _grids(solution: Solution, last: float) -> Iterator[Any]:
+    """Times in pieces that share their ends: first geometric ones, then equal steps."""
+    image, step = solution.image, _step(solution)
     start = min(CLEAR / solution.line.omega, last)
     ends = np.geomspace(start, max(min(step, last), start * 1.01), 24) if start < last else np.array([start])
     if last - ends[-1] > _MOST * step:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -12,7 +13,7 @@ from mpsolve.errors import EffortError
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.vibration.engine import Parts, Solution
-from mpsolve.vibration.liftoff import Event, first_lift_off
+from mpsolve.vibration.liftoff import Event, early_times, first_lift_off
 
 
 @dataclass(frozen=True)
@@ -62,6 +63,7 @@ class Vibration:
     contact_force: Any
     error: MotionError
     solution: Solution = field(repr=False)
+    solve: Callable[[Any], Solution] = field(repr=False, compare=False)
 
     @cached_property
     def lift_off(self) -> Event | None:
@@ -72,7 +74,9 @@ class Vibration:
         """
         if self.reason is not None and not np.isfinite(self.error.contact_force):
             raise EffortError(self.reason)
-        return first_lift_off(self.solution, float(np.max(self.times, initial=0.0)))
+        last = float(np.max(self.times, initial=0.0))
+        early = early_times(self.solution, last * self.solution.image.rate)
+        return first_lift_off(self.solve(early) if len(early) else self.solution, last)
 
     @property
     def reason(self) -> Reason | None:
@@ -104,7 +108,9 @@ def split(image: Any, rows: Any) -> tuple[Any, Any, Any]:
     return rows[:n], rows[n : n + m], rows[n + m :]
 
 
-def vibration(problem: Problem, solution: Solution, times: Any, parts: Parts) -> Vibration:
+def vibration(
+    problem: Problem, solution: Solution, times: Any, parts: Parts, solve: Callable[[Any], Solution]
+) -> Vibration:
     """The solution read at these times, in the problem's units."""
     image = solution.image
     bodies, force, rail = split(image, parts.total)
@@ -126,4 +132,5 @@ def vibration(problem: Problem, solution: Solution, times: Any, parts: Parts) ->
             float(np.max(error, initial=0.0)), vehicle_error, float(split(image, solution.error)[1].max())
         ),
         solution=solution,
+        solve=solve,
     )

@@ -1,16 +1,15 @@
-"""The motion of a case of the paper, in its own units: the general response at τ and ξ, displacements in w_st."""
+"""The motion of a case of the paper, in τ, ξ and w_st: the general response of the problem that it is."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.exact import Number
 from mpsolve.numbers.grid import checked_places, checked_times
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
@@ -19,16 +18,12 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.vehicles.load import Load
-from mpsolve.vehicles.mass import Mass
 from mpsolve.vibration.case_motion import HarmonicPair, Response
+from mpsolve.vibration.case_units import CaseUnits, units_of
 from mpsolve.vibration.contact_loss import applied, contact_loss
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.vibrate import vibrate
-
-W_ST = 0.5
-"""χ/(2k) of a unit force, in the units of the beam with EI = 1/4, m = k = 1."""
 
 
 def motion_of_case(
@@ -51,63 +46,48 @@ def motion_of_case(
     InputError for input that has no meaning, PrecisionError where the induced frequencies are undecided or the motion
     cannot be computed; both say what helps.
     """
-    forces = loads_of(case, loads)
-    whole = case.dimensionless if isinstance(case, PhysicalCase) else case
-    positions = [float(x) for x in dict.fromkeys(whole.positions)]
+    forces, units = loads_of(case, loads), units_of(case)
+    positions = [float(x) for x in dict.fromkeys(units.case.positions)]
     places, times = checked_places(xi, positions), checked_times(tau)
     try:
-        found = certified_of(whole, beam_problem(whole), spectrum, effort=effort, progress=progress)
+        found = certified_of(units, spectrum, effort=effort, progress=progress)
     except EffortError:
         found = None
     # the start is always computed, so that times may be none
-    at, watched = np.concatenate([[0.0], times]), np.concatenate([positions, places])
-    motion = _moved(whole, forces, at, watched, found, effort, progress)
-    return _told(whole, forces, motion, len(positions))
+    at, own = np.concatenate([[0.0], times]), list(dict.fromkeys(units.problem.pencil.places))
+    motion = _moved(
+        units, units.loads(forces), at, [*own, *units.places(places)], found, effort=effort, progress=progress
+    )
+    return _told(units, forces, motion, places, times)
 
 
-def vibration_of_case(case: Any, loads: Any, xi: Any, tau: Any, spectrum: Any) -> Vibration:
-    """The same as the general response has it, with loads such that deflections come in w_st; forces are twice."""
-    whole = case.dimensionless if isinstance(case, PhysicalCase) else case
-    two, given = Exact(2), loads_of(case, loads)
-    forces = [Load(two * one.constant, two * one.amplitude, one.frequency, one.phase) for one in given]
-    places = checked_places(xi, [float(x) for x in whole.positions])
-    found = certified_of(whole, beam_problem(whole), spectrum)
-    return _moved(whole, forces, checked_times(tau), places, found)
+def vibration_of_case(units: CaseUnits, loads: Any, xi: Any, tau: Any, spectrum: Any) -> Vibration:
+    """The same as the general response has it, with loads such that deflections come in w_st; τ and ξ are given."""
+    forces = units.loads(loads_of(units.given, loads), 1 / units.w_st)
+    places = checked_places(xi, [float(x) for x in units.case.positions])
+    found = certified_of(units, spectrum)
+    return _moved(units, forces, checked_times(tau), units.places(places), found)
 
 
-def _moved(
-    case: Case, loads: Any, tau: Any, xi: Any, spectrum: Spectrum | None, effort: Any = None, progress: Any = None
-) -> Vibration:
+def _moved(units: CaseUnits, loads: Any, tau: Any, x: Any, spectrum: Spectrum | None, **work: Any) -> Vibration:
     """The general response; what is wrong with it is said of τ and ξ."""
     try:
-        given: dict[str, Any] = {"effort": effort, "progress": progress}
-        return vibrate(beam_problem(case), loads, times=tau, places=xi, spectrum=spectrum, **given)
+        return vibrate(units.problem, loads, times=units.times(tau), places=x, spectrum=spectrum, **work)
     except InputError as error:
         key = {"times": "tau", "places": "xi"}.get(error.key, error.key)
         raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
 
 
-def beam_problem(case: Case) -> Problem:
-    """EI = 1/4, m = k = 1, c = 2 η_b, kp = η_S, N = η_N, masses η_M, v = α; irrational ratios as float64 has them."""
-    eta_b, eta_s, eta_n, alpha = (_near(getattr(case, key)) for key in ("eta_b", "eta_s", "eta_n", "alpha"))
-    track = EulerBernoulli(EI=Fraction(1, 4), m=1, k=1, c=2 * eta_b, kp=eta_s, N=eta_n)
-    masses = zip(case.eta_m, case.positions, strict=True)
-    return Problem(track, [Mass(_near(mass)).at(_near(place)) for mass, place in masses], v=alpha)
-
-
-def _near(value: Any) -> Fraction:
-    return value.as_fraction() if value.is_rational else Fraction(float(value))
-
-
-def certified_of(case: Case, problem: Problem, spectrum: Any, digits: int = 30, **work: Any) -> Spectrum:
+def certified_of(units: CaseUnits, spectrum: Any, digits: int = 30, **work: Any) -> Spectrum:
     """All induced frequencies of the sheet, or, where the cuts are no line, of what `certify` answers."""
+    problem = units.problem
     if spectrum is None:
         spectrum = _of_sheet(problem, digits, work)
         if spectrum is None:
             spectrum = certify(problem, check=False, digits=digits, **work)
     if not isinstance(spectrum, Spectrum):
         raise InputError("spectrum", f"is of type {type(spectrum).__name__}: give certify(case)")
-    if spectrum.problem not in (case, problem):
+    if spectrum.problem not in (units.given, problem):
         raise InputError("spectrum", "is not that of this case: give certify(case)")
     if not spectrum.proved and spectrum.reason is not None and spectrum.reason.code in ("effort", "interrupted"):
         raise EffortError(spectrum.reason)
@@ -124,39 +104,42 @@ def _of_sheet(problem: Problem, digits: int, work: dict[str, Any]) -> Spectrum |
         return None
 
 
-def _told(case: Case, loads: tuple[Load, ...], motion: Vibration, own: int) -> Response:
+def _told(units: CaseUnits, loads: tuple[Load, ...], motion: Vibration, xi: Any, tau: Any) -> Response:
     """What was computed, without the first time and the first places, which are the masses' own."""
-    tau = motion.times[1:]
-    rows, unit = slice(own, None), 1 / W_ST
+    case, unit, rate = units.case, 1 / float(units.w_st), float(units.rate)
+    rows = slice(len(motion.places) - len(xi), None)
     shown = [unit * part[rows, 1:] for part in (motion.steady, motion.steady_harmonic, motion.harmonic)]
-    rate, watched = motion.solution.image.rate, slice(-len(motion.places), None)
-    scaled = tau * rate
+    watched, scaled = slice(-len(motion.places), None), motion.times[1:] * motion.solution.image.rate
     force, acceleration = _forces(case, loads, motion.contact_force[:, 1:], tau)
     pairs = tuple(
-        HarmonicPair(part.q, part.multiplicity, unit * part.rail[rows], unit * mode.motion(scaled)[watched][rows])
+        HarmonicPair(
+            part.q / rate, part.multiplicity, unit * part.rail[rows], unit * mode.motion(scaled)[watched][rows]
+        )
         for part, mode in zip(motion.induced, motion.solution.modes, strict=True)
     )
     group = [list(dict.fromkeys(case.positions)).index(place) for place in case.positions]
     lost = contact_loss(loads, force, tau)
     unknown = motion.reason.message if motion.reason is not None and not np.isfinite(force).all() else ""
     size = max(float(np.abs(part).max(initial=0.0)) for part in (motion.steady, motion.harmonic, motion.transient))
+    velocity = unit * motion.solution.image.rate / rate * motion.solution.rates(scaled)[watched][group]
     return Response(
         case=case,
         loads=loads,
-        xi=motion.places[rows],
+        xi=xi,
         tau=tau,
         steady=shown[0],
         steady_harmonic=shown[1],
         harmonic=shown[2],
         transient=unit * motion.transient[rows, 1:],
         harmonic_pairs=pairs,
-        velocity=unit * rate * motion.solution.rates(scaled)[watched][group],
+        velocity=velocity,
         acceleration=acceleration,
         contact_forces=force,
         contact_loss=tuple(time for time, _ in lost),
         contact_note=tuple(note or unknown for _, note in lost),
         error=motion.error.rail / size if size else 0.0,
         reason=motion.reason,
+        motion=motion,
     )
 
 

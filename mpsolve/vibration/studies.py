@@ -19,6 +19,7 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.vehicle import Placed
 from mpsolve.vibration import case_studies as paper
+from mpsolve.vibration.case_units import units_of
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.of_case import vibration_of_case
 from mpsolve.vibration.vibrate import vibrate
@@ -81,20 +82,15 @@ def envelope(
 ) -> Envelope:
     """The envelope of the harmonic part, which the vibration at induced frequencies never exceeds.
 
-    problem: a Vibration, of whose first place it is; or a Case or PhysicalCase, at ξ, by default that of the rear
-    mass, as in Figures 3–8 of the paper, in w_st.
+    problem: a Vibration, of whose first place it is; or a Problem, at the place xi and the times tau; or a Case or
+    PhysicalCase, in w_st, as in Figures 3–8 of the paper. Without xi it is that of the rear contact.
     """
-    if isinstance(problem, (Case, PhysicalCase)):
-        problem = vibration_of_case(problem, loads, xi, tau, spectrum)
-        if xi is not None and len(problem.places) != 1:
-            stated = f"holds {len(problem.places)} positions"
-            raise InputError("xi", f"{stated}: the envelope is that of one, give one number")
-    if not isinstance(problem, Vibration):
-        raise InputError(
-            "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"
-        )
-    parts = problem.induced
-    turns = sum((part.rail[0] * np.exp(1j * part.q * problem.times) for part in parts), np.zeros(len(problem.times)))
+    found = _motion(problem, loads, xi, tau, spectrum)
+    if xi is not None and len(found.places) != 1:
+        stated = f"holds {len(found.places)} positions"
+        raise InputError("xi", f"{stated}: the envelope is that of one, give one number")
+    parts, times = found.induced, found.times
+    turns = sum((part.rail[0] * np.exp(1j * part.q * times) for part in parts), np.zeros(len(times)))
     sizes = tuple(float(abs(part.rail[0])) for part in parts)
     return Envelope(np.abs(turns), sizes, *_extremes([part.q for part in parts], sizes))
 
@@ -123,22 +119,29 @@ class Importance:
 def transient_importance(problem: Any, loads: Any = None, spectrum: Spectrum | None = None) -> Importance:
     """Displacement and velocity of the steady and harmonic part alone at t = 0 (paper, Section 4.1).
 
-    problem: a Vibration, at its places; or a Case or PhysicalCase, of each mass, in w_st.
+    problem: a Vibration, at its places; a Problem, at its contacts; or a Case or PhysicalCase, of each mass, in w_st.
     """
-    if isinstance(problem, (Case, PhysicalCase)):
-        problem = vibration_of_case(problem, loads, None, (0,), spectrum)
-    if not isinstance(problem, Vibration):
-        raise InputError(
-            "problem", f"is of type {type(problem).__name__}: give a Vibration, from response(problem, …)"
-        )
-    solution = problem.solution
+    rate = float(units_of(problem).rate) if isinstance(problem, (Case, PhysicalCase)) else 1.0
+    solution = _motion(problem, loads, None, (0,), spectrum).solution
     image, first = solution.image, slice(solution.image.size + solution.image.contacts, None)
     parts = solution.parts(np.zeros(1))
     displacement = (parts.static + parts.forced + parts.free)[first, 0] - solution.held[first]
     rates = [(1j * one.frequency * one.amplitude).real for one in solution.steady]
     rates += [_rate(mode) for mode in solution.modes]
-    velocity = sum(rates, np.zeros(image.channels))[first] * image.rate
+    velocity = sum(rates, np.zeros(image.channels))[first] * image.rate / rate
     return Importance(displacement, velocity)
+
+
+def _motion(problem: Any, loads: Any, xi: Any, tau: Any, spectrum: Spectrum | None) -> Vibration:
+    """What is asked about, computed unless it is there."""
+    if isinstance(problem, (Case, PhysicalCase)):
+        return vibration_of_case(units_of(problem), loads, xi, tau, spectrum)
+    if isinstance(problem, Problem):
+        return vibrate(problem, loads, times=tau, places=xi, spectrum=spectrum)
+    if not isinstance(problem, Vibration):
+        stated = f"is of type {type(problem).__name__}"
+        raise InputError("problem", f"{stated}: give a Problem, a Case, or a Vibration from response(problem, …)")
+    return problem
 
 
 def _rate(mode: Any) -> Any:

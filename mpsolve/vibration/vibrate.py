@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -59,7 +60,7 @@ def vibrate(
     cannot be used, as loads at a frequency at which the vehicle moves by itself; PrecisionError where a root lies on
     the path of integration.
     """
-    work, said = begun(effort), progress or silent
+    work, said, poles = begun(effort), progress or silent, None
     image, acting, held, at = _checked(problem, loads, times, places, irregularities, initial)
     own = replace(image, effort=work)
     with one_thread():
@@ -76,7 +77,14 @@ def vibrate(
                 "the equations of the motion are singular, as those of a track without stiffness under constant loads"
             )
             raise PrecisionError(f"{stated}: change a parameter") from None
-    return vibration(problem, solution, at, parts)
+    again = partial(_again, image, acting, held, poles)
+    return vibration(problem, solution, at, parts, again)
+
+
+def _again(image: Image, acting: Any, held: Any, poles: Any, times: Any) -> Solution:
+    """The motion for other times t̂."""
+    with one_thread():
+        return Engine(image, acting, held, poles).solve(times)
 
 
 def _checked(

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from oracle_general.package import as_problem, known
 from oracle_general.problems import problems, stands
 
-from mpsolve import Problem, certify, frequencies, tracks, vehicles
+from mpsolve import Case, Problem, certify, frequencies, tracks, vehicles
 from mpsolve.errors import InputError
 
 ROOT = Path(__file__).parents[1]
@@ -225,3 +225,11 @@ def test_bad_arguments_are_named(over: dict[str, Any], options: dict[str, Any], 
     with pytest.raises(InputError) as caught:
         frequencies(PAIR, over, **options)
     assert caught.value.key == key
+
+
+def test_two_masses_are_one_case() -> None:
+    """Lists of masses and places are those of one case; arrays are under their paths alone."""
+    found = frequencies(Case(alpha=0.67, eta_b=0.05, eta_m=[70, 70], positions=[0, 1.5]))
+    assert (found.count.shape, int(found.unstable)) == ((), 2)
+    with pytest.raises(TypeError):
+        frequencies(0.67, 0.05, [70, 70], [0, 1.5])  # type: ignore[arg-type,call-arg,misc]

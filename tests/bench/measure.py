@@ -13,6 +13,7 @@ from mpsolve import Case
 from mpsolve.characteristic.floats import Floats
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.reduced import reduce_problem
+from mpsolve.ranges.scope import forget
 
 
 def median(function: Callable[[], Any], repeats: int = 5) -> float:
@@ -23,6 +24,16 @@ def median(function: Callable[[], Any], repeats: int = 5) -> float:
         function()
         times.append(time.process_time() - start)
     return statistics.median(times)
+
+
+def fresh(function: Callable[[], Any]) -> Callable[[], Any]:
+    """Without what earlier questions about ranges have found of the track."""
+
+    def asked() -> Any:
+        forget()
+        return function()
+
+    return asked
 
 
 class Counted:

@@ -28,6 +28,8 @@ def test_the_two_velocities_of_the_papers_beam() -> None:
     assert abs(found.convective - 0.190146901) < 1e-8
     assert found.limit is not None
     assert abs(found.limit - 0.445073) < 1e-6
+    assert found.long is not None
+    assert 0 < found.long.v - found.limit < 2e-5
     assert "threshold" in found.words
     with pytest.raises(TypeError):
         bool(found)

@@ -9,7 +9,7 @@ import pytest
 from track_models import DAMPED
 
 from mpsolve import InputError, Load, Problem, vehicles
-from mpsolve.finite.case import Case
+from mpsolve.finite.case import Answer, Case
 
 PROBLEM = Problem(DAMPED["two-layer"], [vehicles.Mass(900), vehicles.Mass(900).at(3)], v=10)
 
@@ -39,6 +39,15 @@ def test_times_at_equal_distances_are_ends_of_steps() -> None:
     assert off(7.5e-4) > 4 * off(0)
 
 
+def test_the_first_fall_of_a_force() -> None:
+    """Samples that are hardly above 0 do not hide it, and a contact that nothing has pressed yet does not fall."""
+    nothing = np.zeros((2, 5))
+    forces = np.array([[-1, 0, 3e-8, -1, 0], [0, 1, 1e-8, -1e-8, 0]])
+    answer = Answer(nothing, nothing, nothing, np.arange(5.0), forces)
+    assert answer.first_fall() == (2.5, 2)
+    assert Answer(nothing, nothing, nothing, np.arange(5.0), np.abs(forces) + 1).first_fall() is None
+
+
 @pytest.mark.parametrize(
     ("key", "changed"),
     [
@@ -61,5 +70,5 @@ def test_more_times_read_the_same_motion() -> None:
     few, many = (_case(times=np.linspace(0.02, 0.1, n)).solve(200, 800) for n in (3, 9))
     assert few.rail == pytest.approx(many.rail[:, ::4], rel=1e-12)
     assert few.near(
-        many.__class__(many.rail[:, ::4], many.vehicle[:, ::4], many.force[:, ::4], many.nodes, many.forces), 1e-9
+        Answer(many.rail[:, ::4], many.vehicle[:, ::4], many.force[:, ::4], many.nodes, many.forces), 1e-9
     )

@@ -50,24 +50,33 @@ def test_the_first_lift_off_is_that_of_the_endless_track() -> None:
 
 
 def test_a_wheel_that_leaves_the_rail_comes_back() -> None:
-    """Up to the first lift-off nothing differs; then the force is 0, never below, and presses again later."""
-    loads = {"body": Load(39000), "wheel": Load(0, -60000, 60)}
-    times = np.linspace(0.001, 0.2, 400)
-    options = {"length": 80, "modes": 600, "times": times, "initial": "steady", "steps": 4000}
+    """Up to the first lift-off nothing differs; then the force is 0, never below, and presses again, five times.
+
+    What holds is told by no formula of the march: f = k max(e, 0) with the compression e of the contact, and the
+    momentum of wheel and body is the impulse of loads and contact, through every loss and every blow.
+    """
+    loads, steps = {"body": Load(39000), "wheel": Load(0, -60000, 60)}, 2000
+    times = np.linspace(0, 0.2, steps + 1)
+    options = {"length": 40, "modes": 200, "times": times, "initial": "steady", "steps": steps}
     free = finite_track(WHEEL, loads, unilateral=True, **options)
     tied = finite_track(WHEEL, loads, **options)
     assert tied.contact_force.min() < -1000
-    assert free.contact_force.min() > -1e-3 * free.contact_force.max()
     assert free.lift_off is not None
-    before = times < free.lift_off.time - 0.001
+    assert tied.lift_off is not None
+    assert abs(free.lift_off.time - tied.lift_off.time) <= free.lift_off.tolerance < 3e-4
+    before = times < free.lift_off.time - free.lift_off.tolerance
     assert free.rail[:, before] == pytest.approx(tied.rail[:, before], rel=1e-9)
-    open_ = np.abs(free.contact_force[0]) < 1e-6 * free.contact_force.max()
-    assert 20 < open_.sum() < 380
-    after = times > times[open_][-1]
-    assert after.sum() > 5
-    assert (free.contact_force[0, after] > 0).all()
-    gap = free.vehicle["wheel"] - free.rail[0]
-    assert (gap[open_] < 1e-9).all()
+
+    wheel, body, force = free.vehicle["wheel"], free.vehicle["body"], free.contact_force[0]
+    open_ = force == 0
+    assert force.min() == 0
+    assert 0.5 < open_.mean() < 0.8
+    assert (open_[:-1] & ~open_[1:]).sum() >= 5
+    assert np.abs(force - 1.4e9 * np.maximum(wheel - free.rail[0], 0)).mean() < 1e-3 * force.max()
+    h, push = times[1], 39000 - 60000 * np.sin(60 * times) - force
+    impulse = np.concatenate([[0], np.cumsum(push[1:] + push[:-1]) * h / 2])
+    momentum = 900 * np.gradient(wheel, h, edge_order=2) + 3000 * np.gradient(body, h, edge_order=2)
+    assert momentum - momentum[0] == pytest.approx(impulse, abs=2e-3 * np.abs(momentum).max())
 
 
 def test_in_the_air_a_wheel_falls_freely() -> None:

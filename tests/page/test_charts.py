@@ -31,7 +31,8 @@ def test_a_proved_chart_and_a_computed_one(parts: Parts) -> None:
     assert chart_status(parts) == "proved"
     drawn = chart(parts)
     assert drawn is not None
-    assert "proved, with strips" in drawn.caption
+    assert "proved, and so are the curves" in drawn.caption
+    assert 'class="boundary"' in drawn.svg
     assert parts.chart is NOT_ASKED
     counted = Part("chart", chart_of(parts.problem, parts.top))
     floats = replace(parts, proved_chart=NOT_ASKED, chart=counted)

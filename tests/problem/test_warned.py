@@ -78,6 +78,8 @@ def test_kilometres_an_hour() -> None:
     (said,) = warned(Problem(tracks.EulerBernoulli(**RAIL), PAIR, v=250))
     assert str(said) == 'v is 250 m/s, which is 900 km/h: write v = "250 km/h", if km/h is meant'
     assert not warned(Problem(tracks.EulerBernoulli(**RAIL), PAIR, v="250 km/h"))
+    (said,) = warned(Problem(tracks.EulerBernoulli(**RAIL), PAIR, v="1000 km/h"))
+    assert str(said) == "v is 277.8 m/s, which is 1000 km/h: check it, if that is not meant"
 
 
 def test_more_than_critical_damping() -> None:

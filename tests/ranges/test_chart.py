@@ -10,23 +10,24 @@ import pytest
 
 from mpsolve import Effort, InputError, Problem, certify, tracks, vehicles
 from mpsolve.outcome import Status
-from mpsolve.ranges.chart import BOUNDARY, OPEN, Chart, parts_of, stability_chart
+from mpsolve.ranges.cells import BOUNDARY, OPEN
+from mpsolve.ranges.chart import Chart, stability_chart
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=150)
-OVER: dict[str, Any] = {"v": (150, 300), "scale.mass": ("0.5", 3)}
+OVER: dict[str, Any] = {"v": (205, 240), "scale.mass": ("0.4", "0.9")}
 
 
 @pytest.fixture(scope="module")
 def chart() -> Chart:
-    return stability_chart(PAIR, over=OVER, depth=6, check=False)
+    return stability_chart(PAIR, over=OVER, depth=4, check=False)
 
 
 def test_regions_are_decided_and_strips_are_thin(chart: Chart) -> None:
     assert chart.status is Status.UNVERIFIED
-    assert chart.share > 0.85
+    assert chart.share > 0.96
     assert {part.roots for part in chart.parts} == {0, 2}
-    assert sum(part.cells for part in chart.parts) == (chart.counts >= 0).sum()
+    assert sum(part.cells for part in chart.parts) == (chart.detail >= 0).sum()
 
 
 def test_numbers_are_those_of_certified_points(chart: Chart) -> None:
@@ -51,15 +52,27 @@ def test_little_effort_keeps_what_is_known() -> None:
     assert found.status is Status.UNDECIDED
     assert found.reason is not None
     assert found.counts.shape == (16, 16)
-    assert found.at(200, 1) is None or found.at(200, 1) in (0, 2)
+    assert found.at(210, "0.7") in (None, 0, 2)
 
 
-def test_connected_parts() -> None:
-    free = np.array([[1, 1, 0], [0, 0, 0], [1, 0, 1]], bool)
-    labels = parts_of(free)
-    assert labels.max() == 3
-    assert labels[0, 0] == labels[0, 1]
-    assert (labels[~free] == 0).all()
+def test_the_boundary_is_one_proved_curve_with_a_fold(chart: Chart) -> None:
+    """Counts by the certified half-plane on both sides of it, and real roots on it by another count."""
+    (curve,) = chart.boundaries
+    assert chart.traced
+    assert curve.whole
+    assert not curve.divergence
+    assert max(curve.radius) < 1e-5
+    step = np.diff(curve.y)
+    assert (step > 0).any()
+    assert (step < 0).any()
+    for k in range(5, len(curve.x), len(curve.x) // 4):
+        normal = np.array([curve.y[k + 1] - curve.y[k - 1], curve.x[k - 1] - curve.x[k + 1]]) * [1.0, 1e-4]
+        counts = set()
+        for side in (-0.3, 0.3):
+            v, factor = (float(z) for z in np.array([curve.x[k], curve.y[k]]) + side * normal)
+            point = PAIR.changed("v", v).changed("scale.mass", factor)
+            counts.add(certify(point, region="unstable", digits=15, check=False).unstable)
+        assert counts == {0, 2}
 
 
 def test_what_cannot_be() -> None:
@@ -72,7 +85,7 @@ def test_what_cannot_be() -> None:
 def test_points_outside_are_refused(chart: Chart) -> None:
     with pytest.raises(InputError, match="outside the chart"):
         chart.at(10, 1)
-    assert chart.x[0] == Fraction(150)
+    assert chart.x[0] == Fraction(205)
     assert OPEN < BOUNDARY < 0
 
 
@@ -84,7 +97,11 @@ def test_a_divergence_has_a_boundary_of_its_own() -> None:
     )
     over = {"v": (1, "1.4"), "scale.mass": ("0.2", 2)}
     found = stability_chart(Problem(damped, joined, v="1.3"), over=over, depth=5, check=False)
-    assert [part.roots for part in found.parts] == [0, 1]
-    assert found.share > 0.9
+    assert [part.roots for part in found.parts][:2] == [0, 1]
+    assert found.share > 0.98
+    (curve,) = [one for one in found.boundaries if one.divergence]
+    assert curve.whole
+    assert not curve.q.any()
+    assert np.ptp(curve.x) < 1e-6
     assert found.at("1.22", 1) == 0
     assert found.at("1.27", 1) == 1

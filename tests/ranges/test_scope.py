@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
 from ranges_of_a_pair import PAIR, TRACK, over_velocity
 
 from mpsolve import InputError, Problem, receptance, vehicles
-from mpsolve.ranges.scope import checked_over, from_above_rest, one_path
+from mpsolve.ranges import scope
+from mpsolve.ranges.scope import checked_over, from_above_rest, one_path, scope_of
 
 
 def test_the_corners_hold_the_range_and_the_band() -> None:
@@ -61,3 +63,17 @@ def test_a_range_from_rest_begins_a_little_later_only_where_waves_are_lost() -> 
     rayleigh = Problem(Rayleigh(EI="6.4e6", m=60, J="0.2", k="1e6", c=770), vehicles.Mass(1).at(0), v=1)
     moved = from_above_rest(rayleigh, ends)["v"]
     assert 0 <= moved[0] < Fraction(1, 100)
+
+
+def test_a_frequency_is_found_once_for_all_vehicles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It depends on track, velocities and places; another velocity or place asks anew."""
+    scope.forget()
+    asked: list[Any] = []
+    found = scope.passive_beyond
+    monkeypatch.setattr(scope, "passive_beyond", lambda *a, **k: asked.append(a) or found(*a, **k))
+    first = scope_of(PAIR, {"scale.mass": (Fraction(1, 2), Fraction(1))}).X
+    assert first == scope_of(PAIR.changed("scale.mass", 3), {"scale.mass": (Fraction(1, 100), Fraction(40))}).X
+    assert len(asked) == 1
+    for path, value in (("v", 120), ("gap[0]", 3), ("track.c", 900)):
+        scope_of(PAIR.changed(path, value), {"scale.mass": (Fraction(1, 2), Fraction(1))}).X  # noqa: B018
+    assert len(asked) == 4

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mpsolve import Problem, certify, tracks, vehicles
+from mpsolve import Case, Problem, certify, crossings, tracks, vehicles
 from mpsolve.progress import silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.scope import Scope, scope_of
@@ -48,3 +48,14 @@ def test_an_effort_that_is_spent_leaves_boxes_open(scope: Scope) -> None:
     cover = Search(scope, 15).cover(Effort(evaluations=10), silent)
     assert cover.reason is not None
     assert cover.reason.code == "effort"
+
+
+def test_a_heavy_mass_in_a_range_that_begins_with_light_ones() -> None:
+    """The largest room of a crossing is in proportion to its mass; certified counts on both sides."""
+    case = Case(alpha="0.5", eta_b="0.05", eta_m=(1, 1), positions=(0, "1.75"))
+    found = crossings(case, over={"scale.mass": ("0.001", "1e6")}, check=False)
+    assert (found.proved, found.counts) == (True, (0, 2)), found.reason
+    assert float(found.crossings[0].value) == pytest.approx(1055.4474120771815, rel=1e-12)
+    for mass, number in ((1050, 0), (1060, 2)):
+        there = Case(alpha="0.5", eta_b="0.05", eta_m=(mass, mass), positions=(0, "1.75"))
+        assert certify(there, region="unstable", check=False).unstable == number

@@ -6,6 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, seed, settings
 from hypothesis import strategies as st
@@ -13,7 +14,7 @@ from oracle_general import Floats, count_below
 from oracle_general.named import RAIL, TWO_LAYER, masses, problem
 from oracle_general.package import as_problem
 
-from mpsolve import Case, vehicles
+from mpsolve import Case, tracks, vehicles
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.numbers.balls import precision
 from mpsolve.outcome import Status
@@ -117,17 +118,19 @@ def test_a_train_of_one_is_the_vehicle() -> None:
     assert mass.roots[0].q.overlaps(shifted.roots[0].q)
 
 
-def test_a_train_reversed_at_rest_has_the_same_roots() -> None:
-    def at_rest(weights: list[str], places: list[str]) -> Problem:
-        data = [one for m, x in zip(weights, places, strict=True) for one in masses(m, x)]
-        return as_problem(problem(RAIL, data, "0"))
+@pytest.mark.parametrize("v", ["0", "0.5", "0.9"])
+def test_a_train_may_be_turned_round(v: str) -> None:
+    """G(−ξ) at v is G(ξ) at −v, and turning the train transposes the matrix of the receptances: Δ is the same."""
 
-    one = spectrum(at_rest(["900", "3000", "400"], ["0", "2", "7"]), region=None)
-    other = spectrum(at_rest(["400", "3000", "900"], ["0", "5", "7"]), region=None)
-    assert one.region == other.region
-    assert one.count == other.count
-    for a, b in zip(one.roots, other.roots, strict=True):
-        assert a.q.overlaps(b.q)
+    def frequencies(weights: list[int], places: list[object]) -> Any:
+        beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.4")
+        placed = [vehicles.Mass(M).at(x) for M, x in zip(weights, places, strict=True)]
+        return [complex(root.q) for root in spectrum(Problem(beam, placed, v=v), region=("below", "0.15")).roots]
+
+    one = frequencies([20, 30, 50], [0, 1, "2.5"])
+    assert len(one) == 6
+    assert np.allclose(one, frequencies([50, 30, 20], [0, "1.5", "2.5"]), rtol=0, atol=1e-13)
+    assert not np.allclose(one, frequencies([20, 50, 30], [0, 1, "2.5"]), rtol=0, atol=1e-4)
 
 
 def test_masses_that_merge_are_their_sum() -> None:

@@ -28,6 +28,19 @@ def test_rounding_at_the_start_is_no_loss(points: int) -> None:
         assert fine[j] - step < loss < fine[j] + step  # type: ignore[operator]
 
 
+def test_the_first_of_them_hangs_on_no_grid() -> None:
+    events = [response(FAST, tau=tau).lift_off for tau in ([8], np.linspace(0, 8, 20))]
+    assert all(event is not None for event in events)
+    one, *others = (event for event in events if event)
+    for other in others:
+        assert (other.contact, abs(other.time - one.time) <= one.tolerance + other.tolerance) == (one.contact, True)
+    fine = response(FAST, tau=np.linspace(0, 8, 401))
+    first = min(time for time in fine.contact_loss if time is not None)
+    assert one.time == pytest.approx(first, abs=one.tolerance)
+    assert fine.within.tolist() == (fine.tau <= one.time).tolist()
+    assert response(FAST, tau=[one.time / 2]).lift_off is None
+
+
 def test_times_in_any_order() -> None:
     tau = np.linspace(0, 80, 81)
     there, back = response(FAST, tau=tau), response(FAST, tau=tau[::-1])
@@ -40,6 +53,8 @@ def test_of_two_masses_at_one_place_the_one_pressed_less_is_lifted_at_once() -> 
     found = response(case, tau=(0, "0.1", 1))
     assert found.contact_forces[:, 0] == pytest.approx([-0.4, 0.4], abs=1e-15)
     assert (found.contact_loss, found.contact_note) == ((0.0, None), ("", ""))
+    assert found.lift_off is not None
+    assert (found.lift_off.time, found.lift_off.contact) == (0.0, 1)
     later = response(case, tau=("0.1", 1))
     assert later.contact_loss == (0.1, None)
     assert "before τ = 0.1" in later.contact_note[0]

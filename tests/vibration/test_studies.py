@@ -45,6 +45,19 @@ def test_envelope_and_the_weight_of_the_transient_part() -> None:
     other = transient_importance(found)
     assert other.displacement == pytest.approx(-found.transient[:, 0], abs=1e-9)
     assert np.abs(other.velocity).max() > 1e-6
+    assert envelope(PROBLEM, LOADS, 0, TIMES).modulus == pytest.approx(own.modulus)
+    assert transient_importance(PROBLEM, LOADS).velocity == pytest.approx(other.velocity)
+
+
+def test_a_bogie_on_layers_has_an_envelope_and_a_weight_too() -> None:
+    problem = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
+    times = np.linspace(0, 1, 50)
+    found = response(problem, times=times, places=[0])
+    assert np.all(np.abs(found.harmonic[0]) <= envelope(problem, None, 0, times).modulus * (1 + 1e-12))
+    weight = transient_importance(problem)
+    assert weight.displacement == pytest.approx(
+        -response(problem, times=[0]).transient[:, 0], abs=1e-8 * np.abs(found.rail).max()
+    )
 
 
 def test_cases_keep_their_own() -> None:
@@ -67,7 +80,7 @@ def test_loads_go_with_their_vehicles() -> None:
     with pytest.raises(InputError, match="masses only"):
         merged(bogies, times=times)
     with pytest.raises(InputError, match="Vibration"):
-        envelope(bogies)
+        envelope(bogies.track)
 
 
 def test_the_extremes_of_an_undamped_envelope_are_the_papers() -> None:

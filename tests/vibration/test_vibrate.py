@@ -6,11 +6,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from catalogue_models import made
 from image_truth import Image as Truth
 from infinite import inverted
+from receptance_truth import Receptance
 from track_models import DAMPED
 from vehicle_models import TYPICAL
 
@@ -31,7 +33,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.presets.catalogue import names, preset
 from mpsolve.presets.written import input_file
 from mpsolve.problem.cases import as_problem
-from mpsolve.problem.reduced import scale_guide
+from mpsolve.problem.reduced import scale_guide, track_guide
 from mpsolve.vehicles.bounce import rigid_bounce
 
 BOGIE = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
@@ -268,3 +270,23 @@ def test_a_root_far_out_is_found() -> None:
 def test_a_track_without_stiffness_at_rest_is_refused() -> None:
     with pytest.raises((InputError, PrecisionError)):
         response(Problem(tracks.EulerBernoulli(EI=1, m=1, k=0), vehicles.Mass(1), v=0), times=[1])
+
+
+@pytest.mark.parametrize("faster", ["1.0003", "1.5", "4"])
+def test_a_load_that_outruns_the_waves_of_a_string(faster: str) -> None:
+    """The rail under it stays at rest and bears the weight at once; behind it moves as under a constant force."""
+    string = DAMPED["string"]
+    problem = Problem(string, TYPICAL["mass"], v=Fraction(faster) * Fraction("158.851"))
+    times, place = [0.05, 0.3], Fraction(-5)
+    found = response(problem, times=times, places=[0, place])
+    weight = 900 * 9.80665
+    assert found.contact_force[0] == pytest.approx([weight] * 2, rel=1e-7)
+    guide = track_guide(string, problem.v)
+    truth = Receptance(guide, 25)
+    unit, g, rate = Fraction(2) ** guide.length, float(guide.g), 2.0**guide.time
+    for k, t in enumerate(times):
+        known = mpmath.invertlaplace(
+            lambda s: weight * g * truth.value(place / unit, s * rate) / s, t, method="dehoog"
+        )
+        assert found.rail[1, k] == pytest.approx(float(known), rel=1e-5)
+        assert abs(found.rail[0, k]) < 1e-9 * abs(found.rail[1, k])

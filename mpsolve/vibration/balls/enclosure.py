@@ -116,12 +116,16 @@ def response_balls(
 
 @dataclass(frozen=True)
 class Asked:
-    """A problem with its places, what acts on it, the times, and to how many digits."""
+    """A problem with its places, what acts on it, the times, and to how many digits.
+
+    exact: the places where they are irrational; the image then has them in float64.
+    """
 
     image: Image
     terms: list[Term]
     times: list[Exact]
     digits: int
+    exact: tuple[Exact, ...] = ()
 
 
 def proved_parts(
@@ -145,7 +149,7 @@ def proved_parts(
             "change the frequency of a load that meets an induced frequency, or end earlier",
         )
     lost = max(0, ceil(lost))
-    balls = BallImage(asked.image, asked.terms, asked.digits + lost + _GUARD)
+    balls = BallImage(asked.image, asked.terms, asked.digits + lost + _GUARD, asked.exact)
     with precision(balls.bits):
         poles, floor = _poles(asked.image, found)
         at = [t.ball() * balls.rate_ball for t in asked.times]

@@ -2,6 +2,11 @@
 
 The equations are divided by powers of σ so that they have a limit; one ball holds all of them for |σ| ≥ R. If it is
 invertible, û falls as a power of σ there, and has no pole.
+
+A wave P = z₀σ + … takes the time d = |z₀ξ| over the distance ξ, and one that stays on the track, P = (σ − s)/v, the
+time |ξ|/v: |e^{Pξ}| is a constant times e^{−d Re σ}, at most e^{−dα + dδ(r − r₀)} between line and path. At a place
+that such waves reach the path serves the times t > d, as e^{(t − d)σ} falls on it. Between contacts they are refused:
+what is reflected to and fro has poles that come back to the axis, or cross every such path.
 """
 
 from __future__ import annotations
@@ -9,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision, rational_ball
@@ -20,9 +25,17 @@ from mpsolve.vibration.balls.solved import Disc, solved
 from mpsolve.vibration.path import Path
 
 _FIRST, _TIMES, _TRIES = 32.0, 2.0, 22
+_ECHOES = "echoes between contacts arrive too late for the path of balls: give one contact, or use float64"
 
 
-def far_field(image: BallImage, path: Path, last: float) -> tuple[float, list[Any]]:
+class Bound(NamedTuple):
+    """|û| ≤ size · e^{delay δ(r − r₀)} at the height r² or below, between line and path."""
+
+    size: Any
+    delay: Any
+
+
+def far_field(image: BallImage, path: Path, last: float) -> tuple[float, list[Bound]]:
     """R > `last`, and for |Im σ| ≥ R between line and path bounds of |û| by channels."""
     radius = max(_FIRST, last)
     for _ in range(_TRIES):
@@ -77,7 +90,15 @@ class _Far:
         return acb(0), abs(value) * power_of(self.radius, power)
 
     def received(self, xi: Fraction, power: Fraction = Fraction(0), without: Sequence[FarRoot] = ()) -> Disc:
-        """σ^γ G(ξ), times σ^power; without some of the waves."""
+        """σ^γ G(ξ) between contacts, times σ^power; without some of the waves."""
+        disc, delay = self.late(xi, power, without)
+        if delay > 0:
+            raise PrecisionError(_ECHOES)
+        return disc
+
+    def late(self, xi: Fraction, power: Fraction = Fraction(0), without: Sequence[FarRoot] = ()) -> tuple[Disc, Any]:
+        """The same at any place, and the delay of its waves: up to e^{delay δ(r − r₀)}."""
+        late = arb(0)
         roots, sign = (self.upper, 1) if xi >= 0 else (self.lower, -1)
         middle, radius = acb(0), arb(0)
         if not xi:
@@ -87,9 +108,10 @@ class _Far:
                 continue
             m, r = self.disc(self.image.scale * sign * root.weight, self.gamma - root.gamma + power)
             if xi:
-                m, r = acb(0), (abs(m) + r) * self._grown(root, xi)
+                grown, delay = self._grown(root, xi)
+                m, r, late = acb(0), (abs(m) + r) * grown, late.max(delay)
             middle, radius = middle + m, radius + r
-        return middle, radius
+        return (middle, radius), late
 
     def _alike(self, power: Fraction) -> tuple[list[FarRoot], Any, Any]:
         """The upper waves without those that have the lowest γ and one ζ, and these at the contact: w₁ may cancel."""
@@ -103,29 +125,45 @@ class _Far:
         radius = size * (abs(second) * zeta + sum((own[2] for own in parts), arb(0)))
         return [z for z in self.upper if not any(z is one for one in some)], self.image.scale * first, radius
 
-    def _grown(self, root: FarRoot, xi: Fraction) -> Any:
+    def _grown(self, root: FarRoot, xi: Fraction) -> Bound:
         """A bound of |e^{Pξ}|."""
-        x, R, w = rational_ball(xi), self.radius, root.power
+        x, R, w = self.image.away(xi), self.radius, root.power
         b = w.denominator
         aside = (abs(arb(self.path.alpha)) + self.path.delta * R.sqrt()) / R  # |Re σ|/|σ| at most
         zeta = power_of(R, Fraction(-1, b))
         if root.neutral:
-            if root.still is not None or w > Fraction(1, 2) or w > Fraction(1, b):
-                raise PrecisionError(
-                    "a wave over a distance arrives too late for the path: give one contact, and no other place"
-                )
+            if w == 1 and (root.still is not None or b == 1):
+                return self._delayed(root, x)
+            if w > Fraction(1, 2) or w > Fraction(1, b):
+                stated = "a wave over a distance is beyond what is proved of the motion in balls"
+                raise PrecisionError(f"{stated}: give no place but the contacts")
             grows = abs(root.z0) * rational_ball(w) * (1 + aside) * aside * power_of(R, w)
             second = (
                 x * root.z1.real if w == Fraction(1, b) else abs(x) * abs(root.z1) * power_of(R, w - Fraction(1, b))
             )
-            return (abs(x) * (grows + root.left * power_of(R, w - Fraction(2, b))) + second).exp()
+            return Bound((abs(x) * (grows + root.left * power_of(R, w - Fraction(2, b))) + second).exp(), arb(0))
         own = root.z0 * turn(w)
         falls = x * own.real + abs(x) * (
             abs(own) * rational_ball(w) * aside + abs(root.z1) * zeta + root.left * zeta**2
         )
         if not falls < 0:
             raise PrecisionError("p-roots far out may be real: go further")
-        return (falls * power_of(R, w)).exp()
+        return Bound((falls * power_of(R, w)).exp(), arb(0))
+
+    def _at_once(self, root: FarRoot, xi: Fraction) -> Any:
+        size, delay = self._grown(root, xi)
+        if delay > 0:
+            raise PrecisionError(_ECHOES)
+        return size
+
+    def _delayed(self, root: FarRoot, x: Any) -> Bound:
+        """Of P = z₀σ + z₁ + rest, |rest| ≤ left/|σ|, or of P = (σ − s)z₀; z₀ is real, as the wave is neutral."""
+        z0 = root.z0.real
+        if not x * z0 < 0:
+            raise PrecisionError("p-roots far out cannot be told apart: go further")
+        other = -root.still * root.z0 if root.still is not None else root.z1
+        left = arb(0) if root.still is not None else root.left / self.radius
+        return Bound((x * other.real + abs(x) * left + x * z0 * self.path.alpha).exp(), arb(abs(x * z0).upper()))
 
     def waves(self) -> Waves | None:
         """The waves that run between tight contacts and do not decay, where there are such in either direction."""
@@ -142,9 +180,9 @@ class _Far:
             for j in chain:
                 if i != j:
                     root, wave = (one[0], ahead) if at[i] > at[j] else (other[0], behind)
-                    sizes[n + i, n + j] = abs(wave) * self._grown(root, at[i] - at[j])
+                    sizes[n + i, n + j] = abs(wave) * self._at_once(root, at[i] - at[j])
         to_and_fro = [
-            self._grown(one[0], at[j] - at[i]) * self._grown(other[0], at[i] - at[j]) for i, j in pairwise(chain)
+            self._at_once(one[0], at[j] - at[i]) * self._at_once(other[0], at[i] - at[j]) for i, j in pairwise(chain)
         ]
         return Waves(tuple(n + j for j in chain), ahead, behind, tuple(to_and_fro), sizes)
 
@@ -172,7 +210,7 @@ class _Far:
             rows.append(own)
         return rows
 
-    def bounds(self) -> list[Any]:
+    def bounds(self) -> list[Bound]:
         """Of |û| by channels."""
         image, e = self.image, self.powers
         n, R = image.image.size, self.radius
@@ -183,15 +221,18 @@ class _Far:
             waves = self.waves()
             x = solved(self.rows(waves), [*force, *[arb(0)] * image.image.contacts], waves)
             out = [one * power_of(R, -1 - power) for one, power in zip(x, e, strict=True)]
+            delays = [arb(0)] * len(out)
             for at in image.seen:
-                rail = arb(0)
+                rail, late = arb(0), arb(0)
                 for j, y in enumerate(image.pencil[3]):
-                    size = sum(map(abs, self.received(at - y)))
-                    rail = rail + size * x[n + j] * power_of(R, -1 - e[n + j] - self.gamma)
+                    disc, delay = self.late(at - y)
+                    rail = rail + sum(map(abs, disc)) * x[n + j] * power_of(R, -1 - e[n + j] - self.gamma)
+                    late = late.max(delay)
                 out.append(image.touching(at, out, rail))
+                delays.append(late)
             if not all(bound.is_finite() for bound in out):
                 raise PrecisionError("the motion far out has no bound: go further")
-            return [arb(bound.upper()) for bound in out]
+            return [Bound(arb(bound.upper()), delay) for bound, delay in zip(out, delays, strict=True)]
 
 
 def _sum(discs: list[Disc]) -> Disc:

@@ -12,7 +12,8 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, arb, arb_mat, precision, square
+from mpsolve.numbers.balls import acb, arb, arb_mat, precision, rational_ball, square
+from mpsolve.numbers.exact import Exact
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.balls.scatter import Waves
 from mpsolve.vibration.balls.solved import Disc, solved
@@ -40,8 +41,21 @@ class Cell:
 class BallImage(PreciseImage):
     """û and its cells, at the precision of the image."""
 
-    def __init__(self, image: Image, terms: list[Term], digits: int) -> None:
+    def __init__(self, image: Image, terms: list[Term], digits: int, exact: Sequence[Exact] = ()) -> None:
+        """exact: the places of the image, where some are irrational and the image has them in float64."""
         super().__init__(None, image, terms, digits)
+        with precision(self._bits):
+            for place, x in zip(self._seen, exact, strict=False):
+                if not x.is_rational:
+                    self._moved(place, x.ball() / rational_ball(Fraction(2) ** image.guide.length))
+
+    def _moved(self, place: Fraction, x: Any) -> None:
+        """A place is not quite where the image has it, but at x, on the same side of each contact."""
+        for y in self._at:
+            ball, key = x - rational_ball(y), place - y
+            if not (ball > 0 if key > 0 else ball < 0) or not key:
+                raise PrecisionError("a place is too close to a contact: move it, or give it at the contact")
+            self._xi[key] = ball.union(self._xi[key])
 
     @property
     def bits(self) -> int:
@@ -57,6 +71,10 @@ class BallImage(PreciseImage):
     def distances(self) -> list[Fraction]:
         """Scaled, of places and contacts from contacts."""
         return self._distances
+
+    def away(self, xi: Fraction) -> Any:
+        """The ball of a distance, scaled."""
+        return self._xi[xi]
 
     @property
     def seen(self) -> list[Fraction]:

@@ -13,7 +13,7 @@ from mpsolve.numbers.balls import acb, arb
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.vibration.balls.circles import radius_round, residues
-from mpsolve.vibration.balls.far import far_field
+from mpsolve.vibration.balls.far import Bound, far_field
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.panels import panels
 from mpsolve.vibration.balls.strip import prove_strip
@@ -83,7 +83,7 @@ class Work:
         except PrecisionError:
             return np.full(self.empty.shape, arb(0, float("inf")), object)
 
-    def _path(self) -> tuple[Path, float, list[Any]]:
+    def _path(self) -> tuple[Path, float, list[Bound]]:
         """A path that is proved, and from where on û is bounded as told."""
         fast = [abs(complex(z.mid())) for z in (*self.poles, *self.loaded)]
         error: PrecisionError | None = None
@@ -93,6 +93,7 @@ class Work:
                 raise error or PrecisionError(f"{stated}: end earlier, or use float64")
             try:
                 radius, bounds = far_field(self.image, path, path.start**2)
+                self._arrived(bounds)
                 prove_strip(self.image, path, radius, self.effort)
             except EffortError:
                 raise
@@ -102,7 +103,7 @@ class Work:
             return path, radius, bounds
         raise error or PrecisionError("no path is proved: change a parameter")
 
-    def _integral(self, path: Path, radius: float, bounds: list[Any], goals: list[Any]) -> Any:
+    def _integral(self, path: Path, radius: float, bounds: list[Bound], goals: list[Any]) -> Any:
         """(1/π) Im ∫, with what is missed in the radii."""
         first, end = min(self.late, key=float), radius**0.5 * 1.001
         longest = min(_LONGEST, (_TURNS / float(first)) ** 0.5, _ECHOES / self.span if self.span else _LONGEST)
@@ -124,11 +125,23 @@ class Work:
         ball = np.vectorize(lambda value, off: (value.imag + arb(0, off.upper())) / arb.pi(), otypes=[object])
         return ball(total, missed)
 
-    def _tail(self, path: Path, bounds: list[Any], end: float, t: Any) -> list[Any]:
-        """Bounds of what lies beyond r = end, by channels: ∫ |σ'| e^{(α − δ(r − r₀))t} dr in closed form."""
-        rate = t * path.delta
-        wave = (t * path.alpha - rate * (arb(end) - path.start)).exp()
-        return [bound * wave * ((path.delta + 2 * arb(end)) / rate + 2 / rate**2) for bound in bounds]
+    def _arrived(self, bounds: list[Bound]) -> None:
+        """PrecisionError unless all waves have arrived at the first time."""
+        last = max((bound.delay for bound in bounds), key=float)
+        if self.late and not last < min(self.late, key=float):
+            when = float(last / self.image.rate_ball)
+            raise PrecisionError(
+                f"a place is reached by waves at t = {when:.6g} only: give later times, or nearer places"
+            )
+
+    def _tail(self, path: Path, bounds: list[Bound], end: float, t: Any) -> list[Any]:
+        """Bounds of what lies beyond r = end, by channels: ∫ |σ'| e^{αt − δ(r − r₀)(t − delay)} dr in closed form."""
+        out = []
+        for size, delay in bounds:
+            rate = (t - delay) * path.delta
+            wave = (t * path.alpha - rate * (arb(end) - path.start)).exp()
+            out.append(size * wave * ((path.delta + 2 * arb(end)) / rate + 2 / rate**2))
+        return out
 
     def _steady(self) -> Any:
         """What the loads keep up for ever."""

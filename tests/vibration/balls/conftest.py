@@ -10,8 +10,8 @@ from mpsolve.vibration.vibrate import checked_places
 def balls():
     """The image in balls of a problem under its weights, with 25 digits."""
 
-    def image(problem):
-        own = Image(problem, checked_places(problem, None))
+    def image(problem, places=None):
+        own = Image(problem, checked_places(problem, places))
         return BallImage(own, exact_terms(problem.pencil, None), 25)
 
     return image

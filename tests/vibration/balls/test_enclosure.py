@@ -94,11 +94,48 @@ def test_spent_effort_leaves_nothing_known():
     assert not found.rail[0, 0].is_finite()
 
 
-def test_a_place_where_waves_arrive_late_is_refused_with_the_reason():
-    string = Problem(tracks.String(T=2, m=1, k=1, c="0.2"), vehicles.Mass(3), v="0.5")
-    found = response_balls(string, times=["2"], places=["1"], digits=8)
+STRING = tracks.String(T=2, m=1, k=1, c="0.2")
+LAYERS = tracks.TwoLayer(EI="0.25", m=1, m_sleeper=2, k_pad=3, c_pad="0.4", k_ballast=1, c_ballast="0.3")
+
+
+@pytest.mark.parametrize(
+    ("track", "v", "places", "times"),
+    [
+        (STRING, "0.5", ["1", "-2"], ["2"]),
+        pytest.param(LAYERS, "0.5", ["-1", "0.7"], ["3"], marks=pytest.mark.slow),
+        pytest.param(
+            tracks.Timoshenko(EI=1, m=1, k=1, c="0.2", S=2, J="0.25"),
+            "0.5",
+            ["1", "-1"],
+            ["3"],
+            marks=pytest.mark.slow,
+        ),
+    ],
+)
+def test_places_that_waves_have_reached_are_proved(track, v, places, times):
+    problem = Problem(track, vehicles.Mass(3), v=v)
+    found = response_balls(problem, times=times, places=places, digits=6)
+    assert found.status is Status.UNVERIFIED, found.reason
+    floats = response(problem, times=[float(t) for t in times], places=places)
+    size = np.abs(floats.rail).max()
+    for ball, value in zip(found.rail.ravel(), floats.rail.ravel(), strict=True):
+        assert float(ball.rad()) < 1e-5 * size
+        assert abs(float(ball.mid()) - value) < float(ball.rad()) + 1e-8 * size
+
+
+def test_a_place_that_waves_have_not_reached_is_refused_with_the_time():
+    """The wave ahead takes 1/(√2 − 0.5) s over 1 m, and what stays on the track 1/0.5 s."""
+    problem = Problem(STRING, vehicles.Mass(3), v="0.5")
+    found = response_balls(problem, times=["1"], places=["1"], digits=6)
     assert found.status is Status.UNDECIDED
-    assert "arrives too late" in found.reason.message
+    assert "by waves at t = 1.0938" in found.reason.message
+    layers = Problem(LAYERS, vehicles.Mass(3), v="0.5")
+    assert "by waves at t = 2 " in response_balls(layers, times=["1"], places=["-1"], digits=6).reason.message
+
+
+def test_echoes_between_contacts_are_refused_with_the_reason():
+    pair = Problem(STRING, vehicles.train(vehicles.Mass(3), 2, 1), v="0.5")
+    assert "echoes between contacts" in response_balls(pair, times=["5"], digits=6).reason.message
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,70 @@
+"""Thin strips of a chart that hold all that the arcs of real roots show of it, and points near the arcs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.proof.subdivide import BATCH
+from mpsolve.ranges.arcs import HALF, PIECES, Arcs, arcs
+
+_MOST = 64  # parts of a piece
+
+
+@dataclass(frozen=True)
+class Strips:
+    """low, high: boxes (x, y) in shares of the chart, which hold all; near: points (q̂, x̂, ŷ) about on the arcs, q̂ = 0
+    exactly for those whose zeros have q = 0.
+    """
+
+    low: Any
+    high: Any
+    near: Any
+
+
+def strips_of(matrix: FreeMatrix, low: Any, high: Any, corners: tuple[Any, Any], cells: int) -> Strips:
+    """Of leaves with arcs. corners: of the whole; cells: how fine the strips are, along each parameter."""
+    boxes: list[tuple[Any, Any]] = [(np.zeros((2, 0)), np.zeros((2, 0)))]
+    points = [np.zeros((3, 0))]
+    middles = (np.arange(PIECES) + 0.5) / PIECES - HALF
+    for start in range(0, low.shape[1], BATCH):
+        part = slice(start, start + BATCH)
+        found = arcs(matrix, low[:, part], high[:, part])
+        for t in middles.tolist():
+            boxes.append(_strips(found, t, corners, cells))
+            points.append(_points(found, t))
+    lows, highs = (np.concatenate([one[k] for one in boxes], 1) for k in range(2))
+    return Strips(lows, highs, np.concatenate(points, 1))
+
+
+def _points(found: Arcs, t: float) -> Any:
+    """Where arcs pass the middles of pieces, about, inside of their leaves."""
+    at = np.full(found.low.shape[1], t)
+    point = found.m + found.place(found.pieces(t, 0.0).centre, at) * found.r
+    point[0] = np.where(found.at_zero, 0.0, point[0])
+    return point[:, ((point >= found.low) & (point <= found.high)).all(0)]
+
+
+def _strips(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> tuple[Any, Any]:
+    """A piece in parts, none of which is much larger than a cell."""
+    half, whole = HALF / PIECES, (corners[1] - corners[0])[:, None]
+    piece = found.pieces(t, half)
+    reach = np.nan_to_num(np.abs(piece.lean) * half, nan=np.inf)
+    size = (found.place(reach, np.full(reach.shape[1], half)) * found.r / whole)[1:].max(0) * 2 * cells
+    count = np.clip(np.ceil(size), 1, _MOST).astype(int)
+    index = np.repeat(np.arange(len(count)), count)
+    step = np.concatenate([np.arange(n) for n in count.tolist()])
+    share = half / count[index]
+    tau = (2 * step + 1) * share - half
+    pick = found.take(index)
+    lean, around = piece.lean[:, index], piece.around[:, index]
+    centre = pick.m + pick.place(piece.centre[:, index] + lean * tau, t + tau) * pick.r
+    size = pick.place(np.abs(lean) * share + around, share) * pick.r
+    room = 2.0**-46 * (np.abs(pick.m) + pick.r + size)
+    a, b = np.fmax(centre - size - room, pick.low), np.fmin(centre + size + room, pick.high)  # nan: all of the leaf
+    keep = ~(a > b).any(0)
+    low, high = (((end[:, keep] - corners[0][:, None]) / whole)[1:] for end in (a, b))
+    return low, high
