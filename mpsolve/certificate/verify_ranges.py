@@ -214,10 +214,11 @@ class Form:
         return Form(inverse_of(self.k, self.m), rest, self.m)
 
     def exp(self) -> Form:
-        """e^f: |e^w − 1 − w − w²/2| ≤ e^y y³/6 for |w| ≤ y."""
+        """e^f: |e^w − 1 − w − w²/2| ≤ e^y y³/6 for |w| ≤ y; where y is large |e^f| ≤ e^{Re k_0 + y} says more."""
         _, p, q = self.sizes
         y = p + q + self.e
-        require(y < 40, "a wave may change too much over a box")
+        if not y < 2:
+            return Form(number(0, self.m).k, (self.k[0].real + y).exp(), self.m)
         rest = self.e + (q + self.e) * (2 * p + q + self.e) / 2 + y.exp() * y**3 / 6
         k = exponential_of(self.k, self.m)
         return Form(k, abs(self.k[0].exp()) * rest, self.m)
@@ -446,7 +447,10 @@ class Split:
         point, value = h.plus(self.z[k]), N[-1]
         for f in reversed(N[:-1]):
             value = value * point + f
-        return point, value * slope.inverse()
+        try:
+            return point, value * slope.inverse()
+        except Refused as error:
+            raise Wide(str(error), self.strain()) from None
 
     def circles(self, side: int) -> list[tuple[Any, Any, list[int]]]:
         """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
