@@ -50,7 +50,7 @@ class BallImage(Equations):
         upper, lower = tuple(one for x, one in roots if x < 0), tuple(one for x, one in roots if x > 0)
         if len(upper) != self.image.receptance.upper or len(upper) + len(lower) < len(roots):
             raise PrecisionError("p-roots cannot be told from real ones on the path: move it")
-        return self.within(Cell(sigma, upper, lower), sigma)
+        return Cell(sigma, upper, lower)
 
     def on_axis(self, sigma: Any) -> Cell:
         """The cell of a thin σ̂ of the axis; where waves do not decay there, as it continues what is right of it."""

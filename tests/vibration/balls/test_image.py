@@ -40,3 +40,12 @@ def test_a_pole_in_the_cell_is_refused(balls):
     image = balls(PAIR)
     with precision(image.bits), pytest.raises(PrecisionError):
         image.values(image.cell(acb(arb(0, 0.1), arb(0, 0.1)), acb(0.05, 0)))
+
+
+def test_next_to_the_axis_the_sides_are_told_by_all_digits(balls):
+    """Without damping the p-roots of waves come as close to the imaginary axis as σ̂ does."""
+    image = balls(Problem(tracks.EulerBernoulli(EI="0.25", m=1, k=1), vehicles.Mass(20), v="0.5"))
+    with precision(image.bits):
+        cell = image.start(acb(arb(10) ** -25, 3))
+        assert len(cell.upper) == len(cell.lower) == 2
+        assert max(float(z.at(cell.ball).real.upper()) for z in cell.upper) < 0

@@ -38,11 +38,15 @@ def test_roots_and_weights_are_held_all_over_the_ball():
                 assert abs(w[k] - complex(weight.mid())) <= 1.5 * float(weight.rad()) + 1e-9
 
 
-def test_a_thin_ball_gives_all_digits():
+def test_a_thin_ball_gives_all_digits_as_does_newtons_method():
+    """Thin are points and balls as small as a circle round one of two poles 1e-30 apart."""
     with precision(300):
         sigma = acb(-1, 40)
-        sharp = sharp_roots(SYMBOLS, sigma, moving_roots(SYMBOLS, sigma))
-        assert all(one.at(sigma).rel_accuracy_bits() > 250 for one in sharp)
+        found = moving_roots(SYMBOLS, sigma)
+        assert all(one.at(sigma).rel_accuracy_bits() > 250 for one in found)
+        assert all(one.at(sigma).rel_accuracy_bits() > 250 for one in sharp_roots(SYMBOLS, sigma, found))
+        small = acb(arb(-1, 1e-31), arb(40, 1e-31))
+        assert all(one.radius < 1e-40 for one in moving_roots(SYMBOLS, small))
 
 
 def test_a_wide_ball_is_refused():
