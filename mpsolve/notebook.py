@@ -21,8 +21,8 @@ from mpsolve.report.figures import figure_of
 from mpsolve.report.figures_plane import q_plane
 from mpsolve.report.figures_response import displacements
 from mpsolve.report.figures_svg import inline_svg
-from mpsolve.report.html_environment import rendered_template
 from mpsolve.report.range_table import WITHOUT
+from mpsolve.report.template import rendered
 from mpsolve.report.vibration import in_words, motion_rows, vibrations
 from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Spectrum
@@ -56,7 +56,7 @@ def problem_card(spectrum: Spectrum) -> str:
         (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, units.time))
         for motion, row in zip(motions, motion_rows(motions), strict=True)
     ]
-    return rendered_template(
+    return rendered(
         _TEMPLATE,
         head=words.verdict(spectrum),
         caption=f"Roots q in {units.q}, {spectrum.region}",
@@ -81,7 +81,7 @@ def response_card(response: Response) -> str:
         if loss is not None
     ]
     notes.append(f"Computed in float64, not proved; the estimated error is {response.error:.0e} of the largest part.")
-    return rendered_template(
+    return rendered(
         _TEMPLATE,
         head=f"Response for τ from {response.tau.min():.6g} to {response.tau.max():.6g}"
         if response.tau.size
@@ -103,7 +103,7 @@ def table_card(table: Table) -> str:
     """The entries as they stand in the table, and what they mean."""
     (path, values), (column, labels) = table.rows, table.columns
     unit = f" [{table.over.unit}]" if table.over.unit else ""
-    return rendered_template(
+    return rendered(
         _TEMPLATE,
         head=table.title or table.quantity,
         caption=f"{table.quantity} of {table.over.path}{unit}",

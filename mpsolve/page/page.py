@@ -16,7 +16,6 @@ from mpsolve.page import charts, figures
 from mpsolve.page.limit_words import limit_rows
 from mpsolve.page.parts import Parts, vibrations
 from mpsolve.page.plain import plain, scope
-from mpsolve.page.template import rendered
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
@@ -26,6 +25,7 @@ from mpsolve.problem.titled import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
+from mpsolve.report.template import rendered
 from mpsolve.spectrum.spectrum import Root
 from mpsolve.tracks.waveguide import Track
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 
-def rendered_template(name: str, **values: Any) -> str:
+def rendered(name: str, **values: Any) -> str:
     """The template of this name in templates/ with these values."""
     return _environment().get_template(name).render(values)
 
