@@ -128,14 +128,14 @@ class _Line:
 
     def _require_stable(self, path: str, x: Fraction) -> None:
         """PrecisionError unless no root grows at x for any value between the first and the last."""
-        scope = scope_of(self.problem.changed(path, x), {self.along: (self.values[0], self.values[-1])})
+        # the family at x alone: a factor is applied after what it scales, which `changed` would do in another order
+        scope = scope_of(self.problem, {path: (x, x), self.along: (self.values[0], self.values[-1])})
         cover = subdivide(*scope.corners, scope.judge(), self.budget)
         if cover.reason is not None:
             raise PrecisionError(str(cover.reason))
-        (a, b), unit = scope.family.box[0], scope.family.units[0]
-        base = certify_problem(
-            scope.family.at([short_between(a, b) if a < b else a / unit]), region="unstable", digits=15, check=False
-        )
+        (at, _), (a, b) = scope.family.box
+        point = [at, short_between(a, b)]
+        base = certify_problem(scope.family.at(point), region="unstable", digits=15, check=False)
         if not base.stable or base.unstable:
             raise PrecisionError("roots grow before the first crossing, or are not counted there")
 

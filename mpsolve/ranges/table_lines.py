@@ -37,12 +37,8 @@ def lines_of(problem: Problem, jobs: Sequence[Job], rows: Axis, columns: Axis) -
     width = len(columns[1])
     down = len(rows[1]) >= width
     along, fixed = (rows, columns) if down else (columns, rows)
-    # a factor is applied last, so that none must be fixed before what it is to scale
-    together = (
-        jobs[0].quantity == "onset"
-        and jobs[0].over.high is not None
-        and (along[0].startswith("scale.") or not fixed[0].startswith("scale."))
-    )
+    together = jobs[0].quantity == "onset" and jobs[0].over.high is not None
+    together = together and _in_order(fixed[0], along[0]) and _in_order(along[0], jobs[0].over.path)
     n, out = len(along[1]), []
     size = -(-n // -(-n // _TOGETHER))
     for k, value in enumerate(fixed[1]):
@@ -53,6 +49,11 @@ def lines_of(problem: Problem, jobs: Sequence[Job], rows: Axis, columns: Axis) -
             values = tuple(along[1][i] for i in part)
             out.append(Line(places, tuple(jobs[i] for i in places), common, along[0], values))
     return out
+
+
+def _in_order(first: str, then: str) -> bool:
+    """Whether the first may be applied before the other: no factor before what it is to scale, which are vehicles."""
+    return not first.startswith("scale.") or then in ("v", "alpha") or then.startswith(("scale.", "track."))
 
 
 def _common(problem: Problem, path: str, value: Fraction) -> Problem | None:

@@ -74,3 +74,17 @@ def test_where_roots_grow_from_the_start_nothing_is_told() -> None:
 def test_what_is_no_line() -> None:
     assert onsets_along(TWO, OVER, "eta_m", MASSES[:1], 15) == [None]
     assert onsets_along(TWO, OVER, "gap[0]", [Fraction(-1), Fraction(1)], 15) == [None, None]
+
+
+def test_a_factor_over_masses_that_are_given() -> None:
+    """Over a factor of the masses, along the masses: their product is the limiting mass at each value."""
+    case = as_problem(Case(alpha="0.9", eta_b="0.05", eta_m=(1, 1), positions=(0, "1.5")))
+    found = onsets_along(
+        case, {"scale.mass": (Fraction(1, 2), Fraction(4))}, "eta_m", [Fraction(20), Fraction(30)], 15
+    )
+    products = [mass * float(one.value) for mass, one in zip((20, 30), found, strict=True) if one is not None]
+    assert products == pytest.approx([52.871940796831055] * 2, rel=1e-12)
+    grown = onsets_along(
+        case, {"scale.mass": (Fraction(1, 2), Fraction(4))}, "eta_m", [Fraction(20), Fraction(120)], 15
+    )
+    assert grown == [None, None]  # 120 is unstable from the start of the range on

@@ -48,6 +48,14 @@ def test_where_each_is_asked_by_itself(rows: Any, columns: Any, quantity: str) -
     assert all(line.problem is None for line in lines)
 
 
+@pytest.mark.parametrize(("over", "together"), [("v", True), ("track.c", True), ("eta_m", False), ("gap[0]", False)])
+def test_a_factor_along_a_line(over: str, together: bool) -> None:
+    """It is not applied after what it is to scale is set anew, which each entry does not do."""
+    asked = Job(TWO, "onset", Over(over, Fraction(0), Fraction(2), "", ""), 10, None)
+    lines = lines_of(TWO, [asked] * 4, FACTORS, ("eta_b", (Fraction("0.05"), Fraction("0.1"))))
+    assert all((line.problem is not None) is together for line in lines)
+
+
 def test_what_a_line_does_not_tell_is_asked_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: dict[str, Any] = {"rows": {"eta_m": [5, 60]}, "columns": {"d": [2]}, "digits": 12, "workers": 1}
     together = stability_table(TWO, over={"v": (0, 2)}, **asked)
