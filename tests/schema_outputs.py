@@ -25,7 +25,7 @@ OUTPUTS = {
     "lines": f"lines {PAIR} --over v=0.4..0.5 --points 3 --json",
     "worst": f"worst {RAIL} --over vehicles.M=8..12t --json",
     "robust": f"robust {PAIR} --over v=0.6..0.7 --json",  # with a counterexample
-    "chart": f"chart {PAIR} --over v=0.3..0.6 --over scale.mass=0.5..1 --depth 3 --json",
+    "chart": f"chart {PAIR} --over v=0.6..0.7 --over scale.mass=0.8..1.1 --depth 3 --json",
     "train": f"train {EXAMPLES / 'endless_train.toml'} --json",
     "critical": f"critical {BOGIE} --json",
     "receptance": f"receptance {RAIL} --omega 1,2,3 --xi=-1,0 --json",
