@@ -42,9 +42,23 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
     show_default=True,
     help="In s: all loads at once, or constant ones since ever.",
 )
+@click.option(
+    "--roughness", help='In s: a wave on the rail under all contacts, AMPLITUDE,WAVELENGTH as "20 µm, 0.8 m".'
+)
+@click.option(
+    "--out-of-round", help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".'
+)
 @click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
 def response(
-    file: Path, output: Path, end: str, points: int, xi: str | None, initial: str, animate: Path | None
+    file: Path,
+    output: Path,
+    end: str,
+    points: int,
+    xi: str | None,
+    initial: str,
+    roughness: str | None,
+    out_of_round: str | None,
+    animate: Path | None,
 ) -> None:
     """Compute the motion from rest of the vehicles in FILE (TOML), in float64.
 
@@ -66,13 +80,16 @@ def response(
             last = cli_vibration.seconds(end) or _last(end)
             if animate is not None:
                 checked_suffix(checked_output(animate, file, "the film", "animate"), (".svg",), "animate")
-            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial)
+            rough = cli_vibration.irregularities(source.problem, roughness, out_of_round)
+            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial, rough)
             if animate is not None:
-                cli_vibration.film(source, animate, last, initial)
+                cli_vibration.film(source, animate, last, initial, rough)
             click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
             return
         _only_in_seconds(initial != "rest", "--initial")
         _only_in_seconds(animate is not None, "--animate")
+        _only_in_seconds(roughness is not None, "--roughness")
+        _only_in_seconds(out_of_round is not None, "--out-of-round")
         tau = _times(end, points)
         from mpsolve.vibration.of_case import motion_of_case as respond
 
@@ -114,12 +131,14 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
             return
         tau = _times(end, points)
         scale = _scale(source)
-        curves, notes = _curves(source, tau, scale)
-        _save_curves(curves, tau, output, kind, source.title, scale)
+        whole, curves, notes = _curves(source, tau, scale)
+        _save_curves(whole, curves, output, kind, source.title, scale)
         reference, unit = curves["complete"], _unit(scale)
         for name, curve in list(curves.items())[1:]:
-            apart = abs(curve - reference).max() * scale.length
-            click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} {unit}")
+            apart = abs(curve - reference)[whole.within].max() * scale.length
+            click.echo(
+                f"{name}: differs from the complete solution by at most {apart:.6g} {unit} while contact is kept"
+            )
         for note in notes:
             click.echo(note)
         click.echo(str(output))
@@ -210,8 +229,8 @@ def _summary(found: Response, scale: Scale) -> list[str]:
     return [*lines, f"mass {event.contact} lifts off at {at} {off}: what comes later is beyond the model."]
 
 
-def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], list[str]]:
-    """The curves by name, the complete solution first, and what is to be said of them."""
+def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[str, Any], list[str]]:
+    """The motion, the curves by name, the complete solution first, and what is to be said of them."""
     from mpsolve.errors import InputError, PrecisionError
     from mpsolve.finite.beam.beam import finite_beam
     from mpsolve.vibration.case_studies import merged, superposition
@@ -237,17 +256,18 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[dict[str, Any], 
             curves[name] = compute()
         except (InputError, PrecisionError) as error:  # the other curves stand without it
             notes.append(f"{name}: left out, {error}")
-    return curves, notes
+    return whole, curves, notes
 
 
-def _save_curves(curves: dict[str, Any], tau: Any, path: Path, kind: str, title: str, scale: Scale) -> None:
+def _save_curves(whole: Response, curves: dict[str, Any], path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.files import save_columns
         from mpsolve.vibration.case_table import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
-        save_columns(time_columns(tau, scale) | shown, path)
+        shown[named("within the model", "1", scale)] = whole.within.astype(float)
+        save_columns(time_columns(whole.tau, scale) | shown, path)
     else:
         from mpsolve.report.figures_motion import save_curves
 
-        save_curves(curves, tau, path, title, scale)
+        save_curves(whole, curves, path, title, scale)

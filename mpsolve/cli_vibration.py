@@ -9,7 +9,11 @@ import click
 
 if TYPE_CHECKING:
     from mpsolve.problem.inputfile import ProblemFile
+    from mpsolve.problem.problem import Problem
+    from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.motion import Vibration
+
+    Rough = tuple[Irregularity, ...] | None
 
 _FRAMES, _SHAPE_POINTS, _AROUND = 120, 161, 12
 
@@ -22,13 +26,40 @@ def seconds(text: str) -> float | None:
     return seconds_of(text, "--to") if split(text)[1] else None
 
 
-def respond(source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str) -> list[str]:
+def irregularities(problem: Problem, roughness: str | None, out_of_round: str | None) -> Rough:
+    """What the options give: a wave on the rail, or uneven wheels, or nothing."""
+    from mpsolve.errors import InputError
+    from mpsolve.numbers.units import in_unit
+    from mpsolve.vibration import roughness as kinds
+
+    def lengths(text: str, key: str, most: int) -> tuple[list[Any], list[int]]:
+        parts = [part.strip() for part in text.split(",")]
+        if not 2 <= len(parts) <= most or not all(part.isdecimal() for part in parts[2:]):
+            raise InputError(
+                key, f"is {text!r}: give two lengths such as '20 µm, 0.8 m', see mpsolve response --help"
+            )
+        return [in_unit(part, "m", key, "length") for part in parts[:2]], [int(part) for part in parts[2:]]
+
+    if roughness is not None and out_of_round is not None:
+        raise InputError("--roughness", "is given with --out-of-round: give one of them, the motion is linear")
+    if roughness is not None:
+        return kinds.rail_roughness(problem, *lengths(roughness, "--roughness", 2)[0])
+    if out_of_round is not None:
+        given, counts = lengths(out_of_round, "--out-of-round", 4)
+        return kinds.out_of_round(problem, *given, *counts)
+    return None
+
+
+def respond(
+    source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str, rough: Rough
+) -> list[str]:
     """Writes the motion; what is to be said of it."""
     from mpsolve.vibration.table import save_arrays, save_table
     from mpsolve.vibration.vibrate import vibrate
 
     places = None if xi is None else [x.strip() for x in xi.split(",")]
-    found = vibrate(source.problem, source.loads, times=times, places=places, initial=initial)
+    given: dict[str, Any] = {"initial": initial, "irregularities": rough}
+    found = vibrate(source.problem, source.loads, times=times, places=places, **given)
     if kind == ".csv":
         save_table(found, output)
     elif kind == ".json":
@@ -54,7 +85,7 @@ def warnings(source: ProblemFile) -> list[str]:
     return [f"Warning: {reason}." for reason in found]
 
 
-def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:
+def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Rough) -> None:
     """Writes the film of the rail's shape."""
     import numpy as np
 
@@ -63,10 +94,12 @@ def film(source: ProblemFile, path: Path, last: float, initial: str) -> None:
     from mpsolve.vibration.vibrate import vibrate
 
     contacts = [float(x) for x in source.problem.pencil.places]
-    around = max(_AROUND * 2.0 ** scale_guide(source.problem).length, 0.5 * (contacts[-1] - contacts[0]))
+    gap, unit = contacts[-1] - contacts[0], 2.0 ** scale_guide(source.problem).length
+    around = min(_AROUND * unit, max(6 * gap, 4 * unit)) if gap else _AROUND * unit
     places = np.linspace(contacts[0] - around, contacts[-1] + around, _SHAPE_POINTS)
     times = np.linspace(0.0, last, _FRAMES)
-    save_film(vibrate(source.problem, source.loads, times=times, places=places, initial=initial), path, source.title)
+    given: dict[str, Any] = {"initial": initial, "irregularities": rough}
+    save_film(vibrate(source.problem, source.loads, times=times, places=places, **given), path, source.title)
 
 
 def _summary(found: Vibration) -> list[str]:

@@ -60,7 +60,7 @@ CHANGES = {
 }
 WORDS = {
     "certify a.csv": "a.csv: is a table of values, not TOML",
-    "report a.xlsx": "a.xlsx: is no text (byte 10): give a TOML file, a plain text; no spreadsheet",
+    "report a.xlsx": "a.xlsx: is no text: give a TOML file, a plain text; no spreadsheet",
     "critical a.json": "a.json: is JSON, not TOML: mpsolve new ballasted",
     "onset answer.json": "answer.json: is an answer (mpsolve onset), not an input file",
     "derive cert.json": "cert.json: is a certificate, not an input file: check it with mpsolve verify cert.json",

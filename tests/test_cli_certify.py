@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
-import signal
-import subprocess
-import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
 
-import mpsolve
 from mpsolve import certify, read_case, verify
 from mpsolve.certificate import verify2
 from mpsolve.certificate.format import Certificate
@@ -247,26 +241,18 @@ def test_an_effort_that_is_none(run: Run, seconds: str) -> None:
     assert (result.exit_code, result.stderr.startswith("mpsolve: --effort: ")) == (2, True)
 
 
-@pytest.mark.skipif(os.name == "nt", reason="interrupts are sent otherwise there")
-def test_an_interruption_is_one_line_and_writes_nothing(tmp_path: Path) -> None:
-    """Seven masses to 3000 digits take long; two interrupts come while they are worked on."""
-    text = PLAIN.read_text(encoding="utf-8")
-    slow = text.replace("[70, 70]", "[70, 65, 60, 55, 50, 45, 40]").replace("[0, 1.5]", "[0, 1, 2, 3, 4, 5, 6]")
-    assert slow.count("[") == text.count("[")
-    (tmp_path / "slow.toml").write_text(slow, encoding="utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(Path(mpsolve.__file__).parents[1])}
-    process = subprocess.Popen(
-        [sys.executable, "-m", "mpsolve", "certify", "slow.toml", "--digits", "3000"],
-        cwd=tmp_path, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-    )  # fmt: skip
-    time.sleep(4)
-    process.send_signal(signal.SIGINT)  # asks for an end
-    time.sleep(0.3)
-    process.send_signal(signal.SIGINT)  # does not wait for it
-    out, err = process.communicate(timeout=60)
-    assert (process.returncode, out) == (130, "")
-    assert err == "mpsolve: interrupted\n"
-    assert [path.name for path in tmp_path.iterdir()] == ["slow.toml"]
+def test_an_interruption_is_one_line_and_writes_nothing(
+    run: Run, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """As a second Ctrl-C ends the work; what signals do is in tests/proof/test_stopping.py."""
+
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mpsolve.certificate.certify.certify", interrupted)
+    result = run("certify", PLAIN)
+    assert (result.exit_code, result.stdout, result.stderr) == (130, "", "mpsolve: interrupted\n")
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.usefixtures("accepted")

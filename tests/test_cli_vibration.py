@@ -5,12 +5,13 @@ from __future__ import annotations
 import csv
 import xml.etree.ElementTree as ET
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
-from mpsolve import read_problem, response
+from mpsolve import out_of_round, rail_roughness, read_problem, response
 from mpsolve.cli import cli
 
 BOGIE = Path("examples/two_layer_bogie.toml")
@@ -70,6 +71,26 @@ def test_arrays_and_a_film(tmp_path: Path) -> None:
     assert "beyond the model" in film.read_text("utf-8")
 
 
+@pytest.mark.parametrize(
+    ("option", "text", "rough"),
+    [
+        ("--roughness", "20 µm, 0.8 m", lambda problem: rail_roughness(problem, "2e-5", "0.8")),
+        ("--out-of-round", "0.1 mm,0.46 m,3,2", lambda problem: out_of_round(problem, "1e-4", "0.46", 3, 2)),
+        ("--out-of-round", "0.1 mm, 0.46", lambda problem: out_of_round(problem, "1e-4", "0.46")),
+    ],
+)
+def test_a_rough_rail_and_uneven_wheels(option: str, text: str, rough: Any, tmp_path: Path) -> None:
+    table = tmp_path / "out.csv"
+    given = [BOGIE, "-o", table, "--to", "0.05 s", "--points", 11, "--initial", "steady", option, text]
+    result = run("response", *given)
+    assert result.exit_code == 0, result.output
+    problem = read_problem(BOGIE).problem
+    times = np.linspace(0, 0.05, 11)
+    known = response(problem, times=times, initial="steady", irregularities=rough(problem)).contact_force[1]
+    assert [float(row["contact force 2 [N]"]) for row in rows_of(table)] == pytest.approx(known, rel=1e-9)
+    assert known.std() > 100
+
+
 def test_compare_holds_the_other_ways_against_it(tmp_path: Path) -> None:
     table = tmp_path / "out.csv"
     result = run("compare", MASSES, "-o", table, "--to", "0.3 s", "--points", "16")
@@ -89,6 +110,11 @@ def test_compare_holds_the_other_ways_against_it(tmp_path: Path) -> None:
         ([str(BOGIE), "--to", "0 s"], "--to: is 0 s: give a time above 0"),
         ([str(BOGIE), "--to", "x"], "--to"),
         ([str(BOGIE), "--to", "1 s", "--animate", "film.gif"], "film.gif"),
+        ([str(BOGIE), "--to", "1 s", "--roughness", "20 µm"], "--roughness: is '20 µm': give two lengths"),
+        ([str(BOGIE), "--to", "1 s", "--roughness", "20 µm, 3 kg"], "--roughness"),
+        ([str(BOGIE), "--to", "1 s", "--out-of-round", "1 mm, 0.5 m, 0"], "order: is 0"),
+        ([str(BOGIE), "--to", "1 s", "--out-of-round", "1 mm, 1 m", "--roughness", "1 mm, 1 m"], "one of them"),
+        (["examples/dimensionless.toml", "--roughness", "1 mm, 1 m"], "--roughness: is for a motion in s"),
     ],
 )
 def test_options_that_cannot_be_used_are_named(arguments: list[str], said: str, tmp_path: Path) -> None:

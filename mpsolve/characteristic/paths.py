@@ -28,6 +28,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.cover import cover, halved, midpoints
+from mpsolve.proof.definite import positive_definite
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.even import evened
 from mpsolve.proof.joined import joined
@@ -36,8 +37,8 @@ from mpsolve.proof.turning import Regular, pivot_arguments, regular
 Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
 _HARD, _ORDER = 0.84, 0.6  # θ of a piece that is aimed at where pieces are spread evenly; θ^0.6 grows as their length
+_DEFINITE = 0.9  # less than what holds, for a checker with wider bounds
 _FEW = 40  # pieces that are not worth spreading
-_DEFINITE = 0.9
 ROOM = 1.1
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
 _WIDER = 1 + 2.0**-12  # of a disc, against half of its piece
@@ -288,45 +289,12 @@ def on_arc(path: Path) -> Any:
 
 
 def positive(V: Jet, way: Any, drift: Any) -> Any:
-    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line.
-
-    X H X* = I + E with |E| x ≤ θ x, θ < 1, has its eigenvalues within θ of 1, so it and H are positive definite.
-    """
-    n = V.a.shape[1]
+    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
+    n, r = V.a.shape[1], V.r[:, None, None]
     with np.errstate(all="ignore"):
-        H0, H1 = _hermitian(V.a), _hermitian(way[:, None, None] * V.b)
-        finite = np.isfinite(V.a).all((1, 2)) & np.isfinite(V.e).all((1, 2))
-        definite = np.linalg.eigvalsh(np.where(finite[:, None, None], H0, -np.eye(n)))[:, 0] > 0
-        ok = finite & definite
-        X, regular_ = _inverse_factor(np.where(ok[:, None, None], H0, np.eye(n)))
-        ok = ok & regular_
-        size, lost = np.abs(X), 64 * (n + 4) * U
-        Xh, sizeh = np.swapaxes(X.conj(), 1, 2), np.swapaxes(size, 1, 2)
-        r = V.r[:, None, None]
-        rest = V.e + drift[:, None, None] * np.abs(V.b) + lost * (np.abs(V.a) + np.abs(V.b) * r)
-        spread = (rest + np.swapaxes(rest, 1, 2)) / 2
-        E = np.abs(X @ H0 @ Xh - np.eye(n)) + np.abs(X @ H1 @ Xh) * r + lost + size @ spread @ sizeh
-        E = E * UP
-        x = np.ones((len(E), n))
-        for _ in range(12):
-            y = np.einsum("bij,bj->bi", E, x)
-            y = y + 0.02 * x
-            x = y / y.max(1, keepdims=True)
-        return ok & (np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP < _DEFINITE)
-
-
-def _inverse_factor(H: Any) -> tuple[Any, Any]:
-    """X with X H X* ≈ I, and where there is one."""
-    try:
-        return np.linalg.inv(np.linalg.cholesky(H)), np.ones(len(H), bool)
-    except np.linalg.LinAlgError:
-        out, good = np.tile(np.eye(H.shape[1], dtype=complex), (len(H), 1, 1)), np.zeros(len(H), bool)
-        for k, h in enumerate(H):
-            try:
-                out[k], good[k] = np.linalg.inv(np.linalg.cholesky(h)), True
-            except np.linalg.LinAlgError:
-                continue
-        return out, good
+        H = np.stack([_hermitian(V.a), _hermitian(way[:, None, None] * V.b) * r], 1)
+        rest = V.e + drift[:, None, None] * np.abs(V.b) + 64 * (n + 4) * U * (np.abs(V.a) + np.abs(V.b) * r)
+        return positive_definite(H, (rest + np.swapaxes(rest, 1, 2)) / 2, _DEFINITE)
 
 
 def _hermitian(a: Any) -> Any:

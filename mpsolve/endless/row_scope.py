@@ -18,8 +18,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.decay import edges, vanishes
 from mpsolve.passivity.far import far
-from mpsolve.passivity.hermitian import positive_definite
 from mpsolve.problem.family import Family, family_of
+from mpsolve.proof.definite import positive_definite
 from mpsolve.proof.vanishing import Scalar, nonzero, scalar
 from mpsolve.ranges.judge import NONZERO, PASSIVE, boxes_of
 from mpsolve.ranges.scope import Scope, scope_of

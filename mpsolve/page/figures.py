@@ -16,6 +16,7 @@ from mpsolve.pictures.plane import plane_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.ranges.onset import Kind
 
+_TALL, _BEYOND = 6.0, 1.2
 _BESIDE, _SAME = 1.5, 0.1
 """How near a line is to a root: in steps of the velocity, and of |q|."""
 
@@ -25,13 +26,16 @@ def drawing(parts: Parts) -> Picture:
     return Picture("model", model_picture(parts.problem, speech(parts).si), said)
 
 
-def plane(parts: Parts) -> Picture:
-    """The certified roots with the cuts."""
+def plane(parts: Parts) -> Picture | None:
+    """The certified roots with the cuts; None where there is no root."""
+    if not parts.spectrum.roots:
+        return None
     q = np.array([complex(root.q.mid()) for root in parts.spectrum.roots])
     window = fitting_window(parts.problem)
     width = max([1.25 * float(np.abs(q.real).max()) if len(q) else 0.0, 0.35 * window.width]) or window.width
     low = free_height(parts.problem, window) * 16 / 15
-    height = max([1.3 * low, *(1.2 * q.imag).tolist()]) or width / 4
+    seen = _TALL * float(np.abs(q.imag).max()) if len(q) else 0.0  # taller, and the roots seem to lie on the axis
+    height = max([min(1.3 * low, seen or np.inf), *(1.2 * q.imag).tolist()]) or width / 4
     depth = max([height / 4, *(-1.3 * q.imag).tolist()])
     unit = "rad/s" if speech(parts).si else "√(k/m)"
     numbers = {id(root): str(k) for k, root in enumerate(vibrations(parts.spectrum), 1)}
@@ -78,6 +82,8 @@ def lines(parts: Parts) -> list[Picture]:
     speak = speech(parts)
     v = np.asarray(found.over["v"], float)
     tracks = followed(np.where(found.roots.real >= -1e-9, found.roots, complex(np.nan, np.nan)))
+    if not tracks:
+        return []
     v = v * 3.6 if speak.si else v
     x_title = "velocity, km/h" if speak.si else "velocity ratio α"
     rate, swings = ("1/s", "Hz") if speak.si else ("1/τ", "1/τ")
@@ -88,7 +94,7 @@ def lines(parts: Parts) -> list[Picture]:
     marks = _marks(parts, 3.6 if speak.si else 1.0)
     grown = lines_picture(
         growth, x_title, f"growth, {rate}", "Growth of each vibration over the velocity",
-        name="growth", marks=marks, grows_above=0.0, y=_growth_range(growth),
+        name="growth", marks=marks, grows_above=0.0, y=_growth_range(_near(growth, marks)),
     )  # fmt: skip
     swung = lines_picture(
         hertz, x_title, f"frequency, {swings}", "Frequency of each vibration over the velocity",
@@ -127,6 +133,14 @@ def _others(names: list[str], known: int) -> str:
     return (
         f"; {known + 1} to {known + beyond} are not in it, as at this velocity they lie above the cuts, or are none"
     )
+
+
+def _near(curves: list[Curve], marks: list[Mark]) -> list[Curve]:
+    """As far as a little beyond the marks, if the onset is one of them: what grows far beyond leaves the picture."""
+    if len(marks) < 2:
+        return curves
+    end = _BEYOND * max(mark.x for mark in marks)
+    return [Curve(curve.x, np.where(curve.x <= end, curve.y, np.nan)) for curve in curves]
 
 
 def _growth_range(curves: list[Curve]) -> tuple[float, float] | None:

@@ -67,7 +67,7 @@ def page_html(parts: Parts, stem: str) -> str:
         shape=None if shape is None else shape[0],
         amplitudes=[] if shape is None else shape[1],
         lines=figures.lines(parts),
-        lines_reason=on_command_line(parts.lines.reason),
+        lines_reason=on_command_line(parts.lines.reason) or "no vibration lies below the cuts at these velocities",
         chart=charts.chart(parts),
         chart_status=charts.chart_status(parts),
         chart_reason=on_command_line(parts.chart.reason),

@@ -34,6 +34,8 @@ def plain(parts: Parts) -> str:
         if region.reach is None or not speech(parts).si
         else f" below {rounded(float(region.reach) / (2 * pi), 2)} Hz"
     )
+    if not number:
+        return f"No vibration decays more slowly than {rate}{end}, and none grows."
     many = "1 vibration decays" if number == 1 else f"{number} vibrations decay"
     told = f"{many} more slowly than {rate}{end}"
     if spectrum.unstable:

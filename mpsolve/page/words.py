@@ -88,7 +88,7 @@ def velocity_card(parts: Parts) -> Card:
             question, "unstable from the start", f"A vibration grows at the least velocities too. {here}", "proved"
         )
     if found.kind is not Kind.CROSSES:
-        return Card(question, "undecided", f"{found.reason}. {here}", "open")
+        return Card(question, "undecided", f"{capital(str(found.reason))}. {here}", "open")
     with precision(128):
         value = found.value
         shift = value - rational_ball(v)
@@ -199,7 +199,7 @@ def wave_card(parts: Parts) -> Card | None:
         said += (
             "Without damping the deflection under a constant force grows without bound; with damping it is greatest "
         )
-        said += "at another velocity, often a lower one, which `mpsolve critical` draws."
+        said += "at another velocity, often a lower one, which the command “mpsolve critical” draws."
     if slow_waves(parts.problem.track):
         said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"
@@ -207,7 +207,12 @@ def wave_card(parts: Parts) -> Card | None:
 
 
 def missing(question: str, part: Part[Any]) -> Card:
-    return Card(question, "not in time" if part.late else "not available", f"{part.reason}.", "open")
+    return Card(question, "not in time" if part.late else "not available", f"{capital(part.reason)}.", "open")
+
+
+def capital(said: str) -> str:
+    """As a sentence begins."""
+    return said[:1].upper() + said[1:]
 
 
 def doing(root: Root, speak: Speech) -> str:

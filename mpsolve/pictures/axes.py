@@ -14,6 +14,8 @@ import numpy as np
 WIDE, HIGH = 480, 320  # a text of 12 is 9 px high on a telephone of 390 px
 LEFT, RIGHT, TOP, BOTTOM = 70, 14, 14, 44
 
+_MARKS = 55.0  # from one mark on a line to the next
+
 STYLE = """
 .picture { width: 100%; height: auto; font: 13px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; }
 .picture text { fill: var(--ink, currentColor); }
@@ -34,6 +36,11 @@ STYLE = """
 .picture .two { stroke: var(--red, #c44e00); stroke-dasharray: 8 3; }
 .picture .three { stroke: var(--green, #00805f); stroke-dasharray: 2 3; }
 .picture .four { stroke: var(--pink, #a8588a); stroke-dasharray: 8 3 2 3; }
+.picture .dash0 { stroke-dasharray: none; }
+.picture .dash1 { stroke-dasharray: 8 3; }
+.picture .dash2 { stroke-dasharray: 2 3; }
+.picture .dash3 { stroke-dasharray: 8 3 2 3; }
+.picture .point { fill: var(--card, Canvas); stroke: var(--ink, currentColor); stroke-width: 1.5; }
 .picture .boundary { fill: none; stroke: var(--ink, currentColor); stroke-width: 2; }
 .picture .zero { stroke-dasharray: 7 4; }
 .picture .beyond { stroke: var(--soft, #777); stroke-opacity: 0.5; }
@@ -46,8 +53,27 @@ STYLE = """
 
 
 def curve_class(k: int) -> str:
-    """Of the k-th line of a picture: colour and dashes."""
-    return ("curve", "curve two", "curve three", "curve four")[k % 4]
+    """Of the k-th line of a picture: colour and dashes; from the fifth on dashes with another colour."""
+    name = ("curve", "curve two", "curve three", "curve four")[k % 4]
+    return f"{name} dash{(k + k // 4) % 4}" if k > 3 else name
+
+
+def mark_at(x: float, y: float, k: int) -> str:
+    """A mark on the k-th line: none on the first four, then circles, squares, triangles."""
+    kind = min(k // 4, 3)
+    d = ("", "m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0", "m-3.5 -3.5h7v7h-7z", "m0 -4.5l4.5 8h-9z")[kind]
+    return f'<path class="point" d="M{x:.1f} {y:.1f}{d}"/>' if kind else ""
+
+
+def marked(axes: Axes, x: Any, y: Any, k: int) -> str:
+    """Marks along the k-th line, shifted from line to line."""
+    px, py = np.broadcast_arrays(axes.px(x), axes.py(y))
+    out, last = [], -_MARKS + 11.0 * (k % 4)
+    for a, b in zip(px.tolist(), py.tolist(), strict=True):
+        if np.isfinite(b) and a - last >= _MARKS:
+            out.append(mark_at(a, b, k))
+            last = a
+    return "".join(out)
 
 
 @dataclass(frozen=True)

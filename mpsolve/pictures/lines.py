@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,18 +20,21 @@ from mpsolve.pictures.axes import (
     clip,
     curve_class,
     line,
+    mark_at,
+    marked,
     path,
     svg,
     text,
 )
 
-_APART, _STEP, _WIDTH = 14.0, 3.5, 7.5
+_APART, _WIDTH, _ROW = 14.0, 7.5, 17
+_SHORT = 3  # letters: names that stand at their curves, longer ones in a key below
 _LOWEST = HIGH - BOTTOM - 6.0
 
 
 @dataclass(frozen=True)
 class Curve:
-    """y over x; nan breaks it. name: written at its highest end. beyond: from this x on it is only shown in grey."""
+    """y over x; nan breaks it. name: at its end, or in a key. beyond: from this x on it is only shown in grey."""
 
     x: Any
     y: Any
@@ -70,15 +73,20 @@ def lines_picture(
     for k, curve in enumerate(curves):
         inside = np.ones(np.shape(curve.x), bool) if curve.beyond is None else np.asarray(curve.x) <= curve.beyond
         parts.append(line(axes, curve.x, np.where(inside, curve.y, np.nan), curve_class(k)))
+        parts.append(marked(axes, curve.x, np.where(inside, curve.y, np.nan), k))
         if not inside.all():
             parts.append(line(axes, curve.x, np.where(inside, np.nan, curve.y), f"{curve_class(k)} beyond"))
     parts.append("</g>")
-    drawn, taken = _marks(axes, marks)
-    parts += drawn
-    taken += [_Word(LEFT + 6, TOP + 15, "grows", "start")] * (grows_above is not None)
-    parts += [text(word.x, word.y, word.said, word.anchor) for word in _apart(_names(axes, curves), taken)]
+    ink, taken = _ink(axes, curves), []
+    if grows_above is not None:
+        taken.append(_Word(LEFT + 6, TOP + 15, "grows", "start"))
+    long = any(len(curve.name) > _SHORT for curve in curves)
+    parts += _marks(axes, marks, ink, taken)
+    if not long:
+        _names(axes, curves, ink, taken)
+    parts += [text(word.x, word.y, word.said, word.anchor) for word in taken]
     parts += axes.titled(x_title, y_title)
-    return svg(parts, title)
+    return svg([*parts, *(_key(curves) if long else [])], title, HIGH + (4 + _ROW * -(-len(curves) // 2)) * long)
 
 
 def _range(values: Sequence[Any], margin: float = 0.0) -> tuple[float, float]:
@@ -104,14 +112,25 @@ class _Word:
         return left, left + wide
 
 
-def _apart(words: list[_Word], taken: list[_Word]) -> list[_Word]:
-    """Each word at the height nearest to its own at which it lies over none that is placed before it."""
-    for word in words:
-        shifts = sorted((k * _STEP for k in range(-40, 41)), key=abs)
-        heights = [word.y + d for d in shifts if TOP + 12 <= word.y + d <= _LOWEST]
-        free = (y for y in heights if not any(_meets(replace(word, y=y), other) for other in taken))
-        taken.append(replace(word, y=next(free, word.y)))
-    return taken
+def _ink(axes: Axes, curves: Sequence[Curve]) -> Any:
+    """Points (2, n) of the picture on the curves, close to each other."""
+    points = [np.zeros((2, 0))]
+    for curve in curves:
+        x, y = np.broadcast_arrays(axes.px(curve.x), axes.py(curve.y))
+        good = np.isfinite(x) & np.isfinite(y)
+        if good.sum() > 1:
+            fine = np.arange(float(x[good].min()), float(x[good].max()), 1.0)
+            near = np.abs(fine[:, None] - x[good]).min(1) < WIDE / 20  # not over gaps
+            order = np.argsort(x[good])
+            points.append(np.stack([fine, np.interp(fine, x[good][order], y[good][order])])[:, near])
+    return np.concatenate(points, 1)
+
+
+def _placed(words: list[_Word], ink: Any, taken: list[_Word]) -> None:
+    """The first of the words that lies over nothing, else over no other word, else the first of all."""
+    clear = [word for word in words if not any(_meets(word, other) for other in taken)]
+    free = (word for word in clear if not _over(word, ink))
+    taken.append(next(free, clear[0] if clear else words[0]))
 
 
 def _meets(a: _Word, b: _Word) -> bool:
@@ -119,25 +138,54 @@ def _meets(a: _Word, b: _Word) -> bool:
     return min(right, high) > max(left, low) and abs(a.y - b.y) < _APART
 
 
-def _marks(axes: Axes, marks: Sequence[Mark]) -> tuple[list[str], list[_Word]]:
-    parts, words = [], []
-    for k, mark in enumerate(sorted(marks, key=lambda one: one.x)):
+def _over(word: _Word, ink: Any) -> bool:
+    """Whether a curve runs through the word."""
+    left, right = word.reach
+    x, y = ink
+    return bool(((x > left - 2) & (x < right + 2) & (y > word.y - 12) & (y < word.y + 4)).any())
+
+
+def _marks(axes: Axes, marks: Sequence[Mark], ink: Any, taken: list[_Word]) -> list[str]:
+    parts = []
+    heights = [*np.arange(_LOWEST, TOP + 20, -8.0).tolist()]
+    for mark in sorted(marks, key=lambda one: one.x):
         x = float(axes.px(mark.x))
         if not LEFT <= x <= WIDE - RIGHT:
             continue
         parts.append(path(f"M {x:.1f} {TOP} V {HIGH - BOTTOM}", "here"))
         right = x < (LEFT + WIDE - RIGHT) / 2
-        y = _LOWEST - 16 * (k % 3)
-        words.append(_Word(x + (5 if right else -5), y, mark.name, "start" if right else "end"))
-    return parts, words
+        sides = [(x + 5, "start"), (x - 5, "end")][:: 1 if right else -1]
+        room = [(at, anchor) for at, anchor in sides if _inside(at, mark.name, anchor)] or sides[:1]
+        _placed([_Word(at, y, mark.name, anchor) for at, anchor in room for y in heights], ink, taken)
+    return parts
 
 
-def _names(axes: Axes, curves: Sequence[Curve]) -> list[_Word]:
-    """The names at the ends of the curves."""
-    words = []
+def _inside(x: float, said: str, anchor: str) -> bool:
+    left, right = _Word(x, 0.0, said, anchor).reach
+    return left >= LEFT and right <= WIDE - RIGHT
+
+
+def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) -> None:
+    """Short names beside the curves, as near to their ends as there is room."""
     for curve in curves:
-        good = np.flatnonzero(np.isfinite(curve.y))
-        if curve.name and len(good):
-            x, y = float(axes.px(curve.x[good[-1]])), float(axes.py(curve.y[good[-1]]))
-            words.append(_Word(min(x, WIDE - RIGHT) - 5, float(np.clip(y - 4, TOP + 12, _LOWEST)), curve.name, "end"))
-    return sorted(words, key=lambda word: word.y)
+        x, y = np.broadcast_arrays(axes.px(curve.x), axes.py(curve.y))
+        good = np.flatnonzero(np.isfinite(y) & (y > TOP) & (y < HIGH - BOTTOM))
+        if not curve.name or not len(good):
+            continue
+        places = good[:: -max(1, len(good) // 12)].tolist()
+        words = []
+        for k in places:
+            at = min(max(float(x[k]), LEFT + 14), WIDE - RIGHT) - 4
+            for shift in (-5.0, 15.0, -11.0, 21.0, -17.0, 27.0):
+                words.append(_Word(at, float(np.clip(y[k] + shift, TOP + 12, _LOWEST)), curve.name, "end"))
+        _placed(words, ink, taken)
+
+
+def _key(curves: Sequence[Curve]) -> list[str]:
+    """Below the axes, in two columns: each curve's line and marks with its name."""
+    parts = []
+    for k, curve in enumerate(curves):
+        x, y = LEFT + (k % 2) * (WIDE - LEFT - RIGHT) / 2, HIGH + 10 + _ROW * (k // 2)
+        parts += [path(f"M{x:.1f} {y}h30", curve_class(k)), mark_at(x + 15, y, k)]
+        parts.append(text(x + 36, y + 4, curve.name, name="note"))
+    return parts

@@ -62,7 +62,7 @@ def _frames(
     curves = [" ".join(f"{x:.1f},{y:.1f}" for x, y in zip(xs, axes.py(-row), strict=True)) for row in rail]
     parts = [
         f'<polyline class="rail" points="{curves[0]}">{_animated("points", curves, seconds)}</polyline>',
-        text(LEFT + 8, high - BOTTOM - 8, f"rail drawn {larger:.3g} times larger"),
+        text(LEFT + 8, high - BOTTOM - 8, f"rail drawn {larger:.3g} times as large as the bodies"),
     ]
     for place in contacts:
         at = np.array([np.interp(float(place), places, row) for row in rail])

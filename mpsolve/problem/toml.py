@@ -40,12 +40,16 @@ def text_of(file: Path) -> str:
     raise InputError(name_of(file), reason)
 
 
+_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
+_NO_TEXT = "is no text: give a TOML file, a plain text; no spreadsheet, no PDF"
+
+
 def _undecoded(content: bytes, at: int) -> str:
     """What a file is that is no UTF-8, as far as its bytes tell, and what to do."""
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "is a text in UTF-16: save it as UTF-8"
-    if any(byte < 32 and byte not in b"\t\r\n" for byte in content):
-        return f"is no text (byte {at}): give a TOML file, a plain text; no spreadsheet, no PDF"
+    if _CONTROLS.search(content.decode("latin-1")):
+        return _NO_TEXT
     line = content[:at].count(b"\n") + 1
     return f"has a character in line {line} that is not in UTF-8: save the file as UTF-8"
 
@@ -99,6 +103,8 @@ _WRITTEN = "mpsolve new ballasted -o mine.toml writes an input file"
 
 def _not_toml(text: str, name: str) -> str:
     """What the text is where it is no TOML at all, and what to do; "" where it may be TOML."""
+    if _CONTROLS.search(text):
+        return _NO_TEXT
     start = text.lstrip()[:1]
     if start == "{":
         try:

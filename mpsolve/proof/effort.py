@@ -41,7 +41,7 @@ class Effort:
         if self.evaluations is not None and self.spent > self.evaluations:
             self._end(f"{self.evaluations} evaluations", {"evaluations": str(self.evaluations)})
         if self.seconds is not None and process_time() - self.started > self.seconds:
-            self._end(f"{self.seconds:g} s of processor time", {"seconds": f"{self.seconds:g}"})
+            self._end(f"{round(self.seconds, 2):g} s of processor time", {"seconds": f"{self.seconds:g}"})
 
     @staticmethod
     def _end(limit: str, numbers: dict[str, str]) -> None:

@@ -37,7 +37,7 @@ from mpsolve.spectrum.regions import HalfPlane
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
-_SMALLER = (10, 5, 5)  # halvings of (q, x, y) beyond those, before a box stays open
+_SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, before a box stays open
 _MOST_PARTS = 60
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
 NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"

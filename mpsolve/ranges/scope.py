@@ -16,6 +16,7 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.model import rational, shown
 from mpsolve.outcome import Reason
+from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
@@ -28,6 +29,19 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
 
 _GIVE = "give an upper end"
+_NO_END: dict[bool, tuple[str, dict[str, str], str]] = {
+    True: (
+        "the contacts run faster than short waves of the track, so that roots may cross at any frequency",
+        {},
+        "give a range below that speed, or certify single velocities, where roots are counted within a radius",
+    ),
+    False: (
+        "no frequency is found beyond which the contacts are passive for all these parameters",
+        {},
+        "give slower velocities or narrower ranges",
+    ),
+}
+"""Why the frequencies of roots have no bound, by whether some short wave is slower than the contacts."""
 LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
 
 
@@ -94,8 +108,8 @@ class Scope:
             _KNOWN[key] = self._found()
         found = _KNOWN[key]
         if found is None:
-            message = "no frequency is found beyond which the contacts are passive for all these parameters"
-            raise OpenError(Reason("passivity", message, {}, "give slower velocities or narrower ranges"))
+            fast = overtakes(Absorption.of(self.family.base.guide), Fraction(self.envelope.fastest))
+            raise OpenError(Reason("passivity", *_NO_END[fast]))
         return found
 
     @property

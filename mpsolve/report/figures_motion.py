@@ -97,12 +97,14 @@ def animation(found: Response, milliseconds: int = 40) -> FuncAnimation:
     return FuncAnimation(figure, show, frames=len(found.tau), interval=milliseconds)
 
 
-def draw_curves(curves: Mapping[str, Any], tau: Any, ax: Axes, scale: Scale | None = None) -> Axes:
+def draw_curves(found: Response, curves: Mapping[str, Any], ax: Axes, scale: Scale | None = None) -> Axes:
     """Displacements of the rear contact point by name over ascending times, the first one in black."""
-    scale = scale or Scale()
+    scale, tau = scale or Scale(), found.tau
     for k, (name, curve) in enumerate(curves.items()):
         colour = _PALETTE[k % len(_PALETTE)]
         ax.plot(tau * scale.time, curve * scale.length, color=colour, linewidth=1.0, label=name)
+    if found.lift_off is not None:
+        _beyond(found, ax, found.lift_off.time, [curve * scale.length for curve in curves.values()], scale)
     return _over_time(ax, scale, "of the rear contact point")
 
 
@@ -116,9 +118,11 @@ def save_history(found: Response, path: Path, title: str = "", scale: Scale | No
     return _save([partial(draw_history, found, index=k, scale=scale) for k in range(rows)], path, title)
 
 
-def save_curves(curves: Mapping[str, Any], tau: Any, path: Path, title: str = "", scale: Scale | None = None) -> Path:
+def save_curves(
+    found: Response, curves: Mapping[str, Any], path: Path, title: str = "", scale: Scale | None = None
+) -> Path:
     """One panel with all curves, as .png, .svg or .pdf, written whole or not at all."""
-    return _save([partial(draw_curves, curves, tau, scale=scale)], path, title)
+    return _save([partial(draw_curves, found, curves, scale=scale)], path, title)
 
 
 def _save(panels: Sequence[Callable[..., Any]], path: Path, title: str) -> Path:

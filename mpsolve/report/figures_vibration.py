@@ -119,12 +119,13 @@ def save_film(found: Vibration, path: Path, title: str = "", seconds: float = 12
     said = (
         "" if event is None else f"; contact {event.contact} lifts off at {event.time:.4g} s, then beyond the model"
     )
-    text = f"{_escaped(title)} largest deflection {size * 1e3:.4g} mm, {times[0]:g} s to {times[-1]:g} s{said}"
+    text = f"largest deflection {size * 1e3:.4g} mm, {times[0]:g} s to {times[-1]:g} s{said}"
     bar = [f"{_EDGE + (t - times[0]) / (times[-1] - times[0]) * (_WIDTH - 2 * _EDGE):.1f}" for t in times]
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {_HEIGHT}" font-family="sans-serif">',
         f'<rect width="{_WIDTH}" height="{_HEIGHT}" fill="white"/>',
-        f'<text x="{_EDGE}" y="22" font-size="12">{text}</text>',
+        f'<text x="{_EDGE}" y="22" font-size="12">{_escaped(title)}</text>',
+        f'<text x="{_EDGE}" y="40" font-size="12">{text}</text>',
         f'<path d="M{_EDGE},{middle}H{_WIDTH - _EDGE}" stroke="#999" stroke-dasharray="3 3" fill="none"/>',
         f'<path d="{shapes[0]}" fill="none" stroke="#000000" stroke-width="1.6">',
         f"{_animated('d', shapes, seconds)}{_animated('stroke', pale, seconds, discrete=True)}</path>",

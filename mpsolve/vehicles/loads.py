@@ -70,7 +70,7 @@ def _weights(pencil: Pencil) -> Outer:
     bounce = rigid_bounce(pencil)
     if bounce is None:
         stated = "are missing, and the weights are not known: the vehicle has no vertical motion that strains nothing"
-        raise InputError("loads", f"{stated}: give one Load for each contact")
+        raise InputError("loads", f"{stated}: give one Load for each contact, or a [[load]] in a file")
     weight = float(GRAVITY) * np.array(
         [float(sum(m * r for m, r in zip(row, bounce, strict=True))) for row in pencil.M]
     )

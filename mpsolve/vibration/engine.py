@@ -18,13 +18,13 @@ import numpy as np
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.outcome import Reason
 from mpsolve.vibration.arrivals import reach_of_waves
-from mpsolve.vibration.forced import Forced, forced
 from mpsolve.vibration.forcing import Tone, transform
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.line import CLEAR, Line, extended, sampled_line
+from mpsolve.vibration.integral import CLEAR, Line, extended, sampled_line
 from mpsolve.vibration.path import Path, above_growth, below_axis
 from mpsolve.vibration.poles import Poles, natural
 from mpsolve.vibration.residues import Mode, modes
+from mpsolve.vibration.steady import Forced, forced
 from mpsolve.waves.speeds import wave_speeds
 
 GOOD = 1e-8

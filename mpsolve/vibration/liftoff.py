@@ -11,7 +11,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.vibration.engine import Solution
 from mpsolve.vibration.fall import first_fall, last_above
-from mpsolve.vibration.line import CLEAR
+from mpsolve.vibration.integral import CLEAR
 from mpsolve.vibration.poles import natural
 
 _PER_PERIOD, _EARLY = 16, 40

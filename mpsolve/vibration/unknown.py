@@ -9,7 +9,7 @@ import numpy as np
 from mpsolve.outcome import Reason
 from mpsolve.vibration.engine import Parts, Solution
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.line import Line
+from mpsolve.vibration.integral import Line
 from mpsolve.vibration.panels import ORDER, Panels
 from mpsolve.vibration.path import Path
 

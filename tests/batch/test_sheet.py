@@ -128,18 +128,19 @@ def test_other_problems_have_no_sheet(problem: Any) -> None:
 
 
 @pytest.mark.slow
-def test_a_hundred_cases_of_the_whole_study() -> None:
+def test_forty_cases_of_the_papers_study() -> None:
+    """Of 23,000 cases, every sixteenth of the study."""
     beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1)
     pair = Problem(beam, vehicles.train(vehicles.Mass(40), 2, 1), v="0.5")
     study = np.ix_(
-        np.arange(1, 141) / 100, np.r_[0, np.arange(4, 100) / 100], [10.0, 40.0, 70.0], np.arange(1, 10) / 2
+        np.arange(1, 141, 4) / 100, np.r_[0, np.arange(4, 100, 4) / 100], [10.0, 40.0, 70.0], np.arange(1, 10) / 2
     )
     alpha, eta_b, mass, d = study
     over = {"v": alpha, "track.c": 2 * eta_b, "vehicles.M": mass, "gap[0]": d}
     result = frequencies(pair, over, "sheet", workers=2)
     assert (result.count >= 0).mean() > 0.9999
     rng = np.random.default_rng(21)
-    for _ in range(100):
+    for _ in range(40):
         at = tuple(int(rng.integers(0, n)) for n in result.count.shape)
         if result.count[at] < 0 or (not result.over["track.c"][at] and result.over["v"][at] == 1):
             continue

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 
 from mpsolve.numbers.affine import Affine
-from mpsolve.passivity.hermitian import Density, _bend, _entry, _sinc, definite, positive, positive_definite
+from mpsolve.passivity.hermitian import Density, _bend, _entry, _sinc, definite, positive
 
 
 def test_the_functions_of_a_cell() -> None:
@@ -19,13 +19,6 @@ def test_the_functions_of_a_cell() -> None:
             error = [float(abs(mpmath.mpf(float(v)) - t)) for v, t in zip(values, truth, strict=True)]
             assert (np.array(error) <= lost).all()
             assert lost.max() < 1e-6
-
-
-def test_definite_matrices_with_slopes() -> None:
-    H = np.array([[[[2, 0], [0, 1]], [[0, 0.5], [0.5, 0]]], [[[2, 0], [0, 1]], [[0, 1.5], [1.5, 0]]]], complex)
-    E = np.zeros((2, 2, 2))
-    assert positive_definite(H, E).tolist() == [True, False]
-    assert not positive_definite(H, E + 0.9).any()
 
 
 def a_density() -> Density:

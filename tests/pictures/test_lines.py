@@ -15,10 +15,41 @@ def drawn(**more: object) -> ET.Element:
     return ET.fromstring(lines_picture(curves, "t, s", "w, m", "Motion", name="m", **more))  # type: ignore[arg-type]
 
 
-def test_names_keep_apart() -> None:
-    ys = sorted(float(e.attrib["y"]) for e in drawn().iter("text") if (e.text or "").startswith("wheel"))
-    assert len(ys) == 5
-    assert min(np.diff(ys)) > 13.9
+def test_long_names_stand_in_a_key_below() -> None:
+    tree = drawn()
+    words = [e for e in tree.iter("text") if (e.text or "").startswith("wheel")]
+    places = {(e.attrib["x"], e.attrib["y"]) for e in words}
+    assert len(places) == 5
+    title = max(float(e.attrib["y"]) for e in tree.iter("text") if e.text == "t, s")
+    assert min(float(e.attrib["y"]) for e in words) > title + 10
+    assert max(float(e.attrib["y"]) for e in words) < float(tree.attrib["viewBox"].split()[-1])
+
+
+def test_no_two_of_twelve_curves_look_alike() -> None:
+    x = np.linspace(0, 1, 30)
+    tree = ET.fromstring(lines_picture([Curve(x, x + k, f"{k}") for k in range(12)], "t", "w", "M", name="m"))
+    looks = [e.attrib["class"] for e in tree.iter("polyline")]
+    assert len(set(looks)) == 12
+    assert len({e.attrib["d"].split("m", 1)[1] for e in tree.iter("path") if e.get("class") == "point"}) == 2
+
+
+def test_short_names_lie_over_no_curve_and_no_other_name() -> None:
+    x = np.linspace(0, 10, 80)
+    curves = [Curve(x, 0.05 * x + 1e-3 * k, f"{k}") for k in range(3)] + [Curve(x, 1 - 0.1 * x, "3")]
+    tree = ET.fromstring(lines_picture(curves, "t", "w", "M", name="m", marks=[Mark(5.0, "this case")]))
+    words = [
+        e for e in tree.iter("text") if e.text in ("0", "1", "2", "3", "this case") and "halo" in e.get("class", "")
+    ]
+    assert len(words) == 5
+    at = [(float(e.attrib["x"]), float(e.attrib["y"])) for e in words]
+    assert all(abs(a[0] - b[0]) > 7 or abs(a[1] - b[1]) > 13 for k, a in enumerate(at) for b in at[:k])
+    for line in tree.iter("polyline"):
+        px, py = np.array([point.split(",") for point in line.attrib["points"].split()], float).T
+        for e, (wx, wy) in zip(words, at, strict=True):
+            reach = (wx - 7.5, wx) if e.get("text-anchor") == "end" else (wx, wx + 7.5 * len(e.text or ""))
+            fine = np.linspace(*reach, 9)
+            y = np.interp(fine, px, py)
+            assert not ((y > wy - 11) & (y < wy + 3)).any()
 
 
 def test_what_is_beyond_is_grey() -> None:

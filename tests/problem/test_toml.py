@@ -38,7 +38,11 @@ def test_texts_that_cannot_be_read(tmp_path: Path) -> None:
     bad.write_bytes(b"a\xff")
     large.write_bytes(b"#" * (MAX_BYTES + 1))
     assert text_of(whole) == "a = 1"
-    for path, words in ((bad, r"no text in UTF-8 \(byte 1\)"), (large, "longer than"), (tmp_path, "is a directory")):
+    for path, words in (
+        (bad, "has a character in line 1 that is not in UTF-8"),
+        (large, "longer than"),
+        (tmp_path, "is a directory"),
+    ):
         with pytest.raises(InputError, match=words):
             text_of(path)
     with pytest.raises(InputError, match="does not exist"):

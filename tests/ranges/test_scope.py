@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from ranges_of_a_pair import PAIR, TRACK, over_velocity
 
-from mpsolve import InputError, Problem, receptance, vehicles
+from mpsolve import InputError, Problem, crossings, receptance, tracks, vehicles
 from mpsolve.ranges import scope
 from mpsolve.ranges.scope import checked_over, from_above_rest, one_path, scope_of
 
@@ -51,7 +51,7 @@ def test_what_is_no_range_is_refused(over: object, key: str, said: str) -> None:
 
 def test_one_path_alone() -> None:
     assert one_path({"v": (Fraction(1), Fraction(2))}) == "v"
-    with pytest.raises(InputError, match="2 ranges"):
+    with pytest.raises(InputError, match="2 parameters"):
         one_path({"v": (Fraction(1), Fraction(2)), "track.k": (Fraction(1), Fraction(2))})
 
 
@@ -63,6 +63,14 @@ def test_a_range_from_rest_begins_a_little_later_only_where_waves_are_lost() -> 
     rayleigh = Problem(Rayleigh(EI="6.4e6", m=60, J="0.2", k="1e6", c=770), vehicles.Mass(1).at(0), v=1)
     moved = from_above_rest(rayleigh, ends)["v"]
     assert 0 <= moved[0] < Fraction(1, 100)
+
+
+def test_contacts_faster_than_short_waves_are_told_so() -> None:
+    """Certify counts their roots within a radius: of ranges nothing is said."""
+    track = tracks.Timoshenko(EI="6.38e6", m="60.2", S="2.4e8", J="0.24", k="1e6", c=770)
+    found = crossings(Problem(track, [vehicles.Mass(3000)], v=2300), over={"v": (2100, 2600)}, check=False)
+    assert found.reason is not None
+    assert "faster than short waves" in str(found.reason)
 
 
 def test_a_frequency_is_found_once_for_all_vehicles(monkeypatch: pytest.MonkeyPatch) -> None:

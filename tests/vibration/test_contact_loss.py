@@ -9,6 +9,8 @@ import pytest
 
 from mpsolve import Case, response
 from mpsolve.vehicles.load import Load
+from mpsolve.vibration.case_table import columns
+from mpsolve.vibration.scale import Scale
 
 FAST = Case(alpha="1.2", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))  # unstable: both masses lift off
 LONE = Case(alpha="0.67", eta_b="0.05", eta_m=70)
@@ -38,6 +40,8 @@ def test_the_first_of_them_hangs_on_no_grid() -> None:
     first = min(time for time in fine.contact_loss if time is not None)
     assert one.time == pytest.approx(first, abs=one.tolerance)
     assert fine.within.tolist() == (fine.tau <= one.time).tolist()
+    assert columns(fine, Scale())["within the model"].tolist() == fine.within.tolist()
+    assert not fine.within.all()
     assert response(FAST, tau=[one.time / 2]).lift_off is None
 
 

@@ -290,3 +290,37 @@ def test_a_load_that_outruns_the_waves_of_a_string(faster: str) -> None:
         )
         assert found.rail[1, k] == pytest.approx(float(known), rel=1e-5)
         assert abs(found.rail[0, k]) < 1e-9 * abs(found.rail[1, k])
+
+
+LIGHT = tracks.EulerBernoulli(EI="6.38e6", m="60.2", k="1e6", c="7.7e-4")
+
+
+@pytest.mark.parametrize(
+    ("track", "v", "t"),
+    [
+        (DAMPED["euler-bernoulli"], "289.682274572382", 0.06),  # the critical velocity
+        (LIGHT, "289.682274572382", 0.06),  # and next to no damping
+        (LIGHT, 0, 0.06),
+        (DAMPED["two-layer"], 1861, 0.01),  # growth by e^421 a second
+        (DAMPED["timoshenko"], "1996.6", 0.003),  # next to the speed of shear
+    ],
+)
+def test_hard_inputs_are_right(track: Any, v: Any, t: float) -> None:
+    """By inversion of the image, where de Hoog's method resolves it."""
+    problem = Problem(track, TYPICAL["mass"], v=v)
+    found = response(problem, times=[t / 20, t], places=[0])
+    known = Truth(problem, [([1.0], 900 * 9.80665, 0.0, 0.0, 0.0)], [Fraction(0)]).inverted(t)
+    size = np.abs(known[2:]).max()
+    assert np.abs(found.rail[:, 1] - known[2:]).max() <= found.error.rail + 1e-8 * size
+    assert abs(found.contact_force[0, 1] - known[1]) <= found.error.contact_force + 2e-6 * abs(known[1])
+    assert found.error.rail < 1e-8 * np.abs(found.rail).max()
+
+
+def test_a_million_periods_end_in_the_steady_state_or_grow_as_told() -> None:
+    problem = Problem(LIGHT, TYPICAL["mass"], v=100)
+    found = response(problem, times=[3e4, 3e9], places=[0])  # 1/c is 1e5 s
+    assert found.rail[0, 1] == pytest.approx(found.steady[0, 1], rel=1e-8)
+    assert found.error.rail < 1e-8 * np.abs(found.rail).max()
+    fast = Problem(DAMPED["two-layer"], TYPICAL["mass"], v=1861)
+    with pytest.raises(InputError, match="exceeds e"):
+        response(fast, times=[10])

@@ -1,1 +1,1 @@
-"""The motion in proved balls: image → strip → far → panels → circles → enclosure."""
+"""The motion in proved balls: image → strip and far, which admit the path → residues → integral → enclosure."""

@@ -2,9 +2,10 @@
 
 u(t) = Σ residues to the right of the path + (1/π) Im ∫ û e^{σt} dσ along its upper half. What is proved on the way:
 
-    the residues                                  circles.py, from the certified induced frequencies
     that the path may leave the physical region   strip.py near, far.py far out
-    the integral                                  panels.py
+    the steady part                               work.py, as the image at the loads' frequencies
+    the residues                                  residues.py, from the certified induced frequencies
+    the integral                                  integral.py
     what is cut off                               far.py
 """
 
@@ -34,12 +35,12 @@ from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vibration.balls.equations import Term, exact_terms
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.path import above_growth
 from mpsolve.vibration.poles import certified
-from mpsolve.vibration.precise_image import Term, exact_terms
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 100
@@ -89,8 +90,9 @@ def response_balls(
     and are returned whatever their radius is. spectrum: of `certify(problem, digits=digits + 10)` at least, with all
     roots that grow; without it that is computed.
 
-    Proved are paths for one contact on any track whose waves far out are known (beams, layers, strings, Timoshenko);
-    for more contacts, or places away from a single one, on beams on foundations. InputError for what cannot be used;
+    Proved are paths for one contact on any track whose waves far out are known (beams, layers, strings, Timoshenko),
+    at any place from the time on at which waves of finite speed have reached it; for more contacts on beams on
+    foundations. InputError for what cannot be used;
     where a step of the proof fails the answer is undecided, with the reason.
     """
     checked_digits(digits)

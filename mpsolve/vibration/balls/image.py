@@ -12,13 +12,11 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, arb, arb_mat, precision, rational_ball, square
-from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.balls import acb, arb, arb_mat, precision
+from mpsolve.vibration.balls.equations import Equations
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.balls.scatter import Waves
 from mpsolve.vibration.balls.solved import Disc, solved
-from mpsolve.vibration.image import Image
-from mpsolve.vibration.precise_image import PreciseImage, Term
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
 
@@ -38,89 +36,21 @@ class Cell:
         return [one.at(sigma) for one in self.upper]
 
 
-class BallImage(PreciseImage):
+class BallImage(Equations):
     """û and its cells, at the precision of the image."""
 
-    def __init__(self, image: Image, terms: list[Term], digits: int, exact: Sequence[Exact] = ()) -> None:
-        """exact: the places of the image, where some are irrational and the image has them in float64."""
-        super().__init__(None, image, terms, digits)
-        with precision(self._bits):
-            for place, x in zip(self._seen, exact, strict=False):
-                if not x.is_rational:
-                    self._moved(place, x.ball() / rational_ball(Fraction(2) ** image.guide.length))
-
-    def _moved(self, place: Fraction, x: Any) -> None:
-        """A place is not quite where the image has it, but at x, on the same side of each contact."""
-        for y in self._at:
-            ball, key = x - rational_ball(y), place - y
-            if not (ball > 0 if key > 0 else ball < 0) or not key:
-                raise PrecisionError("a place is too close to a contact: move it, or give it at the contact")
-            self._xi[key] = ball.union(self._xi[key])
-
-    @property
-    def bits(self) -> int:
-        """Of all balls."""
-        return self._bits
-
-    @property
-    def symbols(self) -> Any:
-        """D and N."""
-        return self.image.receptance.symbols
-
-    @property
-    def distances(self) -> list[Fraction]:
-        """Scaled, of places and contacts from contacts."""
-        return self._distances
-
-    def away(self, xi: Fraction) -> Any:
-        """The ball of a distance, scaled."""
-        return self._xi[xi]
-
-    @property
-    def seen(self) -> list[Fraction]:
-        """The places, scaled."""
-        return self._seen
-
-    @property
-    def pencil(self) -> tuple[Any, Any, Any, list[Fraction]]:
-        """K, C, M; B; h, in balls, and the contacts' places, scaled."""
-        return self._S, self._B, self._h, self._at
-
-    @property
-    def scale(self) -> Any:
-        """G = scale · Ĝ."""
-        return self._g
-
-    @property
-    def rate_ball(self) -> Any:
-        """σ = rate · σ̂."""
-        return self._rate
-
-    def far_forces(self, radius: Any) -> list[Any]:
-        """σ̂ times the forces on the coordinates, for all |σ̂| ≥ radius."""
-        total = [acb(0)] * self.image.size
-        for direction, (c, a, omega, phase) in self._terms:
-            wave = acb(c)
-            if a != 0:
-                ratio = abs(omega) / radius
-                if not ratio < 1:
-                    raise PrecisionError("a load acts at a high frequency: go further")
-                size = abs(a) * (ratio * abs(phase.cos()) + abs(phase.sin())) / (1 - ratio**2)
-                wave += square(arb(size.upper()))
-            total = [x + d * wave for x, d in zip(total, direction, strict=True)]
-        return total
-
     def physical(self, sigma: Any) -> tuple[list[Any], list[Any]]:
-        """Upper and lower p-roots at a thin σ̂ to the right of the cuts, proved by their signs."""
-        roots = [one.at(sigma) for one in moving_roots(self.symbols, sigma)]
-        upper, lower = [z for z in roots if z.real < 0], [z for z in roots if z.real > 0]
-        if len(upper) != self.image.receptance.upper or len(upper) + len(lower) < len(roots):
-            raise PrecisionError("p-roots cannot be told from real ones on the path: move it")
-        return upper, lower
+        """Upper and lower p-roots at a thin σ̂ to the right of the cuts."""
+        cell = self.start(sigma)
+        return cell.roots(sigma), [one.at(sigma) for one in cell.lower]
 
     def start(self, sigma: Any) -> Cell:
-        """The cell of a thin σ̂ to the right of the cuts."""
-        return self.named(sigma, sigma, self.physical(sigma)[0])
+        """The cell of a thin σ̂ to the right of the cuts, where the sides are proved by their signs."""
+        roots = [(one.at(sigma).real, one) for one in moving_roots(self.symbols, sigma)]
+        upper, lower = tuple(one for x, one in roots if x < 0), tuple(one for x, one in roots if x > 0)
+        if len(upper) != self.image.receptance.upper or len(upper) + len(lower) < len(roots):
+            raise PrecisionError("p-roots cannot be told from real ones on the path: move it")
+        return self.within(Cell(sigma, upper, lower), sigma)
 
     def on_axis(self, sigma: Any) -> Cell:
         """The cell of a thin σ̂ of the axis; where waves do not decay there, as it continues what is right of it."""
@@ -252,28 +182,6 @@ class BallImage(PreciseImage):
             parts = [one.weight * (one.at(cell.ball) * self._xi[xi]).exp() if xi else one.weight for one in waves]
             out[xi] = self._g * sign * sum(parts, acb(0))
         return out
-
-    def tones(self) -> list[tuple[Any, list[Any]]]:
-        """(ω̂, forces on the coordinates) of constant and harmonic loads: Re(force e^{iω̂t̂}); ω̂ ≥ 0 in balls."""
-        out: dict[Any, list[Any]] = {}
-        rates: dict[Any, Any] = {}
-
-        def add(key: Any, rate: Any, factor: Any, direction: list[Any]) -> None:
-            rates[key] = rate
-            zero = out.get(key, [acb(0)] * len(direction))
-            out[key] = [x + d * factor for x, d in zip(zero, direction, strict=True)]
-
-        with precision(self._bits):
-            for (direction, (c, a, omega, phase)), (_, load) in zip(self._terms, self.exact, strict=True):
-                if load.constant:
-                    add(Fraction(0), acb(0), c, direction)
-                if load.amplitude and load.frequency:
-                    wave = acb(0, -1) * a * (acb(0, 1) * phase).exp()
-                    wave = wave if load.frequency.sign > 0 else wave.conjugate()
-                    add(abs(load.frequency), acb(abs(omega)), wave, direction)
-                elif load.amplitude:
-                    add(Fraction(0), acb(0), a * phase.sin(), direction)
-        return [(rates[key], force) for key, force in out.items()]
 
 
 def _disc(x: Any) -> Disc:

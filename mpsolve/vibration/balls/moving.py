@@ -14,7 +14,7 @@ import numpy as np
 from mpsolve.characteristic.roots import float_roots
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, exact_ball, is_thin, square
+from mpsolve.numbers.balls import acb, acb_poly, arb, exact_ball, square
 
 _STEPS = 40
 
@@ -42,7 +42,7 @@ def moving_roots(symbols: Symbols, ball: Any) -> list[Moving]:
     D, N = ([row(about) for row in symbol.balls()] for symbol in (symbols.D, symbols.N))
     z = float_roots([row[0] for row in D], symbols.degree)
     slopes = [exact_ball(c) for c in _slopes(D, z)]
-    z = _refined(acb_poly([row[0] for row in D]), [exact_ball(complex(x)) for x in z], is_thin(ball))
+    z = _refined(acb_poly([row[0] for row in D]), [exact_ball(complex(x)) for x in z])
     gaps = [[x - y + (c - d) * tau for y, d in zip(z, slopes, strict=True)] for x, c in zip(z, slopes, strict=True)]
     lead = D[-1](tau)
     n, spreads, radii = len(z), [], []
@@ -103,16 +103,12 @@ def _slopes(D: Any, z: np.ndarray[Any, Any]) -> list[complex]:
     return [complex(x) if np.isfinite(x) else 0j for x in at]
 
 
-def _refined(D: Any, z: list[Any], thin: bool) -> list[Any]:
-    """Nodes nearer to the roots, by Weierstrass's steps: to all digits where σ is thin."""
-    bits = 24
-    while True:
-        z = [(x - D(x) / _product(D[D.degree()], x, z, k)).mid() for k, x in enumerate(z)]
-        bits *= 2
-        if not all(x.is_finite() for x in z):
-            raise PrecisionError("two p-roots meet: move the path")
-        if not thin or bits > 2 * bits_now():
-            return z
+def _refined(D: Any, z: list[Any]) -> list[Any]:
+    """Nodes nearer to the roots, by a step of Weierstrass's method."""
+    z = [(x - D(x) / _product(D[D.degree()], x, z, k)).mid() for k, x in enumerate(z)]
+    if not all(x.is_finite() for x in z):
+        raise PrecisionError("two p-roots meet: move the path")
+    return z
 
 
 def _product(lead: Any, x: Any, z: list[Any], k: int) -> Any:

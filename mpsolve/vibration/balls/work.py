@@ -12,10 +12,10 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.balls import acb, arb
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.vibration.balls.circles import radius_round, residues
 from mpsolve.vibration.balls.far import Bound, far_field
 from mpsolve.vibration.balls.image import BallImage
-from mpsolve.vibration.balls.panels import panels
+from mpsolve.vibration.balls.integral import panels
+from mpsolve.vibration.balls.residues import radius_round, residues
 from mpsolve.vibration.balls.strip import prove_strip
 from mpsolve.vibration.path import Path, bent
 from mpsolve.vibration.poles import lowest, natural

@@ -1,8 +1,8 @@
 import pytest
 
+from mpsolve.vibration.balls.equations import exact_terms
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.precise_image import exact_terms
 from mpsolve.vibration.vibrate import checked_places
 
 

@@ -1,7 +1,7 @@
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.proof.effort import Effort
-from mpsolve.vibration.balls.panels import panels, rule
+from mpsolve.vibration.balls.integral import panels, rule
 from mpsolve.vibration.path import Path
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")

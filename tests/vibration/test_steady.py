@@ -8,9 +8,9 @@ from track_models import DAMPED
 
 from mpsolve import InputError, Load, Problem, receptance, vehicles
 from mpsolve.vehicles.loads import outer_forces
-from mpsolve.vibration.forced import forced
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
+from mpsolve.vibration.steady import forced
 
 
 @pytest.mark.parametrize("omega", [0, 40, 700])

@@ -5,7 +5,7 @@ from mpsolve import Problem, certify, response, tracks, vehicles
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.proof.effort import Effort
-from mpsolve.vibration.balls.circles import radius_round, residues
+from mpsolve.vibration.balls.residues import radius_round, residues
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
 

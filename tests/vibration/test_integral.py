@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mpsolve.vibration.line import CLEAR, extended, faded, sampled_line
+from mpsolve.vibration.integral import CLEAR, extended, faded, sampled_line
 from mpsolve.vibration.path import Path
 
 

@@ -1,0 +1,172 @@
+"""The transformed equations of a motion in balls: bodies and contact forces, loads in exact numbers, distances."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import acb, acb_mat, arb, precision, rational_ball, square
+from mpsolve.numbers.exact import Exact
+from mpsolve.vehicles.bounce import rigid_bounce
+from mpsolve.vehicles.load import GRAVITY, Load
+from mpsolve.vehicles.vehicle import Pencil
+from mpsolve.vibration.image import Image
+
+Term = tuple[tuple[Fraction, ...], Load]
+"""A load and the direction in which it acts on the coordinates."""
+
+
+def exact_terms(pencil: Pencil, loads: Any) -> list[Term]:
+    """The outer forces as `outer_forces` has them, which has checked them, in exact numbers."""
+    if loads is None:
+        bounce = rigid_bounce(pencil) or ()
+        g = GRAVITY.as_fraction()
+        masses = [sum((m * r for m, r in zip(row, bounce, strict=True)), Fraction(0)) for row in pencil.M]
+        return [(tuple(g * m for m in masses), Load(1))]
+    if isinstance(loads, Mapping):
+        return [(tuple(Fraction(int(name == other)) for other in pencil.names), one) for name, one in loads.items()]
+    return [(tuple(row[j] for row in pencil.B), one) for j, one in enumerate(loads)]
+
+
+class Equations:
+    """Of a problem whose rail is watched at some places, with what acts on it; to so many digits."""
+
+    def __init__(self, image: Image, terms: list[Term], digits: int, exact: Sequence[Exact] = ()) -> None:
+        """exact: the places of the image, where some are irrational and the image has them in float64."""
+        self.image, self.exact = image, terms
+        self._bits = int(digits * 3.33) + 40
+        guide, pencil = image.guide, image.pencil
+        unit = Fraction(2) ** guide.length
+        self._at = [x / unit for x in pencil.places]
+        self._seen = [x / unit for x in image.places]
+        self._distances = sorted({x - y for x in (*self._at, *self._seen) for y in self._at})
+        with precision(self._bits):
+            self._g, self._rate = rational_ball(guide.g), rational_ball(Fraction(2) ** -guide.time)
+            self._terms = [([rational_ball(x) for x in direction], self._waves(one)) for direction, one in terms]
+            self._S = [[[rational_ball(x) for x in row] for row in rows] for rows in (pencil.K, pencil.C, pencil.M)]
+            self._B = [[rational_ball(x) for x in row] for row in pencil.B]
+            self._h = [rational_ball(x) for x in pencil.h]
+            self._xi = {x: rational_ball(x) for x in self._distances}
+            for place, x in zip(self._seen, exact, strict=False):
+                if not x.is_rational:
+                    self._moved(place, x.ball() / rational_ball(unit))
+
+    def _moved(self, place: Fraction, x: Any) -> None:
+        """A place is not quite where the image has it, but at x, on the same side of each contact."""
+        for y in self._at:
+            ball, key = x - rational_ball(y), place - y
+            if not (ball > 0 if key > 0 else ball < 0) or not key:
+                raise PrecisionError("a place is too close to a contact: move it, or give it at the contact")
+            self._xi[key] = ball.union(self._xi[key])
+
+    @property
+    def bits(self) -> int:
+        """Of all balls."""
+        return self._bits
+
+    @property
+    def symbols(self) -> Any:
+        """D and N."""
+        return self.image.receptance.symbols
+
+    @property
+    def distances(self) -> list[Fraction]:
+        """Scaled, of places and contacts from contacts."""
+        return self._distances
+
+    def away(self, xi: Fraction) -> Any:
+        """The ball of a distance, scaled."""
+        return self._xi[xi]
+
+    @property
+    def seen(self) -> list[Fraction]:
+        """The places, scaled."""
+        return self._seen
+
+    @property
+    def pencil(self) -> tuple[Any, Any, Any, list[Fraction]]:
+        """K, C, M; B; h, in balls, and the contacts' places, scaled."""
+        return self._S, self._B, self._h, self._at
+
+    @property
+    def scale(self) -> Any:
+        """G = scale · Ĝ."""
+        return self._g
+
+    @property
+    def rate_ball(self) -> Any:
+        """σ = rate · σ̂."""
+        return self._rate
+
+    def _waves(self, one: Load) -> tuple[Any, Any, Any, Any]:
+        given = (one.constant, one.amplitude, one.frequency, one.phase)
+        c, a, omega, phase = (x.ball() for x in given)
+        return c, a, omega / self._rate, phase
+
+    def _solved(self, sigma: Any, G: dict[Fraction, Any], force: list[Any]) -> list[Any]:
+        """Coordinates, contact forces, rail, under forces on the coordinates."""
+        n = self.image.size
+        right = [[x] for x in [*force, *[acb(0)] * self.image.contacts]]
+        x = [row[0] for row in acb_mat(self._rows(sigma, G)).solve(acb_mat(right)).tolist()]
+        rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self._at)), acb(0)) for at in self._seen]
+        return [*x, *rail]
+
+    def _rows(self, sigma: Any, G: dict[Fraction, Any]) -> list[list[Any]]:
+        """The equations."""
+        n, m = self.image.size, self.image.contacts
+        s = sigma * self._rate
+        rows = []
+        for i in range(n):
+            own = [self._S[0][i][j] + s * (self._S[1][i][j] + s * self._S[2][i][j]) for j in range(n)]
+            rows.append([*own, *self._B[i]])
+        for i in range(m):
+            own = [-G[self._at[i] - self._at[j]] - (self._h[i] if i == j else 0) for j in range(m)]
+            rows.append([*(self._B[j][i] for j in range(n)), *own])
+        return rows
+
+    def _forces(self, sigma: Any) -> list[Any]:
+        total = [acb(0)] * self.image.size
+        for direction, (c, a, omega, phase) in self._terms:
+            wave = c / sigma
+            if a != 0:
+                wave += a * (omega * phase.cos() + sigma * phase.sin()) / (sigma * sigma + omega * omega)
+            total = [x + d * wave for x, d in zip(total, direction, strict=True)]
+        return total
+
+    def far_forces(self, radius: Any) -> list[Any]:
+        """σ̂ times the forces on the coordinates, for all |σ̂| ≥ radius."""
+        total = [acb(0)] * self.image.size
+        for direction, (c, a, omega, phase) in self._terms:
+            wave = acb(c)
+            if a != 0:
+                ratio = abs(omega) / radius
+                if not ratio < 1:
+                    raise PrecisionError("a load acts at a high frequency: go further")
+                size = abs(a) * (ratio * abs(phase.cos()) + abs(phase.sin())) / (1 - ratio**2)
+                wave += square(arb(size.upper()))
+            total = [x + d * wave for x, d in zip(total, direction, strict=True)]
+        return total
+
+    def tones(self) -> list[tuple[Any, list[Any]]]:
+        """(ω̂, forces on the coordinates) of constant and harmonic loads: Re(force e^{iω̂t̂}); ω̂ ≥ 0 in balls."""
+        out: dict[Any, list[Any]] = {}
+        rates: dict[Any, Any] = {}
+
+        def add(key: Any, rate: Any, factor: Any, direction: list[Any]) -> None:
+            rates[key] = rate
+            zero = out.get(key, [acb(0)] * len(direction))
+            out[key] = [x + d * factor for x, d in zip(zero, direction, strict=True)]
+
+        with precision(self._bits):
+            for (direction, (c, a, omega, phase)), (_, load) in zip(self._terms, self.exact, strict=True):
+                if load.constant:
+                    add(Fraction(0), acb(0), c, direction)
+                if load.amplitude and load.frequency:
+                    wave = acb(0, -1) * a * (acb(0, 1) * phase).exp()
+                    wave = wave if load.frequency.sign > 0 else wave.conjugate()
+                    add(abs(load.frequency), acb(abs(omega)), wave, direction)
+                elif load.amplitude:
+                    add(Fraction(0), acb(0), a * phase.sin(), direction)
+        return [(rates[key], force) for key, force in out.items()]

@@ -1,0 +1,31 @@
+"""Columns with units, and arrays that come back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from track_models import DAMPED
+from vehicle_models import TYPICAL
+
+from mpsolve import Problem, response
+from mpsolve.vibration.table import columns, save_arrays, save_table, unit_of
+
+FOUND = response(Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=20), times=[0.01, 0.1], places=[0, "1.5"])
+
+
+def test_every_row_has_a_column_with_its_unit() -> None:
+    table = columns(FOUND)
+    assert np.array_equal(table["w at x = 1.5 m [m]"], FOUND.rail[1])
+    assert np.array_equal(table["contact force 2 [N]"], FOUND.contact_force[1])
+    assert [unit_of(name) for name in ("frame pitch", "rear wheel")] == ["rad", "m"]
+    assert {f"{name} [{unit_of(name)}]" for name in FOUND.vehicle} < set(table)
+
+
+def test_files_hold_every_digit(tmp_path: Path) -> None:
+    lines = save_table(FOUND, tmp_path / "motion.csv").read_text().splitlines()
+    row = dict(zip(columns(FOUND), (float(x) for x in lines[-1].split(",")), strict=True))
+    assert row["contact force 1 [N]"] == FOUND.contact_force[0, -1]
+    with np.load(save_arrays(FOUND, tmp_path / "motion.npz")) as arrays:
+        assert np.array_equal(arrays["rail"], FOUND.rail)
+        assert list(arrays["names"]) == list(FOUND.vehicle)
