@@ -31,7 +31,7 @@ from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
 from mpsolve.ranges.scope import OpenError, Scope
 from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
 
-_COLUMNS = 9  # values of the second parameter at which crossings are looked for
+_COLUMNS = 6  # values of the second parameter at which crossings are looked for
 _WIDTHS = np.append(1.01, 2.0 ** -np.arange(1.0, 12.0))
 """Of the range of the second parameter: half of the holes that are tried."""
 _LEAST = 2.0 ** -np.arange(4.0, 10.0, 2.0)  # scaled: half of them along the others, and as shares of the first half
