@@ -11,7 +11,7 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.errors import CertificateError, PrecisionError
 from mpsolve.outcome import Status
 
-_A_NODE, _PIECES = 1, 1000
+_A_NODE, _PIECES = 1, 2000
 """Boxes that the verifier may look at: so many for each node of the tree, and so many more."""
 
 
