@@ -89,6 +89,13 @@ _ANSWERS: dict[str, p.Schema] = {
         "y": p.rows(p.EXACT),
         "counts": p.rows(p.rows({"type": "integer", "minimum": -2})),
         "parts": p.rows(p.table({"cells": p.COUNT, "point": p.by_name(p.EXACT), "roots": p.maybe(p.COUNT)})),
+        "boundaries": p.rows(
+            p.table(
+                dict.fromkeys(("x", "y", "q", "radius"), p.rows(p.REAL))
+                | dict.fromkeys(("divergence", "whole"), p.YES)
+            )
+        ),
+        "traced": p.YES,
     },
 }
 QUESTIONS = tuple(_ANSWERS)
