@@ -173,11 +173,15 @@ def _chart(
 
 
 def _free(scope: Scope, tree: Any, strips: Strips, cells: int) -> Any:
-    """The cells of the finer grid over which no root is real."""
+    """The cells of the finer grid over which no root is real.
+
+    Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.
+    """
     width = (scope.high - scope.low)[:, None]
+    beside = 2.0**-50 * np.maximum(np.abs(scope.low), np.abs(scope.high))[:, None] / width
     rest = ((end[1:] - scope.low[:, None]) / width for end in tree.boxes(tree.open))
     low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
-    return marked(low, high, (cells, cells)) == 0
+    return marked(low - beside, high + beside, (cells, cells)) == 0
 
 
 def _counted(
