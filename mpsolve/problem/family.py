@@ -118,10 +118,11 @@ class Family:
 def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     """The family of `problem` with each path free over its closed interval, ends exact and in the problem's units.
 
-    InputError for a path that there is not, ends that cannot be, contacts that overtake each other within the box,
-    and motions that contacts feel at some parameters only.
+    InputError for a path that there is not, ends that cannot be, a path whose numbers a later one sets, contacts
+    that overtake each other within the box, and motions that contacts feel at some parameters only.
     """
     require_ends(problem, over)
+    _require_none_undone(problem, over)
     units = tuple(Fraction(2) ** round(log2(max(abs(a), abs(b)) or 1)) for a, b in over.values())
     base, point = _base(problem, over, units)
     ring = Ring(tuple(over), point)
@@ -163,6 +164,24 @@ def require_ends(problem: Problem, over: Mapping[str, Interval]) -> None:
                 problem.changed(path, end)
 
 
+def _require_none_undone(problem: Problem, over: Mapping[str, Interval]) -> None:
+    """Of two paths that set the same numbers the second decides alone: the range of the first would say nothing."""
+    free = [path for path, (a, b) in over.items() if a < b]
+    for path in free if len(over) > 1 else ():
+        first, second = (_at_shares(problem, over, {path: share}) for share in (Fraction(1, 2), Fraction(3, 8)))
+        if first == second:
+            stated = "moves nothing, as a parameter that is given after it sets the same numbers"
+            raise InputError(path, f"{stated}: give {path} after that one, or leave it out")
+
+
+def _at_shares(problem: Problem, over: Mapping[str, Interval], shares: Mapping[str, Fraction]) -> Problem:
+    """The problem at these shares of the ranges, in the middle of the others."""
+    half = Fraction(1, 2)
+    for path, a, b in factors_last([(path, a, b) for path, (a, b) in over.items()]):
+        problem = problem.changed(path, a + shares.get(path, half) * (b - a))
+    return problem
+
+
 def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:
     return sorted(entries, key=lambda entry: entry[0].startswith("scale."))
 
@@ -173,9 +192,7 @@ def _base(
     """A problem inside the box, reduced, and where it is."""
     for share in _SHARES:
         point = [a + share * (b - a) for a, b in over.values()]
-        inside = problem
-        for path, _, value in factors_last(list(zip(over, units, point, strict=True))):
-            inside = inside.changed(path, value)
+        inside = _at_shares(problem, over, dict.fromkeys(over, share))
         try:
             return reduce_problem(inside), tuple(x / u for x, u in zip(point, units, strict=True))
         except InputError:

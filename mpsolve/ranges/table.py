@@ -91,6 +91,7 @@ def stability_table(
     first, second = _axis(given, rows, "rows"), _axis(given, columns, "columns")
     if len({asked.path, first[0], second[0]}) < 3:
         raise InputError("columns", f"has {second[0]}, rows {first[0]}, the range {asked.path}: give three others")
+    _require_none_undone(given, first, second, asked)
     jobs = [Job(_at(given, first, i, second, j), quantity, asked, digits, seconds)
             for i in range(len(first[1])) for j in range(len(second[1]))]  # fmt: skip
     lines = lines_of(given, jobs, first, second)
@@ -126,6 +127,18 @@ def _axis(problem: Problem, axis: object, key: str) -> Axis:
             raise InputError(f"{key}.values[{k + 1}]", f"is {shown(number)}, which is there already: drop one")
         out.append(number)
     return path, tuple(out)
+
+
+def _require_none_undone(problem: Problem, rows: Axis, columns: Axis, over: Over) -> None:
+    """A value that a parameter which is applied later sets again would stand in the table and mean nothing."""
+    x = over.low + (1 if over.high is None else (over.high - over.low) / 2)
+    for key, i, j, (path, values) in (("rows", 1, 0, rows), ("columns", 0, 1, columns)):
+        if len(values) > 1:
+            entries = (_at(problem, rows, n * i, columns, n * j) for n in range(2))
+            one, other = (entry.changed(over.path, x) for entry in entries)
+            if one == other:
+                stated = f"has {path}, which moves nothing, as another parameter of the table sets the same numbers"
+                raise InputError(key, f"{stated} after it: drop one of them, or let rows and columns change places")
 
 
 def _at(problem: Problem, rows: Axis, i: int, columns: Axis, j: int) -> Problem:

@@ -75,3 +75,14 @@ def test_a_neutral_mode_stays_divided_out() -> None:
 def test_what_cannot_be_is_refused(over: dict[str, tuple[Fraction, Fraction]], said: str) -> None:
     with pytest.raises(InputError, match=said):
         family_of(PROBLEM, over)
+
+
+def test_a_range_that_a_later_parameter_sets_again_is_refused() -> None:
+    pair = Problem(TRACK, vehicles.train(vehicles.Mass(900), 2, "2.5"), v=600)
+    one = {"vehicles[0].M": (Fraction(100), Fraction(1000))}
+    both = {"vehicles.M": (Fraction(100), Fraction(200))}
+    with pytest.raises(InputError, match=r"vehicles\[0\].M: moves nothing"):
+        family_of(pair, one | both)
+    family = family_of(pair, both | one)
+    assert [placed.vehicle.M for placed in family.at([x for _, x in family.box]).vehicles] == [1000, 200]
+    assert family_of(pair, {"scale.mass": (Fraction(1), Fraction(2))} | both).felt == (False, False)

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from mpsolve import Case, stability_table
+from mpsolve import Case, InputError, stability_table
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
@@ -72,18 +72,14 @@ def test_a_value_that_cannot_be() -> None:
 
 
 def test_paths_that_move_the_same_masses_are_asked_in_the_order_of_the_table() -> None:
-    """Against single questions: the mass of one of them is set after those of both, or before and then undone."""
+    """Against single questions: the mass of one of them is set after those of both; before, it would be undone."""
     both, one = {"vehicles.M": ["60", "67"]}, {"vehicles[0].M": ["40"]}
     found = stability_table(TWO, over={"v": (0, 2)}, rows=both, columns=one, workers=1)
     assert [entry.text for (entry,) in found.entries] == ["1.061080479", "1.060222658"]
-    turned: dict[str, Any] = {
-        "rows": {"vehicles[0].M": ["40", "50"]},
-        "columns": {"vehicles.M": ["60"]},
-        "workers": 1,
-    }
-    assert [entry.text for (entry,) in stability_table(TWO, over={"v": (0, 2)}, **turned).entries] == [
-        "1.047459082"
-    ] * 2
+    for over, rows, columns in (("v", one, both), ("vehicles.M", one, {"track.c": ["0.1"]})):
+        rows = {path: [*values, "50"] for path, values in rows.items()}
+        with pytest.raises(InputError, match=r"rows: has vehicles\[0\].M, which moves nothing"):
+            stability_table(TWO, over={over: (1, 2)}, rows=rows, columns=columns, workers=1)
 
 
 @pytest.mark.parametrize(("over", "together"), [("v", True), ("track.c", True), ("eta_m", False), ("gap[0]", True)])
