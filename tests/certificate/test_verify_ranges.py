@@ -213,6 +213,16 @@ def test_a_stable_box_with_another_number_is_refused() -> None:
     assert "number at the base" in verify_bytes(sealed(value)).reason
 
 
+@pytest.mark.parametrize("names", [["v", "v"], ["v from 0 to 1, c", "v"], ["", "v"], ["c", 1], ["c"]])
+def test_what_varies_is_named_once(names: list[Any]) -> None:
+    """The claim says "for c from …, v from …": with one name twice, or a sentence as a name, it says another one."""
+    value = json.loads(STABLE.read_text("ascii"))
+    value["equations"]["free"] = names
+    verdict = verify_bytes(sealed(value))
+    assert not verdict.valid
+    assert any(word in verdict.reason for word in ("name", "range"))
+
+
 def test_forms_hold_their_functions() -> None:
     """Products, inverses and exponentials over a box of two variables, at its corners and inside, complex too."""
     with precision(64):
