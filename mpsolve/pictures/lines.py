@@ -174,7 +174,7 @@ def _inside(x: float, said: str, anchor: str) -> bool:
 def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) -> None:
     """Short names beside the curves, as near to their ends as there is room."""
     for own, curve in enumerate(curves):
-        others = _ink(axes, [one for k, one in enumerate(curves) if k != own])
+        alone, *others = (_ink(axes, some) for some in ([curve], [*curves[:own], *curves[own + 1 :]]))
         x, y = np.broadcast_arrays(axes.px(curve.x), axes.py(curve.y))
         good = np.flatnonzero(np.isfinite(y) & (y > TOP) & (y < HIGH - BOTTOM))
         if not curve.name or not len(good):
@@ -185,8 +185,7 @@ def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) ->
             at = min(max(float(x[k]), LEFT + 14), WIDE - RIGHT) - 4
             for shift in (-5.0, 15.0, -11.0, 21.0, -17.0, 27.0):
                 words.append(_Word(at, float(np.clip(y[k] + shift, TOP + 12, _LOWEST)), curve.name, "end"))
-        alone = [word for word in words if _own(word, _ink(axes, [curve]), others)]
-        _placed([*alone, *words], ink, taken)
+        _placed([*(word for word in words if _own(word, alone, *others)), *words], ink, taken)
 
 
 def _own(word: _Word, own: Any, others: Any) -> bool:
