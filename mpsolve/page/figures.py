@@ -72,8 +72,8 @@ def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     number = 1 + vibrations(parts.spectrum).index(root) if root is not None else 0
     does = "grows most" if root is not None and root.growth > 0 else "decays least"
     said = (
-        f"The shape of vibration {number}, which {does}: one period, slow, without its growth. Below, the rail "
-        "and its contacts; above, how each body moves, all boxes to one scale, the rail to its own."
+        f"The shape of vibration {number}, which {does}: one period, slowed down, neither growing nor decaying. "
+        "Below, the rail and its contacts; above, how each body moves, all boxes to one scale, the rail to its own."
     )
     return Picture(
         "shape", moving_shape(x, rail, contacts, bodies, 2.0, "x, m" if speech(parts).si else "χx"), said
