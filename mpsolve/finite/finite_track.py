@@ -175,14 +175,18 @@ class _Best:
         return rail / 2, vehicle / 2, force / 2
 
     def lift_off(self, duration: float) -> Event | None:
-        """The first fall of a force, off by as much as it moves with half as many steps and modes, and a step."""
+        """The first fall of a force, off by as much as errors move it, and a step."""
         fall = self.found.first_fall()
         if fall is None:
             return None
         off = duration / self.steps
-        for other in (self.coarse, self.thin):
-            before = other and other.first_fall()
-            off += _HELD * abs(fall[0] - before[0]) if before else duration
+        for one, other, share in (
+            (self.found, self.coarse, 1),
+            (self.found, self.thin, 1),
+            (self.thin, self.guided, 0.5),
+        ):
+            after, before = one and one.first_fall(), other and other.first_fall()
+            off += share * _HELD * abs(after[0] - before[0]) if after and before else duration
         return Event(fall[0], fall[1], off)
 
 
