@@ -23,7 +23,7 @@ from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, growi
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.on_string import quiet
-from mpsolve.ranges.parted import LeftOut, parted, speeds_within
+from mpsolve.ranges.parted import LeftOut, parted, speeds_above, speeds_within
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.verified import verified
@@ -126,7 +126,11 @@ def find(
         return found
     speeds = speeds_within(problem, over)
     if not speeds:
-        return inside(over, effort)
+        found = inside(over, effort)
+        open_ended = found.reason is not None and found.reason.code == "passivity"
+        speeds = speeds_above(problem, over) if open_ended else []
+        if not speeds:
+            return found
     found = parted(problem, over, speeds, inside, none, effort)
     return found
 
