@@ -1172,8 +1172,10 @@ def checked(content: dict[str, Any], most: int | None) -> str:
     """The claim in words, if every step of the certificate holds."""
     keys(content["equations"], "free track velocity vehicle")
     names = items(content["equations"]["free"], MAX_PARAMETERS, "free")
-    require(names and all(isinstance(x, str) and re.fullmatch(r"[ -~]{1,60}", x) for x in names), "free: no names")
+    known = all(isinstance(x, str) and re.fullmatch(r"[!-+\--~]{1,60}", x) for x in names)
+    require(names and known, "free: no names, or a space or comma in one")
     count = len(names)
+    require(len(set(names)) == count, "two free parameters have one name")
     box: Box = tuple(
         (rational(a, "range"), rational(b, "range"))
         for a, b in (items(one, 2, "range", 2) for one in items(content["range"], count, "range", count))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,8 @@ FEWEST_STEPS = 16
 MOST_STEPS = 1_000_000
 MOST_WORK = 1e9
 """Most modes times steps of one march: some minutes."""
+ENOUGH = 16
+"""Times that see the largest error; a change at fewer ones may be small by chance."""
 MOST_INTERVALS = 4000
 """Of times at equal distances, of which every one is made the end of a step."""
 _GAUSS = np.array([-1, 1]) / math.sqrt(3)
@@ -33,7 +36,7 @@ _GAUSS = np.array([-1, 1]) / math.sqrt(3)
 
 @dataclass(frozen=True)
 class Answer:
-    """At the times: rail (p, t), vehicle (size, t), force (n, t); forces (n, nodes) at the nodes of the steps."""
+    """At the times watched: rail (p, t), vehicle (size, t), force (n, t); forces (n, nodes) at nodes of the steps."""
 
     rail: Any
     vehicle: Any
@@ -45,6 +48,16 @@ class Answer:
         pairs = ((self.rail, other.rail), (self.vehicle, other.vehicle), (self.force, other.force))
         a, b, c = (float(np.max(np.abs(one - two), initial=0.0)) for one, two in pairs)
         return a, b, c
+
+    def unresolved(self, coarse: Answer) -> float:
+        """The largest change of a force from longer steps, wherever it is.
+
+        A sudden load may leave a vibration between stiff contacts that is faster than the steps. Those follow neither
+        it nor its decay, so that of later times their halving shows too little; of the beginning it shows it all.
+        """
+        rows = zip(self.forces, coarse.forces, strict=True)
+        gaps = [np.abs(np.interp(coarse.nodes, self.nodes, own) - other) for own, other in rows]
+        return float(np.max(gaps, initial=self.change(coarse)[2]))
 
     def near(self, other: Answer, tolerance: float) -> bool:
         rail, vehicle, _ = self.change(other)
@@ -106,6 +119,17 @@ class Case:
         if unilateral and not all(self.pencil.h):
             raise InputError("unilateral", "asks for contacts that open, but one is tight: give every k_contact")
 
+    @cached_property
+    def watched(self) -> Any:
+        """The times, and where they are few some more before the last one."""
+        more = self.duration * np.arange(ENOUGH // 2, ENOUGH) / ENOUGH
+        return np.union1d(self.times, more if len(self.times) < ENOUGH else [])
+
+    @property
+    def asked(self) -> Any:
+        """Where the times are among those watched."""
+        return np.searchsorted(self.watched, self.times)
+
     @property
     def duration(self) -> float:
         return float(self.times[-1])
@@ -131,12 +155,12 @@ class Case:
         least, every = max(FEWEST_STEPS, math.ceil(self.duration * fastest)), _intervals(self.times)
         return math.ceil(least / every) * every
 
-    def solve(self, modes: int, steps: int, effort: Effort | None = None) -> Answer:
-        """The answer with these figures; InputError where they are beyond what can be computed."""
+    def solve(self, modes: int, steps: int, effort: Effort | None = None, guided: bool = False) -> Answer:
+        """The answer with these figures, or between guided ends; InputError where they are too many."""
         if modes * steps > MOST_WORK or steps > MOST_STEPS:
             stated = f"needs {steps} steps or more of {modes} modes for its tolerance, beyond what is computed"
             raise InputError("times", f"{stated}: end earlier, raise tolerance, or lower modes or steps")
-        track = exponentials(discretized(self.waveguide, self.length, modes))
+        track = exponentials(discretized(self.waveguide, self.length, modes, guided))
         setting = Setting(
             track, self.length, self.carriage, self.outer, self.contacts, self.places, self.origin, self.velocity,
             self.duration, self.steady, self.unilateral, self.rough,
@@ -156,11 +180,11 @@ class Case:
     def unknown(self) -> Answer:
         """No number of it is one."""
         rows = (len(self.places), len(self.pencil.names), len(self.contacts))
-        rail, vehicle, force = (np.full((n, len(self.times)), np.nan) for n in rows)
+        rail, vehicle, force = (np.full((n, len(self.watched)), np.nan) for n in rows)
         return Answer(rail, vehicle, force, np.zeros(0), np.zeros((len(self.contacts), 0)))
 
     def _read(self, motion: Motion) -> Answer:
-        """The motion at the times asked for; forces by their values at the Gauss points of the steps."""
+        """The motion at the times watched; forces by their values at the Gauss points of the steps."""
         h = motion.times[1]
         nodes = ((motion.times[:-1] + h / 2)[:, None] + h / 2 * _GAUSS).ravel()
         values = motion.force[:, 0, :, None] + motion.force[:, 1, :, None] * _GAUSS
@@ -171,11 +195,11 @@ class Case:
         last = values[:, -1:] + (values[:, -1:] - values[:, -2:-1]) * (nodes[0] / (nodes[1] - nodes[0]))
         nodes = np.concatenate([[0.0], nodes, motion.times[-1:]])
         values = np.concatenate([first, values, last], axis=1)
-        force = hermite(nodes, values, np.gradient(values, nodes, axis=1), self.times)
+        force = hermite(nodes, values, np.gradient(values, nodes, axis=1), self.watched)
         if self.unilateral:
             force = np.maximum(force, 0.0)  # between steps at which the force jumps, interpolation overshoots
-        kept = hermite(motion.times, motion.state, motion.state_rate, self.times)
-        rail = hermite(motion.times, motion.rail, _slopes(motion.rail, h), self.times)
+        kept = hermite(motion.times, motion.state, motion.state_rate, self.watched)
+        rail = hermite(motion.times, motion.rail, _slopes(motion.rail, h), self.watched)
         return Answer(rail, self.carriage.motion @ kept - self.carriage.give @ force, force, nodes, values)
 
 

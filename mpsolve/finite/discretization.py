@@ -3,7 +3,8 @@
 On 0 < x < L a field of the track is Σ a_j sin κ_j x or Σ a_j cos κ_j x, κ_j = jπ/L. Where ∂x occurs an even number of
 times in an entry of A(∂x, ∂t), its two fields are of one kind; where it occurs an odd number of times, they are of
 both. With P → iκ and a phase of each field (1 for sines, i for cosines) every entry is real then. The field under
-the contacts expands in sines: it vanishes at the supports.
+the contacts expands in sines: it vanishes at the supports. Guided ends, where its slope vanishes, make it cosines
+with the same matrices, and a constant.
 """
 
 from __future__ import annotations
@@ -20,13 +21,15 @@ from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, determinant
 
 SINE, COSINE = 0, 1
 _HIGHEST = 2
+_NEARLY_0 = 1e-3
 
 
 @dataclass(frozen=True)
 class Discretization:
     """`matrix`: real polynomials {(power of κ, power of s): c}; `kinds`: SINE or COSINE of each field; exact.
 
-    loaded: the field under the contacts. wavenumbers (J,): κ_j = jπ/length, float64.
+    loaded: the field under the contacts. wavenumbers (J,): κ_j = jπ/length, float64. guided: the ends hold slopes and
+    not deflections; kinds turn about, and j = 0 comes before the others, a little above 0, where roots may meet.
     """
 
     matrix: Matrix
@@ -34,10 +37,12 @@ class Discretization:
     loaded: int
     length: float
     modes: int
+    guided: bool = False
 
     @property
     def wavenumbers(self) -> Any:
-        return np.arange(1, self.modes + 1) * (np.pi / self.length)
+        first = [_NEARLY_0] if self.guided else []
+        return np.concatenate([first, np.arange(1, self.modes + 1)]) * (np.pi / self.length)
 
     @property
     def mass(self) -> Any:
@@ -70,14 +75,14 @@ class Discretization:
         return np.moveaxis(np.array(rows), -1, 0)
 
 
-def discretized(waveguide: Waveguide, length: float, modes: int) -> Discretization:
+def discretized(waveguide: Waveguide, length: float, modes: int, guided: bool = False) -> Discretization:
     """The track on this length in this number of sines; InputError where no phases make its equations real."""
     kinds = _kinds(waveguide)
     size = range(len(waveguide.matrix))
     matrix = tuple(tuple(_real(waveguide.matrix[m][n], kinds[n]) for n in size) for m in size)
     if any(power > _HIGHEST for row in matrix for entry in row for _, power in entry):
         raise InputError("track", "has a third derivative in time: split a field in two, so that s² is the highest")
-    found = Discretization(matrix, kinds, waveguide.loaded, length, modes)
+    found = Discretization(matrix, kinds, waveguide.loaded, length, modes, guided)
     if _degree(found.numerator) >= _degree(found.dispersion):
         stated = "has neither mass nor damping in the field under the contacts, so that it answers a force at once"
         raise InputError("track", f"{stated}: give the field some mass or damping")

@@ -21,12 +21,13 @@ class Exponentials:
     """w_j(t) = Re Σ weight e^{rate t} after a unit impulse, for the modes j = 1 … J.
 
     k (J,): wavenumbers. rate, weight (R, J): of each exponential; of two conjugate ones the upper stands for both.
-    Modes with fewer ones than R have some of rate and weight 0.
+    Modes with fewer ones than R have some of rate and weight 0. turn: 1 where modes are sines, i where cosines.
     """
 
     k: Any
     rate: Any
     weight: Any
+    turn: complex = 1
 
     def waves(self, length: float, velocity: float) -> Waves:
         """All in a row, for the tables of a step."""
@@ -41,9 +42,13 @@ def exponentials(track: Discretization) -> Exponentials:
     roots = separated(_roots(D))
     kept = roots.imag >= 0
     weight = np.where(kept, np.where(roots.imag > 0, 2, 1) * _residues(D[-1], N, roots), 0)
+    if track.guided:
+        weight[0] /= 2  # ∫ of a cosine² is L/2, but L of the first one
     first = np.argsort(~kept, axis=-1, kind="stable")[:, : int(kept.sum(-1).max())]
     rate = np.where(kept, roots, 0)
-    return Exponentials(k, np.take_along_axis(rate, first, -1).T, np.take_along_axis(weight, first, -1).T)
+    return Exponentials(
+        k, np.take_along_axis(rate, first, -1).T, np.take_along_axis(weight, first, -1).T, 1j if track.guided else 1
+    )
 
 
 def _roots(coefficients: Any) -> Any:

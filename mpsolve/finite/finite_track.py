@@ -20,28 +20,31 @@ from mpsolve.vibration.liftoff import Event
 
 FEWEST_MODES, MOST_MODES = 8, 40_000
 _OPEN = (math.inf, math.inf, math.inf)
-_HELD, _HELD_FORCE = 1.3, 2.0
-"""Where an error halves with twice as many modes, the change is the error itself; it is not always so even."""
+_HELD, _HELD_FORCE, _HELD_FAST = 1.3, 2.0, 3.0
+"""Where an error halves with twice as many modes, the change is the error itself; it is not always so even, least so
+for forces in steps that a vibration is too fast for."""
 
 
 @dataclass(frozen=True)
 class FiniteTrackError:
-    """Estimates of errors, none of them a bound: the largest changes from half as many steps, and half as many modes.
+    """Estimates of errors, none of them a bound, as the largest changes against the endless track.
 
-    time, modes: of the deflections of the rail, in units of length; vehicle: of the coordinates of the vehicles, the
-    sum of both, each in its own unit; force: of the contact forces, the sum of both. They tell of the finite track:
-    another length shows how much its supports are felt.
+    time, modes: from half as many steps and modes; supports: half of what guided ends in place of supports change,
+    for they send every wave back with the other sign. All three are of the deflections of the rail, in units of
+    length; vehicle and force are the sums of the same three for the coordinates of the vehicles, each in its own
+    unit, and for the contact forces.
     """
 
     time: float
     modes: float
+    supports: float
     vehicle: float
     force: float
 
     @property
     def total(self) -> float:
-        """The sum of the two errors of the rail."""
-        return self.time + self.modes
+        """The sum of the three errors of the rail."""
+        return self.time + self.modes + self.supports
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,8 @@ def finite_track(
     rail and come back; each needs a Hertz spring k_contact. Events are then met to a step: look at `error`.
     irregularities: one for each contact from rear to front, as for `response`. effort: an evaluation is one step;
     where it is spent `reason` says so, and the best motion so far comes back with its errors, infinite where they are
-    not known, or NaN where there is none. progress hears of the stages steps and modes.
+    not known, or NaN where there is none. progress hears of the stages steps, modes and
+    supports.
 
     InputError names the argument that cannot be used: for a track that the load would leave, the length needed.
 
@@ -114,16 +118,20 @@ def finite_track(
     count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
     used = None if steps is None else _count(steps, "steps", FEWEST_STEPS, MOST_STEPS)
     best = _best(case, count, used, begun(effort), progress or silent)
-    found, late, cut = best.found, best.late, best.cut
-    names = case.pencil.names
+    found, late, cut, felt = best.found, best.late, best.cut, best.felt
+    names, asked = case.pencil.names, case.asked
     return FiniteTrackMotion(
         times=case.times,
         places=case.places,
-        rail=found.rail,
-        vehicle=dict(zip(names, found.vehicle, strict=True)),
-        contact_force=found.force,
+        rail=found.rail[:, asked],
+        vehicle=dict(zip(names, found.vehicle[:, asked], strict=True)),
+        contact_force=found.force[:, asked],
         error=FiniteTrackError(
-            _HELD * late[0], _HELD * cut[0], _HELD * (late[1] + cut[1]), _HELD_FORCE * (late[2] + cut[2])
+            time=_HELD * late[0],
+            modes=_HELD * cut[0],
+            supports=_HELD * felt[0],
+            vehicle=_HELD * (late[1] + cut[1] + felt[1]),
+            force=_HELD_FAST * late[2] + _HELD_FORCE * cut[2] + _HELD * felt[2],
         ),
         start=case.origin,
         length=case.length,
@@ -136,31 +144,49 @@ def finite_track(
 
 @dataclass
 class _Best:
-    """What is known so far: an answer and its number of steps, one with half as many, one with half as many modes."""
+    """What is known so far: an answer and its number of steps, one with half as many, one with half as many modes.
+
+    guided: as thin, but between guided ends.
+    """
 
     found: Answer
     steps: int
     coarse: Answer | None = None
     thin: Answer | None = None
+    guided: Answer | None = None
     reason: Reason | None = None
 
     @property
     def late(self) -> tuple[float, float, float]:
-        return self.found.change(self.coarse) if self.coarse else _OPEN
+        if self.coarse is None:
+            return _OPEN
+        rail, vehicle, _ = self.found.change(self.coarse)
+        return rail, vehicle, self.found.unresolved(self.coarse)
 
     @property
     def cut(self) -> tuple[float, float, float]:
         return self.found.change(self.thin) if self.thin else _OPEN
 
+    @property
+    def felt(self) -> tuple[float, float, float]:
+        if self.thin is None or self.guided is None:
+            return _OPEN
+        rail, vehicle, force = self.thin.change(self.guided)
+        return rail / 2, vehicle / 2, force / 2
+
     def lift_off(self, duration: float) -> Event | None:
-        """The first fall of a force, off by as much as it moves with half as many steps and modes, and a step."""
+        """The first fall of a force, off by as much as errors move it, and a step."""
         fall = self.found.first_fall()
         if fall is None:
             return None
         off = duration / self.steps
-        for other in (self.coarse, self.thin):
-            before = other and other.first_fall()
-            off += _HELD * abs(fall[0] - before[0]) if before else duration
+        for one, other, share in (
+            (self.found, self.coarse, 1),
+            (self.found, self.thin, 1),
+            (self.thin, self.guided, 0.5),
+        ):
+            after, before = one and one.first_fall(), other and other.first_fall()
+            off += share * _HELD * abs(after[0] - before[0]) if after and before else duration
         return Event(fall[0], fall[1], off)
 
 
@@ -180,6 +206,9 @@ def _best(case: Case, modes: int, steps: int | None, work: Effort, said: Progres
         said("modes", 0.5)
         best.thin = case.solve(modes // 2, best.steps, work)
         said("modes", 1.0)
+        said("supports", 0.8)
+        best.guided = case.solve(modes // 2, best.steps, work, guided=True)
+        said("supports", 1.0)
     except EffortError as error:
         best.reason = error.reason
     return best

@@ -183,7 +183,7 @@ class _Rail:
         self._shift = np.exp(1j * np.multiply.outer(gaps, track.k))
         places = np.multiply.outer(setting.points - setting.contacts[0], track.k)
         self._sine, self._cosine = np.sin(places), np.cos(places)
-        self._carrier = np.exp(1j * (setting.origin + setting.contacts[0]) * track.k)
+        self._carrier = track.turn * np.exp(1j * (setting.origin + setting.contacts[0]) * track.k)
         self._phase = self._shift * self._carrier
         self._z = np.zeros(shape, complex)
 

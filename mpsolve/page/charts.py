@@ -37,10 +37,10 @@ def chart(parts: Parts) -> Picture | None:
     )  # fmt: skip
     how = "computed in floats" if found is None else "proved, and so are the curves between the areas"
     if found is not None and not found.traced:
-        how = "proved, with dotted strips in which a boundary runs or may run"
-    outlined = " What is outlined is proved stable all over." if sure else ""
+        how = "proved, but for dotted strips, in which a boundary may run"
+    outlined = " What is outlined, boxes and straight lines, is proved stable." if sure else ""
     said = f"How many roots grow at each velocity and size of all masses: {how}.{outlined} The cross is this case."
-    return Picture("chart", svg, f"{said} Each vibration is a pair of roots, q and −q̄.")
+    return Picture("chart", svg, f"{said} Two roots, q and −q̄, are one vibration.")
 
 
 def chart_status(parts: Parts) -> str:

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.view import cuts_in, fitting_window, free_height
-from mpsolve.page.parts import Parts, vibrations, worst
+from mpsolve.page.parts import Parts, searched, vibrations, worst
 from mpsolve.page.picture import Picture
 from mpsolve.page.words import contact_names, speech
+from mpsolve.pictures.axes import COLOURS
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
 from mpsolve.pictures.model import model_picture
 from mpsolve.pictures.plane import plane_picture
@@ -42,15 +43,17 @@ def plane(parts: Parts) -> Picture | None:
     beside = [numbers.get(id(root), "") for root in parts.spectrum.roots]
     said = (
         "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
-        "right, q and −q̄, and is one line of the table, whose number stands at the right one. Grey dashes are the "
-        "branch cuts of the track, computed, as far as they lie in this picture."
+        "right, q and −q̄, and is one line of the table, whose number stands at the right one. "
+    )
+    cuts = cuts_in(parts.problem, window)
+    seen_cut = any(((cut.imag < height) & (np.abs(cut.real) < width)).any() for cut in cuts)
+    said += (
+        "Grey dashes are the branch cuts, where the waves of the track itself lie: computed."
+        if seen_cut
+        else "The branch cuts, where the waves of the track itself lie, are higher up, out of this picture."
     )
     return Picture(
-        "plane",
-        plane_picture(
-            q, cuts_in(parts.problem, window), width, depth, height, name="plane", unit=unit, numbers=beside
-        ),
-        said,
+        "plane", plane_picture(q, cuts, width, depth, height, name="plane", unit=unit, numbers=beside), said
     )
 
 
@@ -68,7 +71,10 @@ def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     root = worst(parts.spectrum)
     number = 1 + vibrations(parts.spectrum).index(root) if root is not None else 0
     does = "grows most" if root is not None and root.growth > 0 else "decays least"
-    said = f"The shape of vibration {number}, which {does}: one period, slowed down, without its growth."
+    said = (
+        f"The shape of vibration {number}, which {does}: one period, slowed down, neither growing nor decaying. "
+        "Below, the rail and its contacts; above, how each body moves, all boxes to one scale, the rail to its own."
+    )
     return Picture(
         "shape", moving_shape(x, rail, contacts, bodies, 2.0, "x, m" if speech(parts).si else "χx"), said
     ), table
@@ -98,13 +104,22 @@ def lines(parts: Parts) -> list[Picture]:
     )  # fmt: skip
     swung = lines_picture(
         hertz, x_title, f"frequency, {swings}", "Frequency of each vibration over the velocity",
-        name="frequency", marks=marks,
+        name="frequency", marks=marks, y=_hertz_range(hertz),
     )  # fmt: skip
     said = (
-        "How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities. "
-        f"The numbers are those of the table{_others(names, len(vibrations(parts.spectrum)))}."
+        f"How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities."
+        f"{_end(parts)} The numbers are those of the table{_others(names, len(vibrations(parts.spectrum)))}."
+        f"{' Marks on a line only tell it from another of its colour.' if len(tracks) > COLOURS else ''}"
     )
     return [Picture("growth", grown, said), Picture("frequency", swung, "The frequencies of the same vibrations.")]
+
+
+def _end(parts: Parts) -> str:
+    """Where the search for lines ended."""
+    height = searched(parts.problem.track)
+    if not height:
+        return " Only vibrations that grow were searched."
+    return f" A line ends where it decays faster than {speech(parts).rate(height)}: no such one was searched."
 
 
 def _numbers(parts: Parts, v: Any, tracks: list[Any]) -> list[str]:
@@ -129,10 +144,8 @@ def _others(names: list[str], known: int) -> str:
     if not beyond:
         return ""
     if beyond == 1:
-        return f"; {known + 1} is not in it, as at this velocity it lies above the cuts, or there is none"
-    return (
-        f"; {known + 1} to {known + beyond} are not in it, as at this velocity they lie above the cuts, or are none"
-    )
+        return f"; {known + 1} is not in it, as at this velocity it decays too fast, or there is none"
+    return f"; {known + 1} to {known + beyond} are not in it, as at this velocity they decay too fast, or are none"
 
 
 def _near(curves: list[Curve], marks: list[Mark]) -> list[Curve]:
@@ -151,6 +164,12 @@ def _growth_range(curves: list[Curve]) -> tuple[float, float] | None:
     top = max(float(y.max()), 0.08 * float(-y.min()) if y.min() < 0 else 0.0)
     low = max(float(y.min()), -6 * top) if y.max() > 0 else float(y.min())
     return low * 1.05, top * 1.15 or 1.0
+
+
+def _hertz_range(curves: list[Curve]) -> tuple[float, float]:
+    """From 0 on, with room below it for the numbers of slow vibrations."""
+    top = max(float(np.nanmax(curve.y)) for curve in curves) or 1.0
+    return -0.14 * top, 1.06 * top
 
 
 def _marks(parts: Parts, factor: float) -> list[Mark]:

@@ -109,7 +109,11 @@ def told(name: str, found: Margin, say: Say) -> Row:
     if below is None and above is None:
         word = "stable" if found.stable else "unstable"
         return Row(
-            name, own, f"{word} all the way from {least(low, high, say)} to {say(high)}", "no limit there", "proved"
+            name,
+            own,
+            f"{word} all the way from {least(low, high, say)} to {say(high)}",
+            "no limit in this range",
+            "proved",
         )
     limits = [
         f"{'unstable' if found.stable else 'stable'} {side} {one[0]}"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import base64
 import json
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from typing import Any
 
 from mpsolve import __version__
@@ -53,7 +54,7 @@ def page_html(parts: Parts, stem: str) -> str:
         word=word,
         sentence=on_command_line(rest[:1].upper() + rest[1:]),
         mood={True: "good", False: "bad", None: "open"}[spectrum.stable],
-        cards=cards(parts),
+        cards=[replace(card, figure=_together(card.figure)) for card in cards(parts)],
         limits=limit_rows(parts),
         warnings=[str(one) for one in (*titled(parts.given, parts.title), *spectrum.warnings)],
         late=parts.late,
@@ -86,6 +87,11 @@ def page_html(parts: Parts, stem: str) -> str:
         downloads=downloads(parts, stem),
         data=page_data(parts),
     )
+
+
+def _together(said: str) -> str:
+    """A number and its unit stay on one line."""
+    return re.sub(r"(?<=\d) (?=\D)", "\u00a0", said)
 
 
 def page_data(parts: Parts) -> dict[str, Any]:
@@ -159,13 +165,22 @@ def _rows(model: Model) -> list[tuple[str, str, str]]:
     return rows
 
 
-def _root(root: Root, speak: Speech, digits: int) -> tuple[str, str, str, str, str, int]:
-    """Frequency, growth, what it does, and Re q, Im q in all digits, and how many roots the ball holds."""
+def _root(root: Root, speak: Speech, digits: int) -> tuple[str, str, str, str, str, str, int]:
+    """Frequency, growth, damping in percent, what it does, Re q and Im q in all digits, the number of roots held."""
     with precision(working_bits(digits)):
         real, imag = (decimal(x, digits + 2).text for x in (abs(root.q.real), root.q.imag))
+        damping = rounded(100 * root.q.imag / abs(root.q), 3) if abs(root.q) > 0 else ""
     pair = "±" if not root.q.real.contains(0) else ""
-    growth = rounded(root.growth).replace("-", "−")
-    return rounded(root.frequency), growth, doing(root, speak), pair + real, imag.replace("-", "−"), root.multiplicity
+    growth, damping = (said.replace("-", "−") for said in (rounded(root.growth), damping))
+    return (
+        rounded(root.frequency),
+        growth,
+        damping,
+        doing(root, speak),
+        pair + real,
+        imag.replace("-", "−"),
+        root.multiplicity,
+    )
 
 
 def _critical_status(parts: Parts) -> str:

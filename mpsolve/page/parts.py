@@ -191,10 +191,15 @@ def _duration(spectrum: Spectrum) -> float:
     return min(wanted, 12.0 / fastest) if fastest > 0 else wanted
 
 
+def searched(track: Any) -> Any:
+    """The decay up to which lines are followed; 0: growth only."""
+    return (lowest_cut(track)[0] or 0) * Fraction(9, 10)
+
+
 def lines_of(problem: Problem, top: Fraction) -> Frequencies:
     """The roots below the lowest cut over the velocity, in floats."""
-    low = lowest_cut(problem.track)[0]
-    region: object = ("below", low * Fraction(9, 10)) if low else "unstable"
+    height = searched(problem.track)
+    region: object = ("below", height) if height else "unstable"
     return frequencies(problem, {"v": velocities(top, LINE_POINTS)}, region)
 
 

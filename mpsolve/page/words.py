@@ -99,7 +99,7 @@ def velocity_card(parts: Parts) -> Card:
         else:
             said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
         if found.low:
-            said = f"{said} Looked at from {least(found.low, value, speak.velocity)} on."
+            said = f"{said} Every velocity from {least(found.low, value, speak.velocity)} on was looked at."
         return Card(question, f"stable below {where}", said, "proved")
 
 
@@ -122,7 +122,7 @@ def growth_card(parts: Parts) -> Card | None:
             said = f"The vibration at {speak.frequency(root.frequency)} doubles in this time, and doubles again."
             return Card("How fast does it grow?", f"doubles in {speak.span(root.doubling_time)}", said, status)
         if root.growth < 0:
-            said = f"The slowest vibration found, at {speak.frequency(root.frequency)}, halves in this time."
+            said = f"The vibration that lasts longest, at {speak.frequency(root.frequency)}, halves in this time."
             return Card("How fast does it calm down?", f"halves in {speak.span(root.doubling_time)}", said, status)
     return None
 
@@ -134,18 +134,20 @@ def contact_card(parts: Parts) -> Card:
     if motion is None:
         return missing(question, part)
     event = motion.lift_off
+    loads = "the weight of the vehicle" if parts.loads is None else "the load of the file"
+    start = f"{loads} is put at once on a smooth rail and round wheels"
     if event is None:
-        end = speak.time(float(motion.times[-1]))
-        loads = "the weight of the vehicle" if parts.loads is None else "the load of the file"
-        said = (
-            f"Not within {end}{_why_so_long(parts)} after {loads} is put at once on a smooth rail and round wheels."
+        said = f"Not within {speak.time(float(motion.times[-1]))}{_why_so_long(parts)} after {start}."
+        return Card(
+            question, "no, if all is smooth", f"{said}{_most(motion, speak)}{_weight(parts, speak)}", "computed"
         )
-        return Card(question, "no", f"{said}{_most(motion, speak)}{_weight(parts, speak)}", "computed")
     name = contact_names(parts.problem)[event.contact - 1]
     own = "" if name.startswith("contact") else f" ({name})"
-    said = f"Contact {event.contact}, counted from the rear{own}, lifts off then"
+    said = f"{capital(start)}; then contact {event.contact}, counted from the rear{own}, lifts off first."
+    if parts.spectrum.stable and parts.loads is None:
+        said += " It is the swing of this sudden start, not growth."
     when = f"after {speak.time(event.time)}"
-    return Card(question, when, f"{said}; the model says nothing of what follows.", "computed")
+    return Card(question, when, f"{said} The model says nothing of what follows.", "computed")
 
 
 def _why_so_long(parts: Parts) -> str:
@@ -153,7 +155,7 @@ def _why_so_long(parts: Parts) -> str:
     roots = parts.spectrum.roots
     swings = any(float(root.frequency.mid()) > 0 for root in roots)
     grows = any(float(root.growth.mid()) > 0 for root in roots)
-    return " (eight periods of the slowest vibration)" if swings and not grows else ""
+    return " (eight periods of the lowest frequency)" if swings and not grows else ""
 
 
 def _most(motion: Any, speak: Speech) -> str:
@@ -173,7 +175,10 @@ def _weight(parts: Parts, speak: Speech) -> str:
         return ""
     mass = sum(a * m * b for a, row in zip(bounce, pencil.M, strict=True) for m, b in zip(row, bounce, strict=True))
     each = float(mass) * float(GRAVITY) / pencil.contacts
-    return f" All vehicles weigh {spoken(mass, 'kg', 3)}: at rest {spoken(each, 'N', 3)} a contact, on average."
+    return (
+        f" All masses of the file together are {spoken(mass, 'kg', 3)}, as a rule those over one rail: "
+        f"at rest {spoken(each, 'N', 3)} a contact, on average."
+    )
 
 
 def contact_names(problem: Problem) -> list[str]:
@@ -200,6 +205,10 @@ def wave_card(parts: Parts) -> Card | None:
             "Without damping the deflection under a constant force grows without bound; with damping it is greatest "
         )
         said += "at another velocity, often a lower one, which the command “mpsolve critical” draws."
+    v = parts.problem.v
+    if v:
+        with precision(128):
+            said = f"{said} This case runs at {rounded(100 * rational_ball(v) / first.value, 3)} % of it."
     if slow_waves(parts.problem.track):
         said = f"{said} {SLOW_WAVES}"
     status = "proved" if part.value.status.holds else "open"

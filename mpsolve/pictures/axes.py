@@ -52,9 +52,12 @@ STYLE = """
 """
 
 
+COLOURS = 4
+
+
 def curve_class(k: int) -> str:
     """Of the k-th line of a picture: colour and dashes; from the fifth on dashes with another colour."""
-    name = ("curve", "curve two", "curve three", "curve four")[k % 4]
+    name = ("curve", "curve two", "curve three", "curve four")[k % COLOURS]
     return f"{name} dash{(k + k // 4) % 4}" if k > 3 else name
 
 

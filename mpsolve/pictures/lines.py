@@ -77,7 +77,7 @@ def lines_picture(
         if not inside.all():
             parts.append(line(axes, curve.x, np.where(inside, np.nan, curve.y), f"{curve_class(k)} beyond"))
     parts.append("</g>")
-    ink, taken = _ink(axes, curves), []
+    ink, taken = np.concatenate([_ink(axes, curves), _uprights(axes, marks)], 1), []
     if grows_above is not None:
         taken.append(_Word(LEFT + 6, TOP + 15, "grows", "start"))
     long = any(len(curve.name) > _SHORT for curve in curves)
@@ -126,6 +126,12 @@ def _ink(axes: Axes, curves: Sequence[Curve]) -> Any:
     return np.concatenate(points, 1)
 
 
+def _uprights(axes: Axes, marks: Sequence[Mark]) -> Any:
+    """Points (2, n) on the lines of the marks."""
+    y = np.arange(TOP, HIGH - BOTTOM, 4.0)
+    return np.array([(float(axes.px(mark.x)), at) for mark in marks for at in y]).reshape(-1, 2).T
+
+
 def _placed(words: list[_Word], ink: Any, taken: list[_Word]) -> None:
     """The first of the words that lies over nothing, else over no other word, else the first of all."""
     clear = [word for word in words if not any(_meets(word, other) for other in taken)]
@@ -167,7 +173,8 @@ def _inside(x: float, said: str, anchor: str) -> bool:
 
 def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) -> None:
     """Short names beside the curves, as near to their ends as there is room."""
-    for curve in curves:
+    for own, curve in enumerate(curves):
+        alone, *others = (_ink(axes, some) for some in ([curve], [*curves[:own], *curves[own + 1 :]]))
         x, y = np.broadcast_arrays(axes.px(curve.x), axes.py(curve.y))
         good = np.flatnonzero(np.isfinite(y) & (y > TOP) & (y < HIGH - BOTTOM))
         if not curve.name or not len(good):
@@ -178,7 +185,14 @@ def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) ->
             at = min(max(float(x[k]), LEFT + 14), WIDE - RIGHT) - 4
             for shift in (-5.0, 15.0, -11.0, 21.0, -17.0, 27.0):
                 words.append(_Word(at, float(np.clip(y[k] + shift, TOP + 12, _LOWEST)), curve.name, "end"))
-        _placed(words, ink, taken)
+        _placed([*(word for word in words if _own(word, alone, *others)), *words], ink, taken)
+
+
+def _own(word: _Word, own: Any, others: Any) -> bool:
+    """Whether the curve is clearly nearer to the word than any other one is."""
+    middle = np.array([[sum(word.reach) / 2], [word.y - 4]])
+    near, next_near = (float(np.hypot(*(ink - middle)).min(initial=np.inf)) for ink in (own, others))
+    return near < 0.6 * next_near
 
 
 def _key(curves: Sequence[Curve]) -> list[str]:

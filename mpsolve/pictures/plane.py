@@ -44,17 +44,24 @@ def plane_picture(
     return svg(parts, f"The complex plane of q: {len(roots)} roots in the window, {grow} of them grow")
 
 
+_BESIDE = ((9, -6), (9, 16), (-18, -6), (-18, 16), (-4, -11), (-4, 21))
+
+
 def _numbered(axes: Axes, roots: Any, numbers: Sequence[str]) -> list[str]:
     """The words beside the roots, those that would lie over another one left out."""
+    marks = [(float(axes.px(q.real)), float(axes.py(q.imag))) for q in roots]
     taken: list[tuple[float, float]] = []
     out = []
     for q, said in zip(roots, numbers, strict=False):
-        for right, down in ((9, -6), (9, 16), (-18, -6), (-18, 16)) if said else ():
+        free = []
+        for right, down in _BESIDE if said else ():
             x, y = float(axes.px(q.real)) + right, max(float(axes.py(q.imag)) + down, TOP + 12)
             if LEFT < x < WIDE - RIGHT - 8 and all(abs(x - a) > 16 or abs(y - b) > 14 for a, b in taken):
-                taken.append((x, y))
-                out.append(text(x, y, said))
-                break
+                free.append((sum(abs(x + 4 - a) < 11 and abs(y - 4 - b) < 11 for a, b in marks), x, y))
+        if free:
+            _, x, y = min(free, key=lambda one: one[0])  # the first of those that cover the fewest marks
+            taken.append((x, y))
+            out.append(text(x, y, said))
     return out
 
 

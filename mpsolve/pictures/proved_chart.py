@@ -64,7 +64,7 @@ def borders(found: Chart, factors: Sequence[float]) -> list[Border]:
 
 def open_words(found: Chart) -> str:
     """What dotted cells are."""
-    return "open" if found.traced else "a boundary, or open"
+    return "open" if found.traced else "not decided, a boundary may run there"
 
 
 def axis_title(over: Over) -> str:

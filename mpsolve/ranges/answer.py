@@ -14,6 +14,7 @@ from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.proof.subdivide import Covered
+from mpsolve.spectrum.regions import HalfPlane
 
 Interval = tuple[Fraction, Fraction]
 
@@ -75,6 +76,11 @@ class Answer(Result):
     def records(self) -> Iterable[Mapping[str, Any]]:
         """`rows`."""
         return self.rows()
+
+
+def growing(base: Any) -> int | None:
+    """The certified number of roots in the whole half-plane Im q < 0; None where only a part of it is counted."""
+    return base.unstable if base.proved and base.region == HalfPlane() else None
 
 
 def uncounted(base: Any, where: str) -> Reason:

@@ -27,13 +27,12 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import Strips, strips_of
-from mpsolve.spectrum.regions import HalfPlane
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
@@ -174,11 +173,15 @@ def _chart(
 
 
 def _free(scope: Scope, tree: Any, strips: Strips, cells: int) -> Any:
-    """The cells of the finer grid over which no root is real."""
+    """The cells of the finer grid over which no root is real.
+
+    Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.
+    """
     width = (scope.high - scope.low)[:, None]
+    beside = 2.0**-50 * np.maximum(np.abs(scope.low), np.abs(scope.high))[:, None] / width
     rest = ((end[1:] - scope.low[:, None]) / width for end in tree.boxes(tree.open))
     low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
-    return marked(low, high, (cells, cells)) == 0
+    return marked(low - beside, high + beside, (cells, cells)) == 0
 
 
 def _counted(
@@ -216,7 +219,7 @@ def _counted(
             detail[where] = OPEN
             parts.append(Part(int(sizes[k]), point, None))
             continue
-        roots = found.unstable if _whole(found) else None
+        roots = growing(found)
         detail[where] = OPEN if roots is None else roots
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
@@ -233,11 +236,6 @@ def _point(scope: Scope, edges: Any, where: Any) -> dict[str, Fraction]:
 def _too_many(parts: int) -> Reason:
     stated = f"the chart falls into {parts} parts, of which {_MOST_PARTS} are counted"
     return Reason("parts", stated, {"parts": str(parts)}, "raise the depth, so that small parts come together")
-
-
-def _whole(found: Any) -> bool:
-    """Whether the count is that of the whole half-plane Im q < 0."""
-    return bool(found.proved) and found.region == HalfPlane()
 
 
 def _at(problem: Problem, point: Mapping[str, Fraction]) -> Problem:

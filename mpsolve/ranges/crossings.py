@@ -19,11 +19,11 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, uncounted, within
+from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, growing, uncounted, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.on_string import quiet
-from mpsolve.ranges.parted import LeftOut, parted, speeds_within
+from mpsolve.ranges.parted import LeftOut, parted, speeds_above, speeds_within
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.verified import verified
@@ -126,7 +126,11 @@ def find(
         return found
     speeds = speeds_within(problem, over)
     if not speeds:
-        return inside(over, effort)
+        found = inside(over, effort)
+        open_ended = found.reason is not None and found.reason.code == "passivity"
+        speeds = speeds_above(problem, over) if open_ended else []
+        if not speeds:
+            return found
     found = parted(problem, over, speeds, inside, none, effort)
     return found
 
@@ -208,10 +212,11 @@ def _counts(
         return None, None, Reason("direction", stated, {}, "ask for more digits")
     at, first = _counted_at(over, found)
     base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
-    if base.stable is None or base.unstable is None:
+    number_there = growing(base)
+    if number_there is None:
         return None, base, uncounted(base, f"at {path} = {float(at):.6g}")
     gained = [0, *accumulate(one.direction or 0 for one in found)]
-    counts = tuple(base.unstable + number - gained[first] for number in gained)
+    counts = tuple(number_there + number - gained[first] for number in gained)
     if min(counts) < 0:
         stated = "the counts contradict each other"
         return None, base, Reason("counts", stated, {}, "report this as a fault, with the input")

@@ -86,6 +86,11 @@ class Question:
         x = lowest.state[1]
         if not all(curve.holds(state, y) for y, state in lowest.beside) or not x < arb(float(ceiling)):
             raise OpenError(Reason("worst", "the least onset is not proved to lie where it was found", {}, _NEXT))
+        if not x > rational_ball(self.scope.family.box[0][0]):
+            stated = (
+                "the least crossing that was found lies before the range, so that roots may grow from its start on"
+            )
+            raise OpenError(Reason("unstable", stated, {}, "give a range that begins lower"))
         return self._in_units(lowest, found.where, self._proof(cover, (hole,)))
 
     def _found(self) -> Candidate | None:

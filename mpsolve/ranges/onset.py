@@ -198,11 +198,11 @@ def _read(found: Crossings, answer: Onset) -> Onset:
 
 def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
     """The first part that is not stable decides, if no more than single speeds are left out before it."""
-    before = None
+    before, stable = None, []
     for part in found.parts:
         begins = rational_ball(part.over["v"][0])
         if not part.proved or any(begins > one.value and not one.is_point for one in found.left_out):
-            return answer
+            break
         first = _read(part, replace(answer, **_shared(part)))
         skipped = before is None and found.left_out and begins > found.left_out[0].value
         if skipped and first.kind is Kind.UNSTABLE_FROM_START:
@@ -216,7 +216,10 @@ def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
         if first.kind is not Kind.STABLE:
             return replace(first if before is None else _noting(first, found), cost=found.cost)
         before = part
-    return replace(answer, kind=Kind.STABLE) if found.proved else answer
+        stable.append(list(part.over["v"]))
+    if found.proved:
+        return replace(answer, kind=Kind.STABLE)
+    return replace(answer, known=dict(answer.known) | {"stable": stable}) if stable else answer
 
 
 def _noting(first: Onset, found: Crossings) -> Onset:

@@ -149,7 +149,10 @@ class _Line:
                 found = enclose(cast(FreeProved, Fixed(scope.proved, y)), seed, tuple(size), self.digits)
         except PrecisionError:
             return None
-        return found if found.gained is not None and found.gained > 0 else None
+        # Newton's method may have led to a crossing beyond the family's range, of which the tree says nothing
+        with precision(working_bits(self.digits) + 64):
+            inside = bool(found.x < rational_ball(scope.family.box[0][1]))
+        return found if inside and found.gained is not None and found.gained > 0 else None
 
     def _with_rooms(self, scope: Scope, found: list[tuple[int, Crossing]]) -> list[_Met]:
         """Those with a room, a box of (q̂, x̂) round the crossing in which one zero at most is proved at its value."""

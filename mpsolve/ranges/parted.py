@@ -81,6 +81,14 @@ def speeds_within(problem: Problem, over: Mapping[str, Interval]) -> list[_Speed
     return [_Speed(square, each[square]) for square in sorted(each) if square > 0]
 
 
+def speeds_above(problem: Problem, over: Mapping[str, Interval]) -> list[_Speed]:
+    """The least known speed a little above a range of v, in which nothing may be provable for it; else none."""
+    low, high = over.get("v", (Fraction(0), None))
+    if high is None:
+        return []
+    return speeds_within(problem, {"v": (high, high * (1 + _SHARES[0]))})[:1] if low < high * (1 - _SHARES[0]) else []
+
+
 def parted(
     problem: Problem,
     over: Mapping[str, Interval],
@@ -115,14 +123,19 @@ def _part(
     """(the ends as far as proved, None for the speed itself; the answer), or None where there is nothing between."""
     (below, low), (above, high) = left, right
     start = low if below is None else below.beside(1)
-    end = high if above is None else above.beside(-1)
+    end = high if above is None else min(high, above.beside(-1))
     if start >= end:
         return None
     why = quiet(problem, {"v": (start, end)}, side)
     if why is not None:
         return ((None if below else low), (None if above else high)), none({"v": (start, end)}, why)
-    ends = {share: (start if below is None else start * (1 + share), end if above is None else end * (1 - share))
-            for share in _SHARES}  # fmt: skip
+    ends = {
+        share: (
+            start if below is None else start * (1 + share),
+            end if above is None else min(end, above.beside(-1) * (1 - share)),
+        )
+        for share in _SHARES
+    }
     shares = [share for share in _SHARES if ends[share][0] < ends[share][1]]
     if not shares:
         return None
@@ -177,7 +190,8 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
             edge if part is None or not part[1].proved else _ball(part[0][side], speed)
             for part, side, edge in ((parts[k], 1, edges[k]), (parts[k + 1], 0, edges[k + 2]))
         )
-        left_out.append(LeftOut(speed.name, speed.ball, start, end))
+        if not (speed.ball > edges[-1] and start >= end):  # all is proved below a speed above the range
+            left_out.append(LeftOut(speed.name, speed.ball, start, end))
     found = [answer for _, answer in known]
     checked = sum(one.cost.verification for one in found)
     cost = Spent(seconds - checked, checked, sum(one.cost.boxes for one in found))
@@ -195,7 +209,8 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
         done = [list(one.over["v"]) for one in found if one.proved]
         return replace(first, status=Status.UNDECIDED, reason=reason, known={"proved": done},
                        counts=None, note="", **common)  # fmt: skip
-    note = "left out: " + "; ".join(map(_shown, left_out)) + ". There is no certificate of the whole"
+    told = f"left out: {'; '.join(map(_shown, left_out))}. " if left_out else ""
+    note = f"{told}There is no certificate of the whole"
     counts = tuple(n for one in found for n in one.counts)
     return replace(first, status=Status.UNVERIFIED, reason=None, counts=counts, note=note, **common)
 

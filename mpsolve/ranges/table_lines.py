@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import cast
 
 from mpsolve.errors import InputError, PrecisionError
+from mpsolve.problem.family import factors_last
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.entry import Entry, Job, number, solve
@@ -38,7 +40,6 @@ def lines_of(problem: Problem, jobs: Sequence[Job], rows: Axis, columns: Axis) -
     down = len(rows[1]) >= width
     along, fixed = (rows, columns) if down else (columns, rows)
     together = jobs[0].quantity == "onset" and jobs[0].over.high is not None
-    together = together and _in_order(fixed[0], along[0]) and _in_order(along[0], jobs[0].over.path)
     n, out = len(along[1]), []
     size = -(-n // -(-n // _TOGETHER))
     for k, value in enumerate(fixed[1]):
@@ -46,14 +47,35 @@ def lines_of(problem: Problem, jobs: Sequence[Job], rows: Axis, columns: Axis) -
         for start in range(0, n, size):
             part = range(start, min(start + size, n))
             places = tuple(i * width + k if down else k * width + i for i in part)
-            values = tuple(along[1][i] for i in part)
-            out.append(Line(places, tuple(jobs[i] for i in places), common, along[0], values))
+            asked, values = tuple(jobs[i] for i in places), tuple(along[1][i] for i in part)
+            whole = common if common is not None and _is_line(common, asked, along[0], values) else None
+            out.append(Line(places, asked, whole, along[0], values))
     return out
 
 
-def _in_order(first: str, then: str) -> bool:
-    """Whether the first may be applied before the other: no factor before what it is to scale, which are vehicles."""
-    return not first.startswith("scale.") or then in ("v", "alpha") or then.startswith(("scale.", "track."))
+def _is_line(common: Problem, jobs: Sequence[Job], along: str, values: Sequence[Fraction]) -> bool:
+    """Whether a family of what the entries have in common holds the problem of each of them.
+
+    A parameter that is set after one that moves the same numbers undoes it: a table sets those of rows and columns
+    first, a family its own in another order. All numbers of a problem are at most linear in a parameter, so that two
+    of its values tell.
+    """
+    path, low, high = jobs[0].over.path, jobs[0].over.low, cast(Fraction, jobs[0].over.high)
+    try:
+        return all(
+            _inside(common, [(path, None, x), (along, None, value)]) == job.problem.changed(path, x)
+            for x in (low + (high - low) / 3, high - (high - low) / 3)
+            for job, value in zip(jobs, values, strict=True)
+        )
+    except InputError:
+        return False
+
+
+def _inside(problem: Problem, values: list[tuple[str, None, Fraction]]) -> Problem:
+    """As a family sets them."""
+    for path, _, value in factors_last(values):
+        problem = problem.changed(path, value)
+    return problem
 
 
 def _common(problem: Problem, path: str, value: Fraction) -> Problem | None:

@@ -86,6 +86,8 @@ def _onset(found: Onset, asked: Asked) -> str:
         lines += [] if found.q is None else [f"  frequency: {frequency_text(found.q, asked, found.digits)}"]
         if over.path in asked.problem.parameters and not over.path.startswith("scale."):
             lines.append(margin(over, found.value, asked.problem.parameters[over.path]))
+    for low, high in found.known.get("stable", ()) if not found.proved else ():
+        lines.append(f"  Proved: {stable_throughout(replace(over, low=low, high=high))}")
     return framed(lines, found, asked)
 
 

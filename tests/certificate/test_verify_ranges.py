@@ -213,6 +213,16 @@ def test_a_stable_box_with_another_number_is_refused() -> None:
     assert "number at the base" in verify_bytes(sealed(value)).reason
 
 
+@pytest.mark.parametrize("names", [["v", "v"], ["v from 0 to 1, c", "v"], ["", "v"], ["c", 1], ["c"]])
+def test_what_varies_is_named_once(names: list[Any]) -> None:
+    """The claim says "for c from …, v from …": with one name twice, or a sentence as a name, it says another one."""
+    value = json.loads(STABLE.read_text("ascii"))
+    value["equations"]["free"] = names
+    verdict = verify_bytes(sealed(value))
+    assert not verdict.valid
+    assert any(word in verdict.reason for word in ("name", "range"))
+
+
 def test_forms_hold_their_functions() -> None:
     """Products, inverses and exponentials over a box of two variables, at its corners and inside, complex too."""
     with precision(64):
@@ -327,6 +337,91 @@ def test_the_scalar_vanishes_where_the_determinant_does() -> None:
         with pytest.raises(Refused):
             checker.check_nonzero(s)
         checker.check_nonzero(checker.scalar([[one, x], [y, x * y + one]]))
+
+
+def test_rests_are_no_smaller_than_what_is_left_out() -> None:
+    """Of functions whose terms all have one sign at an end of the box: the rest is met to within a small factor."""
+    with precision(64):
+        u = Form([acb(0), acb("0.8"), acb(0)], arb(0), 1)  # 0.8 u
+        cube = Form([acb(0)] * 3, arb("0.1"), 1)  # 0.1 u³
+        for form, true in ((u.exp(), acb("0.8").exp()), ((u + cube).exp(), acb("0.9").exp())):
+            assert abs(_model(form, (1,)) - true) <= form.e < 3 * abs(_model(form, (1,)) - true)
+        for f, at_end in ((u, acb("0.8")), (u + cube, acb("0.9"))):
+            form = (-f).plus(acb(1)).inverse()
+            assert abs(_model(form, (1,)) - 1 / (1 - at_end)) <= form.e + arb(2) ** -50
+        form = (u.scaled(5)).plus(acb(-10)).exp()  # changes by e^±4: its largest value bounds it
+        assert all(x == 0 for x in form.k)
+        assert acb(-6).exp().real <= form.e + arb(2) ** -50
+        assert form.e < 0.003
+
+
+def test_a_root_moves_as_its_form_says() -> None:
+    """0.1 u + h + h³ = 0: what is left out is (0.1 u)³, and a little more at u = i."""
+    E = [Form([acb(0), acb("0.1"), acb(0)], arb(0), 1), number(1, 1), number(0, 1), number(1, 1)]
+    split = object.__new__(Split)
+    split.m, split.n, split.z = 1, 3, [acb(0)]
+    split.about = lambda _, i: E[i]  # type: ignore[method-assign]
+    with precision(64):
+        root, weight = split.sharp(0, arb("0.3"), [number(1, 1)])
+        for u in (1, -1, 1j):
+            h = acb(0)
+            for _ in range(60):
+                h = -acb("0.1") * acb(u) - h**3
+            assert abs(_model(root, (u,)) - h) <= root.e
+            assert abs(_model(weight, (u,)) - 1 / (1 + 3 * h * h)) <= weight.e
+        assert root.e < 0.0012
+
+
+def test_a_term_of_the_third_order_is_left_out(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
+    """(u/16)³ is at most 1 on the wide box; the form that leaves it out has a rest that holds it."""
+    monkeypatch.setattr(Split, "bounds", lambda *some: [arb(1)] * len(some[-1]))
+    monkeypatch.setattr(checker, "from_roots", lambda *_: [number(0, 2)] * 3)
+    with precision(64):
+        split = Split(family.waves, Place([arb(12), arb(180)], [arb("0.01"), arb("0.01")]), False)
+        for form in checker.beside_meeting(family.waves, split, family.middle):
+            assert arb(16) ** -3 < form.e < arb(2) ** -11
+
+
+def continued(q: tuple[float, float], v: tuple[float, float], u: tuple[complex, complex], xi: float) -> complex:
+    """G(ξ) of RAIL at complex (q, v) = middle + half·u: p-roots followed from the middle, each side by itself."""
+    sides, up = [np.empty(0, complex)] * 2, xi >= 0
+    d = np.empty(0, complex)
+    for t in np.linspace(0, 1, 60):
+        s, w = 1j * (q[0] + q[1] * u[0] * t), v[0] + v[1] * u[1] * t
+        d = np.array([6.4e6, 0, 60 * w * w, -(120 * s + 770) * w, 60 * s * s + 770 * s + 1e6])
+        roots = np.roots(d)
+        away = [
+            np.abs(roots[:, None] - side).min(1) if t else sign * roots.real
+            for side, sign in zip(sides, (1, -1), strict=True)
+        ]
+        sides = [roots[away[0] < away[1]], roots[away[0] >= away[1]]]
+    own = sides[0 if up else 1]
+    return complex((1 if up else -1) * sum(np.exp(own * xi) / np.polyval(np.polyder(d), own)))
+
+
+@pytest.mark.parametrize(
+    ("q", "v"),
+    [
+        ((0.5, 0.5), (180.0, 4.0)),
+        ((12.0, 2.0), (180.0, 6.0)),
+        ((MEETING[0] + 0.0007, 0.002), (MEETING[1] + 0.0003, 0.001)),
+    ],
+)
+def test_receptances_hold_at_complex_points(
+    content: dict[str, Any], q: tuple[float, float], v: tuple[float, float]
+) -> None:
+    """On all of |u_i| ≤ 1, as Taylor's rests: at q = 0, over a wide box, and where two p-roots of a side meet."""
+    family = family_of(content, int(v[0]) - 5, int(v[0]) + 5)
+    with precision(64):
+        place = Place([arb(q[0]), arb(v[0])], [arb(q[1]), arb(v[1])])
+        forms = receptances(family.waves, Split(family.waves, place, False), family.middle)
+        turns = np.exp(2j * np.pi * np.random.default_rng(1).random((12, 2)))
+        for n, (_, gap) in enumerate(family.waves.ordered(family.middle)):
+            xi = float(gap[0][1]) if gap else 0.0
+            for a, b in turns:
+                u = (complex(a), complex(b))
+                away = abs(_model(forms[n], u) - acb(continued(q, v, u, xi)))
+                assert not away > forms[n].e + abs(forms[n].k[0]) * 1e-9
 
 
 def test_trees_are_read_to_their_last_leaf() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from endless_rows import bogies, masses
 
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.characteristic.floats import Floats
+from mpsolve.endless import long_trains
 from mpsolve.endless.axis import closest
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.doubling import growing_in_floats
@@ -54,7 +56,8 @@ def test_above_the_limit_long_trains_grow_as_they_are_counted() -> None:
         found = prove_long(masses(v), meets(masses(v)))
         assert found is not None
         assert found.near.real > 0
-    assert growing_in_floats(Bloch(masses("0.47")), 32, 1.0, 0.5) > 0
+    short, long = (growing_in_floats(Bloch(masses("0.47")), count, 1.0, 0.5) for count in (30, 60))
+    assert 0 < short < long
 
 
 def test_below_the_limit_nothing_is_claimed() -> None:
@@ -70,6 +73,39 @@ def test_what_the_theorem_needs_is_asked_for() -> None:
         assert not holds(row, one, one + (one - other))  # |x/y| on one side of 1
         assert not holds(row, one - 1e-6, other - 1e-6)  # decays
         assert not holds(row, one, one + acb(0, 1e-2))  # too wide to tell the roots apart
+
+
+@pytest.mark.parametrize("side", [0, 1])
+@pytest.mark.parametrize("middle", [0, 1])
+def test_a_term_that_vanishes_proves_nothing(side: int, middle: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """C_M = 0 for one of the two sets that matter: by a column of R that is 0 in one half of its rows."""
+    row = masses("0.46")
+
+    def forged(row: Row, sigma: Any) -> tuple[list[Any], Any, int]:
+        z, R, up = roots_of(row, sigma)
+        for i in range(up) if side else range(up, len(z)):
+            R[i, up - 1 + middle] = 0
+        return z, R, up
+
+    with precision(320):
+        one, other = _ends(row, meets(row)) or (None, None)
+        monkeypatch.setattr(long_trains, "roots_of", forged)
+        assert not holds(row, one, other)
+
+
+def test_other_roots_of_the_same_modulus_prove_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    row = masses("0.46")
+    with precision(320):
+        one, other = _ends(row, meets(row)) or (None, None)
+        for k in (0, 3):  # of two p-roots a side: the least, and the greatest
+
+            def forged(row: Row, sigma: Any, k: int = k) -> tuple[list[Any], Any, int]:
+                z, R, up = roots_of(row, sigma)
+                z[k] = -z[2 if k > up else 1]
+                return z, R, up
+
+            monkeypatch.setattr(long_trains, "roots_of", forged)
+            assert not holds(row, one, other)
 
 
 def test_on_a_rail_on_sleepers() -> None:

@@ -67,8 +67,14 @@ def test_what_cannot_be_is_named(key: str, changed: dict[str, Any]) -> None:
 
 def test_more_times_read_the_same_motion() -> None:
     """At common times the answers are one, to the error of reading between steps."""
-    few, many = (_case(times=np.linspace(0.02, 0.1, n)).solve(200, 800) for n in (3, 9))
-    assert few.rail == pytest.approx(many.rail[:, ::4], rel=1e-12)
-    assert few.near(
-        Answer(many.rail[:, ::4], many.vehicle[:, ::4], many.force[:, ::4], many.nodes, many.forces), 1e-9
-    )
+    few, many = (_case(times=np.linspace(0.02, 0.1, n)) for n in (3, 9))
+    one, other = (case.solve(200, 800) for case in (few, many))
+    assert one.rail[:, few.asked] == pytest.approx(other.rail[:, many.asked[::4]], rel=1e-12)
+    assert one.force[:, few.asked] == pytest.approx(other.force[:, many.asked[::4]], rel=1e-9)
+
+
+def test_few_times_are_watched_with_some_before_the_last() -> None:
+    case = _case(times=[0.01, 0.06, 0.1])
+    assert case.watched[case.asked] == pytest.approx(case.times)
+    assert len(case.watched) == 11
+    assert np.array_equal(_case(times=np.linspace(0, 1, 16)).watched, np.linspace(0, 1, 16))

@@ -165,7 +165,7 @@ def test_a_spring_without_mass_is_a_contact_spring() -> None:
 
 
 def test_a_damper_without_mass_is_the_limit_of_light_ones() -> None:
-    k, c, figures = 10**6, 10**5, {"length": 60, "modes": 200, "times": np.linspace(0.01, 0.2, 50), "steps": 2000}
+    k, c, figures = 10**6, 10**5, {"length": 60, "modes": 200, "times": np.linspace(0.01, 0.2, 50), "steps": 1500}
     loads = {"coordinate 1": Load(9000)}
 
     def rail(light: object) -> Any:

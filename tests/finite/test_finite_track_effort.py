@@ -21,6 +21,7 @@ def test_spent_effort_leaves_the_best_so_far_with_its_errors():
     assert part.reason.code == "effort"
     assert part.steps < whole.steps
     assert np.isinf(part.error.modes)
+    assert np.isinf(part.error.supports)
     assert np.abs(part.rail - whole.rail).max() <= part.error.time
 
 
@@ -35,7 +36,7 @@ def test_nothing_is_known_without_effort():
 def test_progress_hears_of_the_stages():
     heard = []
     moved(progress=lambda stage, share: heard.append((stage, share)))
-    assert [stage for stage, _ in heard] == ["steps", "modes", "modes"]
+    assert [stage for stage, _ in heard] == ["steps", "modes", "modes", "supports", "supports"]
     assert heard[-1][1] == 1.0
 
 

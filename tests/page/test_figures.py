@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
 from mpsolve import read_problem
 from mpsolve.page import figures
 from mpsolve.page.charts import chart
-from mpsolve.page.parts import Parts, gather, vibrations
+from mpsolve.page.parts import Parts, gather, searched, vibrations
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE
 
 
 @pytest.fixture(scope="module")
 def parts() -> Parts:
     source = read_problem("examples/two_layer_bogie.toml")
-    return gather(source.given, source.title, digits=15, seconds=60, tell=lambda *_: None)
+    return gather(source.given, source.title, digits=15, seconds=60, tell=lambda *_: None, prove_chart=False)
 
 
 def test_roots_are_followed_past_each_other() -> None:
@@ -53,3 +56,16 @@ def test_numbers_on_the_lines_are_those_of_the_roots(parts: Parts) -> None:
         assert named[str(k)] == pytest.approx(float(f), rel=0.05)
     assert len(set(numbers)) == len(numbers)
     assert growth.count("<polyline") >= 2
+
+
+def test_captions_say_where_lines_end_and_where_the_cuts_are(parts: Parts) -> None:
+    plane, growth = figures.plane(parts), figures.lines(parts)[0]
+    assert plane is not None
+    assert "higher up, out of this picture" in plane.caption
+    cuts = re.findall(r'class="cut" points="([^"]*)"', plane.svg)
+    points = [tuple(map(float, point.split(","))) for one in cuts for point in one.split()]
+    assert not [(x, y) for x, y in points if LEFT < x < WIDE - RIGHT and TOP < y < HIGH - BOTTOM]
+    height = float(searched(parts.problem.track))
+    q = parts.lines.value.roots
+    assert np.nanmax(q.imag) <= height * (1 + 1e-9)
+    assert f"decays faster than {height:.4g} 1/s" in growth.caption

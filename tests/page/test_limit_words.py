@@ -31,7 +31,7 @@ def test_every_side() -> None:
     assert row(True, arb(9000)) == ("unstable below 9 t", "800 kg down to spare")
     assert row(False, arb(9000)) == ("stable below 9 t", "800 kg too much")
     assert row(False, None, arb(12400)) == ("stable above 12.4 t", "2.6 t too little")
-    assert row(True) == ("stable all the way from 2 t to 40 t", "no limit there")
+    assert row(True) == ("stable all the way from 2 t to 40 t", "no limit in this range")
     assert row(None) == ("undecided: it is open: wait", "")
 
 

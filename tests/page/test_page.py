@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import html
 import json
+import math
 import re
 from html.parser import HTMLParser
 from itertools import pairwise
@@ -48,6 +49,20 @@ def test_every_digit_is_that_of_the_ball(parts: Parts, page: str) -> None:
             assert shown is not None
             value = shown[1].replace("±", "").replace("−", "-")
             assert abs(float(value) - float(ball.mid())) <= 1e-14 * abs(float(ball.mid())) + 1e-16
+
+
+def test_damping_is_that_of_an_oscillator_which_halves_in_this_time(page: str) -> None:
+    """Of e^(−δt) cos ωt: δ/√(δ² + ω²), from the frequency and growth of the table."""
+    cells = re.findall(r'<td class="number">([^<]*)</td>' * 3, page)
+    assert len(cells) == 2
+    for frequency, growth, damping in cells:
+        f, d = float(frequency), -float(growth.replace("−", "-"))
+        assert float(damping) == pytest.approx(100 * d / math.hypot(d, 2 * math.pi * f), rel=6e-3)
+
+
+def test_limits_follow_the_verdict(page: str) -> None:
+    places = [page.index(f'<section id="{name}"') for name in ("verdict", "limits", "model", "vibrations")]
+    assert places == sorted(places)
 
 
 def test_certificates_inside_are_valid(page: str, tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
@@ -69,16 +70,29 @@ def test_lift_off_and_late() -> None:
     motion = SimpleNamespace(lift_off=Event(0.02, 2, 1e-6), times=[0.0, 1.0])
     card = contact_card(parts(response=Part("response", motion)))
     assert card.figure == "after 20 ms"
-    assert "Contact 2, counted from the rear" in card.sentence
+    assert card.sentence.startswith("The weight of the vehicle is put at once on a smooth rail")
+    assert "then contact 2, counted from the rear" in card.sentence
+    assert "not growth" not in card.sentence
     late = contact_card(parts(response=Part("response", reason="no time", late=True)))
     assert late.figure == "not in time"
+
+
+def test_a_lift_off_of_a_stable_case_is_told_from_growth() -> None:
+    slow = PAIR.changed("v", 100)
+    calm = certify(slow, region="unstable", digits=15)
+    motion = SimpleNamespace(lift_off=Event(0.02, 2, 1e-6), times=[0.0, 1.0])
+    said = contact_card(parts(slow, response=Part("response", motion), spectrum=calm)).sentence
+    assert "It is the swing of this sudden start, not growth." in said
 
 
 def test_the_contact_is_the_one_whose_force_ends() -> None:
     """Of two the rear one, number 1."""
     motion = response(PAIR.changed("v", 100), times=np.linspace(0, 1, 400))
     assert motion.lift_off is not None
-    assert contact_card(parts(response=Part("response", motion))).sentence.startswith("Contact 1, ")
+    assert contact_card(parts(response=Part("response", motion))).sentence.endswith(
+        "then contact 1, counted from the rear (wheel of vehicle 1), lifts off first. The model says nothing of "
+        "what follows."
+    )
     k = int(np.argmin(abs(motion.times - motion.lift_off.time)))
     assert abs(motion.contact_force[0, k]) < 2000
     assert motion.contact_force[1, k] > 20000
@@ -102,6 +116,7 @@ def test_slow_waves_are_named_on_layers_only() -> None:
         assert card is not None
         assert ("shorter and slower waves" in card.sentence) is slow
         assert "Two waves merge there" in card.sentence
+        assert re.search(r"This case runs at \d[\d.]* % of it", card.sentence)
         assert "followed by a free wave" not in card.sentence
 
 
@@ -119,11 +134,12 @@ def test_no_lift_off_says_how_long_and_how_much() -> None:
     )
     swings = certify(slow, region=("below", 5), digits=15)
     said = contact_card(parts(slow, response=Part("response", motion), spectrum=swings)).sentence
-    assert said.startswith("Not within 2 s (eight periods of the slowest vibration) after the weight of the vehicle")
+    assert said.startswith("Not within 2 s (eight periods of the lowest frequency) after the weight of the vehicle")
     assert "Meanwhile the rail sinks by at most 3.1 mm, and one contact presses with at most 98.1 kN." in said
     weight = sum(float(placed.vehicle.M) for placed in slow.vehicles)
     assert said.endswith(
-        f"All vehicles weigh {weight / 1000:g} t: at rest {weight * 9.80665 / 2000:.3g} kN a contact, on average."
+        f"All masses of the file together are {weight / 1000:g} t, as a rule those over one rail: "
+        f"at rest {weight * 9.80665 / 2000:.3g} kN a contact, on average."
     )
 
 
@@ -134,6 +150,10 @@ def test_contacts_are_called_by_the_wheels_over_them() -> None:
 
 def test_a_range_from_almost_zero() -> None:
     found = Reach(Kind.CROSSES, Fraction(1, 20), Fraction(400), arb(191))
-    assert velocity_card(parts(reach=Part("onset", found))).sentence.endswith("Looked at from practically zero on.")
+    assert velocity_card(parts(reach=Part("onset", found))).sentence.endswith(
+        "Every velocity from practically zero on was looked at."
+    )
     found = Reach(Kind.CROSSES, Fraction(10), Fraction(400), arb(191))
-    assert velocity_card(parts(reach=Part("onset", found))).sentence.endswith("Looked at from 36 km/h on.")
+    assert velocity_card(parts(reach=Part("onset", found))).sentence.endswith(
+        "Every velocity from 36 km/h on was looked at."
+    )

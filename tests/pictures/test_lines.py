@@ -52,6 +52,30 @@ def test_short_names_lie_over_no_curve_and_no_other_name() -> None:
             assert not ((y > wy - 11) & (y < wy + 3)).any()
 
 
+def test_a_number_stands_nearest_to_its_own_curve() -> None:
+    """Two close lines, with a third over the upper one's end: there is room further left."""
+    x = np.linspace(0, 10, 80)
+    curves = [Curve(x, 0 * x + 2, "1"), Curve(x, 0 * x + 8, "2"), Curve(x, np.where(x > 6, 14, np.nan), "3")]
+    tree = ET.fromstring(lines_picture(curves, "t", "w", "M", name="m", y=(-15, 100)))
+    at = {
+        e.text: float(e.attrib["y"]) - 4 for e in tree.iter("text") if e.text in "12" and "halo" in e.get("class", "")
+    }
+    low, high = (float(e.attrib["points"].split(",")[1].split()[0]) for e in list(tree.iter("polyline"))[:2])
+    assert abs(at["1"] - low) < abs(at["1"] - high)
+    assert abs(at["2"] - high) < abs(at["2"] - low)
+
+
+def test_a_word_at_a_mark_lies_over_no_other_mark() -> None:
+    x = np.linspace(0, 10, 30)
+    marks = [Mark(4.0, "onset, proved"), Mark(5.0, "this case")]
+    tree = ET.fromstring(lines_picture([Curve(x, x)], "t", "w", "M", name="m", marks=marks))
+    lines = [float((e.get("d") or "").split()[1]) for e in tree.iter("path") if e.get("class") == "here"]
+    (word,) = [e for e in tree.iter("text") if e.text == "onset, proved"]
+    start, wide = float(word.attrib["x"]), 7.5 * len(word.text or "")
+    left = start if word.get("text-anchor") == "start" else start - wide
+    assert not any(left < at < left + wide for at in lines)
+
+
 def test_what_is_beyond_is_grey() -> None:
     grey = [e for e in drawn().iter("polyline") if "beyond" in e.attrib["class"]]
     assert len(grey) == 1

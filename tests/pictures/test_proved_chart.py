@@ -47,4 +47,7 @@ def test_units_and_words() -> None:
     assert one.x[0] == 1.8
     assert one.y[-1] == 2
     assert ends(found.x, 16)[-1] == 1
-    assert (open_words(found), open_words(chart(found.detail, False))) == ("open", "a boundary, or open")
+    assert (open_words(found), open_words(chart(found.detail, False))) == (
+        "open",
+        "not decided, a boundary may run there",
+    )

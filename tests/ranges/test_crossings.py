@@ -4,6 +4,7 @@ import json
 import pickle
 from fractions import Fraction
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from flint import arb
 from free_cases import BEAM, LAYERS, PAIR
 
 from mpsolve import Case, Problem, tracks, vehicles
+from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision
 from mpsolve.outcome import Status
@@ -18,6 +20,7 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.crossings import Crossings, crossings
 from mpsolve.ranges.glance import count_seen
+from mpsolve.spectrum.regions import HalfPlane
 
 PROBLEM = Problem(BEAM, PAIR, v="0.9")
 # what an engine of its own for this beam, now gone, had: crossings over v up to 1, q at the first; the limiting mass
@@ -175,3 +178,17 @@ def test_two_sprung_masses_diverge_where_the_static_determinant_vanishes(path: s
     at = (lambda y: f(y, 1.0)) if path == "v" else (lambda y: f(1.3, y))
     assert abs(at(x)) < 1e-9
     assert (one.direction, found.counts) == ((1, (0, 1)) if path == "v" else (-1, (1, 0)))
+
+
+def test_growing_roots_of_a_half_disc_are_no_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the theorem at high frequencies fails at the point, a half-disc is counted: more may grow outside."""
+
+    def within_1(problem: Problem, **asked: Any) -> Any:
+        return certify_problem(problem, **(asked | {"region": HalfPlane(Fraction(1))}))
+
+    monkeypatch.setattr("mpsolve.ranges.crossings.certify_problem", within_1)
+    found = crossings(PROBLEM, over={"v": ("0.75", "0.85")}, check=False)
+    assert found.proofs[0].base.unstable == 2
+    assert found.status is Status.UNDECIDED
+    assert found.counts is None
+    assert len(found.crossings) == 1

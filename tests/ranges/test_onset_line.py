@@ -66,6 +66,20 @@ def test_what_floats_see_decides_nothing(number: int, at: Any, monkeypatch: pyte
         assert one is None or float(one.value) == pytest.approx(truth[n], abs=1e-4)
 
 
+@pytest.mark.parametrize(("number", "at"), [(0, (0.5924, 0.7196)), (1, (0.02241, 0.87166)), (1, (0.849, 0.4286))])
+def test_a_crossing_beyond_what_is_covered_is_no_onset(number: int, at: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """From these points Newton's method leads to crossings past the end of the family, behind the first ones."""
+    masses = [Fraction(60), Fraction(67)]
+
+    def false(family: Any, values: Any) -> Any:
+        out = np.full((2, len(values)), np.nan)
+        out[:, number] = np.array([at[0] / float(family.frequency_unit), at[1] / float(family.units[0])])
+        return out
+
+    monkeypatch.setattr(onset_line, "each_seen", false)
+    assert onsets_along(TWO, OVER, "eta_m", masses, 15) == [None, None]
+
+
 def test_where_roots_grow_from_the_start_nothing_is_told() -> None:
     found = onsets_along(TWO, {"v": (Fraction("1.1"), Fraction(2))}, "eta_m", MASSES, 15)
     assert found == [None] * 2

@@ -82,6 +82,16 @@ def test_next_to_an_end_nothing_wrong_is_said(high: str) -> None:
             assert abs(found.value - arb("20.7242031280847")) < arb("1e-9")
 
 
+@pytest.mark.parametrize("low", ["20.7243", "20.73"])
+def test_a_least_crossing_before_the_range_is_no_onset_in_it(low: str) -> None:
+    """At most distances nothing grows at its start, and floats see later onsets; but at 1.2253 roots grow there."""
+    masses = {"scale.mass": (low, 40)}
+    found = onset(pair("0.99", "0.1"), over=masses, worst={"gap[0]": ("1.1", "1.6")}, check=False)
+    assert (found.kind, found.value) == (Kind.UNDECIDED, None)
+    assert "before the range" in str(found.reason)
+    assert onset(pair("0.99", "0.1", "1.2253"), over=masses, check=False).kind is Kind.UNSTABLE_FROM_START
+
+
 def test_nothing_grows() -> None:
     found = onset(pair("0.3", "0.5"), over={"scale.mass": (1, 2)}, worst={"gap[0]": (1, "1.2")}, check=False)
     assert (found.proved, found.kind, found.value) == (True, Kind.STABLE, None), found.reason

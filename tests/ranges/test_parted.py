@@ -15,7 +15,7 @@ from mpsolve import Effort, Problem, tracks, vehicles
 from mpsolve.outcome import Reason, Status
 from mpsolve.ranges.crossings import Crossings, crossings
 from mpsolve.ranges.onset import Kind, Onset, _read, _shared, onset, unstable_ranges
-from mpsolve.ranges.parted import parted, speeds_within
+from mpsolve.ranges.parted import parted, speeds_above, speeds_within
 
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)
 SPEED = sqrt(27000 / 1.07)
@@ -46,6 +46,25 @@ def test_two_contacts_on_a_wire_are_proved_next_to_the_speed() -> None:
     (left,) = found.left_out
     assert 0.87 * SPEED < float(left.start) < SPEED
     assert left.end.overlaps(left.value)
+
+
+def test_a_range_that_ends_below_a_speed_is_proved_as_far_as_can_be() -> None:
+    problem = Problem(WIRE, [vehicles.Mass(20).at(0), vehicles.Mass(20).at(30)], v=100)
+    below = {"v": (Fraction(100), Fraction(157))}
+    (speed,) = speeds_above(problem, below)
+    assert float(speed.ball) == pytest.approx(SPEED)
+    assert speeds_above(problem, {"v": (Fraction(100), Fraction(140))}) == []  # too far below
+    assert speeds_above(problem, {"v": (Fraction(100), Fraction(160))}) == []  # below the range's end
+    found = parted(problem, below, [speed], fake(problem, lambda _, high: high > 150), None, None)  # type: ignore[arg-type]
+    (left,) = found.left_out
+    assert (found.status, found.reason.code, left.is_point) == (Status.UNDECIDED, "left-out", False)
+    assert (float(left.start), float(left.end)) == (pytest.approx(SPEED * 15 / 16), 157)
+    first = _read(found, Onset(problem, below, **_shared(found)))
+    assert first.kind is Kind.UNDECIDED
+    assert first.known["stable"] == [list(found.parts[0].over["v"])]
+    below = {"v": (Fraction(100), Fraction(156))}
+    whole = parted(problem, below, [speed], fake(problem, lambda *_: False), None, None)  # type: ignore[arg-type]
+    assert (whole.proved, whole.left_out, whole.parts[0].over["v"][1]) == (True, (), 156)
 
 
 def fake(problem: Problem, stuck: Any) -> Any:

@@ -10,6 +10,7 @@ import pytest
 from mpsolve import Case, stability_table
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.over import Over
+from mpsolve.problem.problem import Problem
 from mpsolve.ranges import table_lines
 from mpsolve.ranges.entry import Job
 from mpsolve.ranges.table_lines import lines_of
@@ -18,16 +19,28 @@ TWO = as_problem(Case(alpha="0.5", eta_b="0.05", eta_m=(70, 70), positions=(0, 2
 OVER = Over("v", Fraction(0), Fraction(2), "", "")
 MASSES = ("eta_m", tuple(Fraction(n) for n in range(1, 51)))
 GAPS = ("d", (Fraction(1), Fraction(2)))
-FACTORS = ("scale.mass", (Fraction(1), Fraction(2)))
+FIRST = ("vehicles[0].M", (Fraction(40), Fraction(50)))
+FACTORS = ("scale.mass", (Fraction(2), Fraction(3)))
 
 
-def jobs(number: int, quantity: str = "onset") -> list[Job]:
-    return [Job(TWO, quantity, OVER, 10, None)] * number
+Axis = tuple[str, tuple[Fraction, ...]]
+
+
+def jobs(rows: Axis, columns: Axis, quantity: str = "onset", over: Over = OVER) -> list[Job]:
+    """As a table makes them."""
+
+    def at(x: Fraction, y: Fraction) -> Problem:
+        problem = TWO
+        for path, value in sorted([(rows[0], x), (columns[0], y)], key=lambda one: one[0].startswith("scale.")):
+            problem = problem.changed(path, value)
+        return problem
+
+    return [Job(at(x, y), quantity, over, 10, None) for x in rows[1] for y in columns[1]]
 
 
 @pytest.mark.parametrize(("rows", "columns"), [(MASSES, GAPS), (GAPS, MASSES)])
 def test_every_place_is_in_one_line(rows: Any, columns: Any) -> None:
-    lines = lines_of(TWO, jobs(100), rows, columns)
+    lines = lines_of(TWO, jobs(rows, columns), rows, columns)
     assert sorted(k for line in lines for k in line.places) == list(range(100))
     assert len(lines) == 4
     width = len(columns[1])
@@ -40,19 +53,45 @@ def test_every_place_is_in_one_line(rows: Any, columns: Any) -> None:
 
 @pytest.mark.parametrize(
     ("rows", "columns", "quantity"),
-    [(MASSES, FACTORS, "onset"), (MASSES, GAPS, "unstable ranges"), (MASSES, ("gap[0]", (Fraction(-1),)), "onset")],
-    ids=["a factor is applied last", "no onsets", "a value that cannot be"],
+    [
+        (MASSES, FACTORS, "onset"),
+        (MASSES, GAPS, "unstable ranges"),
+        (MASSES, FIRST, "onset"),
+        (FIRST, MASSES, "onset"),
+    ],
+    ids=["a factor is applied last", "no onsets", "a mass after all masses", "all masses after one"],
 )
 def test_where_each_is_asked_by_itself(rows: Any, columns: Any, quantity: str) -> None:
-    lines = lines_of(TWO, jobs(100, quantity), rows, columns)
-    assert all(line.problem is None for line in lines)
+    lines = lines_of(TWO, jobs(rows, columns, quantity), rows, columns)
+    assert all(line.problem is None for line in lines) == ((rows, columns) != (FIRST, MASSES))
 
 
-@pytest.mark.parametrize(("over", "together"), [("v", True), ("track.c", True), ("eta_m", False), ("gap[0]", False)])
+def test_a_value_that_cannot_be() -> None:
+    lines = lines_of(TWO, jobs(MASSES, GAPS), MASSES, ("gap[0]", (Fraction(-1), Fraction(2))))
+    assert [line.problem is None for line in lines] == [True, True, False, False]
+
+
+def test_paths_that_move_the_same_masses_are_asked_in_the_order_of_the_table() -> None:
+    """Against single questions: the mass of one of them is set after those of both, or before and then undone."""
+    both, one = {"vehicles.M": ["60", "67"]}, {"vehicles[0].M": ["40"]}
+    found = stability_table(TWO, over={"v": (0, 2)}, rows=both, columns=one, workers=1)
+    assert [entry.text for (entry,) in found.entries] == ["1.061080479", "1.060222658"]
+    turned: dict[str, Any] = {
+        "rows": {"vehicles[0].M": ["40", "50"]},
+        "columns": {"vehicles.M": ["60"]},
+        "workers": 1,
+    }
+    assert [entry.text for (entry,) in stability_table(TWO, over={"v": (0, 2)}, **turned).entries] == [
+        "1.047459082"
+    ] * 2
+
+
+@pytest.mark.parametrize(("over", "together"), [("v", True), ("track.c", True), ("eta_m", False), ("gap[0]", True)])
 def test_a_factor_along_a_line(over: str, together: bool) -> None:
     """It is not applied after what it is to scale is set anew, which each entry does not do."""
-    asked = Job(TWO, "onset", Over(over, Fraction(0), Fraction(2), "", ""), 10, None)
-    lines = lines_of(TWO, [asked] * 4, FACTORS, ("eta_b", (Fraction("0.05"), Fraction("0.1"))))
+    dampings = ("eta_b", (Fraction("0.05"), Fraction("0.1")))
+    asked = jobs(FACTORS, dampings, over=Over(over, Fraction(0), Fraction(2), "", ""))
+    lines = lines_of(TWO, asked, FACTORS, dampings)
     assert all((line.problem is not None) is together for line in lines)
 
 

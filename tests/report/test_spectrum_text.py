@@ -78,7 +78,7 @@ def test_a_warning_follows_the_verdict() -> None:
     text = spectrum_document(replace(wire(), problem=Problem(WIRE.track, [Mass(8), Mass(9)], v=100))).text()
     lines = text.splitlines()
     assert lines[0].startswith("STABLE")
-    assert lines[2].startswith("Warning: two contacts stand at one place, x = 0 m, and move as one: give one")
+    assert lines[2].startswith("Warning: two vehicles, mass and mass, stand at one place, x = 0 m: give one of them")
 
 
 def test_the_ratios_of_the_paper_are_folded_below() -> None:

@@ -88,7 +88,7 @@ def test_the_papers_beam(alpha: str, eta_b: str, masses: Any, places: Any, loads
 @pytest.mark.parametrize("vehicle", vehicles.CATALOGUE, ids=lambda model: model.name)
 @pytest.mark.parametrize("track", tracks.CATALOGUE, ids=lambda model: model.name)
 def test_the_finite_track_agrees_to_the_sum_of_both_errors(track: Any, vehicle: Any) -> None:
-    """The second way, for every track and vehicle there is: before waves come back from the supports."""
+    """The second way, for every track and vehicle there is."""
     problem = Problem(made(track), made(vehicle), v="0.3")
     _agree(problem, [Load(1, "0.5", 1, "0.3")] + [Load(1)] * (problem.pencil.contacts - 1), np.array([2.0, 3, 4]), 1)
 
@@ -114,6 +114,7 @@ def _agree(problem: Problem, loads: Any, times: Any, unit: float) -> None:
     assert np.abs(found.rail - known.rail).max() <= found.error.rail + known.error.total
     for name, row in known.vehicle.items():
         assert np.abs(found.vehicle[name] - row).max() <= known.error.vehicle + found.error.vehicle[name]
+    assert np.abs(found.contact_force - known.contact_force).max() <= known.error.force + found.error.contact_force
     assert known.error.total < 0.1 * size
     assert found.error.rail < 1e-8 * size
 
