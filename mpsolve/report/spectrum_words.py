@@ -13,7 +13,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet
-from mpsolve.spectrum.spectrum import Root, Spectrum
+from mpsolve.spectrum.spectrum import Root, Spectrum, disjoint
 
 ASSUMED = (
     "The model: an endless track that is the same everywhere, small motions, vehicles that move at a constant "
@@ -76,7 +76,7 @@ def _known(spectrum: Spectrum) -> Iterator[str]:
     known = spectrum.known
     if "count" in known:
         found = sum(root.multiplicity for root in spectrum.roots)
-        enclosed = f"; {found} of them are enclosed" if found else ""
+        enclosed = f"; {found} of them are enclosed" if found and disjoint(spectrum.roots) else ""
         yield f"{_roots(known['count'])} {_where(spectrum)}{enclosed}."
     if "growth" in known:
         rate, units = outward(float(known["growth"]) * (1 + 2.0**-50), 6, up=True), units_of(spectrum)

@@ -123,7 +123,7 @@ def test_sixty_four_contacts_leave_something_after_a_second() -> None:
     """And no effort is overrun by much."""
     certify(row(1), region="unstable", check=False)  # what is loaded and kept is no work of the others
     whole = full(64, "unstable")
-    for seconds, key in ((0.5, "growth"), (4.0, "outside"), (12.0, "strips")):
+    for seconds, key in ((1.0, "growth"), (6.0, "strips")):
         started = process_time()
         part = certify(row(64), region="unstable", digits=20, effort=Effort(seconds=seconds), check=False)
         assert process_time() - started < seconds + 1
