@@ -11,6 +11,7 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
@@ -33,10 +34,7 @@ Tell = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class Found:
-    """A count (None where it stayed open), the balls that explain it, and the reason where they do not.
-
-    known: what is proved where the count stayed open.
-    """
+    """A count (None where it stayed open; then `known` is what is proved), its balls, the reason where they are few."""
 
     count: Count | SheetCount | None
     balls: tuple[RootBall, ...]
@@ -233,19 +231,13 @@ def _inside(region: Answered, ball: RootBall) -> bool:
     re, im = ball.q.real, ball.q.imag
     if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
-        return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
-    near = region.radius is None or bool(abs(ball.q) < _ball(region.radius))
+        return all(x > rational_ball(low) and x < rational_ball(high) for x, low, high in bounds)
+    near = region.radius is None or bool(abs(ball.q) < rational_ball(region.radius))
     below = bool(im < 0) and near
     if isinstance(region, HalfPlane):
         return below
-    strip = bool(im < _ball(region.height) and abs(re) < _ball(region.reach or Fraction(0)))
+    strip = bool(im < rational_ball(region.height) and abs(re) < rational_ball(region.reach or Fraction(0)))
     return below or (strip and (near or bool(im >= 0)))
-
-
-def _ball(x: Fraction) -> Any:
-    from mpsolve.numbers.balls import rational_ball
-
-    return rational_ball(x)
 
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:
