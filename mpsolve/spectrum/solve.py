@@ -34,7 +34,7 @@ Tell = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class Found:
-    """A count (None where it stayed open; then `known` is what is proved), its balls, the reason where they are few."""
+    """A count, or None and what is `known`; the balls that explain it, and the reason where they do not."""
 
     count: Count | SheetCount | None
     balls: tuple[RootBall, ...]
