@@ -59,7 +59,7 @@ def certify(
 
     asked = default_region(problem, meant) if region is None else checked_region(region)
     first = answered(asked)
-    if first.proved:
+    if first.proved or _is_over(first, effort):
         return first
     if region is not None:
         if asked != "unstable" or not _next_to_the_line(first) or not (is_damped(meant) and has_whole_sheet(meant)):
@@ -72,6 +72,12 @@ def certify(
             if found.proved:
                 return replace(found, note=found.note or note)
     return first
+
+
+def _is_over(found: Spectrum, effort: Effort | None) -> bool:
+    """Whether no other count may be begun: after Ctrl-C, and where the effort that was stated is spent."""
+    code = "" if found.reason is None else found.reason.code
+    return code == "interrupted" or (code == "effort" and effort is not None)
 
 
 def _next_to_the_line(found: Spectrum) -> bool:

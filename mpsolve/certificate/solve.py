@@ -21,7 +21,7 @@ from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.deadline import TimeUpError
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.stopping import stoppable
+from mpsolve.proof.stopping import ended_at_once, stoppable
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
 from mpsolve.spectrum.premises import require_premises
@@ -76,7 +76,8 @@ def certify_problem(
     else:
         require_premises(reduced, HalfPlane())
         wanted = asked = asked_region(reduced, region)
-    answer = _spectrum(reduced, wanted, asked, digits, solve(reduced, asked, digits, budget, tell), *rest)
+    found = solve(reduced, asked, digits, budget, tell, in_strips=effort is not None)
+    answer = _spectrum(reduced, wanted, asked, digits, found, *rest)
     return unstable_part(answer) if lossless and region == "unstable" else answer
 
 
@@ -116,7 +117,7 @@ def _spectrum(
     problem, count = reduced.problem, found.count
     if count is None:
         cost = Cost(process_time() - started, evaluations=budget.spent)
-        return Spectrum(problem, wanted, digits, Status.UNDECIDED, found.reason, cost=cost)
+        return Spectrum(problem, wanted, digits, Status.UNDECIDED, found.reason, known=found.known, cost=cost)
     roots = sorted_roots(problem, found.balls)
     cost = Cost(process_time() - started, 0.0, budget.spent, count.pieces)
     common: dict[str, Any] = {
@@ -215,8 +216,9 @@ def _checked(certificate: Any, count: AnyCount, check: bool) -> tuple[Status, Re
         return Status.UNDECIDED, Reason("pieces", message, {"pieces": str(count.pieces)}, other or _PART), "", 0.0
     started = process_time()
     try:
-        verdict = verify_bytes(certificate.text.encode("ascii"))
-    except TimeUpError:
+        with ended_at_once():
+            verdict = verify_bytes(certificate.text.encode("ascii"))
+    except (TimeUpError, KeyboardInterrupt):  # what the prover has proved is kept
         return Status.UNVERIFIED, None, "", process_time() - started
     seconds = process_time() - started
     if verdict.valid:

@@ -14,6 +14,7 @@ and at a point two pieces have the pair of the thin splitting there.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import fsum
 from typing import Any, Literal
@@ -42,6 +43,8 @@ _FEW = 40  # pieces that are not worth spreading
 ROOM = 1.1
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
 _WIDER = 1 + 2.0**-12  # of a disc, against half of its piece
+_BATCH = 2**19
+"""Entries of the matrices of pieces that are tried at once: effort is asked about in between."""
 _OFF_ARC = 2.0**-14  # of a piece's length: how far from the circle the points of an arc may lie
 
 
@@ -100,24 +103,37 @@ class Paths:
         points = np.asarray(points, complex)
         if len(points) < 2:
             return Path(kind, points)
-        found = cover(points, self._test(kind), effort, middle=_between(arc))
+        test = self._test(kind, effort)
+        found = cover(points, test, effort, middle=_between(arc))
         if kind == "turn" and arc is None and len(found) > max(_FEW, len(points)):
-            found = cover(self._evened(found, effort), self._test(kind), effort)
+            found = cover(self._evened(found, effort), test, effort)
         elif arc is None:
-            found = joined(found, self._test(kind), effort, kind == "link")
+            found = joined(found, test, effort, kind == "link")
         return Path(kind, found, arc)
 
     def _evened(self, points: Any, effort: Effort) -> Any:
         """Points spread so that the determinant is about as hard to keep from 0 on each piece."""
         effort.spend(len(points) - 1)
         with np.errstate(all="ignore"):
-            piece = self._evaluate("turn", points[:-1], points[1:], self.room)[2]
-        return points if piece is None else evened(points, (piece.theta / _HARD) ** _ORDER, 1.0)
+            found = [
+                self._evaluate("turn", points[part][:-1], points[part][1:], self.room)[2]
+                for part in self._batches(len(points) - 1, effort)
+            ]
+        theta = np.concatenate([piece.theta for piece in found if piece is not None])
+        return evened(points, (theta / _HARD) ** _ORDER, 1.0)
 
-    def _test(self, kind: Kind) -> Any:
+    def _batches(self, pieces: int, effort: Effort) -> Iterator[slice]:
+        """The points of some pieces at a time; EffortError in between where the effort is spent."""
+        size = max(1, _BATCH // (len(self.arrays.B) + len(self.arrays.h)) ** 2)
+        for at in range(0, pieces, size):
+            effort.spend(0)
+            yield slice(at, min(at + size, pieces) + 1)
+
+    def _test(self, kind: Kind, effort: Effort) -> Any:
         def passes(a: Any, b: Any) -> Any:
             with np.errstate(all="ignore"):  # pieces that are far too long overflow: nothing is proved of them
-                return self._evaluate(kind, a, b, self.room)[1]
+                parts = (slice(part.start, part.stop - 1) for part in self._batches(len(a), effort))
+                return np.concatenate([self._evaluate(kind, a[part], b[part], self.room)[1] for part in parts])
 
         return passes
 
@@ -183,12 +199,11 @@ class Paths:
             raise PrecisionError("the splitting at the start is not found again to within rounding")
         if self.origin is not None:
             G, good = self._at_origin(G, good, points == 0, np.zeros(len(points)))
-        A = self.arrays.matrix(G, 1j * points)
         turns, refined, whole, at = [], [], True, 0
         for path in paths:
             here = index[at : at + len(path.points)]
             at += len(path.points)
-            passed, turn = self._path(path, here, thin, A, good)
+            passed, turn = self._path(path, here, thin, points, G, good, effort)
             turns.append(turn)
             whole = whole and bool(passed.all())
             between = _between(path.arc)(path.points[:-1][~passed], path.points[1:][~passed])
@@ -201,21 +216,29 @@ class Paths:
         )
         return Proved(paths, tuple(turns), corners)
 
-    def _path(self, path: Path, here: Any, thin: Splittings, A: Jet, good: Any) -> tuple[Any, tuple[float, float]]:
-        """(which pieces pass, (turn, its error)) of one path; `here` numbers its points among those of `thin`."""
-        first, last = here[:-1], here[1:]
-        if not len(first):
-            return np.ones(0, bool), (0.0, 0.0)
-        s, passed, piece = self._evaluate(path.kind, path.points[:-1], path.points[1:])
-        passed = passed & self._linked(path, s, thin.take(first), thin.take(last)) & on_arc(path)
-        if piece is None:
-            return passed, (0.0, 0.0)
-        start, lost, fine = pivot_arguments(piece, A.take(first))
-        end, lost_too, fine_too = pivot_arguments(piece, A.take(last))
-        passed = passed & fine & fine_too & good[first] & good[last]
-        turn = end - start  # each rounded to within U |turn|, their sum to nearest
-        error = fsum(np.concatenate([lost, lost_too, 2 * U * np.abs(turn)])) * UP
-        return passed, (fsum(turn), error + 2 * U * abs(fsum(turn)))
+    def _path(
+        self, path: Path, here: Any, thin: Splittings, points: Any, G: Jet, good: Any, effort: Effort
+    ) -> tuple[Any, tuple[float, float]]:
+        """(which pieces pass, (turn, its error)) of one path; `here` numbers its points among all `points`."""
+        passed, turns, errors = on_arc(path), [], []
+        for part in self._batches(path.pieces, effort):
+            some = replace(path, points=path.points[part])
+            first, last = here[part][:-1], here[part][1:]
+            s, fine, piece = self._evaluate(path.kind, some.points[:-1], some.points[1:])
+            fine = fine & self._linked(some, s, thin.take(first), thin.take(last))
+            if piece is not None:
+                at = here[part]
+                A = self.arrays.matrix(G.take(at), 1j * points[at])
+                every = np.arange(len(at))
+                start, lost, begins = pivot_arguments(piece, A.take(every[:-1]))
+                end, lost_too, ends = pivot_arguments(piece, A.take(every[1:]))
+                fine = fine & begins & ends & good[first] & good[last]
+                turn = end - start  # each rounded to within U |turn|, their sum to nearest
+                turns += turn.tolist()
+                errors += [*lost, *lost_too, *(2 * U * np.abs(turn))]
+            passed[part.start : part.stop - 1] &= fine
+        turned = fsum(turns)
+        return passed, (turned, fsum(errors) * UP + 2 * U * abs(turned))
 
     def _linked(self, path: Path, s: Splittings, start: Splittings, end: Splittings) -> Any:
         """Which pieces join on to the splittings at both of their ends; at q = 0 there is none."""

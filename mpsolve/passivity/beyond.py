@@ -55,7 +55,7 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
         depth = _depth(arrays, paths.up, rho)
         corner = complex(rho, -depth)
         around = np.concatenate([_line(rho, corner), _line(corner, complex(0, -depth))[1:]])
-        share = Effort(evaluations=_SHARE)
+        share = effort.share(_SHARE)
         try:
             axis = paths.plan("passive", _axis(rho, tail.X), share)
             walls = paths.plan("passive", around, share)

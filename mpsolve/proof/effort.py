@@ -34,6 +34,12 @@ class Effort:
         """The same limits with nothing spent, from now on."""
         return Effort(self.seconds, self.evaluations)
 
+    def share(self, evaluations: int) -> Effort:
+        """A part of so many evaluations, within the same time."""
+        part = Effort(self.seconds, evaluations)
+        part.started = self.started
+        return part
+
     def spend(self, evaluations: int) -> None:
         """Count evaluations of the characteristic function; EffortError where they are too many, or after Ctrl-C."""
         end_if_asked()

@@ -21,6 +21,7 @@ class _Asked:
     """Whether the work that is under way is to end."""
 
     yes = False
+    listening = False  # work inside other work leaves it to the outer one
 
 
 def end_if_asked() -> None:
@@ -29,24 +30,48 @@ def end_if_asked() -> None:
         raise EffortError(Reason("interrupted", "the work was interrupted", {}, "start it again for the rest"))
 
 
+def _first(_number: int, _frame: FrameType | None) -> None:
+    _Asked.yes = True
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _at_once(number: int, frame: FrameType | None) -> None:
+    _first(number, frame)
+    raise KeyboardInterrupt
+
+
+def _heard_by(handler: object) -> bool:
+    """In the main thread only."""
+    return threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) is handler
+
+
 @contextmanager
 def _listening() -> Iterator[None]:
     """Only in the main thread, and where Ctrl-C means what Python makes of it."""
-    main = threading.current_thread() is threading.main_thread()
-    if not main or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    if _Asked.listening or not _heard_by(signal.default_int_handler):
         yield
         return
-
-    def first(_number: int, _frame: FrameType | None) -> None:
-        _Asked.yes = True
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-
-    signal.signal(signal.SIGINT, first)
+    _Asked.listening = True
+    signal.signal(signal.SIGINT, _first)
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, signal.default_int_handler)
-        _Asked.yes = False
+        _Asked.yes = _Asked.listening = False
+
+
+@contextmanager
+def ended_at_once() -> Iterator[None]:
+    """For a step that looks at no effort: the first Ctrl-C that is listened for is a KeyboardInterrupt."""
+    if not _heard_by(_first):
+        yield
+        return
+    signal.signal(signal.SIGINT, _at_once)
+    try:
+        yield
+    finally:
+        if _heard_by(_at_once):
+            signal.signal(signal.SIGINT, _first)
 
 
 def stoppable(verb: Callable[P, T]) -> Callable[P, T]:

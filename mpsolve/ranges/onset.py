@@ -20,6 +20,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossings import Crossings, find
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
@@ -127,6 +128,7 @@ def unstable_ranges(
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals, **_shared(found))
 
 
+@stoppable
 def onset(
     problem: Given,
     *,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -34,7 +35,9 @@ def spectrum_data(
     verdict           one sentence
     status            "proved", "proved, not verified" or "undecided"
     reason            why undecided, in parts: {"code", "message", "numbers", "remedy"}; null if proved
-    known             what is proved all the same where the answer is undecided
+    known             what is proved all the same where the answer is undecided: "count"; "growth", a rate below which
+                      all growth is; "outside", a rectangle that holds all roots with Im q < 0; "strips" with their
+                      counts, and the "open" ones
     warnings          what is likely to be a mistake in the problem, in the parts of a reason; no part of the proof
     stable            true, false, or null where that is not decided
     region            {"kind", "words"} and the numbers of the region as {"exact", "decimal"}
@@ -67,7 +70,7 @@ def spectrum_data(
         "verdict": verdict(spectrum),
         "status": spectrum.status.value,
         "reason": None if spectrum.reason is None else spectrum.reason.data(),
-        "known": dict(spectrum.known),
+        "known": _known(spectrum.known),
         "warnings": [one.data() for one in (*titled(spectrum.problem, title), *spectrum.warnings)],
         "stable": spectrum.stable,
         "region": region_data(spectrum.region),
@@ -90,6 +93,19 @@ def spectrum_data(
         },
         "certificate": None if certificate is None else os.fspath(certificate),
     }
+
+
+def _known(known: Mapping[str, Any]) -> dict[str, Any]:
+    """{"count", "growth": number, "outside": region, "strips": [{"region", "count"}], "open": [region]}, or less."""
+    out = dict(known)
+    if "growth" in known:
+        out["growth"] = number(known["growth"])
+    if "outside" in known:
+        out["outside"] = region_data(known["outside"])
+    if "strips" in known:
+        out["strips"] = [{"region": region_data(strip), "count": count} for strip, count in known["strips"]]
+        out["open"] = [region_data(strip) for strip in known["open"]]
+    return out
 
 
 def region_data(region: Answered) -> dict[str, Any]:

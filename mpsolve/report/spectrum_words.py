@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mpsolve.numbers.balls import precision
@@ -12,7 +13,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet
-from mpsolve.spectrum.spectrum import Root, Spectrum
+from mpsolve.spectrum.spectrum import Root, Spectrum, disjoint
 
 ASSUMED = (
     "The model: an endless track that is the same everywhere, small motions, vehicles that move at a constant "
@@ -61,8 +62,7 @@ def verdict(spectrum: Spectrum) -> str:
 def proved(spectrum: Spectrum) -> tuple[str, ...]:
     """The sentences that are proved; where the answer is undecided, what is known all the same."""
     if not spectrum.proved:
-        count = spectrum.known.get("count")
-        return () if count is None else (f"{_roots(count)} {_where(spectrum)}.",)
+        return tuple(_known(spectrum))
     number = spectrum.count or 0
     said = [f"{_roots(number)}{', counted with multiplicity,' if number > 1 else ''} {_where(spectrum)}."]
     if spectrum.note:
@@ -70,6 +70,24 @@ def proved(spectrum: Spectrum) -> tuple[str, ...]:
     if spectrum.closing:
         said.append(f"None is missed: {spectrum.closing}.")
     return (*said, *_apart(spectrum), *_balls(spectrum))
+
+
+def _known(spectrum: Spectrum) -> Iterator[str]:
+    known = spectrum.known
+    if "count" in known:
+        found = sum(root.multiplicity for root in spectrum.roots)
+        enclosed = f"; {found} of them are enclosed" if found and disjoint(spectrum.roots) else ""
+        yield f"{_roots(known['count'])} {_where(spectrum)}{enclosed}."
+    if "growth" in known:
+        rate, units = outward(float(known["growth"]) * (1 + 2.0**-50), 6, up=True), units_of(spectrum)
+        yield f"Nothing grows as fast as {rate} {units.rate}: no zero has Im q ≤ -{rate} {units.q}."
+    if "outside" in known:
+        depth, width = (outward(float(x), 6, up=True) for x in (-known["outside"].im_min, known["outside"].re_max))
+        yield f"Whatever grows lies where |Re q| ≤ {width} and Im q ≥ -{depth}: no zero with Im q < 0 is elsewhere."
+    for strip, number in known.get("strips", ()):
+        yield f"{_roots(number)} where {strip}."
+    if known.get("open"):
+        yield f"Not counted yet: {'; '.join(map(str, known['open']))}."
 
 
 def verified(spectrum: Spectrum) -> str:

@@ -52,15 +52,25 @@ def both(q: complex) -> int:
     return 1 if abs(q.real) < 1e-9 * abs(q) else 2
 
 
-def find_roots(reduced: Reduced, areas: tuple[Area, ...], count: int, hints: Any, weight: Weight = both) -> Any:
+def find_roots(
+    reduced: Reduced,
+    areas: tuple[Area, ...],
+    count: int,
+    hints: Any,
+    weight: Weight = both,
+    on_the_way: Callable[[], None] | None = None,
+) -> Any:
     """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found.
 
+    on_the_way: called before every step; it may raise what ends the search.
     hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid.
     """
     function = Floats(reduced)
     found = np.zeros(0, complex)
 
     def all_found(roots: Any) -> bool:
+        if on_the_way is not None:
+            on_the_way()
         return sum(map(weight, roots.tolist())) >= count
 
     for level in range(-3, 5):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -19,15 +18,17 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
+from mpsolve.passivity.growth import fastest_growth
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
+from mpsolve.spectrum.partial import Partial, count_strips, hold_growth
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
+from mpsolve.spectrum.sides import along_sides, side, whole_turn, zeros
 from mpsolve.tracks.at_rest import lowest_cut
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
@@ -60,10 +61,13 @@ class Count:
         return sum(path.pieces for path in self.paths)
 
 
-def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM) -> Count:
+def count_roots(
+    reduced: Reduced, region: Region, effort: Effort, tell: Tell, room: float = ROOM, partial: Partial | None = None
+) -> Count:
     """The number of roots of Δ̂ in the region; PrecisionError or EffortError with the reason where it stays open.
 
     A half-plane whose theorem fails comes back as the half-disc that was counted. InputError where a premise fails.
+    partial: takes what is proved on the way.
     """
     if isinstance(region, Rectangle) and (line := line_for(reduced, region)) is not None:
         return _box_on_line(reduced, line, region, effort, room)
@@ -71,7 +75,10 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, ro
     arrays = Arrays(reduced)
     first = start(reduced.guide)
     if isinstance(region, Rectangle):
-        return _box(Paths(arrays, first, room), first, region, effort)
+        paths = Paths(arrays, first, room)
+        if partial is not None:
+            count_strips(partial, paths, region, effort)
+        return _box(paths, region, effort)
     meeting = origin(reduced.guide) if waves_meet_at_zero(reduced.guide) else None
     lost = waves_meet_at_zero(reduced.guide) and meeting is None
     if lost and (not _at_rest(reduced, region) or open_at_rest(reduced)):
@@ -80,11 +87,15 @@ def count_roots(reduced: Reduced, region: Region, effort: Effort, tell: Tell, ro
     height = region.height if isinstance(region, Below) else Fraction(0)
     if region.radius is not None:
         return _disc(paths, first, region, height, "", effort)
+    if partial is not None and (rate := fastest_growth(reduced.guide)) is not None:
+        partial.growth = rate * reduced.frequency_unit
     tell("passivity", 0.0)
     closed = open_at_rest(reduced) or (
         plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if reduced.guide.v else None
     )
     tell("contour", 0.3)
+    if isinstance(closed, Beyond) and partial is not None:
+        hold_growth(partial, paths, closed, height, effort)
     if isinstance(closed, str):
         return _disc(paths, first, region, height, closed, effort)
     if closed is None and not height:
@@ -111,7 +122,7 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
         _require_passive(rho, middle, radius)
         closing = closing_argument(reduced, rho, middle, radius)
         order = reduced.bodies - reduced.contacts - reduced.neutral
-        total = _zeros((closing + order * arb.pi() / 2 - _turn(proved)) / arb.pi())
+        total = zeros((closing + order * arb.pi() / 2 - whole_turn(proved)) / arb.pi())
     exact = _unscaled(reduced, rho)
     held = Below(height, reach=exact) if height else HalfPlane()
     return Count(held, total, first, proved.paths, beyond, "", effort.spent)
@@ -135,28 +146,26 @@ def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str
     chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
-        total = _zeros(-_turn(proved) / arb.pi())
+        total = zeros(-whole_turn(proved) / arb.pi())
     asked = getattr(region, "radius", None)
     exact = asked if asked is not None else _unscaled(reduced, radius)
     held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
     return Count(held, total, first, proved.paths, None, why, effort.spent)
 
 
-def _box(paths: Paths, first: Start, box: Rectangle, effort: Effort) -> Count:
-    total, proved = _round(paths, first, box, paths.arrays.reduced.frequency_unit, effort)
-    return Count(box, total, first, proved.paths, None, "", effort.spent)
+def _box(paths: Paths, box: Rectangle, effort: Effort) -> Count:
+    total, proved = _round(paths, box, effort)
+    return Count(box, total, paths.start, proved.paths, None, "", effort.spent)
 
 
-def _round(paths: Paths, first: Start, box: Rectangle, unit: Fraction, effort: Effort) -> tuple[int, Proved]:
+def _round(paths: Paths, box: Rectangle, effort: Effort) -> tuple[int, Proved]:
     """The number of zeros inside, by the turn along the sides."""
+    unit = paths.arrays.reduced.frequency_unit
     a, b, c, d = (float(x / unit) for x in (box.re_min, box.re_max, box.im_min, box.im_max))
     corners = [complex(a, c), complex(b, c), complex(b, d), complex(a, d), complex(a, c)]
-    around = np.concatenate([_line(x, y, 12)[:-1] for x, y in pairwise(corners)] + [corners[-1:]])
-    below = complex(0, -first.depth)
-    link = _line(below, corners[0], 12)
-    proved = paths.prove((paths.plan("link", link, effort), paths.plan("turn", around, effort)), effort)
+    proved = along_sides(paths, corners, effort)
     with precision(64):
-        return _zeros(_turn(proved) / (2 * arb.pi())), proved
+        return zeros(whole_turn(proved) / (2 * arb.pi())), proved
 
 
 def line_for(reduced: Reduced, box: Rectangle) -> Line | None:
@@ -176,7 +185,7 @@ def _box_on_line(reduced: Reduced, line: Line, box: Rectangle, effort: Effort, r
     first = start(half.guide)
     paths = Paths(Arrays(half), first, room)
     try:
-        total, proved = _round(paths, first, on_its_half(line, box), unit, effort)
+        total, proved = _round(paths, on_its_half(line, box), effort)
     except OpenPieceError as error:
         at = error.place.conjugate() if above else error.place
         raise OpenPieceError(at + 1j * float(line.height), error.length) from None
@@ -188,14 +197,6 @@ def on_its_half(line: Line, box: Rectangle) -> Rectangle:
     height = line.height * line.lower.frequency_unit
     low, high = box.im_min - height, box.im_max - height
     return Rectangle(box.re_min, box.re_max, -high, -low) if low > 0 else Rectangle(box.re_min, box.re_max, low, high)
-
-
-def _zeros(turns: arb) -> int:
-    return number_of_zeros(turns, "the characteristic function")
-
-
-def _turn(proved: Proved) -> arb:
-    return sum((arb(value, error) for value, error in proved.turns), arb(0))
 
 
 def scaled_height(reduced: Reduced, height: Fraction) -> float:
@@ -241,11 +242,5 @@ def _descent(first: Start, h: float) -> Any:
 def _along(rho: float, h: float) -> Any:
     """From i h to ρ + i h and down to ρ."""
     corner = complex(rho, h)
-    line = _line(complex(0, h), corner, 24)
-    return np.concatenate([line, _line(corner, rho + 0j, 4)[1:]]) if h else line
-
-
-def _line(a: complex, b: complex, pieces: int) -> Any:
-    points = a + (b - a) * np.linspace(0, 1, pieces + 1)
-    points[0], points[-1] = a, b
-    return points[np.concatenate([[True], points[1:] != points[:-1]])]
+    line = side(complex(0, h), corner, 24)
+    return np.concatenate([line, side(corner, rho + 0j, 4)[1:]]) if h else line

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
@@ -21,6 +22,7 @@ from mpsolve.spectrum.candidates import Area, Weight, both, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.partial import Partial
 from mpsolve.spectrum.reasons import reason_of, sheet_reason
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
@@ -32,46 +34,52 @@ Tell = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class Found:
-    """A count (None where it stayed open), the balls that explain it, and the reason where they do not."""
+    """A count, or None and what is `known`; the balls that explain it, and the reason where they do not."""
 
     count: Count | SheetCount | None
     balls: tuple[RootBall, ...]
     reason: Reason | None
+    known: Mapping[str, Any] = field(default_factory=dict)
 
 
-def solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell) -> Found:
+def solve(
+    reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell, in_strips: bool = False
+) -> Found:
     """All roots of Δ̂ in the region, or on the whole sheet of a beam with its cuts on one line.
 
-    Never raises for what stays undecided. Matrices are multiplied in one thread.
+    Never raises for what stays undecided. Matrices are multiplied in one thread. in_strips: count parts first.
     """
     with one_thread():
-        return _solve(reduced, region, digits, effort, tell)
+        return _solve(reduced, region, digits, effort, tell, Partial(in_strips))
 
 
-def _solve(reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell) -> Found:
+def _solve(
+    reduced: Reduced, region: Region | Line, digits: int, effort: Effort, tell: Tell, partial: Partial
+) -> Found:
     try:
         if isinstance(region, Line):
             tell("contour", 0.0)
             count: Count | SheetCount = count_sheet(region, effort)
         else:
-            count = count_roots(reduced, region, effort, tell)
+            count = count_roots(reduced, region, effort, tell, partial=partial)
     except (EffortError, PrecisionError) as error:
         line = region if isinstance(region, Line) else None
-        return Found(None, (), sheet_reason(line, reduced, error) if line else reason_of(reduced, error))
+        reason = sheet_reason(line, reduced, error) if line else reason_of(reduced, error)
+        return Found(None, (), reason, partial.known)
     if not count.total:
         return Found(count, (), None)
     so_far: list[RootBall] = []
     try:
         tell("roots", 0.5)
         balls = _enclosed(reduced, count, digits, tell, so_far)
+        number = sum(ball.multiplicity for ball in balls)
+        if number != count.total or not disjoint(balls):
+            message = f"{count.total} roots are counted, but {number} could be enclosed"
+            numbers = {"counted": str(count.total), "enclosed": str(number)}
+            return Found(count, balls, Reason("roots", message, numbers, _FEWER))
+        signed = _signed(reduced, count, balls, digits, tell)
     except EffortError as error:
         return Found(count, tuple(so_far), error.reason)
-    number = sum(ball.multiplicity for ball in balls)
-    if number != count.total or not disjoint(balls):
-        message = f"{count.total} roots are counted, but {number} could be enclosed"
-        numbers = {"counted": str(count.total), "enclosed": str(number)}
-        return Found(count, balls, Reason("roots", message, numbers, _FEWER))
-    signed = _signed(reduced, count, balls, digits, tell)
     if signed is None:
         return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
     return Found(count, signed, None)
@@ -167,7 +175,8 @@ def _enclosed(
 ) -> tuple[RootBall, ...]:
     """The roots; `balls` holds those that are enclosed on the way."""
     hints = _hints(reduced, count)
-    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, _weight(reduced, count.region))
+    weight = _weight(reduced, count.region)
+    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, weight, lambda: tell("roots", 0.5))
     proved = Proved(reduced)
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
@@ -222,19 +231,13 @@ def _inside(region: Answered, ball: RootBall) -> bool:
     re, im = ball.q.real, ball.q.imag
     if isinstance(region, Rectangle):
         bounds = ((re, region.re_min, region.re_max), (im, region.im_min, region.im_max))
-        return all(x > _ball(low) and x < _ball(high) for x, low, high in bounds)
-    near = region.radius is None or bool(abs(ball.q) < _ball(region.radius))
+        return all(x > rational_ball(low) and x < rational_ball(high) for x, low, high in bounds)
+    near = region.radius is None or bool(abs(ball.q) < rational_ball(region.radius))
     below = bool(im < 0) and near
     if isinstance(region, HalfPlane):
         return below
-    strip = bool(im < _ball(region.height) and abs(re) < _ball(region.reach or Fraction(0)))
+    strip = bool(im < rational_ball(region.height) and abs(re) < rational_ball(region.reach or Fraction(0)))
     return below or (strip and (near or bool(im >= 0)))
-
-
-def _ball(x: Fraction) -> Any:
-    from mpsolve.numbers.balls import rational_ball
-
-    return rational_ball(x)
 
 
 def default_height(reduced: Reduced, lowest: Fraction) -> Fraction:

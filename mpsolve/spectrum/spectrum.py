@@ -83,7 +83,9 @@ class Spectrum(Result):
     roots: disjoint balls, sorted by (Re q, Im q), whose multiplicities add up to `count` where this is proved.
     unstable: how many of them have Im q < 0. neutral: how often q = 0 is a root by construction (bodies on dampers
     alone); unfelt: frequencies of the vehicle that no contact feels. Both are left out of `roots`.
-    When undecided, `reason` says why and what helps, and `known` what is proved all the same.
+    When undecided, `reason` says why and what helps, and `known` what is proved all the same: "count"; "growth", a
+    rate with no root in Im q ≤ −growth; "outside", a Rectangle that holds all roots with Im q < 0; "strips", pairs of
+    a Rectangle and its number of roots; "open", the rectangles that are left.
     note: why the region is not all that was asked for. closing: what proves that the count misses nothing.
     verified: what the standalone verifier has confirmed, in its own words.
     """
@@ -134,7 +136,7 @@ def sorted_roots(problem: Given, balls: Sequence[RootBall]) -> tuple[Root, ...]:
     return tuple(sorted(roots, key=lambda root: (float(root.q.real.mid()), float(root.q.imag.mid()))))
 
 
-def disjoint(balls: Sequence[RootBall]) -> bool:
+def disjoint(balls: Sequence[RootBall | Root]) -> bool:
     """Whether no two of the balls overlap."""
     return not any(a.q.overlaps(b.q) for k, a in enumerate(balls) for b in balls[:k])
 

@@ -63,3 +63,14 @@ def test_work_begins_with_nothing_spent() -> None:
     assert (begun(given).spent, begun(given).evaluations, begun(None)) == (0, 2, Effort())
     with pytest.raises(InputError, match="effort: is of type float"):
         begun(3.0)  # type: ignore[arg-type]
+
+
+def test_a_share_has_the_time_of_the_whole() -> None:
+    whole = Effort(seconds=100)
+    whole.started -= 200
+    with pytest.raises(EffortError, match="100 s"):
+        whole.share(5).spend(1)
+    part = Effort(seconds=100, evaluations=9).share(5)
+    part.spend(5)
+    with pytest.raises(EffortError, match="5 evaluations"):
+        part.spend(1)

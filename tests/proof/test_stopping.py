@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -57,6 +58,12 @@ def test_a_long_proof_comes_back_with_what_it_has(work: Callable[[], Any]) -> No
     Effort(evaluations=1).spend(1)  # other work goes on
 
 
+def test_what_is_proved_of_a_long_train_is_kept() -> None:
+    with interrupted(0.7):
+        found = certify(row(64, "0.5"), region="unstable", check=False)
+    assert found.known["growth"] < Fraction(1, 100)
+
+
 def test_a_second_one_ends_it_at_once() -> None:
     @stoppable
     def deaf() -> None:
@@ -86,3 +93,19 @@ def test_other_threads_are_left_alone() -> None:
     thread.start()
     thread.join()
     assert seen == [signal.default_int_handler]
+
+
+def test_ctrl_c_in_the_verifier_keeps_what_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The verifier looks at no effort; one Ctrl-C ends it, and the answer is proved, but not verified."""
+
+    def slow(_content: bytes) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(5)
+
+    monkeypatch.setattr("mpsolve.certificate.verify2.verify_bytes", slow)
+    started = time.monotonic()
+    found = certify(row(1, "1.1"), region="unstable", digits=15)
+    assert time.monotonic() - started < 5
+    assert found.status is Status.UNVERIFIED
+    assert found.count == found.unstable == 0  # kept: a single mass is stable at this velocity
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler

@@ -67,7 +67,8 @@ def test_undecided() -> None:
     open_ = replace(wire(), status=Status.UNDECIDED, reason=reason, count=None, unstable=None, known={"count": 3})
     assert verdict(open_) == f"UNDECIDED: {reason}."
     assert proved(open_) == (
-        f"The characteristic function Δ(q) has exactly 3 zeros in the region below the branch cuts {wire().region}.",
+        f"The characteristic function Δ(q) has exactly 3 zeros in the region below the branch cuts {wire().region}; "
+        "2 of them are enclosed.",
     )
     assert proved(replace(open_, known={})) == ()
 
