@@ -186,7 +186,9 @@ SPECTRUM = [
         "reduced.bodies - reduced.contacts",
         "reduced.bodies + reduced.contacts",
     ),
-    Mutation("the turn has the other sign", "spectrum.count", "_half_plane", "- _turn(proved)", "+ _turn(proved)"),
+    Mutation(
+        "the turn has the other sign", "spectrum.count", "_half_plane", "- whole_turn(proved)", "+ whole_turn(proved)"
+    ),
     Mutation(
         "pivots of the closing turn the other way",
         "spectrum.closing",
@@ -199,8 +201,8 @@ SPECTRUM = [
     ),
     Mutation(
         "a turn round a rectangle is halved",
-        "spectrum.count",
-        "_turn",
+        "spectrum.sides",
+        "whole_turn",
         "arb(value, error)",
         "arb(value, error) / 2",
         "wire",

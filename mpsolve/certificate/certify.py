@@ -52,32 +52,36 @@ def certify(
     from mpsolve.certificate.whole_sheet import unstable_part
 
     meant, digits = as_problem(problem), checked_digits(digits)
-    options: dict[str, Any] = {"digits": digits, "effort": effort, "progress": progress, "check": check}
+    options: dict[str, Any] = {"digits": digits, "progress": progress, "check": check}
+    asked = default_region(problem, meant) if region is None else checked_region(region)
+    if effort is not None and region is None:
+        effort = effort.half()  # the rest is for the regions that are asked for instead
 
     def answered(wanted: object) -> Spectrum:
-        return _about(problem, certify_problem(meant, region=wanted, **options))
+        return _about(problem, certify_problem(meant, region=wanted, effort=effort, **options))
 
-    asked = default_region(problem, meant) if region is None else checked_region(region)
     first = answered(asked)
-    if first.proved or _is_over(first, effort):
+    if first.proved or _interrupted(first):
         return first
     if region is not None:
         if asked != "unstable" or not _next_to_the_line(first) or not (is_damped(meant) and has_whole_sheet(meant)):
             return first
         whole = answered("sheet")  # a root is too close to the real axis: this count goes another way
         return unstable_part(whole) if whole.proved else first
-    for wanted, note in _NARROWER if isinstance(first.region, Sheet) else _NARROWER[1:]:
+    narrower = _NARROWER if isinstance(first.region, Sheet) else _NARROWER[1:]
+    effort = effort.half() if effort is not None and len(narrower) > 1 else effort
+    for wanted, note in narrower:
         if wanted or is_damped(meant):  # without damping there is nothing below a height
             found = answered(wanted)
             if found.proved:
                 return replace(found, note=found.note or note)
+            if _interrupted(found):
+                break
     return first
 
 
-def _is_over(found: Spectrum, effort: Effort | None) -> bool:
-    """Whether no other count may be begun: after Ctrl-C, and where the effort that was stated is spent."""
-    code = "" if found.reason is None else found.reason.code
-    return code == "interrupted" or (code == "effort" and effort is not None)
+def _interrupted(found: Spectrum) -> bool:
+    return found.reason is not None and found.reason.code == "interrupted"
 
 
 def _next_to_the_line(found: Spectrum) -> bool:

@@ -34,6 +34,7 @@ from mpsolve.spectrum.unfelt import unfelt_frequencies
 AnyCount = Count | SheetCount
 MAX_DIGITS, MIN_DIGITS = MOST_DIGITS, 15
 _EVALUATIONS = 200_000  # about a minute; most problems take some thousands
+_LONG = 8  # contacts: under a stated effort strips are counted first; fewer are counted as a whole in as much time
 _ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
 _CLOSED = (AT_REST, PASSIVE)
 _PART = "ask for a Rectangle round the part that matters"
@@ -76,7 +77,8 @@ def certify_problem(
     else:
         require_premises(reduced, HalfPlane())
         wanted = asked = asked_region(reduced, region)
-    found = solve(reduced, asked, digits, budget, tell, in_strips=effort is not None)
+    in_strips = effort is not None and reduced.contacts >= _LONG
+    found = solve(reduced, asked, digits, budget, tell, in_strips)
     answer = _spectrum(reduced, wanted, asked, digits, found, *rest)
     return unstable_part(answer) if lossless and region == "unstable" else answer
 

@@ -34,6 +34,11 @@ class Effort:
         """The same limits with nothing spent, from now on."""
         return Effort(self.seconds, self.evaluations)
 
+    def half(self) -> Effort:
+        """Half of both limits, with nothing spent."""
+        seconds = None if self.seconds is None else self.seconds / 2
+        return Effort(seconds, None if self.evaluations is None else max(self.evaluations // 2, 1))
+
     def share(self, evaluations: int) -> Effort:
         """A part of so many evaluations, within the same time."""
         part = Effort(self.seconds, evaluations)

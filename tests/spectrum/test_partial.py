@@ -90,7 +90,7 @@ def test_an_effort_that_ends_anywhere_leaves_what_is_proved() -> None:
     "region", [("below", "0.01"), Rectangle("0.05", "0.6", "-0.3", "-0.0001")], ids=["below", "box"]
 )
 def test_other_regions_are_counted_in_strips_too(region: Any) -> None:
-    found = stages(4, region, [300, 600, 900], "0.75")
+    found = stages(8, region, [300, 600, 900], "0.75")
     assert any(one.known.get("strips") and one.known["open"] for one in found)
 
 
@@ -108,6 +108,13 @@ def test_terminal_and_json_say_it() -> None:
 
 def test_without_a_stated_effort_nothing_is_counted_twice() -> None:
     assert full(16, "unstable").cost.evaluations < 1500
+
+
+def test_few_contacts_are_not_counted_twice_under_a_stated_effort() -> None:
+    stated = certify_problem(row(4), region="unstable", digits=20, effort=Effort(evaluations=100_000), check=False)
+    assert (
+        stated.cost.evaluations == certify_problem(row(4), region="unstable", digits=20, check=False).cost.evaluations
+    )
 
 
 def test_strips_cover_evenly_and_name_mirrors() -> None:

@@ -105,7 +105,7 @@ def test_times_that_are_not_reached_are_nan(monkeypatch: pytest.MonkeyPatch) -> 
 def test_many_digits() -> None:
     heard: list[str] = []
     options: dict[str, Any] = {"times": [2], "digits": 15, "progress": lambda stage, _: heard.append(stage)}
-    found = response_mp(ONE, [Load(1)], effort=Effort(evaluations=400), **options)
+    found = response_mp(ONE, [Load(1)], effort=Effort(evaluations=1200), **options)
     assert found.reason.code == "effort"
     assert found.rail.shape == (1, 1)
     assert all(mpmath.isnan(x) for x in (found.rail[0, 0], found.transient[0, 0], found.vehicle["wheel"][0]))
