@@ -21,8 +21,7 @@ _FILE = click.argument("file", type=click.Path(path_type=Path))
 _END = click.option(
     "--to",
     "end",
-    default="100",
-    show_default=True,
+    show_default="2 s for a file with [track], else 100",
     help='The last time: τ of the paper, or "2 s"; in s for a file with [track].',
 )
 _POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="Times.")
@@ -31,7 +30,7 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 @click.command()
 @_FILE
-@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, help=f"FILE{', '.join(_SUFFIXES)}.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help=f"Write FILE{', '.join(_SUFFIXES)}.")
 @_END
 @_POINTS
 @click.option("--xi", help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]")
@@ -51,8 +50,8 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 @click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
 def response(
     file: Path,
-    output: Path,
-    end: str,
+    output: Path | None,
+    end: str | None,
     points: int,
     xi: str | None,
     initial: str,
@@ -74,8 +73,8 @@ def response(
         from mpsolve.files import checked_suffix
         from mpsolve.problem.casefile import InputFile
 
-        kind = checked_suffix(checked_output(output, file, "the response"), _SUFFIXES)
-        source = _source(file, end)
+        kind = "" if output is None else checked_suffix(checked_output(output, file, "the response"), _SUFFIXES)
+        source, end = _source(file, end)
         if not isinstance(source, InputFile):
             last = cli_vibration.seconds(end) or _last(end)
             if animate is not None:
@@ -84,7 +83,7 @@ def response(
             said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial, rough)
             if animate is not None:
                 cli_vibration.film(source, animate, last, initial, rough)
-            click.echo("\n".join([*said, str(output), *([str(animate)] if animate else [])]))
+            click.echo("\n".join([*said, *(str(path) for path in (output, animate) if path is not None)]))
             return
         _only_in_seconds(initial != "rest", "--initial")
         _only_in_seconds(animate is not None, "--animate")
@@ -96,23 +95,18 @@ def response(
         places = None if xi is None else [x.strip() for x in xi.split(",")]
         found = respond(source.case, source.loads, places, tau)
         scale = _scale(source)
-        if kind == ".json":
-            from mpsolve.files import save_json
-            from mpsolve.vibration.case_table import columns
-
-            save_json(columns(found, scale), output, source.title, _summary(found, scale))
-        else:
+        if output is not None:
             _save(found, output, kind, source.title, scale)
         click.echo("\n".join(_summary(found, scale)))
-        click.echo(str(output))
+        _tell(output)
 
 
 @click.command()
 @_FILE
-@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, help="FILE.csv, .png, .svg, .pdf.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write FILE.csv, .png, .svg, .pdf.")
 @_END
 @_POINTS
-def compare(file: Path, output: Path, end: str, points: int) -> None:
+def compare(file: Path, output: Path | None, end: str | None, points: int) -> None:
     """Hold the motion of the rear contact point against superposition, one merged mass, and a finite track.
 
     Superposition: each mass alone, results added. Merged: one mass with the sum of all masses and loads at the
@@ -123,16 +117,18 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
         from mpsolve.files import checked_suffix
         from mpsolve.problem.casefile import InputFile
 
-        kind = checked_suffix(checked_output(output, file, "the comparison"), (".csv", ".png", ".svg", ".pdf"))
-        source = _source(file, end)
+        suffixes = (".csv", ".png", ".svg", ".pdf")
+        kind = "" if output is None else checked_suffix(checked_output(output, file, "the comparison"), suffixes)
+        source, end = _source(file, end)
         if not isinstance(source, InputFile):
             cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
-            click.echo(str(output))
+            _tell(output)
             return
         tau = _times(end, points)
         scale = _scale(source)
         whole, curves, notes = _curves(source, tau, scale)
-        _save_curves(whole, curves, output, kind, source.title, scale)
+        if output is not None:
+            _save_curves(whole, curves, output, kind, source.title, scale)
         reference, unit = curves["complete"], _unit(scale)
         for name, curve in list(curves.items())[1:]:
             apart = abs(curve - reference)[whole.within].max() * scale.length
@@ -141,24 +137,31 @@ def compare(file: Path, output: Path, end: str, points: int) -> None:
             )
         for note in notes:
             click.echo(note)
+        _tell(output)
+
+
+def _tell(output: Path | None) -> None:
+    if output is not None:
         click.echo(str(output))
 
 
 COMMANDS = (response, compare)
 
 
-def _source(file: Path, end: str) -> ProblemFile | InputFile:
-    """A problem in SI where the file has [track] or the last time is given in s; else the paper's case."""
+def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
+    """A problem in SI where the file has [track] or the last time is in s; else the paper's; and that time."""
     from mpsolve.errors import InputError
     from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
     from mpsolve.problem.physical import PhysicalCase
 
     source = read_source(file)
+    if end is None:
+        end = "2" if isinstance(source, ProblemFile) else "100"
     if isinstance(source, ProblemFile) or cli_vibration.seconds(end) is None:
-        return source
+        return source, end
     if not isinstance(source.case, PhysicalCase):
         raise InputError("--to", f"is {end}, but the file is dimensionless: give τ, a number without a unit")
-    return problem_file(source)
+    return problem_file(source), end
 
 
 def _only_in_seconds(given: bool, key: str) -> None:
@@ -205,6 +208,11 @@ def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> N
         from mpsolve.vibration.case_table import columns
 
         save_columns(columns(found, scale), path)
+    elif kind == ".json":
+        from mpsolve.files import save_json
+        from mpsolve.vibration.case_table import columns
+
+        save_json(columns(found, scale), path, title, _summary(found, scale))
     elif kind == ".npz":
         from mpsolve.vibration.case_table import save_arrays
 

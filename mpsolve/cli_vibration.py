@@ -51,7 +51,7 @@ def irregularities(problem: Problem, roughness: str | None, out_of_round: str | 
 
 
 def respond(
-    source: ProblemFile, output: Path, kind: str, times: Any, xi: str | None, initial: str, rough: Rough
+    source: ProblemFile, output: Path | None, kind: str, times: Any, xi: str | None, initial: str, rough: Rough
 ) -> list[str]:
     """Writes the motion; what is to be said of it."""
     from mpsolve.vibration.table import save_arrays, save_table
@@ -60,7 +60,9 @@ def respond(
     places = None if xi is None else [x.strip() for x in xi.split(",")]
     given: dict[str, Any] = {"initial": initial, "irregularities": rough}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
-    if kind == ".csv":
+    if output is None:
+        pass
+    elif kind == ".csv":
         save_table(found, output)
     elif kind == ".json":
         from mpsolve.files import save_json
@@ -166,12 +168,14 @@ def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], 
     return whole, out, notes
 
 
-def compare(source: ProblemFile, output: Path, kind: str, times: Any) -> None:
+def compare(source: ProblemFile, output: Path | None, kind: str, times: Any) -> None:
     """Writes the comparison and says how far the curves are apart."""
     from mpsolve.files import save_columns
 
     whole, found, notes = curves(source, times)
-    if kind == ".csv":
+    if output is None:
+        pass
+    elif kind == ".csv":
         table = {"t [s]": times} | {f"{name} [m]": row for name, row in found.items()}
         save_columns(table | {"within the model [1]": whole.within.astype(float)}, output)
     else:

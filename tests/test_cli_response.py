@@ -162,3 +162,20 @@ def test_too_many_panels_are_refused(file: Path, tmp_path: Path) -> None:
     places = ",".join(str(k) for k in range(25))
     result = run("response", file, "-o", tmp_path / "out.png", "--points", "2", "--xi", places)
     assert (result.exit_code, "has 25 positions" in result.output) == (2, True)
+
+
+@pytest.mark.parametrize("command", ["response", "compare"])
+def test_without_a_file_to_write_it_is_told_alone(command: str, tmp_path: Path) -> None:
+    """In s up to 2 s for a file with [track]."""
+    given = tmp_path / "oscillator.toml"
+    given.write_text(
+        'v = "30 m/s"\n[track]\nmodel = "euler-bernoulli"\nEI = 6.4e6\nm = 60\nk = 1e6\nc = 4e4\n'
+        '[[vehicle]]\nmodel = "oscillator"\nwheel = 1000\nbody = 5000\nk = 1e6\nc = 1e5\n'
+    )
+    before = sorted(tmp_path.iterdir())
+    told = run(command, given, "--points", 21)
+    assert told.exit_code == 0, told.output
+    assert ("contact is kept" in told.output) or ("finite track" in told.output)
+    assert sorted(tmp_path.iterdir()) == before
+    stated = run(command, given, "--points", 21, "--to", "2 s")
+    assert stated.output == told.output
