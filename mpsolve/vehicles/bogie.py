@@ -11,7 +11,7 @@ from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, assemble, linked
 
 
 class Bogie(AnyVehicle, frozen=True):
-    """Two wheelsets on k, c each under a rigid frame (a two-axle wagon: its body); a body on k2, c2 over its middle."""
+    """Two wheelsets on k, c under a rigid frame (a two-axle wagon: its body); a body on k2, c2 over its middle."""
 
     name: ClassVar[str] = "bogie"
     drawing: ClassVar[str] = (
