@@ -14,7 +14,7 @@ from mpsolve.outcome import Reason
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.onset import Kind, Onset, UnstableRanges, onset, unstable_ranges
 from mpsolve.ranges.parted import not_whole
 
 _GUARD = 5  # digits beyond those that are printed
@@ -51,34 +51,29 @@ class Job:
 
 
 def solve(job: Job) -> Entry:
-    ends = (job.over.low, job.over.high)
+    ends: Any = (job.over.low, job.over.high)
     effort = None if job.seconds is None else Effort(seconds=job.seconds)
     options: dict[str, Any] = {"digits": job.proved_digits, "effort": effort, "check": False}
+    prove = onset if job.quantity == "onset" else unstable_ranges
     try:
-        prove = _onset if job.quantity == "onset" else _ranges
-        return prove(job, {job.over.path: ends}, options)
+        found: Onset | UnstableRanges = prove(job.problem, over={job.over.path: ends}, **options)
+        ends = found.over[job.over.path]
+        reason = not_whole(found.left_out) if found.proved else found.reason
+        if not found.proved or reason is not None:
+            return Entry("undecided", "undecided", ends, reason)
+        return _onset(job, found, ends) if isinstance(found, Onset) else _ranges(job, found, ends)
     except (InputError, PrecisionError) as error:
-        return Entry("undecided", "undecided", ends, Reason("entry", str(error), {}, ""))  # type: ignore[arg-type]
+        return Entry("undecided", "undecided", ends, Reason("entry", str(error), {}, ""))
 
 
-def _onset(job: Job, over: Any, options: Any) -> Entry:
-    found = onset(job.problem, over=over, **options)
-    ends = found.over[job.over.path]
-    reason = not_whole(found.left_out) if found.proved else found.reason
-    if not found.proved or reason is not None:
-        return Entry("undecided", "undecided", ends, reason)
+def _onset(job: Job, found: Onset, ends: Any) -> Entry:
     if found.kind is Kind.CROSSES:
         return Entry("proved", number(found.value, job), ends, balls=(found.value,))
     status = "stable" if found.kind is Kind.STABLE else "unstable"
     return Entry(status, status, ends)
 
 
-def _ranges(job: Job, over: Any, options: Any) -> Entry:
-    found = unstable_ranges(job.problem, over=over, **options)
-    ends = found.over[job.over.path]
-    reason = not_whole(found.left_out) if found.proved else found.reason
-    if not found.proved or reason is not None:
-        return Entry("undecided", "undecided", ends, reason)
+def _ranges(job: Job, found: UnstableRanges, ends: Any) -> Entry:
     if not found.intervals:
         return Entry("stable", "stable", ends)
     texts = [f"{number(one.start, job)}..{number(one.end, job)}" for one in found.intervals]

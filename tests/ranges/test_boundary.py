@@ -2,35 +2,16 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+from chart_pair import OVER, PAIR
 
-from mpsolve import Problem, crossings, tracks, vehicles
+from mpsolve import crossings
 from mpsolve.ranges.boundary import boundaries, on_curves, proved_chains
 from mpsolve.ranges.ordered import Path
-from mpsolve.ranges.scope import Scope, scope_of
-
-PAIR = Problem(
-    tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.4"), vehicles.train(vehicles.Mass(40), 2, "1.5"), v="0.7"
-)
-OVER = {"v": (Fraction(3, 5), Fraction(9, 10)), "scale.mass": (Fraction(1, 2), Fraction(2))}
-
-
-@pytest.fixture(scope="module")
-def scope() -> Scope:
-    return scope_of(PAIR, OVER)
-
-
-@pytest.fixture(scope="module")
-def true(scope: Scope) -> Any:
-    """(q̂, x̂, ŷ) of crossings over the velocity at a fixed mass, by the search in one parameter."""
-    answer = crossings(PAIR, over={"v": OVER["v"]}, check=False)
-    family = scope.family
-    units = np.array([float(family.frequency_unit), *map(float, family.units)])
-    return np.array([[float(c.q.mid()), float(c.value.mid()), 1.0] for c in answer.crossings]).T / units[:, None]
+from mpsolve.ranges.scope import Scope
 
 
 def near(scope: Scope, true: Any, number: int) -> Any:
