@@ -54,28 +54,32 @@ def respond(
     source: ProblemFile, output: Path | None, kind: str, times: Any, xi: str | None, initial: str, rough: Rough
 ) -> list[str]:
     """Writes the motion; what is to be said of it."""
-    from mpsolve.vibration.table import save_arrays, save_table
     from mpsolve.vibration.vibrate import vibrate
 
     places = None if xi is None else [x.strip() for x in xi.split(",")]
     given: dict[str, Any] = {"initial": initial, "irregularities": rough}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
-    if output is None:
-        pass
-    elif kind == ".csv":
+    if output is not None:
+        _write(found, output, kind, source.title)
+    return [*_summary(found), *warnings(source)]
+
+
+def _write(found: Any, output: Path, kind: str, title: str) -> None:
+    from mpsolve.vibration.table import save_arrays, save_table
+
+    if kind == ".csv":
         save_table(found, output)
     elif kind == ".json":
         from mpsolve.files import save_json
         from mpsolve.vibration.table import columns
 
-        save_json(columns(found), output, source.title, _summary(found))
+        save_json(columns(found), output, title, _summary(found))
     elif kind == ".npz":
         save_arrays(found, output)
     else:
         from mpsolve.report.figures_vibration import save_motion
 
-        save_motion(found, output, source.title)
-    return [*_summary(found), *warnings(source)]
+        save_motion(found, output, title)
 
 
 def warnings(source: ProblemFile) -> list[str]:
@@ -173,15 +177,14 @@ def compare(source: ProblemFile, output: Path | None, kind: str, times: Any) -> 
     from mpsolve.files import save_columns
 
     whole, found, notes = curves(source, times)
-    if output is None:
-        pass
-    elif kind == ".csv":
-        table = {"t [s]": times} | {f"{name} [m]": row for name, row in found.items()}
-        save_columns(table | {"within the model [1]": whole.within.astype(float)}, output)
-    else:
-        from mpsolve.report.figures_vibration import save_comparison
+    if output is not None:
+        if kind == ".csv":
+            table = {"t [s]": times} | {f"{name} [m]": row for name, row in found.items()}
+            save_columns(table | {"within the model [1]": whole.within.astype(float)}, output)
+        else:
+            from mpsolve.report.figures_vibration import save_comparison
 
-        save_comparison(whole, found, output, source.title)
+            save_comparison(whole, found, output, source.title)
     for name, row in list(found.items())[1:]:
         apart = abs(row - found["complete"])[whole.within].max()
         click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} m while contact is kept")
