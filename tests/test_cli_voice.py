@@ -89,7 +89,6 @@ WORDS = [  # the command, the name in front, what the sentence quotes
     ("table table.toml --workers 0", "--workers", "is 0"),
     ("train bogie.toml", "--spacing", "missing"),
     ("train bogie.toml --spacing '1 kg'", "--spacing", "'1 kg'"),
-    ("response bogie.toml", "--output", "missing"),
     ("response bogie.toml -o x.csv --to '3 kg'", "--to", "'3 kg'"),
     ("response bogie.toml -o x.csv --initial fast", "--initial", "'fast'"),
     ("response bogie.toml -o x.csv --animate f.gif", "--animate", "f.gif"),
