@@ -40,8 +40,8 @@ def audit(
     written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.claims.load import audit as check
         from mpsolve.claims.load import load
-        from mpsolve.claims.run import audit as check
 
         _admit(paper, html, certificates)
         with progress() as tell:
@@ -50,7 +50,7 @@ def audit(
         if certificates is not None:
             report.save_certificates(certificates)
         if html is not None:
-            from mpsolve.claims.page import page
+            from mpsolve.claims.report import page
             from mpsolve.files import write_whole
 
             write_whole(html, page(report))
@@ -70,7 +70,7 @@ def _admit(paper: str | None, html: Path | None, certificates: Path | None) -> N
 
 
 def _report(report: Report, as_json: bool) -> None:
-    from mpsolve.claims.tables import as_data, document
+    from mpsolve.claims.report import as_data, document
 
     if as_json:
         import json

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
     from mpsolve.vibration.case_motion import Response
-    from mpsolve.vibration.scale import Scale
+    from mpsolve.vibration.case_units import Scale
 
 _FILE = click.argument("file", type=click.Path(path_type=Path))
 _END = click.option(
@@ -193,7 +193,7 @@ def _times(end: str, points: int) -> Any:
 
 def _scale(source: InputFile) -> Scale:
     from mpsolve.problem.physical import PhysicalCase
-    from mpsolve.vibration.scale import Scale
+    from mpsolve.vibration.case_units import Scale
 
     return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
 

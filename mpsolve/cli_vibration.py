@@ -30,7 +30,7 @@ def irregularities(problem: Problem, roughness: str | None, out_of_round: str | 
     """What the options give: a wave on the rail, or uneven wheels, or nothing."""
     from mpsolve.errors import InputError
     from mpsolve.numbers.units import in_unit
-    from mpsolve.vibration import roughness as kinds
+    from mpsolve.vibration import forcing as kinds
 
     def lengths(text: str, key: str, most: int) -> tuple[list[Any], list[int]]:
         parts = [part.strip() for part in text.split(",")]

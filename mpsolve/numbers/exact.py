@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 import numbers
-import re
 from collections.abc import Iterable
 from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, ROUND_HALF_UP, Context, Decimal
 from fractions import Fraction
@@ -18,24 +17,23 @@ from typing import Any, NoReturn, TypeAlias, final
 from flint import arb, fmpq
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.written import (
+    HOW,
+    MAX_DIGITS,
+    MAX_RADICAND_DIGITS,
+    MAX_TEXT,
+    SIGNED,
+    bounded,
+    refuse_text,
+    short_text,
+    unsigned,
+)
 
 Number: TypeAlias = "Exact | int | float | str | Fraction | Decimal"
 
-MAX_TEXT = 20_000
-"""Longest text of one number, in characters."""
-MAX_DIGITS = 400
-"""Most decimal digits in the numerator or denominator of a number that is given as a rational."""
-MAX_RADICAND_DIGITS = 4_000
-"""The same for the radicand of a fourth root, which may be M⁴k/(4EI m⁴) of such numbers, with ten factors."""
 
-_UNSIGNED = r"(?P<mantissa>[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE](?P<exponent>[+-]?[0-9_]+))?"
-_RATIO = r"(?P<numerator>[0-9_]+)\s*/\s*(?P<denominator>[0-9_]+)"
-_NUMBER = re.compile(rf"(?:{_RATIO}|{_UNSIGNED})")
-_SIGNED = re.compile(r"(?P<sign>[+-]?)(?:root4\(\s*(?P<radicand>[^()]*?)\s*\)|(?P<plain>[^()]+))")
-_BAD_UNDERSCORE = re.compile(r"(?<![0-9])_|_(?![0-9])")
 _GUARD_BITS = 20
 _GUARD_DIGITS, _FLOAT_DIGITS = 6, 20
-HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
 
 
 @final
@@ -69,7 +67,7 @@ class Exact:
             return value
         if isinstance(value, numbers.Rational) and not isinstance(value, bool):
             fraction = Fraction(int(value.numerator), int(value.denominator))
-            return cls._from_fraction(_bounded(fraction, MAX_DIGITS, key))
+            return cls._from_fraction(bounded(fraction, MAX_DIGITS, key))
         if isinstance(value, float):
             return cls._from_text(float.__repr__(value), key)
         if isinstance(value, (str, Decimal, numbers.Real)) and not isinstance(value, bool):
@@ -94,13 +92,13 @@ class Exact:
     def _from_text(cls, text: str, key: str) -> Exact:
         if len(text) > MAX_TEXT:
             raise InputError(key, f"has {len(text)} characters, more than the {MAX_TEXT} that are read")
-        parts = _SIGNED.fullmatch(text.strip())
+        parts = SIGNED.fullmatch(text.strip())
         if parts is None:
-            _refuse_text(text, key)
+            refuse_text(text, key)
         if parts["plain"] is not None:
-            size = _unsigned(parts["plain"], text, MAX_DIGITS, key)
+            size = unsigned(parts["plain"], text, MAX_DIGITS, key)
             return cls._from_fraction(-size if parts["sign"] == "-" else size)
-        radicand = _unsigned(parts["radicand"], text, MAX_RADICAND_DIGITS, key)
+        radicand = unsigned(parts["radicand"], text, MAX_RADICAND_DIGITS, key)
         return cls._from_signed(-radicand if parts["sign"] == "-" else radicand)
 
     @classmethod
@@ -226,7 +224,7 @@ class Exact:
         """Return x rounded to `digits` significant digits, for people to read."""
         context = Context(prec=digits, rounding=ROUND_HALF_UP, Emax=MAX_EMAX, Emin=MIN_EMIN)
         rounded = context.normalize(self._decimal(2 * digits + _FLOAT_DIGITS))
-        return _short(rounded, digits)
+        return short_text(rounded, digits)
 
     def beside(self, bound: int) -> str:
         """Return x as `short`, with as many digits as tell it from the bound, or the exact text."""
@@ -270,20 +268,6 @@ class Exact:
         return libmp.mpf_pos(libmp.mpf_neg(root) if self._signed < 0 else root, precision, "n")
 
 
-def _short(rounded: Decimal, digits: int) -> str:
-    """A decimal without zeros at its end; with an exponent below 10^−5 (or a third of the digits), from 10^digits."""
-    if not rounded:
-        return "0"
-    sign, figures, _ = rounded.as_tuple()
-    exponent = rounded.adjusted()
-    least = min(-(digits // 3), -5)
-    if least < exponent < digits:
-        return f"{rounded:f}"
-    text = "".join(map(str, figures))
-    mantissa = text[0] + (f".{text[1:]}" if len(text) > 1 else "")
-    return f"{'-' if sign else ''}{mantissa}e{exponent:+d}"
-
-
 def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:
     """One number, or each of many, as `Exact.parse` reads them; InputError names the one that is none."""
     scalar: Any = values
@@ -312,38 +296,3 @@ def _integer_root4(n: int) -> int | None:
     """Return the integer r ≥ 0 with r⁴ = n, or None if n ≥ 0 is no perfect fourth power."""
     root = math.isqrt(math.isqrt(n))
     return root if root**4 == n else None
-
-
-def _unsigned(text: str, whole: str, digits: int, key: str) -> Fraction:
-    """Return the unsigned decimal or ratio `text` of at most `digits` digits; `whole` is for the message."""
-    parts = _NUMBER.fullmatch(text)
-    if parts is None or _BAD_UNDERSCORE.search(text):
-        _refuse_text(whole, key)
-    try:
-        power = int(parts["exponent"] or 0)
-        top = Fraction((parts["numerator"] or parts["mantissa"]).replace("_", ""))
-        bottom = int(parts["denominator"] or 1)
-    except ValueError:  # Python refuses to read integers beyond its own limit of digits
-        raise InputError(key, f"{_shown(whole)} has too many digits: give at most {digits}") from None
-    if abs(power) > digits:
-        raise InputError(key, f"{_shown(whole)} has an exponent beyond ±{digits}: give a smaller one")
-    if not bottom:
-        raise InputError(key, f"{_shown(whole)} divides by zero: give a denominator above 0")
-    return _bounded(top / bottom * Fraction(10) ** power, digits, key)
-
-
-def _bounded(value: Fraction, digits: int, key: str) -> Fraction:
-    if max(abs(value.numerator), value.denominator) >= 10**digits:
-        raise InputError(key, f"needs more than {digits} digits as a ratio of integers: give fewer digits")
-    return value
-
-
-def _refuse_text(text: str, key: str) -> NoReturn:
-    if text.strip().lstrip("+-").lower() in ("nan", "snan", "inf", "infinity"):
-        raise InputError(key, f"{_shown(text)} is not finite: give a finite number")
-    raise InputError(key, f"{_shown(text)} is not a number: {HOW}")
-
-
-def _shown(text: str) -> str:
-    """Return `text` quoted and cut to a length that fits into a sentence."""
-    return repr(text if len(text) <= 40 else text[:37] + "…")

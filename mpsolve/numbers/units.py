@@ -14,7 +14,8 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import HOW, Exact
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.written import HOW
 
 Dimension = tuple[int, int, int]
 """Powers of kg, m and s."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from mpsolve.files import write_whole
 from mpsolve.vibration.case_motion import Response
-from mpsolve.vibration.scale import Scale
+from mpsolve.vibration.case_units import Scale
 
 _PARTS = ("w", "steady", "harmonic", "transient")
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from hypothesis import given
 from hypothesis import strategies as st
+from rich.console import Group
+from rich.text import Text
 
-from mpsolve.report.blocks import Columns, Document, Line, Section
+from mpsolve.report.blocks import WIDTH, Columns, Document, Line, Section, plain, section
 
 WORDS = st.text("abc ±χ²,", max_size=40)
 ROWS = st.lists(st.tuples(WORDS, WORDS, WORDS), min_size=1, max_size=5)
@@ -51,3 +53,13 @@ def test_a_line_keeps_its_words(text: str) -> None:
 
 def _cut(word: str) -> list[str]:
     return [word[i : i + 20] for i in range(0, len(word), 20)]
+
+
+def test_a_section_is_indented_and_wrapped() -> None:
+    said = plain(Group(*section("Roots", Text("word " * 60))))
+    heading, *body = said.splitlines()
+    assert heading == "Roots"
+    assert body[-1] == ""
+    assert all(line.startswith("  word") for line in body[:-1])
+    assert all(len(line) <= WIDTH and line == line.rstrip() for line in body)
+    assert said.count("word") == 60
