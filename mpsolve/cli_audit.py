@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, one_sentence, progress, show
+from mpsolve.cli_tools import JSON, UNDECIDED, one_sentence, progress, show
 
 if TYPE_CHECKING:
     from mpsolve.claims.report import Report
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 @click.option(
     "--only", multiple=True, metavar="ID", help="Only this claim, or all whose names begin so (may be given again)."
 )
-@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+@JSON
 @click.option("--html", type=click.Path(path_type=Path), help="Write the report as one HTML page, too.")
 @click.option("--certificates", type=click.Path(path_type=Path), help="Folder for the certificates.")
 @click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")

@@ -9,18 +9,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mpsolve.cli_answered import answered
-from mpsolve.cli_tools import DASK, WORKERS, effort_of, in_parts, one_sentence
+from mpsolve.cli_tools import DASK, EFFORT, FILE, JSON, WORKERS, Option, effort_of, in_parts, one_sentence, output
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
     from mpsolve.report.ranges_asked import Asked
     from mpsolve.report.ranges_words import Said
 
-_FILE = click.argument("file", type=click.Path(path_type=Path))
 _DIGITS = click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
-_EFFORT = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
-_JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-_ASKED = (_DIGITS, _EFFORT, _JSON)
+_ASKED = (_DIGITS, EFFORT, JSON)
 _CERTIFICATE = click.option(
     "--certificate",
     type=click.Path(path_type=Path),
@@ -30,7 +27,6 @@ _TABLE = "Write the answer as FILE.json, or its rows as FILE.csv."
 _DRAWN = (".svg", ".json", ".csv")
 _ENDLESS = "A factor of all masses may be without end, scale.mass=0.. .  "
 _VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity and the waves of the track]"
-Option = Callable[[Callable[..., None]], Callable[..., None]]
 
 
 def _over(several: bool, default: str) -> Option:
@@ -42,15 +38,11 @@ def _over(several: bool, default: str) -> Option:
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
-def _output(text: str) -> Option:
-    return click.option("-o", "--output", type=click.Path(path_type=Path), help=text)
-
-
 def _command(*options: Option) -> Callable[[Callable[..., None]], click.Command]:
     """A command on a file with these options."""
 
     def made(function: Callable[..., None]) -> click.Command:
-        every: tuple[Option, ...] = (_FILE, *options)
+        every: tuple[Option, ...] = (FILE, *options)
         for option in reversed(every):
             function = option(function)
         return click.command()(function)
@@ -75,7 +67,7 @@ def _work(effort: str | None, tell: Progress | None, **more: Any) -> dict[str, A
         help="A second parameter and its range, such as gap[0]=1m..2m: the onset at its worst value.",
     ),
     *_ASKED,
-    _output(_TABLE),
+    output(_TABLE),
     _CERTIFICATE,
 )
 def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | None, **asked: Any) -> None:
@@ -103,11 +95,16 @@ def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | 
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
     with one_sentence():
-        _only_one(worsts, everything)
+        from mpsolve.errors import InputError
+
+        if len(worsts) > 1:
+            raise InputError("--worst", "is given more than once: name one parameter")
+        if worsts and everything:
+            raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
     answered(answer, "near" if everything or worsts else "first", endless=not worsts, **asked)
 
 
-@_command(_over(False, _ENDLESS + _VELOCITIES), *_ASKED, _output(_TABLE), _CERTIFICATE)
+@_command(_over(False, _ENDLESS + _VELOCITIES), *_ASKED, output(_TABLE), _CERTIFICATE)
 def crossings(digits: int, effort: str | None, **asked: Any) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
@@ -128,7 +125,7 @@ def crossings(digits: int, effort: str | None, **asked: Any) -> None:
     _over(False, _VELOCITIES),
     click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced."),
     *_ASKED,
-    _output("Draw FILE.svg, or write FILE.csv or .json, with points."),
+    output("Draw FILE.svg, or write FILE.csv or .json, with points."),
 )
 def lines(points: int, digits: int, effort: str | None, **asked: Any) -> None:
     """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
@@ -149,7 +146,7 @@ def lines(points: int, digits: int, effort: str | None, **asked: Any) -> None:
 @_command(
     _over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]"),
     *_ASKED,
-    _output(_TABLE),
+    output(_TABLE),
 )
 def worst(digits: int, effort: str | None, **asked: Any) -> None:
     """Prove at which value of a parameter the problem in FILE (TOML) is least stable: at which distance, say.
@@ -162,18 +159,17 @@ def worst(digits: int, effort: str | None, **asked: Any) -> None:
         from mpsolve.ranges.worst import worst as prove
         from mpsolve.report.worst_words import said_of_worst
 
-        return said_of_worst(
-            prove(question.given, over=question.over, **_work(effort, tell, digits=digits)), question
-        )
+        found = prove(question.given, over=question.over, **_work(effort, tell, digits=digits))
+        return said_of_worst(found, question)
 
     answered(answer, "gap", **asked)
 
 
 @_command(
     _over(True, "At least one must be given."),
-    _EFFORT,
-    _JSON,
-    _output("Draw FILE.svg, what stays open and the counterexample, or write FILE.csv or .json."),
+    EFFORT,
+    JSON,
+    output("Draw FILE.svg, what stays open and the counterexample, or write FILE.csv or .json."),
     _CERTIFICATE,
     click.option(
         "--store",
@@ -208,9 +204,8 @@ def robust(
         from mpsolve.studies.robust import prove_stable
 
         with in_parts(effort, store, boxes, workers, dask) as options:
-            return said_of_robust(
-                prove_stable(question.given, over=question.over, progress=tell, **options), question
-            )
+            found = prove_stable(question.given, over=question.over, progress=tell, **options)
+            return said_of_robust(found, question)
 
     with one_sentence():
         from mpsolve.errors import InputError
@@ -221,23 +216,14 @@ def robust(
     answered(answer, suffixes=_DRAWN, overs=overs, **asked)
 
 
-def _only_one(worsts: tuple[str, ...], everything: bool) -> None:
-    from mpsolve.errors import InputError
-
-    if len(worsts) > 1:
-        raise InputError("--worst", "is given more than once: name one parameter")
-    if worsts and everything:
-        raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
-
-
 @_command(
     _over(True, "[default: velocities as for onset, and scale.mass=0.2..3, a factor on all masses]"),
     click.option(
         "--depth", type=int, default=6, show_default=True, help="2^DEPTH cells along each parameter, DEPTH 2 to 10."
     ),
-    _EFFORT,
-    _JSON,
-    _output("Draw FILE.svg, or write FILE.csv or .json, with each cell."),
+    EFFORT,
+    JSON,
+    output("Draw FILE.svg, or write FILE.csv or .json, with each cell."),
 )
 def chart(depth: int, effort: str | None, **asked: Any) -> None:
     """Prove how many roots grow over two parameters of the problem in FILE (TOML): as regions, and strips between.

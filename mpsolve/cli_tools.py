@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,9 +26,20 @@ if TYPE_CHECKING:
 _NARROW = 40  # columns; a narrower terminal breaks lines itself
 UNDECIDED = 1
 BAD_INPUT = 2
-WORKERS = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
-DASK = click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes.")
+Option = Callable[[Callable[..., None]], Callable[..., None]]
+FILE: Option = click.argument("file", type=click.Path(path_type=Path))
+JSON: Option = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+EFFORT: Option = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
+WORKERS: Option = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
+DASK: Option = click.option(
+    "--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes."
+)
 INTERRUPTED = 130  # as a shell says of a program that ended by Ctrl-C
+
+
+def output(text: str) -> Option:
+    """The option -o."""
+    return click.option("-o", "--output", type=click.Path(path_type=Path), help=text)
 
 
 @contextmanager

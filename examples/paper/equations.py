@@ -13,8 +13,8 @@ from sympy.parsing.sympy_parser import parse_expr
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
-from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation import paper_motion as st
+from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation.paper import derivation
 from mpsolve.derivation.paper_motion import Step
 from mpsolve.numbers.balls import precision, rational_ball

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import numbers
 from collections.abc import Iterable
-from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, ROUND_HALF_UP, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_UP, Context, Decimal
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, NoReturn, TypeAlias, final
@@ -17,23 +17,12 @@ from typing import Any, NoReturn, TypeAlias, final
 from flint import arb, fmpq
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.written import (
-    HOW,
-    MAX_DIGITS,
-    MAX_RADICAND_DIGITS,
-    MAX_TEXT,
-    SIGNED,
-    bounded,
-    refuse_text,
-    short_text,
-    unsigned,
-)
+from mpsolve.numbers import written
+from mpsolve.numbers.root4 import decimal_root, rational_root, raw_root
 
 Number: TypeAlias = "Exact | int | float | str | Fraction | Decimal"
 
-
-_GUARD_BITS = 20
-_GUARD_DIGITS, _FLOAT_DIGITS = 6, 20
+_FLOAT_DIGITS = 20
 
 
 @final
@@ -67,12 +56,12 @@ class Exact:
             return value
         if isinstance(value, numbers.Rational) and not isinstance(value, bool):
             fraction = Fraction(int(value.numerator), int(value.denominator))
-            return cls._from_fraction(bounded(fraction, MAX_DIGITS, key))
+            return cls._from_fraction(written.bounded(fraction, written.MAX_DIGITS, key))
         if isinstance(value, float):
             return cls._from_text(float.__repr__(value), key)
         if isinstance(value, (str, Decimal, numbers.Real)) and not isinstance(value, bool):
             return cls._from_text(str(value), key)
-        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + HOW)
+        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + written.HOW)
 
     @classmethod
     def root4(cls, radicand: Fraction | int) -> Exact:
@@ -90,15 +79,15 @@ class Exact:
 
     @classmethod
     def _from_text(cls, text: str, key: str) -> Exact:
-        if len(text) > MAX_TEXT:
-            raise InputError(key, f"has {len(text)} characters, more than the {MAX_TEXT} that are read")
-        parts = SIGNED.fullmatch(text.strip())
+        if len(text) > written.MAX_TEXT:
+            raise InputError(key, f"has {len(text)} characters, more than the {written.MAX_TEXT} that are read")
+        parts = written.SIGNED.fullmatch(text.strip())
         if parts is None:
-            refuse_text(text, key)
+            written.refuse_text(text, key)
         if parts["plain"] is not None:
-            size = unsigned(parts["plain"], text, MAX_DIGITS, key)
+            size = written.unsigned(parts["plain"], text, written.MAX_DIGITS, key)
             return cls._from_fraction(-size if parts["sign"] == "-" else size)
-        radicand = unsigned(parts["radicand"], text, MAX_RADICAND_DIGITS, key)
+        radicand = written.unsigned(parts["radicand"], text, written.MAX_RADICAND_DIGITS, key)
         return cls._from_signed(-radicand if parts["sign"] == "-" else radicand)
 
     @classmethod
@@ -107,7 +96,7 @@ class Exact:
 
     @classmethod
     def _from_signed(cls, signed: Fraction) -> Exact:
-        return cls._assemble(signed, _rational_root(signed))
+        return cls._assemble(signed, rational_root(signed))
 
     @classmethod
     def _assemble(cls, signed: Fraction, rational: Fraction | None) -> Exact:
@@ -116,11 +105,10 @@ class Exact:
         object.__setattr__(self, "_rational", rational)
         return self
 
-    def __setattr__(self, name: str, value: object) -> NoReturn:
+    def __setattr__(self, name: str, *_: object) -> NoReturn:
         raise AttributeError(f"an Exact cannot be changed: {name}")
 
-    def __delattr__(self, name: str) -> NoReturn:
-        raise AttributeError(f"an Exact cannot be changed: {name}")
+    __delattr__ = __setattr__
 
     def __reduce__(self) -> tuple[Any, tuple[Fraction, Fraction | None]]:
         return Exact._assemble, (self._signed, self._rational)
@@ -206,8 +194,7 @@ class Exact:
         """Return x within 1.2e-16 relative, if not below the normal doubles; OverflowError above."""
         if self._rational is not None:
             return float(self._rational)
-        near = self._decimal(_FLOAT_DIGITS)
-        found = float(near)
+        found = float(decimal_root(self._signed, self._rational, _FLOAT_DIGITS))
         if math.isinf(found):
             raise OverflowError(f"{self} is beyond the range of floats")
         return found
@@ -223,8 +210,8 @@ class Exact:
     def short(self, digits: int = 6) -> str:
         """Return x rounded to `digits` significant digits, for people to read."""
         context = Context(prec=digits, rounding=ROUND_HALF_UP, Emax=MAX_EMAX, Emin=MIN_EMIN)
-        rounded = context.normalize(self._decimal(2 * digits + _FLOAT_DIGITS))
-        return short_text(rounded, digits)
+        rounded = context.normalize(decimal_root(self._signed, self._rational, 2 * digits + _FLOAT_DIGITS))
+        return written.short_text(rounded, digits)
 
     def beside(self, bound: int) -> str:
         """Return x as `short`, with as many digits as tell it from the bound, or the exact text."""
@@ -244,28 +231,7 @@ class Exact:
 
     def mpf(self, context: Any) -> Any:
         """Return x within one unit in the last place of `context`, an mpmath multiprecision context."""
-        return context.make_mpf(self._raw(context.prec))
-
-    def _decimal(self, digits: int) -> Decimal:
-        """Return x within one unit in the last of so many digits."""
-        context = Context(prec=digits + _GUARD_DIGITS, rounding=ROUND_HALF_EVEN, Emax=MAX_EMAX, Emin=MIN_EMIN)
-        exact = self.fourth_power if self._rational is None else self._rational
-        near = context.divide(Decimal(exact.numerator), Decimal(exact.denominator))
-        if self._rational is None:
-            near = context.sqrt(context.sqrt(near))
-            near = near.copy_negate() if self._signed < 0 else near
-        return near
-
-    def _raw(self, precision: int) -> Any:
-        """Return x as an mpmath raw number of `precision` bits, within one unit in the last place."""
-        from mpmath import libmp  # costs as much at start as the rest of this package
-
-        if self._rational is not None:
-            return libmp.from_rational(self._rational.numerator, self._rational.denominator, precision, "n")
-        fine = precision + _GUARD_BITS
-        radicand = self.fourth_power
-        root = libmp.mpf_nthroot(libmp.from_rational(radicand.numerator, radicand.denominator, fine), 4, fine)
-        return libmp.mpf_pos(libmp.mpf_neg(root) if self._signed < 0 else root, precision, "n")
+        return context.make_mpf(raw_root(self._signed, self._rational, context.prec))
 
 
 def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:
@@ -282,17 +248,3 @@ def _coerced(value: object) -> Exact | None:
     if isinstance(value, Exact):
         return value
     return Exact._from_fraction(Fraction(value)) if isinstance(value, (int, Fraction)) else None
-
-
-def _rational_root(signed: Fraction) -> Fraction | None:
-    """Return the rational x with x|x|³ = `signed`, or None if there is none."""
-    numerator, denominator = _integer_root4(abs(signed.numerator)), _integer_root4(signed.denominator)
-    if numerator is None or denominator is None:
-        return None
-    return Fraction(-numerator if signed < 0 else numerator, denominator)
-
-
-def _integer_root4(n: int) -> int | None:
-    """Return the integer r ≥ 0 with r⁴ = n, or None if n ≥ 0 is no perfect fourth power."""
-    root = math.isqrt(math.isqrt(n))
-    return root if root**4 == n else None

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-import numpy as np
-
 
 class Multiprecision:
     """mpmath numbers with `digits` decimal digits; matrices are those of its context `mp`."""
@@ -58,7 +56,9 @@ class Rule:
 
     def __init__(self, mp: Any, n: int) -> None:
         self.mp, self.n = mp, n
-        pairs = [self._node(x) for x in np.polynomial.legendre.leggauss(n)[0]]
+        from numpy.polynomial.legendre import leggauss
+
+        pairs = [self._node(x) for x in leggauss(n)[0]]
         self.nodes = [x for x, _ in pairs]
         self.weights = [w for _, w in pairs]
         rows = [self._polynomials(x) for x in self.nodes]

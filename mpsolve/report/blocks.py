@@ -10,11 +10,10 @@ import shlex
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
-from rich.console import Console, Group
-from rich.padding import Padding
-from rich.text import Text
+if TYPE_CHECKING:
+    from rich.console import Group
 
 WIDTH = 88
 _INDENT, _GAP = 2, 2
@@ -123,12 +122,9 @@ def _styled(text: str, style: str) -> str:
 
 def plain(report: Group) -> str:
     """A report as plain text of `WIDTH` columns."""
+    from rich.console import Console
+
     stream = io.StringIO()
     console = Console(file=stream, width=WIDTH, force_terminal=False, color_system=None, legacy_windows=False)
     console.print(report, soft_wrap=False)
     return "\n".join(line.rstrip() for line in stream.getvalue().splitlines()) + "\n"
-
-
-def section(heading: str, body: Any) -> list[Any]:
-    """A heading, the body indented, and an empty line."""
-    return [Text(heading, style="bold"), Padding(body, (0, 0, 0, 2)), Text("")]

@@ -92,6 +92,11 @@ class Scale:
         return self.time_name == "s"
 
     @property
+    def length_unit(self) -> str:
+        """Of displacements."""
+        return self.length_name if self.physical else "w_st"
+
+    @property
     def said(self) -> str:
         """The units in words."""
         if self.physical:

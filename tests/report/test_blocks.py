@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from rich.console import Group
 from rich.text import Text
 
-from mpsolve.report.blocks import WIDTH, Columns, Document, Line, Section, plain, section
+from mpsolve.report.blocks import WIDTH, Columns, Document, Line, Section, plain
 
 WORDS = st.text("abc ±χ²,", max_size=40)
 ROWS = st.lists(st.tuples(WORDS, WORDS, WORDS), min_size=1, max_size=5)
@@ -55,11 +55,8 @@ def _cut(word: str) -> list[str]:
     return [word[i : i + 20] for i in range(0, len(word), 20)]
 
 
-def test_a_section_is_indented_and_wrapped() -> None:
-    said = plain(Group(*section("Roots", Text("word " * 60))))
-    heading, *body = said.splitlines()
-    assert heading == "Roots"
-    assert body[-1] == ""
-    assert all(line.startswith("  word") for line in body[:-1])
-    assert all(len(line) <= WIDTH and line == line.rstrip() for line in body)
-    assert said.count("word") == 60
+def test_a_group_of_rich_keeps_the_width_without_blanks_at_the_ends() -> None:
+    said = plain(Group(Text("word " * 60), Text("end"))).splitlines()
+    assert max(map(len, said)) <= WIDTH
+    assert said[-1] == "end"
+    assert all(line == line.rstrip() for line in said)
