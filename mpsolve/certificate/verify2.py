@@ -1324,30 +1324,38 @@ def near_inverse(a: Any) -> Any:
 
 
 def pivots(a: Any) -> Any:
-    """Σ Arg of the pivots of an elimination on the diagonal, in order: of a leading block, then of its rest.
+    """Σ Arg of the pivots of an elimination on the diagonal, in order."""
+    total = arb(0)
+    for block in diagonal(a):
+        rows = block.tolist()
+        for k in range(len(rows)):
+            total += rows[k][k].arg()
+            for row in rows[k + 1 :]:
+                factor = row[k] / rows[k][k]
+                for j in range(k + 1, len(rows)):
+                    row[j] = row[j] - factor * rows[k][j]
+    return total
+
+
+def diagonal(a: Any) -> Iterator[Any]:
+    """Small blocks that have the pivots of an elimination on the diagonal: a leading block, then what is left.
 
     The Schur complement of a leading block has the pivots that elimination finds after those of the block.
     """
     n = a.nrows()
-    rows = a.tolist()
-    if n > SMALL:
-        k = n // 2
-        one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
-        three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
-        block = acb_mat(one)
-        try:
-            left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
-        except ZeroDivisionError:
-            raise Refused("a pivot may vanish") from None
-        return pivots(block) + pivots(left)
-    total = arb(0)
-    for k in range(n):
-        total += rows[k][k].arg()
-        for row in rows[k + 1 :]:
-            factor = row[k] / rows[k][k]
-            for j in range(k + 1, n):
-                row[j] = row[j] - factor * rows[k][j]
-    return total
+    if n <= SMALL:
+        yield a
+        return
+    rows, k = a.tolist(), n // 2
+    one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
+    three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
+    block = acb_mat(one)
+    try:
+        left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
+    except ZeroDivisionError:
+        raise Refused("a pivot may vanish") from None
+    yield from diagonal(block)
+    yield from diagonal(left)
 
 
 def greatest_first(a: list[list[Any]]) -> list[int]:
@@ -1423,16 +1431,26 @@ class Walker:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
         kind, points = path.kind, path.points
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        mark, total = self.marks[points[0]], arb(0)
+        mark, total, before = self.marks[points[0]], arb(0), None
         for k, (a, b) in enumerate(pairwise(points)):
             try:
-                end, turned = self.piece(kind, mark, b)
+                end, turn = self.piece(kind, mark, b)
+                if turn is not None:
+                    total += self.joined(before, mark, turn)
             except Refused as error:
                 x, y = (float(arb(c)) for c in a)
                 raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
-            mark, total = end, total + turned
+            mark, before = end, turn
             self.marks[b] = mark
-        return total
+        return total if before is None else total + self.joined(before, mark, None)
+
+    def joined(self, one: Turn | None, mark: Mark, two: Turn | None) -> Any:
+        """arg det R A at a mark with R of the piece before it, less that with R of the piece after it."""
+        jump = one.jump(two, at_q(mark.q)) if one and two else None
+        if jump is not None:
+            return jump
+        here = self.matrix(mark)
+        return (one.sharp(here) if one else arb(0)) - (two.sharp(here) if two else arb(0))
 
     def around(self, loop: Loop, pole: Any) -> tuple[Any, Any]:
         """The change of arg Δ̂ along a loop that comes back to its pair, and along its first part; the mark there."""
@@ -1455,7 +1473,10 @@ class Walker:
         return total, part
 
     def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, Any]:
-        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
+        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks.
+
+        With it the `Turn` of Δ̂; with a pole the change of its argument.
+        """
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
@@ -1474,7 +1495,7 @@ class Walker:
         for side in (mark, end):
             require(disc.links(side.split), "the splitting does not join on to its neighbour's")
         if kind == "link":
-            return end, arb(0)
+            return end, None
         thin = chosen.split(arb(0))
         require(
             all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
@@ -1484,8 +1505,8 @@ class Walker:
         G = kernels(self.waves, disc, r)
         if kind == "passive":
             self.passive(m, half, r, G)
-            return end, arb(0)
-        return end, self.turn(mark, end, m, r, G)
+            return end, None
+        return end, Turn.over(self.bordered.over(m, r, G), m, r)
 
     @cached_property
     def origin(self) -> Origin | None:
@@ -1500,23 +1521,22 @@ class Walker:
         end = self.mark(b, origin.nodes(complex(other))) if out else Mark(b, mark.z, None)
         require(origin.links((end if out else mark).split, r), "the splitting does not join on to q = 0")
         if kind == "link":
-            return end, arb(0)
+            return end, None
         for one in (mark, end):
             if one.split is None and one.matrix is None:
                 one.matrix = self.bordered.value(acb(0), [a + box(e) for a, _, e in origin.kernels(arb(0))])
-        return end, self.turn(mark, end, acb(0), r, origin.kernels(r))
-
-    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
-        """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
-        return turned_by(self.bordered.over(m, r, G), r, self.matrix(mark), self.matrix(end))
+        return end, Turn.over(self.bordered.over(acb(0), r, origin.kernels(r)), acb(0), r)
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
         H, g = kernels_beside(disc, r, self.waves, pole)
         parts = [self.bordered.beside_pole(m, r, H, g, pole)]
         parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
-        ends = zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True)
-        return sum((turned_by(part, r, start, stop) for part, start, stop in ends), arb(0))
+        total = arb(0)
+        for part, start, stop in zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True):
+            turn = Turn.over(part, m, r)
+            total += turn.sharp(stop) - turn.sharp(start)
+        return total
 
     def beside(self, mark: Mark, pole: Any) -> list[Any]:
         """The two matrices at a mark."""
@@ -1557,12 +1577,49 @@ def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
     return contracting(F)
 
 
-def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
-    """det A ≠ 0 on the disc, A = A₀ + A₁t + rest, and the change of its argument between two points of it."""
-    R = near_inverse(A[0])
-    E = moduli(R * A[0] - identity(R.nrows())) + moduli(R * A[1]) * r + moduli(R) * A[2]
-    require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
-    return pivots(R * stop) - pivots(R * start)
+@dataclass(frozen=True)
+class Turn:
+    """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
+
+    It is Im(slope·(σ − m)) to within `lost` (SPEC2, 4.6), if not None.
+    """
+
+    m: Any
+    R: Any
+    slope: Any
+    lost: Any
+
+    @classmethod
+    def over(cls, A: Sequence[Any], m: Any, r: Any) -> Turn:
+        """From A = A₀ + A₁t + rest on the disc."""
+        R = near_inverse(A[0])
+        one = identity(R.nrows())
+        near, along, rest = R * A[0] - one, R * A[1], moduli(R) * A[2]
+        E = moduli(near) + moduli(along) * r + rest
+        require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
+        least = (one.real - E).det()
+        lost = abs(near.trace()) + rest.trace() - least.log() - E.trace() if least > 0 else None
+        return cls(m, R, along.trace(), lost)
+
+    def sharp(self, a: Any) -> Any:
+        """arg det R A at one point of the disc, from A there."""
+        return pivots(self.R * a)
+
+    @cached_property
+    def det(self) -> Any:
+        out = acb(1)
+        for block in diagonal(self.R):
+            out *= block.det()
+        return out
+
+    def jump(self, other: Turn, sigma: Any) -> Any:
+        """arg det R A less that with the other's R, at a common point: known but for turns by their determinants."""
+        if self.lost is None or other.lost is None or self.det.contains(0) or other.det.contains(0):
+            return None
+        about = (self.slope * (sigma - self.m) - other.slope * (sigma - other.m)).imag
+        known, lost = (self.det / other.det).arg(), self.lost + other.lost
+        turns = ((about + arb(0, lost.upper()) - known) / (2 * arb.pi())).unique_fmpz()
+        return None if turns is None else known + 2 * arb.pi() * int(turns)
 
 
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:

@@ -535,6 +535,52 @@ def _ball_matrix(rng, n, radius=0.0):
     return acb_mat(n, n, [entry(i, j) for i in range(n) for j in range(n)])
 
 
+def _quadratic(rng, n):
+    """Three matrices of A + Bσ + Cσ²: A is any, its determinant has any argument."""
+    A, B, C = rng.normal(size=(3, n, n)) + 1j * rng.normal(size=(3, n, n))
+    return A, A @ B / n, A @ C / n
+
+
+def _turn(parts, m, r):
+    A, B, C = parts
+    taylor = [acb_mat((A + B * m + C * m * m).tolist()), acb_mat((B + 2 * C * m).tolist())]
+    return v2.Turn.over([*taylor, arb_mat((abs(C) * r * r).tolist())], acb(m), arb(r))
+
+
+def test_the_argument_goes_on_from_piece_to_piece():
+    rng, known, seen = np.random.default_rng(3), 0, set()
+    for k in range(150):
+        n, alike = int(rng.integers(1, 12)), k % 3 == 0
+        A, B, C = _quadratic(rng, n)
+        r = float(rng.uniform(0.05, 1.2)) / n**0.5
+        parts = (A, 0.4j / r * A, C / 9) if alike else (A, B, C)  # alike: all eigenvalues turn together
+        try:
+            one, two = _turn(parts, -r, r), _turn(parts, r * 1j, r)
+        except v2.Refused:
+            continue
+        at = acb_mat(parts[0].tolist())  # the circles meet at σ = 0
+        exact = one.sharp(at) - two.sharp(at)
+        for turn, t in ((one, r), (two, -1j * r)):  # the bound of each
+            assert not abs(turn.sharp(at) - (turn.slope * t).imag) > turn.lost, k
+        jump = one.jump(two, acb(0))
+        if jump is None:
+            assert float(one.lost + two.lost) > 3, k
+            continue
+        known += 1
+        assert abs(float(jump - exact)) < 1e-9, k
+        seen.add(round(float(exact - (one.det / two.det).arg()) / (2 * pi)))
+    assert known > 60
+    assert len(seen) > 1  # principal values alone are wrong
+
+
+def test_a_bound_of_the_argument_is_nearly_met():
+    """det A = 1 + t, |t| = 0.9: arg(1 + t) differs from Im t by a part of what −log(1 − 0.9) − 0.9 allows."""
+    turn = v2.Turn.over([acb_mat([[1]]), acb_mat([[1]]), arb_mat([[0]])], acb(0), arb("0.9"))
+    t = 0.9 * np.exp(2.69j)
+    off = abs(np.angle(1 + t) - t.imag)
+    assert 0.3 < off / float(turn.lost) <= 1
+
+
 @pytest.mark.parametrize("n", [1, 7, 9, 20, 33])
 def test_pivots_by_blocks_are_those_of_plain_elimination(n):
     a = _ball_matrix(np.random.default_rng(n), n, 1e-15)
