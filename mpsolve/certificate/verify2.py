@@ -775,6 +775,15 @@ class Waves:
         self.d, self.n = table(track.d), table(track.n)
         self.gaps = sorted({a - b for a in sites for b in sites})
         self.xi = [arb(gap) for gap in self.gaps]
+        # the gaps ahead from 0 on and those behind, each with the number of its distance from the one before it
+        ahead = [g for g, gap in enumerate(self.gaps) if gap >= 0]
+        behind = [g for g, gap in enumerate(self.gaps) if gap < 0]
+        leaps: dict[Any, int] = {}
+        self.ways = []
+        for way in (ahead, behind[::-1]):
+            steps = [self.gaps[g] - (self.gaps[way[k - 1]] if k else 0) for k, g in enumerate(way)]
+            self.ways.append([(g, leaps.setdefault(abs(x), len(leaps))) for g, x in zip(way, steps, strict=True)])
+        self.leaps = [arb(x) for x in leaps]
 
     def near(self, m: Any, thin: bool = False) -> Local:
         """About σ = m; thin: at t = 0 only."""
@@ -958,16 +967,25 @@ def kernels(waves: Waves, split: Split, r: Any) -> list[Bent]:
 
 
 def summed(waves: Waves, roots: Sequence[tuple[int, Bent, Bent]], r: Any) -> list[Bent]:
-    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side."""
+    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side.
+
+    Products of `bent_product` and `bent_wave`; e^{Pξ} from one gap to the next.
+    """
     out: list[Bent] = [NOTHING] * len(waves.xi)
-    for side, wave, weight in roots:
-        weight = (-weight[0], -weight[1], weight[2]) if side else weight
-        ride = riding(wave, weight, r)
-        for g, xi in enumerate(waves.xi):
-            if (waves.gaps[g] < 0) == (side == 1):
-                a, b, rest = ride(xi)
-                x, y, lost = out[g]
-                out[g] = x + a, y + b, rest + lost
+    for side, (p, b, e), (c, d, f) in roots:
+        if side:
+            p, b, c, d = -p, -b, -c, -d  # of |ξ|
+        y1, c_, d_, moves = abs(b) * r + e, abs(c), abs(d) * r, abs(b) * r
+        slope, whole = c * b, c_ + d_
+        each = [((p * x).exp(), (p.real * x).exp(), (y1 * x).exp()) for x in waves.leaps]
+        value, size, power = acb(1), arb(1), arb(1)
+        for g, k in waves.ways[side]:
+            leap = each[k]
+            value, size, power, xi = value * leap[0], size * leap[1], power * leap[2], abs(waves.xi[g])
+            x, rest = moves * xi, e * xi + (power - 1 - y1 * xi)
+            rest = (d_ * x + whole * rest + (1 + x + rest) * f) * size
+            u, v, lost = out[g]
+            out[g] = u + value * c, v + value * (d + slope * xi), lost + rest
     require(all(x.is_finite() for one in out for x in one), "a kernel is not bounded on a piece")
     return out
 
@@ -998,24 +1016,6 @@ def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
     a, b, e = x[0] * factor, x[1] * factor, x[2] * abs(factor)
     y, value = abs(b) * r + e, a.exp()
     return value, value * b, abs(value) * (e + y.expm1() - y)
-
-
-def riding(wave: Bent, weight: Bent, r: Any) -> Callable[[Any], Bent]:
-    """weight·e^{wave·ξ} for any real ξ: a product of `bent_product` and `bent_wave`, moduli taken once."""
-    (p, b, e), (c, d, f) = wave, weight
-    y1, c_, d_ = abs(b) * r + e, abs(c), abs(d) * r
-    bent, slope, whole = abs(b) * r, c * b, c_ + d_
-
-    def at(xi: Any) -> Bent:
-        if xi.is_zero():
-            return weight
-        value, size = (p * xi).exp(), abs(xi)
-        y, x = y1 * size, bent * size
-        rest = e * size + y.expm1() - y
-        rest = (d_ * x + whole * rest + (1 + x + rest) * f) * abs(value)
-        return value * c, value * (d + slope * xi), rest
-
-    return at
 
 
 def tails(row: Sequence[Any], r: Any) -> tuple[Any, Any, Any]:
@@ -1308,6 +1308,18 @@ def moduli(a: Any) -> Any:
 
 
 @lru_cache(maxsize=64)
+def tiny_balls(n: int) -> tuple[Any, Any]:
+    """A matrix of balls round 0, and bounds of the moduli of what they hold."""
+    return acb_mat(n, n, [box(arb(2.0**-40))] * (n * n)), arb_mat(n, n, [2.0**-39] * (n * n))
+
+
+def small(a: Any) -> Any:
+    """Bounds of the moduli of entries that most often are all tiny."""
+    balls, bounds = tiny_balls(a.nrows())
+    return bounds if balls.contains(a) else moduli(a)
+
+
+@lru_cache(maxsize=64)
 def identity(n: int) -> Any:
     return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
@@ -1431,26 +1443,43 @@ class Walker:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
         kind, points = path.kind, path.points
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        mark, total, before = self.marks[points[0]], arb(0), None
+        marks, turns = [self.marks[points[0]]], []
         for k, (a, b) in enumerate(pairwise(points)):
             try:
-                end, turn = self.piece(kind, mark, b)
-                if turn is not None:
-                    total += self.joined(before, mark, turn)
+                end, turn = self.piece(kind, marks[-1], b)
             except Refused as error:
                 x, y = (float(arb(c)) for c in a)
                 raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
-            mark, before = end, turn
-            self.marks[b] = mark
-        return total if before is None else total + self.joined(before, mark, None)
+            marks.append(end)
+            turns += [turn] if turn is not None else []
+            self.marks[b] = end
+        return self.turned(marks, turns) if turns else arb(0)
 
-    def joined(self, one: Turn | None, mark: Mark, two: Turn | None) -> Any:
-        """arg det R A at a mark with R of the piece before it, less that with R of the piece after it."""
-        jump = one.jump(two, at_q(mark.q)) if one and two else None
-        if jump is not None:
-            return jump
-        here = self.matrix(mark)
-        return (one.sharp(here) if one else arb(0)) - (two.sharp(here) if two else arb(0))
+    def turned(self, marks: Sequence[Mark], turns: Sequence[Turn]) -> Any:
+        """The change of arg Δ̂ along pieces that follow each other: from piece to piece arg det R A jumps by what the
+        determinants of R say, but for whole turns, which rough bounds tell. Where they do not, A is taken there."""
+        total, i, last = (
+            turns[-1].sharp(self.matrix(marks[-1])) - turns[0].sharp(self.matrix(marks[0])),
+            0,
+            len(turns) - 1,
+        )
+        while i < last:
+            about, lost, j = arb(0), turns[i].lost, i
+            while j < last and lost + turns[j + 1].lost < 3:
+                at = at_q(marks[j + 1].q)
+                about += turns[j].near(at) - turns[j + 1].near(at)
+                j += 1
+                lost += 2 * turns[j].lost
+            known = (turns[i].det / turns[j].det).arg()
+            whole = ((about + arb(0, 3) - known) / (2 * arb.pi())).unique_fmpz() if j > i else None
+            if whole is None:
+                here = self.matrix(marks[i + 1])
+                total += turns[i].sharp(here) - turns[i + 1].sharp(here)
+                i += 1
+            else:
+                total += known + 2 * arb.pi() * int(whole)
+                i = j
+        return total
 
     def around(self, loop: Loop, pole: Any) -> tuple[Any, Any]:
         """The change of arg Δ̂ along a loop that comes back to its pair, and along its first part; the mark there."""
@@ -1571,7 +1600,7 @@ def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
         return False
     left = acb_mat(X)
     right, size = left.conjugate().transpose(), moduli(left)
-    F = moduli(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
+    F = small(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
     for a in H[1:]:
         F = F + moduli(left * a * right)
     return contracting(F)
@@ -1581,7 +1610,7 @@ def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
 class Turn:
     """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
 
-    It is Im(slope·(σ − m)) to within `lost` (SPEC2, 4.6), if not None.
+    It is `near`(σ) to within `lost` (SPEC2, 4.6; nan if that is not bounded).
     """
 
     m: Any
@@ -1595,10 +1624,9 @@ class Turn:
         R = near_inverse(A[0])
         one = identity(R.nrows())
         near, along, rest = R * A[0] - one, R * A[1], moduli(R) * A[2]
-        E = moduli(near) + moduli(along) * r + rest
+        E = small(near) + moduli(along) * r + rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
-        least = (one.real - E).det()
-        lost = abs(near.trace()) + rest.trace() - least.log() - E.trace() if least > 0 else None
+        lost = abs(near.trace()) + rest.trace() - (one.real - E).det().log() - E.trace()
         return cls(m, R, along.trace(), lost)
 
     def sharp(self, a: Any) -> Any:
@@ -1612,14 +1640,8 @@ class Turn:
             out *= block.det()
         return out
 
-    def jump(self, other: Turn, sigma: Any) -> Any:
-        """arg det R A less that with the other's R, at a common point: known but for turns by their determinants."""
-        if self.lost is None or other.lost is None or self.det.contains(0) or other.det.contains(0):
-            return None
-        about = (self.slope * (sigma - self.m) - other.slope * (sigma - other.m)).imag
-        known, lost = (self.det / other.det).arg(), self.lost + other.lost
-        turns = ((about + arb(0, lost.upper()) - known) / (2 * arb.pi())).unique_fmpz()
-        return None if turns is None else known + 2 * arb.pi() * int(turns)
+    def near(self, sigma: Any) -> Any:
+        return (self.slope * (sigma - self.m)).imag
 
 
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:

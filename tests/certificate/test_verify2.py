@@ -547,30 +547,50 @@ def _turn(parts, m, r):
     return v2.Turn.over([*taylor, arb_mat((abs(C) * r * r).tolist())], acb(m), arb(r))
 
 
+def _pieces(parts):
+    """Points of q from −1 to 1 and the turns between them, as long as they pass; what joins them, taking note."""
+    points, turns, h, asked = [-1.0], [], 0.5, []
+    while points[-1] < 1:
+        m = 1j * (points[-1] + h / 2)
+        try:
+            turns.append(_turn(parts, m, h / 2))
+        except v2.Refused:
+            h /= 2
+            continue
+        points.append(points[-1] + h)
+        h = min(1.5 * h, 1 - points[-1])
+
+    def matrix(mark):
+        asked.append(mark)
+        A, B, C = parts
+        s = 1j * float(mark.q[0])
+        return acb_mat((A + B * s + C * s * s).tolist())
+
+    marks = [SimpleNamespace(q=(fmpq(*float(x).as_integer_ratio()), fmpq(0))) for x in points]
+    return marks, turns, SimpleNamespace(matrix=matrix, asked=asked)
+
+
 def test_the_argument_goes_on_from_piece_to_piece():
-    rng, known, seen = np.random.default_rng(3), 0, set()
-    for k in range(150):
+    rng, points, asked, far = np.random.default_rng(3), 0, 0, 0.0
+    for k in range(40):
         n, alike = int(rng.integers(1, 12)), k % 3 == 0
         A, B, C = _quadratic(rng, n)
-        r = float(rng.uniform(0.05, 1.2)) / n**0.5
-        parts = (A, 0.4j / r * A, C / 9) if alike else (A, B, C)  # alike: all eigenvalues turn together
-        try:
-            one, two = _turn(parts, -r, r), _turn(parts, r * 1j, r)
-        except v2.Refused:
-            continue
-        at = acb_mat(parts[0].tolist())  # the circles meet at σ = 0
-        exact = one.sharp(at) - two.sharp(at)
-        for turn, t in ((one, r), (two, -1j * r)):  # the bound of each
-            assert not abs(turn.sharp(at) - (turn.slope * t).imag) > turn.lost, k
-        jump = one.jump(two, acb(0))
-        if jump is None:
-            assert float(one.lost + two.lost) > 3, k
-            continue
-        known += 1
-        assert abs(float(jump - exact)) < 1e-9, k
-        seen.add(round(float(exact - (one.det / two.det).arg()) / (2 * pi)))
-    assert known > 60
-    assert len(seen) > 1  # principal values alone are wrong
+        A = A if k % 2 else A + 2 * n * np.diag(np.exp(6j * rng.uniform(size=n)))
+        parts = (A, 3j * A if alike else A @ B, C / 9)  # alike: all eigenvalues turn together
+        marks, turns, walker = _pieces(parts)
+        ends = [float(mark.q[0]) for mark in marks]
+        s = 1j * np.concatenate([np.linspace(x, y, 60) for x, y in itertools.pairwise(ends)])[:, None, None]
+        exact = np.unwrap(np.angle(np.linalg.det(parts[0] + parts[1] * s + parts[2] * s * s)))
+        assert np.abs(np.diff(exact)).max() < 0.5
+        for turn, mark in zip(turns, marks, strict=False):
+            off = turn.sharp(walker.matrix(mark)) - turn.near(v2.at_q(mark.q))
+            assert not abs(off) > turn.lost, k
+        walker.asked.clear()
+        found = v2.Walker.turned(walker, marks, turns)
+        assert abs(float(found) - (exact[-1] - exact[0])) < 1e-3, k
+        points, asked, far = points + len(turns) - 1, asked + len(walker.asked) - 2, max(far, abs(float(found)))
+    assert far > 2 * pi
+    assert 0 < asked < points / 3  # most points need no matrix
 
 
 def test_a_bound_of_the_argument_is_nearly_met():
