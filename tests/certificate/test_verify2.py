@@ -593,6 +593,12 @@ def test_the_argument_goes_on_from_piece_to_piece():
     assert 0 < asked < points / 3  # most points need no matrix
 
 
+def test_a_determinant_whose_leading_block_is_singular():
+    back = acb_mat(10, 10, [int(i + j == 9) for i in range(10) for j in range(10)])
+    turn = v2.Turn.over([back, back * acb(0.1j), arb_mat(10, 10)], acb(0), arb(1))
+    assert abs(complex(turn.det) + 1) < 1e-12  # five exchanges
+
+
 def test_a_bound_of_the_argument_is_nearly_met():
     """det A = 1 + t, |t| = 0.9: arg(1 + t) differs from Im t by a part of what −log(1 − 0.9) − 0.9 allows."""
     turn = v2.Turn.over([acb_mat([[1]]), acb_mat([[1]]), arb_mat([[0]])], acb(0), arb("0.9"))
