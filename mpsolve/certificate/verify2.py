@@ -775,6 +775,15 @@ class Waves:
         self.d, self.n = table(track.d), table(track.n)
         self.gaps = sorted({a - b for a in sites for b in sites})
         self.xi = [arb(gap) for gap in self.gaps]
+        # the gaps ahead from 0 on and those behind, each with the number of its distance from the one before it
+        ahead = [g for g, gap in enumerate(self.gaps) if gap >= 0]
+        behind = [g for g, gap in enumerate(self.gaps) if gap < 0]
+        leaps: dict[Any, int] = {}
+        self.ways = []
+        for way in (ahead, behind[::-1]):
+            steps = [self.gaps[g] - (self.gaps[way[k - 1]] if k else 0) for k, g in enumerate(way)]
+            self.ways.append([(g, leaps.setdefault(abs(x), len(leaps))) for g, x in zip(way, steps, strict=True)])
+        self.leaps = [arb(x) for x in leaps]
 
     def near(self, m: Any, thin: bool = False) -> Local:
         """About σ = m; thin: at t = 0 only."""
@@ -958,16 +967,25 @@ def kernels(waves: Waves, split: Split, r: Any) -> list[Bent]:
 
 
 def summed(waves: Waves, roots: Sequence[tuple[int, Bent, Bent]], r: Any) -> list[Bent]:
-    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side."""
+    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side.
+
+    Products of `bent_product` and `bent_wave`; e^{Pξ} from one gap to the next.
+    """
     out: list[Bent] = [NOTHING] * len(waves.xi)
-    for side, wave, weight in roots:
-        weight = (-weight[0], -weight[1], weight[2]) if side else weight
-        ride = riding(wave, weight, r)
-        for g, xi in enumerate(waves.xi):
-            if (waves.gaps[g] < 0) == (side == 1):
-                a, b, rest = ride(xi)
-                x, y, lost = out[g]
-                out[g] = x + a, y + b, rest + lost
+    for side, (p, b, e), (c, d, f) in roots:
+        if side:
+            p, b, c, d = -p, -b, -c, -d  # of |ξ|
+        y1, c_, d_, moves = abs(b) * r + e, abs(c), abs(d) * r, abs(b) * r
+        slope, whole = c * b, c_ + d_
+        each = [((p * x).exp(), (p.real * x).exp(), (y1 * x).exp()) for x in waves.leaps]
+        value, size, power = acb(1), arb(1), arb(1)
+        for g, k in waves.ways[side]:
+            leap = each[k]
+            value, size, power, xi = value * leap[0], size * leap[1], power * leap[2], abs(waves.xi[g])
+            x, rest = moves * xi, e * xi + (power - 1 - y1 * xi)
+            rest = (d_ * x + whole * rest + (1 + x + rest) * f) * size
+            u, v, lost = out[g]
+            out[g] = u + value * c, v + value * (d + slope * xi), lost + rest
     require(all(x.is_finite() for one in out for x in one), "a kernel is not bounded on a piece")
     return out
 
@@ -998,24 +1016,6 @@ def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
     a, b, e = x[0] * factor, x[1] * factor, x[2] * abs(factor)
     y, value = abs(b) * r + e, a.exp()
     return value, value * b, abs(value) * (e + y.expm1() - y)
-
-
-def riding(wave: Bent, weight: Bent, r: Any) -> Callable[[Any], Bent]:
-    """weight·e^{wave·ξ} for any real ξ: a product of `bent_product` and `bent_wave`, moduli taken once."""
-    (p, b, e), (c, d, f) = wave, weight
-    y1, c_, d_ = abs(b) * r + e, abs(c), abs(d) * r
-    bent, slope, whole = abs(b) * r, c * b, c_ + d_
-
-    def at(xi: Any) -> Bent:
-        if xi.is_zero():
-            return weight
-        value, size = (p * xi).exp(), abs(xi)
-        y, x = y1 * size, bent * size
-        rest = e * size + y.expm1() - y
-        rest = (d_ * x + whole * rest + (1 + x + rest) * f) * abs(value)
-        return value * c, value * (d + slope * xi), rest
-
-    return at
 
 
 def tails(row: Sequence[Any], r: Any) -> tuple[Any, Any, Any]:
@@ -1308,6 +1308,18 @@ def moduli(a: Any) -> Any:
 
 
 @lru_cache(maxsize=64)
+def tiny_balls(n: int) -> tuple[Any, Any]:
+    """A matrix of balls round 0, and bounds of the moduli of what they hold."""
+    return acb_mat(n, n, [box(arb(2.0**-40))] * (n * n)), arb_mat(n, n, [2.0**-39] * (n * n))
+
+
+def small(a: Any) -> Any:
+    """Bounds of the moduli of entries that most often are all tiny."""
+    balls, bounds = tiny_balls(a.nrows())
+    return bounds if balls.contains(a) else moduli(a)
+
+
+@lru_cache(maxsize=64)
 def identity(n: int) -> Any:
     return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
@@ -1324,30 +1336,38 @@ def near_inverse(a: Any) -> Any:
 
 
 def pivots(a: Any) -> Any:
-    """Σ Arg of the pivots of an elimination on the diagonal, in order: of a leading block, then of its rest.
+    """Σ Arg of the pivots of an elimination on the diagonal, in order."""
+    total = arb(0)
+    for block in diagonal(a):
+        rows = block.tolist()
+        for k in range(len(rows)):
+            total += rows[k][k].arg()
+            for row in rows[k + 1 :]:
+                factor = row[k] / rows[k][k]
+                for j in range(k + 1, len(rows)):
+                    row[j] = row[j] - factor * rows[k][j]
+    return total
+
+
+def diagonal(a: Any) -> Iterator[Any]:
+    """Small blocks that have the pivots of an elimination on the diagonal: a leading block, then what is left.
 
     The Schur complement of a leading block has the pivots that elimination finds after those of the block.
     """
     n = a.nrows()
-    rows = a.tolist()
-    if n > SMALL:
-        k = n // 2
-        one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
-        three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
-        block = acb_mat(one)
-        try:
-            left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
-        except ZeroDivisionError:
-            raise Refused("a pivot may vanish") from None
-        return pivots(block) + pivots(left)
-    total = arb(0)
-    for k in range(n):
-        total += rows[k][k].arg()
-        for row in rows[k + 1 :]:
-            factor = row[k] / rows[k][k]
-            for j in range(k + 1, n):
-                row[j] = row[j] - factor * rows[k][j]
-    return total
+    if n <= SMALL:
+        yield a
+        return
+    rows, k = a.tolist(), n // 2
+    one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
+    three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
+    block = acb_mat(one)
+    try:
+        left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
+    except ZeroDivisionError:
+        raise Refused("a pivot may vanish") from None
+    yield from diagonal(block)
+    yield from diagonal(left)
 
 
 def greatest_first(a: list[list[Any]]) -> list[int]:
@@ -1423,15 +1443,42 @@ class Walker:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
         kind, points = path.kind, path.points
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        mark, total = self.marks[points[0]], arb(0)
+        marks, turns = [self.marks[points[0]]], []
         for k, (a, b) in enumerate(pairwise(points)):
             try:
-                end, turned = self.piece(kind, mark, b)
+                end, turn = self.piece(kind, marks[-1], b)
             except Refused as error:
                 x, y = (float(arb(c)) for c in a)
                 raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
-            mark, total = end, total + turned
-            self.marks[b] = mark
+            marks.append(end)
+            turns += [turn] if turn is not None else []
+            self.marks[b] = end
+        return self.turned(marks, turns) if turns else arb(0)
+
+    def turned(self, marks: Sequence[Mark], turns: Sequence[Turn]) -> Any:
+        """The change of arg Δ̂ along pieces that follow each other: from piece to piece arg det R A jumps by what the
+        determinants of R say, but for whole turns, which rough bounds tell. Where they do not, A is taken there."""
+        total, i, last = (
+            turns[-1].sharp(self.matrix(marks[-1])) - turns[0].sharp(self.matrix(marks[0])),
+            0,
+            len(turns) - 1,
+        )
+        while i < last:
+            about, lost, j = arb(0), turns[i].lost, i
+            while j < last and lost + turns[j + 1].lost < 3:
+                at = at_q(marks[j + 1].q)
+                about += turns[j].near(at) - turns[j + 1].near(at)
+                j += 1
+                lost += 2 * turns[j].lost
+            known = (turns[i].det / turns[j].det).arg()
+            whole = ((about + arb(0, 3) - known) / (2 * arb.pi())).unique_fmpz() if j > i else None
+            if whole is None:
+                here = self.matrix(marks[i + 1])
+                total += turns[i].sharp(here) - turns[i + 1].sharp(here)
+                i += 1
+            else:
+                total += known + 2 * arb.pi() * int(whole)
+                i = j
         return total
 
     def around(self, loop: Loop, pole: Any) -> tuple[Any, Any]:
@@ -1455,7 +1502,10 @@ class Walker:
         return total, part
 
     def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, Any]:
-        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
+        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks.
+
+        With it the `Turn` of Δ̂; with a pole the change of its argument.
+        """
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
@@ -1474,7 +1524,7 @@ class Walker:
         for side in (mark, end):
             require(disc.links(side.split), "the splitting does not join on to its neighbour's")
         if kind == "link":
-            return end, arb(0)
+            return end, None
         thin = chosen.split(arb(0))
         require(
             all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
@@ -1484,8 +1534,8 @@ class Walker:
         G = kernels(self.waves, disc, r)
         if kind == "passive":
             self.passive(m, half, r, G)
-            return end, arb(0)
-        return end, self.turn(mark, end, m, r, G)
+            return end, None
+        return end, Turn.over(self.bordered.over(m, r, G), m, r)
 
     @cached_property
     def origin(self) -> Origin | None:
@@ -1500,23 +1550,22 @@ class Walker:
         end = self.mark(b, origin.nodes(complex(other))) if out else Mark(b, mark.z, None)
         require(origin.links((end if out else mark).split, r), "the splitting does not join on to q = 0")
         if kind == "link":
-            return end, arb(0)
+            return end, None
         for one in (mark, end):
             if one.split is None and one.matrix is None:
                 one.matrix = self.bordered.value(acb(0), [a + box(e) for a, _, e in origin.kernels(arb(0))])
-        return end, self.turn(mark, end, acb(0), r, origin.kernels(r))
-
-    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
-        """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
-        return turned_by(self.bordered.over(m, r, G), r, self.matrix(mark), self.matrix(end))
+        return end, Turn.over(self.bordered.over(acb(0), r, origin.kernels(r)), acb(0), r)
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
         H, g = kernels_beside(disc, r, self.waves, pole)
         parts = [self.bordered.beside_pole(m, r, H, g, pole)]
         parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
-        ends = zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True)
-        return sum((turned_by(part, r, start, stop) for part, start, stop in ends), arb(0))
+        total = arb(0)
+        for part, start, stop in zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True):
+            turn = Turn.over(part, m, r)
+            total += turn.sharp(stop) - turn.sharp(start)
+        return total
 
     def beside(self, mark: Mark, pole: Any) -> list[Any]:
         """The two matrices at a mark."""
@@ -1551,18 +1600,52 @@ def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
         return False
     left = acb_mat(X)
     right, size = left.conjugate().transpose(), moduli(left)
-    F = moduli(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
+    F = small(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
     for a in H[1:]:
         F = F + moduli(left * a * right)
     return contracting(F)
 
 
-def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
-    """det A ≠ 0 on the disc, A = A₀ + A₁t + rest, and the change of its argument between two points of it."""
-    R = near_inverse(A[0])
-    E = moduli(R * A[0] - identity(R.nrows())) + moduli(R * A[1]) * r + moduli(R) * A[2]
-    require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
-    return pivots(R * stop) - pivots(R * start)
+@dataclass(frozen=True)
+class Turn:
+    """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
+
+    It is `near`(σ) to within `lost` (SPEC2, 4.6; nan if that is not bounded).
+    """
+
+    m: Any
+    R: Any
+    slope: Any
+    lost: Any
+
+    @classmethod
+    def over(cls, A: Sequence[Any], m: Any, r: Any) -> Turn:
+        """From A = A₀ + A₁t + rest on the disc."""
+        R = near_inverse(A[0])
+        one = identity(R.nrows())
+        near, along, rest = R * A[0] - one, R * A[1], moduli(R) * A[2]
+        E = small(near) + moduli(along) * r + rest
+        require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
+        lost = abs(near.trace()) + rest.trace() - (one.real - E).det().log() - E.trace()
+        return cls(m, R, along.trace(), lost)
+
+    def sharp(self, a: Any) -> Any:
+        """arg det R A at one point of the disc, from A there."""
+        return pivots(self.R * a)
+
+    @cached_property
+    def det(self) -> Any:
+        """det R, by halves where they allow it: FLINT takes three times as long."""
+        out = acb(1)
+        try:
+            for block in diagonal(self.R):
+                out *= block.det()
+        except Refused:
+            return self.R.det()
+        return self.R.det() if out.contains(0) else out
+
+    def near(self, sigma: Any) -> Any:
+        return (self.slope * (sigma - self.m)).imag
 
 
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
