@@ -128,10 +128,10 @@ class Scope:
         found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=0), "X", None)
         return None if found is None else float(found)
 
-    def judge(self, kind: type[Judge] = Judge) -> Judge:
-        """A judge of boxes in (q̂, x̂) over the whole."""
+    def judge(self, kind: type[Judge] = Judge, **more: Any) -> Judge:
+        """A judge of boxes in (q̂, x̂) over the whole; more: of its kind."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return kind(self.matrix, self.envelope if self.reach is None else None, width)
+        return kind(self.matrix, self.envelope if self.reach is None else None, width, **more)
 
     @property
     def corners(self) -> tuple[Any, Any]:
