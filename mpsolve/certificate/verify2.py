@@ -21,7 +21,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
-from math import comb
+from math import comb, prod
 from typing import Any
 
 import flint
@@ -287,32 +287,32 @@ def at(f: Free, x: Sequence[Any]) -> Any:
     return total
 
 
-def least(f: Free, box: Box) -> Any:
-    """A lower bound over a box: the least Bernstein coefficient."""
-    if not f:
-        return fmpq(0)
-    table = dict(f)
+@lru_cache(maxsize=256)
+def basis(n: int, low: Any, high: Any, kind: Any) -> Any:
+    """The matrix that takes coefficients (ascending, degree n) to those of Bernstein on [low, high]."""
+    rows = [
+        [low ** (k - j) * (high - low) ** j * comb(k, j) if k >= j else 0 for k in range(n + 1)] for j in range(n + 1)
+    ]
+    return kind(n + 1, n + 1, [fmpq(comb(i, j), comb(n, j)) for i in range(n + 1) for j in range(n + 1)]) * kind(rows)
+
+
+def bernstein(f: Free, box: Box, kind: Any) -> list[Any]:
+    """Bernstein coefficients over a box: the values there lie between them; the first is that at all low ends.
+
+    kind: of the matrices, fmpq_mat for exact ones, or arb_mat for balls.
+    """
     degrees = [max(e[k] for e in f) for k in range(len(box))]
-    size = 1
-    for d in degrees:
-        size *= d + 1
+    size = prod(d + 1 for d in degrees)
     require(size <= MAX_SIZE, "a polynomial in the parameters has too high degrees")
-    for k, (low, high) in enumerate(box):
-        if not degrees[k]:
-            continue
-        moved: Free = {}
-        for e, c in table.items():
-            for n in range(e[k] + 1):  # (low + (high − low) t)^e
-                key = (*e[:k], n, *e[k + 1 :])
-                step = c * comb(e[k], n) * low ** (e[k] - n) * (high - low) ** n
-                moved[key] = moved.get(key, fmpq(0)) + step
-        table = {}
-        for e, c in moved.items():
-            for n in range(e[k], degrees[k] + 1):
-                key = (*e[:k], n, *e[k + 1 :])
-                share = fmpq(comb(n, e[k]), comb(degrees[k], e[k]))
-                table[key] = table.get(key, fmpq(0)) + c * share
-    return min(table.get(key, fmpq(0)) for key in product(*(range(d + 1) for d in degrees)))
+    table = [f.get(e, 0) for e in product(*(range(d + 1) for d in degrees))]
+    for n, (low, high) in zip(degrees, box, strict=True):  # each variable in turn stands first, and then goes last
+        table = (basis(n, low, high, kind) * kind(n + 1, size // (n + 1), table)).transpose().entries()
+    return table
+
+
+def least(f: Free, box: Box) -> Any:
+    """A lower bound over a box."""
+    return min(bernstein(f, box, fmpq_mat)) if f else fmpq(0)
 
 
 def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
@@ -1671,48 +1671,27 @@ def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
 
 
-def bernstein(n: int, a: float, b: float) -> Any:
-    """Takes coefficients (ascending, degree n) to Bernstein coefficients on [a, b]: they bound the values."""
-    start, width = [arb(1)], [arb(1)]
-    for _ in range(n):
-        start.append(start[-1] * arb(a))
-        width.append(width[-1] * (arb(b) - arb(a)))
-    moved = [[start[k - j] * width[j] * comb(k, j) if k >= j else arb(0) for k in range(n + 1)] for j in range(n + 1)]
-    basis = [[arb(fmpq(comb(i, j), comb(n, j))) if j <= i else arb(0) for j in range(n + 1)] for i in range(n + 1)]
-    return arb_mat(basis) * arb_mat(moved)
-
-
-def check_positive(f: Terms, box: Box, product_below: Any, name: str) -> None:
-    """Σ c x^i y^j > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
-    x, y = ((-above(-arb(a)), above(arb(b))) for a, b in box)
-    n, m = (max(k[i] for k in f) for i in (0, 1))
-    c = arb_mat(n + 1, m + 1, [f.get((i, j), 0) for i in range(n + 1) for j in range(m + 1)])
-    stack, number = [(x, y, 0)], 0
+def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
+    """f > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+    degrees = [max(e[k] for e in f) for k in range(len(box))]
+    steps = [prod(d + 1 for d in degrees[k + 1 :]) for k in range(len(box))]
+    stack, number = [(box, 0)], 0
     while stack:
-        (x0, x1), (y0, y1), depth = stack.pop()
-        if product_below is not None and arb(x0) * arb(y0) > arb(product_below):
+        here, depth = stack.pop()
+        if product_below is not None and here[0][0] * here[1][0] > product_below:
             continue
         number += 1
-        b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
-        if all(z > 0 for z in b.entries()):
+        values = bernstein(f, here, arb_mat)
+        if all(x > 0 for x in values):
             continue
-        require(
-            not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}"
-        )
-        across = sum(abs(float(b[i + 1, j]) - float(b[i, j])) for i in range(n) for j in range(m + 1))
-        along = sum(abs(float(b[i, j + 1]) - float(b[i, j])) for i in range(n + 1) for j in range(m))
-        if along > across:
-            middle = (y0 + y1) / 2
-            stack += [((x0, x1), (y0, middle), depth + 1), ((x0, x1), (middle, y1), depth + 1)]
-        else:
-            middle = (x0 + x1) / 2
-            stack += [((x0, middle), (y0, y1), depth + 1), ((middle, x1), (y0, y1), depth + 1)]
-
-
-def above(x: Any) -> float:
-    """A float that is no less."""
-    near = float(x.upper())
-    return near + abs(near) * 2.0**-50 + 1e-300
+        fine = not values[0] < 0 and number < MAX_BOXES / max(sum(degrees) + 2, len(values) / 100) and depth < 60
+        require(fine, f"the theorem at large q: {name}")
+        near = [float(x) for x in values]
+        moved = [
+            sum(abs(near[i + s] - x) for i, x in enumerate(near) if i // s % (n + 1) < n)
+            for s, n in zip(steps, degrees, strict=True)
+        ]
+        stack += [(half, depth + 1) for half in halved(here, moved.index(max(moved)))]
 
 
 def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
@@ -1736,7 +1715,7 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     require(min(C, X) > 0, "the theorem's numbers are out of range")
     gap = min((b - a for a, b in pairwise(sites)), default=None)
     parts = absorption(RING, track.D, track.N)
-    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], (), check_positive)
+    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], ())
 
 
 def tail_alpha(
@@ -1749,13 +1728,11 @@ def tail_alpha(
     gap: Any,
     bounds: Sequence[tuple[Any, Any]],
     box: Box,
-    positive_on: Callable[[Free, Box, Any, str], None],
 ) -> int:
     """α, if the theorem at large q (section 6.2) holds for q ≥ Q and all parameters of the box.
 
     parts: W and |D|². v ≤ fastest: the velocity. gap: the least distance of two places, None of one alone.
-    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀. positive_on shows a polynomial to be positive on a box of (z, τ),
-    or of a chart, and of the parameters.
+    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀.
     """
     k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
     omega, alpha = dyadic(content["omega"], "omega"), integer(content["alpha"], least_alpha, 64, "alpha")
@@ -1775,7 +1752,7 @@ def tail_alpha(
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
     for z1, z2, kappa in blocks:
         difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
-        positive_on(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
+        check_positive(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
     iw, id_ = (max(e[0] for e in t) for t in (w, d))
     nw, nd = (max(e[0] + e[1] for e in t) for t in (w, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
@@ -1787,8 +1764,8 @@ def tail_alpha(
                 for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
                     chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
         give = "the giving part may exceed the envelope"
-        positive_on(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
-        positive_on(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
+        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
     known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
     require(known, "short waves are not bounded beyond Q")
     turn = arb(Q / fastest)
