@@ -734,6 +734,15 @@ def shift(z: Any, size: int, rows: int) -> Any:
     return acb_mat(rows, size, [powers[d] * c if c else 0 for d, c in binomials(size, rows)])
 
 
+def moved(a: Any, z: Any) -> Rows:
+    """The rows of coefficients at z of polynomials whose coefficients stand in the columns, by Horner's scheme."""
+    rows: Rows = a.tolist()
+    for k in range(len(rows) - 1):
+        for i in range(len(rows) - 2, k - 1, -1):
+            rows[i] = [x + z * y for x, y in zip(rows[i], rows[i + 1], strict=True)]
+    return rows
+
+
 @lru_cache(maxsize=64)
 def binomials(size: int, rows: int) -> list[tuple[int, int]]:
     return [(k - i, comb(k, i)) for i in range(rows) for k in range(size)]
@@ -762,6 +771,12 @@ class Local:
     @property
     def degree(self) -> int:
         return int(self.d.nrows()) - 1
+
+    @cached_property
+    def polynomials(self) -> tuple[Any, Any, Any]:
+        """D, D_P and N at t = 0."""
+        D, N = (acb_poly([a[i, 0] for i in range(a.nrows())]) for a in (self.d, self.n))
+        return D, D.derivative(), N
 
     def lead(self) -> list[Any]:
         return [self.d[self.degree, j] for j in range(self.d.ncols())]
@@ -1040,8 +1055,9 @@ def bent_polynomial(c: Rows, sizes: Sequence[Sequence[Any]], root: Bent, e: Any)
 
 def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
     """The one root in the disc of radius e round z, and N/D_P there."""
-    n, rows = local.degree + 1, local.n.nrows()
-    c, above = (shift(z, n, n) * local.d).tolist(), (shift(z, rows, rows) * local.n).tolist()
+    if local.thin:
+        return thin_root(local, z, e)
+    c, above = moved(local.d, z), moved(local.n, z)
     sizes, sizes_above = ([tails(row, r) for row in part] for part in (c, above))
     require(not c[1][0].contains(0), "a p-root may be double on a piece")
     # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
@@ -1053,6 +1069,15 @@ def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
     slope = bent_inverse(bent_polynomial(slopes, steep, root, e), r)
     weight = bent_product(bent_polynomial(above, sizes_above, root, e), slope, r)
     return (z + root[0], root[1], root[2]), weight
+
+
+def thin_root(local: Local, z: Any, e: Any) -> tuple[Bent, Bent]:
+    """The same at one σ: 0 = D(z) + u·(a mean of D_P over the way to the root z + u), |u| ≤ e."""
+    D, slope, N = local.polynomials
+    steep = slope(z + box(e))
+    require(not steep.contains(0), "a p-root may be double")
+    root = z - D(z) / steep
+    return (root, acb(0), arb(0)), (N(root) / slope(root), acb(0), arb(0))
 
 
 class Origin:
@@ -1076,8 +1101,7 @@ class Origin:
         for kind, (local, roots) in enumerate(self.kinds):
             found = []
             for z in (x.mid() for x in roots):
-                n = local.degree + 1
-                e = alone((shift(z, n, n) * local.d).tolist(), r)
+                e = alone(moved(local.d, z), r)
                 require(abs(z.real) > e, "a p-root may be real next to q = 0")
                 found.append((kind, int(z.real > 0), z, e))
             apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
@@ -1518,17 +1542,12 @@ class Walker:
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(m)
         z = float_roots(local, mark.z)
-        chosen = Nodes([acb(x) for x in z], self.up, local)
-        disc = chosen.split(r)
+        disc = Nodes([acb(x) for x in z], self.up, local).split(r)
         end = self.mark(b, z)
         for side in (mark, end):
             require(disc.links(side.split), "the splitting does not join on to its neighbour's")
         if kind == "link":
             return end, None
-        thin = chosen.split(arb(0))
-        require(
-            all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
-        )
         if pole is not None:
             return end, self.turn_beside(mark, end, m, r, disc, pole)
         G = kernels(self.waves, disc, r)
@@ -2227,13 +2246,15 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
 def far_waves(local: Local, r: Any) -> list[Any]:
     """How G(0), the product and sum of the travelling waves, and the evanescent P̂, depart from u = 0; the weights.
 
-    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside. The roots are
-    followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that touch are one.
+    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside; a quarter of
+    it tells the rest by symmetry. The roots are followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that
+    touch are one.
     """
     corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
     table_, before, bounds = local.d, [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
     steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
-    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)) for i in range(ARCS)]
+    size = r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)
+    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), size) for i in range(ARCS // 4 + 1)]
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(center, table_ * shift(center, 5, 5).transpose(), local.n)
@@ -2247,19 +2268,17 @@ def far_waves(local: Local, r: Any) -> list[Any]:
         if i < len(steps):
             continue
         waves, weights = zip(
-            *(bent_root(split.nodes.local, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)),
-            strict=True,
+            *(bent_root(here, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)), strict=True
         )
-        ahead, near_ahead, near_behind, behind = (
-            weights[j] if j < 2 else (-weights[j][0], -weights[j][1], weights[j][2]) for j in range(4)
-        )
-        root_half, unit = arb(fmpq(1, 2)).sqrt(), corner[3]
+        ahead, near, other, behind = weights[:2] + tuple((-x, -y, lost) for x, y, lost in weights[2:])
+        r_, quarter = arb(e), arb(fmpq(1, 8)).sqrt()
+        pairs = (ahead, behind, corner[3]), (near, other, corner[2])
         found = [
-            departs(bent_sum(ahead, near_ahead), root_half / 2, e),
-            16 * departs(bent_product(ahead, behind, arb(e)), unit * unit / 16, e),
-            4 * departs(bent_sum(ahead, behind), unit / 2, e),
-            max_bound(*(departs(waves[j], corner[j], e) for j in (1, 2))),
-            max_bound(*(departs(x, acb(0), e) for x in (ahead, near_ahead, near_behind, behind))),
+            max_bound(*(departs(bent_sum(x, y), quarter, r_) for x, y in ((ahead, near), (behind, other)))),
+            16 * max_bound(*(departs(bent_product(x, y, r_), u * u / 16, r_) for x, y, u in pairs)),
+            4 * max_bound(*(departs(bent_sum(x, y), u / 2, r_) for x, y, u in pairs)),
+            max_bound(*(departs(x, z, r_) for x, z in zip(waves, corner, strict=True))),
+            max_bound(*(departs(x, acb(0), r_) for x in (ahead, near, other, behind))),
         ]
         bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
     return bounds
