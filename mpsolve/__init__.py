@@ -53,8 +53,8 @@ if TYPE_CHECKING:
     from mpsolve.proof.effort import Effort as Effort
     from mpsolve.ranges.chart import Chart as Chart
     from mpsolve.ranges.chart import stability_chart as stability_chart
-    from mpsolve.ranges.crossings import Crossing as Crossing
-    from mpsolve.ranges.crossings import Crossings as Crossings
+    from mpsolve.ranges.crossed import Crossing as Crossing
+    from mpsolve.ranges.crossed import Crossings as Crossings
     from mpsolve.ranges.crossings import crossings as crossings
     from mpsolve.ranges.onset import Onset as Onset
     from mpsolve.ranges.onset import Unstable as Unstable
@@ -134,7 +134,8 @@ _NAMES = {
     "endless.amplification": "amplification Amplification",
     "ranges.onset": "onset unstable_ranges Onset Unstable UnstableRanges",
     "ranges.worst": "worst Worst",
-    "ranges.crossings": "crossings Crossings Crossing",
+    "ranges.crossings": "crossings",
+    "ranges.crossed": "Crossings Crossing",
     "studies.robust": "prove_stable",
     "ranges.sensitivity": "sensitivity Sensitivity",
     "cuts.points": "cut_points",
