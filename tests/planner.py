@@ -321,10 +321,10 @@ def plan_tail(track, sites, X):
 
 def absorbs(bw, bd, z1, z2, kappa, tau):
     """Whether the verifier's test of the block holds."""
-    f = {at: arb(bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0))) for at in {*bw, *bd}}
+    f = {at: bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0)) for at in {*bw, *bd}}
     try:
         with v2.precision(128):
-            v2.check_positive(f, ((float(z1), float(z2)), (0.0, float(tau))), None, "")
+            v2.check_positive(f, ((q_(z1), q_(z2)), (fmpq(0), q_(tau))), None, "")
     except v2.Refused:
         return False
     return True

@@ -384,6 +384,44 @@ def test_signs_on_the_half_line():
     assert not v2.nonnegative(x * (x - 3) ** 3 * (x**2 + 1), False)
 
 
+def test_bernstein_coefficients_hold_the_values():
+    """In three variables, exact and in balls: the values lie between them, and ends of the box are met."""
+    rng = np.random.default_rng(4)
+    f = {tuple(map(int, e)): fmpq(int(c), 7) for *e, c in rng.integers(-4, 5, (9, 4)) % [4, 2, 3, 9]}
+    box = tuple((fmpq(int(a), 3), fmpq(int(a + b), 3)) for a, b in zip((-2, 0, 1), (1, 4, 2), strict=True))
+    exact, balls = (v2.bernstein(f, box, kind) for kind in (fmpq_mat, arb_mat))
+    assert all(b.contains(a) for a, b in zip(exact, balls, strict=True))
+    assert exact[0] == v2.at(f, [a for a, _ in box])
+    assert exact[-1] == v2.at(f, [b for _, b in box])
+    for _ in range(200):
+        inside = v2.at(
+            f, [a + (b - a) * fmpq(int(t), 16) for (a, b), t in zip(box, rng.integers(0, 17, 3), strict=True)]
+        )
+        assert min(exact) <= inside <= max(exact)
+
+
+@pytest.mark.parametrize(
+    ("f", "below", "holds"),
+    [
+        ({(2, 0): 1, (0, 2): 1, (1, 1): -1, (0, 0): fmpq(1, 1000)}, None, True),
+        ({(2, 0): 1, (0, 2): 1, (1, 1): -1, (1, 0): -1, (0, 0): fmpq(1, 3)}, None, False),  # < 0 near (2/3, 1/3) only
+        ({(2, 0): 1, (0, 2): 1, (1, 1): -2, (0, 0): fmpq(1, 3)}, None, True),
+        ({(2, 0): 1, (1, 0): -1, (0, 0): fmpq(1, 4)}, None, False),  # 0 at x = 1/2
+        ({(0, 0): fmpq(1, 2), (1, 1): -1}, None, False),
+        ({(0, 0): fmpq(1, 2), (1, 1): -1}, fmpq(1, 4), True),
+        ({(0, 0): fmpq(1, 2), (1, 1): -1}, fmpq(1, 2), False),
+    ],
+)
+def test_positive_on_a_box(f, below, holds):
+    f = {e: fmpq(c) for e, c in f.items()}
+    unit = ((fmpq(0), fmpq(1)),) * 2
+    if holds:
+        v2.check_positive(f, unit, below, "f")
+    else:
+        with pytest.raises(v2.Refused, match="large q"):
+            v2.check_positive(f, unit, below, "f")
+
+
 def test_hurwitz_agrees_with_roots():
     rng = np.random.default_rng(5)
     seen = set()
