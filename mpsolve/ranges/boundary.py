@@ -105,6 +105,16 @@ class Curves:
         m[0], r[0] = np.where(near, 0.0, m[0]), np.where(near & (m[0] > 0), _ASIDE * (m[0] + r[0]), r[0])
         return arcs_over(self.matrix, m, r, self.zero)
 
+    def enclosed(self, points: Any) -> Any:
+        """How far from each point at most lies one that is proved: the only one of a small box at the same pivot."""
+        found = self.arcs(points, np.repeat(self.whole[:, None] * _KNOT, points.shape[1], 1))
+        t = found.along((points - found.m) / found.r)
+        piece = found.pieces(t, 0.0)
+        offset = found.m + found.place(piece.centre, t) * found.r - points
+        around = found.place(piece.around, np.zeros(points.shape[1])) * found.r
+        size = (around + np.abs(offset)) * (1 + 2.0**-20) + 2.0**-50 * np.abs(points)
+        return np.where(found.regular & piece.passes, size, np.inf)
+
 
 @dataclass
 class _Chain:
@@ -140,17 +150,11 @@ def proved_chains(curves: Curves, paths: list[Path], units: Any) -> list[Boundar
 
 
 def _enclosed(curves: Curves, chains: list[_Chain]) -> None:
-    """For each new point the one next to it that is meant: the only zero of a small box at the point's own pivot."""
+    """New points are enclosed."""
     todo = [(chain, k) for chain in chains for k, size in enumerate(chain.sizes) if size is None]
     if not todo:
         return
-    points = np.array([chain.points[k] for chain, k in todo]).T
-    found = curves.arcs(points, np.repeat(curves.whole[:, None] * _KNOT, points.shape[1], 1))
-    t, none = found.along((points - found.m) / found.r), np.zeros(points.shape[1])
-    piece = found.pieces(t, 0.0)
-    offset = found.m + found.place(piece.centre, t) * found.r - points
-    size = (found.place(piece.around, none) * found.r + np.abs(offset)) * (1 + 2.0**-20) + 2.0**-50 * np.abs(points)
-    size = np.where(found.regular & piece.passes, size, np.inf)
+    size = curves.enclosed(np.array([chain.points[k] for chain, k in todo]).T)
     for n, (chain, k) in enumerate(todo):
         chain.sizes[k] = size[:, n]
 

@@ -31,6 +31,7 @@ from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncou
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
+from mpsolve.ranges.meeting import Meeting, meetings
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import Strips, strips_of
 
@@ -61,9 +62,10 @@ class Part:
 class Chart(Answer):
     """counts[i, j]: the number of growing roots over the cell x[i] … x[i + 1], y[j] … y[j + 1]; −1: a boundary passes
     or may pass through the cell; −2: open. x, y: edges of cells, in the problem's units, as exact numbers.
-    detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real.
-    traced: whether each goes from edge to edge of the chart or back to its start, and each cell of `detail` that is
-    −1 is next to one that a curve meets.
+    detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real;
+    meetings: points at which two of them cross, or one of pairs comes to q = 0, those that are proved.
+    traced: whether each curve goes from edge to edge of the chart, back to its start or to q = 0, and each cell of
+    `detail` that is −1 is next to one that a curve meets.
     """
 
     hidden: ClassVar[frozenset[str]] = Answer.hidden | {"detail"}
@@ -73,6 +75,7 @@ class Chart(Answer):
     counts: Any = None
     parts: tuple[Part, ...] = ()
     boundaries: tuple[Boundary, ...] = ()
+    meetings: tuple[Meeting, ...] = ()
     traced: bool = False
     detail: Any = field(default=None, repr=False)
 
@@ -169,7 +172,7 @@ def _chart(
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
         problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
-        traced=whole, detail=detail, **told,
+        meetings=meetings(scope, curves), traced=whole, detail=detail, **told,
     )  # fmt: skip
 
 
