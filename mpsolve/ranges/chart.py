@@ -37,7 +37,8 @@ from mpsolve.ranges.strips import Strips, strips_of
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
-_SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, before a box stays open
+_SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, or beyond _FINE, before a box stays open
+_FINE = 5
 _MOST_PARTS = 60
 _THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
@@ -144,7 +145,7 @@ def _chart(
         cost = Spent(process_time() - started)
         return Chart(problem, over, Status.UNDECIDED, error.reason, cost=cost, x=edges[0], y=edges[1], counts=counts)
     low, high = scope.corners
-    smallest = 2.0 ** -(float(depth) + np.array(_SMALLER))
+    smallest = 2.0 ** -(float(max(depth, _FINE)) + np.array(_SMALLER))
     tell = lambda share: progress("boxes", 0.7 * share)  # noqa: E731
     cells = 2**depth * _FINER_CELLS
     cover = subdivide(low, high, scope.judge(ArcJudge, thin=_THIN / cells), budget, smallest, tell)
