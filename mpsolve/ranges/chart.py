@@ -30,10 +30,10 @@ from mpsolve.proof.subdivide import subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
-from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
+from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, next_to, parts_of
 from mpsolve.ranges.meeting import Meeting, meetings
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
-from mpsolve.ranges.strips import Strips, strips_of
+from mpsolve.ranges.strips import free_cells, strips_of
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
@@ -152,7 +152,7 @@ def _chart(
     spent = cover.reason is not None and cover.reason.code != "boxes"
     progress("boundaries", 0.7)
     strips = strips_of(scope.matrix, *cover.tree.boxes(np.flatnonzero(cover.tree.kind == ARC)), scope.corners, cells)
-    free = _free(scope, cover.tree, strips, cells)
+    free = free_cells(scope.corners, cover.tree, strips, cells)
     units = tuple(map(float, (scope.family.frequency_unit, *scope.family.units)))
     rest = sum(cover.tree.boxes(cover.tree.open)) / 2
     curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
@@ -169,24 +169,12 @@ def _chart(
     reason = cover.reason if spent else reason
     told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
-    lost = (detail == BOUNDARY) & ~met(detail.shape, edges, curves)
+    lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
         problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
         meetings=meetings(scope, curves), traced=whole, detail=detail, **told,
     )  # fmt: skip
-
-
-def _free(scope: Scope, tree: Any, strips: Strips, cells: int) -> Any:
-    """The cells of the finer grid over which no root is real.
-
-    Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.
-    """
-    width = (scope.high - scope.low)[:, None]
-    beside = 2.0**-50 * np.maximum(np.abs(scope.low), np.abs(scope.high))[:, None] / width
-    rest = ((end[1:] - scope.low[:, None]) / width for end in tree.boxes(tree.open))
-    low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
-    return marked(low - beside, high + beside, (cells, cells)) == 0
 
 
 def _counted(

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
-from mpsolve.proof.subdivide import BATCH
+from mpsolve.proof.subdivide import BATCH, Tree
 from mpsolve.ranges.arcs import HALF, PIECES, Arcs, arcs
+from mpsolve.ranges.cells import marked
 
 _MOST = 64  # parts of a piece
 _POINTS = 120  # along each parameter: how fine points near arcs are
@@ -86,3 +87,16 @@ def _parts(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> _Part
     lean, around = piece.lean[:, index], piece.around[:, index]
     centre = pick.m + pick.place(piece.centre[:, index] + lean * tau, t + tau) * pick.r
     return _Parts(pick, centre, pick.place(np.abs(lean) * share + around, share) * pick.r)
+
+
+def free_cells(corners: tuple[Any, Any], tree: Tree, strips: Strips, cells: int) -> Any:
+    """The cells, so many along each parameter, over which no root is real: neither strips nor open boxes meet them.
+
+    Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.
+    """
+    start, end = (side[1:, None] for side in corners)
+    width = end - start
+    beside = 2.0**-50 * np.maximum(np.abs(start), np.abs(end)) / width
+    rest = ((side[1:] - start) / width for side in tree.boxes(tree.open))
+    low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
+    return marked(low - beside, high + beside, (cells, cells)) == 0
