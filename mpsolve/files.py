@@ -68,6 +68,15 @@ def save_columns(table: Mapping[str, Any], path: Path) -> Path:
     return write_whole(path, stream.getvalue())
 
 
+def save_arrays(arrays: Mapping[str, Any], path: Path) -> Path:
+    """NPZ; CertificateError if it cannot be written."""
+    import numpy as np
+
+    stream = io.BytesIO()
+    np.savez(stream, **arrays)
+    return write_whole(path, stream.getvalue())
+
+
 def save_json(table: Mapping[str, Any], path: Path, title: str, said: Sequence[str]) -> Path:
     """The same as an object: format, version, title, columns with name, unit and values, what is said."""
     columns = []

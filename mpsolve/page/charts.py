@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.page.parts import Parts, worth_drawing
-from mpsolve.page.picture import Picture
 from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import Sure, chart_picture
 from mpsolve.pictures.proved_chart import borders, drawn, ends, open_words
@@ -15,6 +15,15 @@ from mpsolve.problem.case import Case
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.margin import Margin
 from mpsolve.ranges.onset import Kind
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure with its caption; name: of its element on the page."""
+
+    name: str
+    svg: str
+    caption: str
 
 
 def chart(parts: Parts) -> Picture | None:

@@ -13,9 +13,8 @@ import pytest
 
 from mpsolve import Case, PhysicalCase, certify
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.report import figures_plane, figures_response
-from mpsolve.report.figures import GREY, figure_of, save_figure
-from mpsolve.report.figures_svg import inline_svg
+from mpsolve.report import figures_motion, figures_plane
+from mpsolve.report.figures import GREY, figure_of, inline_svg, save_figure
 from mpsolve.report.vibration import vibrations
 from mpsolve.vibration.of_case import motion_of_case as response
 
@@ -107,7 +106,7 @@ def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> No
     assert np.all(abs(motion.harmonic) <= bound * (1 + 1e-12))
     for row, edge in zip(motion.harmonic, bound, strict=True):
         assert np.max(abs(row) / edge) > 0.99
-    ax: Any = figure_of(lambda ax: figures_response.displacements(motion, ax)).axes[0]
+    ax: Any = figure_of(lambda ax: figures_motion.displacements(motion, ax)).axes[0]
     (line,) = [one for one in ax.lines if one.get_gid() == "w-2"]
     assert np.array_equal(line.get_ydata(), motion.w[1])
     assert ax.yaxis_inverted()
@@ -119,7 +118,7 @@ def test_displacements_in_millimetres_are_those_of_a_load_at_rest() -> None:
 
     beam = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, c=7750, masses=[(100, 0)])
     found = response(beam, [Load(constant=50_000)], tau=[0, 400])
-    ax: Any = figure_of(lambda ax: figures_response.displacements(found, ax, figures_response.Scale.of(beam))).axes[0]
+    ax: Any = figure_of(lambda ax: figures_motion.displacements(found, ax, figures_motion.Scale.of(beam))).axes[0]
     (line,) = [one for one in ax.lines if one.get_gid() == "w-1"]
     chi = (1e6 / (4 * 6.4e6)) ** 0.25
     assert abs(line.get_ydata()[-1] - 1e3 * 50_000 * chi / 2e6) < 1e-6
@@ -127,7 +126,7 @@ def test_displacements_in_millimetres_are_those_of_a_load_at_rest() -> None:
 
 
 def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
-    ax: Any = figure_of(lambda ax: figures_response.contact_forces(motion, ax)).axes[0]
+    ax: Any = figure_of(lambda ax: figures_motion.contact_forces(motion, ax)).axes[0]
     for k, loss in enumerate(motion.contact_loss, 1):
         (line,) = [one for one in ax.lines if one.get_gid() == f"force-{k}"]
         below = 1 + np.flatnonzero(line.get_ydata()[1:] <= 0)  # at τ = 0 the mass alone takes the load
@@ -141,8 +140,8 @@ def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
 DRAWN: dict[str, Callable[[Any, Any], Any]] = {
     "plane": lambda ax, _motion: figures_plane.q_plane(SPECTRUM, ax, GREY),
     "zoom": lambda ax, _motion: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
-    "displacement": lambda ax, motion: figures_response.displacements(motion, ax, None, GREY),
-    "contact": lambda ax, motion: figures_response.contact_forces(motion, ax, None, GREY),
+    "displacement": lambda ax, motion: figures_motion.displacements(motion, ax, None, GREY),
+    "contact": lambda ax, motion: figures_motion.contact_forces(motion, ax, None, GREY),
 }
 
 
@@ -165,7 +164,7 @@ def test_every_figure_returns_its_axes_and_can_be_grey(name: str, motion: Any, t
 def test_a_page_can_hold_several_figures_and_their_places_can_be_read_back(motion: Any) -> None:
     pictures = {
         "plane": figure_of(lambda ax: figures_plane.q_plane(SPECTRUM, ax)),
-        "w": figure_of(lambda ax: figures_response.displacements(motion, ax)),
+        "w": figure_of(lambda ax: figures_motion.displacements(motion, ax)),
     }
     roots = {name: ET.fromstring(inline_svg(one, name, "A & B", "1 < 2")) for name, one in pictures.items()}
     ids = [element.get("id") for root in roots.values() for element in root.iter() if element.get("id")]
