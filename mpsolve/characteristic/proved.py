@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -14,6 +14,7 @@ from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls
 from mpsolve.characteristic.splitting import Splitting, monic, upper_count
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.problem.reduced import Reduced
@@ -22,7 +23,7 @@ _K = Balls()
 _CHAIN = 3  # distances in a row from which on products take the place of exponentials
 
 
-@dataclass(frozen=True)
+@frozen
 class ProvedSplitting:
     """U and L in balls, or their roots in balls of their own, upper ones first; `signed`: Re P < 0 and > 0 is proved.
 
