@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from mpsolve.problem.problem import Problem
     from mpsolve.proof.effort import Effort
     from mpsolve.ranges.chart import Chart, stability_chart
-    from mpsolve.ranges.crossings import Crossing, Crossings, crossings
+    from mpsolve.ranges.crossed import Crossing, Crossings
+    from mpsolve.ranges.crossings import crossings
     from mpsolve.ranges.onset import Onset, Unstable, UnstableRanges, onset, unstable_ranges
     from mpsolve.ranges.robust import Robust
     from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
@@ -218,8 +219,8 @@ _HOME = {
     "Onset": "ranges.onset",
     "Unstable": "ranges.onset",
     "UnstableRanges": "ranges.onset",
-    "Crossings": "ranges.crossings",
-    "Crossing": "ranges.crossings",
+    "Crossings": "ranges.crossed",
+    "Crossing": "ranges.crossed",
     "Robust": "ranges.robust",
     "Sensitivity": "ranges.sensitivity",
     "Chart": "ranges.chart",

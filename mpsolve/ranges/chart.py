@@ -38,6 +38,7 @@ _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
 _SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, before a box stays open
 _MOST_PARTS = 60
+_THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
 NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
 
@@ -142,10 +143,10 @@ def _chart(
     low, high = scope.corners
     smallest = 2.0 ** -(float(depth) + np.array(_SMALLER))
     tell = lambda share: progress("boxes", 0.7 * share)  # noqa: E731
-    cover = subdivide(low, high, scope.judge(ArcJudge), budget, smallest, tell)
+    cells = 2**depth * _FINER_CELLS
+    cover = subdivide(low, high, scope.judge(ArcJudge, thin=_THIN / cells), budget, smallest, tell)
     spent = cover.reason is not None and cover.reason.code != "boxes"
     progress("boundaries", 0.7)
-    cells = 2**depth * _FINER_CELLS
     strips = strips_of(scope.matrix, *cover.tree.boxes(np.flatnonzero(cover.tree.kind == ARC)), scope.corners, cells)
     free = _free(scope, cover.tree, strips, cells)
     units = tuple(map(float, (scope.family.frequency_unit, *scope.family.units)))

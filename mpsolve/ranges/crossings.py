@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import accumulate, pairwise
 from time import process_time
 from typing import Any
 
 from mpsolve.certificate.solve import certify_problem, checked_digits
-from mpsolve.numbers.balls import precision, rational_ball
-from mpsolve.numbers.packed import Portable, exact_ends
+from mpsolve.numbers.balls import arb, precision, rational_ball
+from mpsolve.numbers.decimals import working_bits
+from mpsolve.numbers.packed import exact_ends
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -19,53 +20,20 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, growing, uncounted, within
+from mpsolve.ranges import lone_mass, undamped
+from mpsolve.ranges.answer import Interval, Proof, Spent, growing, uncounted, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
+from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.enclosed import Crossing as Scaled
-from mpsolve.ranges.on_string import quiet
-from mpsolve.ranges.parted import LeftOut, parted, speeds_above, speeds_within
+from mpsolve.ranges.never import never_unstable
+from mpsolve.ranges.parted import parted, speeds_above, speeds_within
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.verified import verified
-from mpsolve.ranges.without_end import endless
+from mpsolve.ranges.without_end import endless, require_mass
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
 _ROOM = Fraction(1, 1024)  # of a range: where roots are counted there is so much to the next crossing, if anywhere
-
-
-@dataclass(frozen=True)
-class Crossing(AtValue, Portable):
-    """A root q that is real at the parameter `value`: two balls in the problem's units.
-
-    lower, upper: floats that hold `value` between them. direction: by how much the number of unstable roots grows
-    there with the parameter: ±2, and ±1 where q = 0.
-    """
-
-    value: Any
-    q: Any
-    direction: int | None
-
-
-@dataclass(frozen=True)
-class Crossings(Answer):
-    """All crossings of a range, in ascending order, and the numbers of unstable roots before, between and behind.
-
-    left_out: speeds of short waves in a range of velocities, each with what is not proved round it; where that is
-    more than the speed itself the answer is undecided. parts: the answers between them, whose crossings and, if
-    proved, counts stand here one after the other: one count more for each part.
-    """
-
-    digits: int = 15
-    crossings: tuple[Crossing, ...] = ()
-    counts: tuple[int, ...] | None = None
-    left_out: tuple[LeftOut, ...] = ()
-    parts: tuple[Crossings, ...] = field(default=(), repr=False)
-
-    def rows(self) -> list[Mapping[str, Any]]:
-        """The answer as a table, numbers as floats: one mapping for each row."""
-        return [
-            {"value": float(c.value.mid()), "q": float(c.q.mid()), "direction": c.direction} for c in self.crossings
-        ]
 
 
 def crossings(
@@ -78,6 +46,8 @@ def crossings(
     check: bool = True,
 ) -> Crossings:
     """Every value of one parameter in a closed range at which a root is real: isolated, to `digits` digits.
+
+    On a beam without damping, where roots may be real all over, those at which the number of growing roots changes.
 
     over: {path: (low, high)}, in the problem's units; a factor of all masses may have the high None: without end.
     The answer is proved where the list is complete and the numbers of unstable roots between its entries are known;
@@ -117,10 +87,15 @@ def find(
         return Crossings(problem, over, Status.UNDECIDED, why, digits=digits)
 
     found: Crossings
-    why = quiet(problem, over)
+    why = never_unstable(problem, over)
     if why is not None:
         return none(over, why)
-    if next(iter(over.values()))[1] is None:
+    ((path, (_, high)),) = over.items()
+    if high is None:
+        require_mass(path)
+    if undamped.no_damping(problem, over):
+        return _undamped(problem, over, digits, progress, check)
+    if high is None:
         budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
         found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
         return found
@@ -133,6 +108,32 @@ def find(
             return found
     found = parted(problem, over, speeds, inside, none, effort)
     return found
+
+
+def _undamped(
+    problem: Problem, over: Mapping[str, Interval], digits: int, progress: Progress, check: bool
+) -> Crossings:
+    """By the theorem of a single mass; else open."""
+    started = process_time()
+    part = lone_mass.faster(problem, over)
+    if part is None:
+        return Crossings(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), digits=digits)
+    progress("base", 0.0)
+    path, at = next(iter(over)), short_between(part.low, part.high)
+    base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
+    number = growing(base)
+    cost = Spent(process_time() - started - base.cost.verification, base.cost.verification)
+    if number is None:
+        why = uncounted(base, f"at {path} = {float(at):.6g}")
+        return Crossings(problem, over, Status.UNDECIDED, why, digits=digits, cost=cost)
+    if part.joins is None or not number:
+        return Crossings(
+            problem, over, Status.UNVERIFIED, digits=digits, counts=(number,), note=lone_mass.NOTE, cost=cost
+        )
+    with precision(working_bits(digits)):
+        first = Crossing(undamped.cuts_join(problem, path), arb(0), number)
+    known: dict[str, Any] = {"crossings": (first,), "counts": (0, number), "note": lone_mass.NOTE}
+    return Crossings(problem, over, Status.UNVERIFIED, digits=digits, cost=cost, **known)
 
 
 @stoppable

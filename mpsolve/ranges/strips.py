@@ -32,8 +32,8 @@ def strips_of(matrix: FreeMatrix, low: Any, high: Any, corners: tuple[Any, Any],
     middles = (np.arange(PIECES) + 0.5) / PIECES - HALF
     for start in range(0, low.shape[1], BATCH):
         part = slice(start, start + BATCH)
-        found = arcs(matrix, low[:, part], high[:, part])
-        for t in middles.tolist():
+        found, _ = arcs(matrix, low[:, part], high[:, part])
+        for t in middles.tolist() if len(found.pivot) else ():
             boxes.append(_strips(found, t, corners, cells))
             points.append(_points(found, t))
     lows, highs = (np.concatenate([one[k] for one in boxes], 1) for k in range(2))
