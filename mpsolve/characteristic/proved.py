@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -14,6 +14,7 @@ from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls
 from mpsolve.characteristic.splitting import Splitting, monic, upper_count
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
 from mpsolve.numbers.halves import det_and_trace
 from mpsolve.numbers.reduction import Reduction
@@ -22,7 +23,7 @@ from mpsolve.problem.reduced import Reduced
 _K = Balls()
 
 
-@dataclass(frozen=True)
+@frozen
 class ProvedSplitting:
     """U and L in balls, or their roots in balls of their own, upper ones first; `signed`: Re P < 0 and > 0 is proved.
 
@@ -111,7 +112,7 @@ def _waves(xi: Sequence[Any], roots: Sequence[Any], thin: bool) -> list[list[Any
     return out
 
 
-@dataclass(frozen=True)
+@frozen
 class _Ways:
     """Distances one after the other from 0 on: (its number, that of the leap to it from the one before)."""
 
