@@ -175,11 +175,6 @@ def rendered(figure: Figure, kind: str) -> bytes:
     return stream.getvalue()
 
 
-def scaling(factor: float) -> tuple[Callable[[Any], Any], Callable[[Any], Any]]:
-    """Times the factor, and back: what a second scale needs."""
-    return lambda x: x * factor, lambda x: x / factor
-
-
 def inline_svg(figure: Figure, name: str, title: str, description: str) -> str:
     """The figure as an <svg> element with role img, whose ids begin with `name` and a hyphen.
 

@@ -12,6 +12,7 @@ import numpy as np
 from mpsolve.characteristic.forced import receptance
 from mpsolve.errors import InputError
 from mpsolve.files import csv_text
+from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Track
@@ -111,4 +112,4 @@ def _track(track: Any) -> dict[str, str]:
 def _number(value: Fraction) -> str:
     """As short as it is exact."""
     text = shown(value)
-    return text if "…" not in text else str(value)
+    return text if Exact.parse(text) == value else str(value)
