@@ -5,9 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
+from flint import arb, fmpq, fmpq_poly, fmpz_poly
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.packed import dyadic
 
 
 def as_fmpq(x: Fraction) -> fmpq:
@@ -90,10 +91,4 @@ def short_between(low: Fraction, high: Fraction) -> Fraction:
 
 def end_of(ball: arb, side: int) -> Fraction:
     """The middle (side 0) or an end of a ball, exactly."""
-    mid, exp = ball.mid().man_exp()
-    rad, rad_exp = ball.rad().man_exp()
-    return _dyadic(mid, exp) + side * _dyadic(rad, rad_exp)
-
-
-def _dyadic(man: fmpz, exp: fmpz) -> Fraction:
-    return Fraction(int(man)) * Fraction(2) ** int(exp)
+    return dyadic(ball.mid()) + side * dyadic(ball.rad())
