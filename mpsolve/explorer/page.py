@@ -18,7 +18,7 @@ from mpsolve.explorer.form import Form, heading
 from mpsolve.explorer.player import BLUE, CSS, SCRIPT
 from mpsolve.explorer.proof_panel import ProofPanel, vibration
 from mpsolve.explorer.session import Session
-from mpsolve.presets.catalogue import names
+from mpsolve.presets.written import names
 from mpsolve.problem.inputfile import read_problem
 from mpsolve.problem.problem import Problem
 
