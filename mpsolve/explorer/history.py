@@ -32,14 +32,6 @@ class History(Generic[T]):
         """The present state, corrected: a step of a movement that has not ended."""
         self.now = state
 
-    @property
-    def can_undo(self) -> bool:
-        return bool(self._before)
-
-    @property
-    def can_redo(self) -> bool:
-        return bool(self._after)
-
     def undo(self) -> None:
         if self._before:
             self._after.append(self.now)
@@ -90,4 +82,4 @@ class Waiting:
 
 
 def _waits(error: InputError) -> InputError:
-    return InputError(error.key, f"{str(error).removeprefix(f'{error.key}: ')} (what was typed waits for that)")
+    return InputError(error.key, f"{error.said} (what was typed waits for that)")
