@@ -36,8 +36,8 @@ def samples(f: fmpq_poly) -> list[Fraction]:
     if not roots:
         return [Fraction(1)]
     ends = [(Fraction(0), Fraction(0)), *((end_of(ball, -1), end_of(ball, 1)) for ball in roots)]
-    return [_between(below[1], above[0]) for below, above in pairwise(ends)] + [
-        _between(ends[-1][1], 4 * ends[-1][1])
+    return [short_between(below[1], above[0]) for below, above in pairwise(ends)] + [
+        short_between(ends[-1][1], 4 * ends[-1][1])
     ]
 
 
@@ -79,7 +79,7 @@ def _vanishes_in(factor: fmpz_poly, ball: arb) -> bool:
     return sign_at(fmpq_poly(factor), low) * sign_at(fmpq_poly(factor), high) <= 0
 
 
-def _between(low: Fraction, high: Fraction) -> Fraction:
+def short_between(low: Fraction, high: Fraction) -> Fraction:
     """A short dyadic number near the middle of an interval."""
     unit = Fraction(1)
     while unit * 4 > high - low:

@@ -94,6 +94,7 @@ _ANSWERS: dict[str, p.Schema] = {
         "boundaries": p.rows(
             p.table(dict.fromkeys(("x", "y", "q", "radius"), p.rows(p.REAL)) | {"divergence": p.YES, "whole": p.YES})
         ),
+        "meetings": p.rows(p.table({"x": p.BALL, "y": p.BALL, "q": p.rows(p.BALL)})),
         "traced": p.YES,
     },
 }
