@@ -1,8 +1,9 @@
-"""The input file of a track and a vehicle from the presets, with a comment on every line."""
+"""The input file of a track and a vehicle from the presets, with a comment on every line, and the problem in it."""
 
 from __future__ import annotations
 
 import re
+import tempfile
 import textwrap
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -18,6 +19,8 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Part, Quantity, defaults, quantities
 from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit, split
+from mpsolve.problem.inputfile import ProblemFile, read_problem
+from mpsolve.problem.problem import Problem
 from mpsolve.problem.toml import parsed
 
 _HERE = Path(__file__).parent
@@ -28,6 +31,8 @@ _SHARED = ("kg", "kg m²", "N/m", "N s/m")
 _OF_ONE_RAIL = re.compile(r" (?:on|under) one rail")
 """What the models say of their values; here they may be for something else."""
 _OF = {"rail": "one rail", "track": "both rails and the whole vehicle", "wire": "one wire", "ice": "a strip of ice"}
+FIRST = "ballasted"
+"""The preset that stands there without a file."""
 
 
 @dataclass(frozen=True)
@@ -212,3 +217,22 @@ def listing() -> str:
     lines += ["", "Vehicles (--vehicle NAME):"]
     lines += [f"  {name.ljust(14)}{preset('vehicle', name).title}" for name in names("vehicle")]
     return "\n".join(lines) + "\n"
+
+
+def begun(file: Path | None) -> tuple[Problem, str]:
+    """The problem of an input file, or of the first preset, with its title."""
+    read = read_problem(file) if file is not None else _read_preset(FIRST, None)
+    return read.problem, read.title or (file.stem if file is not None else "")
+
+
+def problem_of(track: str, vehicle: str | None = None) -> tuple[Problem, str]:
+    """The problem of a preset of a track, with a preset of a vehicle or with its usual one, and its title."""
+    read = _read_preset(track, vehicle)
+    return read.problem, read.title
+
+
+def _read_preset(track: str, vehicle: str | None) -> ProblemFile:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"{track}.toml"
+        path.write_text(input_file(track, vehicle), encoding="utf-8")
+        return read_problem(path)

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from mpsolve import Effort, Problem, certify, read_problem, tracks, vehicles
-from mpsolve.errors import InputError
+from mpsolve import Effort, InputError, Problem, certify, read_problem, tracks, vehicles
 from mpsolve.numbers.model import quantities
-from mpsolve.presets.written import input_file, listing, names, preset
+from mpsolve.presets.written import begun, input_file, listing, names, preset, problem_of
 
 PAIRS = [(name, None) for name in names("track")]
 PAIRS += [("ballasted", name) for name in ("shinkansen", "stem", "two-masses", "wheelset", "freight-bogie")]
@@ -131,3 +130,21 @@ def test_a_model_is_no_preset() -> None:
         preset("vehicle", "bogie")
     with pytest.raises(InputError, match="track: is 'two-layer', which is a model"):
         preset("track", "two-layer")
+
+
+def test_a_file_and_a_preset() -> None:
+    problem, title = begun(Path("examples/two_layer_bogie.toml"))
+    assert problem.v == 100
+    assert "bogie" in title
+    assert begun(None)[0].track.parameters
+
+
+def test_a_file_that_is_none(tmp_path: Path) -> None:
+    with pytest.raises(InputError):
+        begun(tmp_path / "none.toml")
+
+
+def test_a_preset_with_another_vehicle() -> None:
+    usual, other = problem_of("ballasted")[0], problem_of("ballasted", "shinkansen")[0]
+    assert usual.track == other.track
+    assert usual.pencil.M != other.pencil.M

@@ -11,9 +11,8 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.finite.beam.march import UNKNOWN, Loading, Motion, march
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.finite.case import positive
+from mpsolve.finite.case import hermite, positive
 from mpsolve.numbers.float_list import checked_times, float_list
-from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.case import Case
 from mpsolve.vehicles.load import Load
