@@ -344,6 +344,14 @@ def resonances(bd, most):
 # --- paths -----------------------------------------------------------------------------------------------------------  # noqa: E501
 
 
+def moved(walker, kind, mark, where):
+    """The mark there, and the change of arg Δ̂ from the matrices at both ends."""
+    end, turn = walker.piece(kind, mark, where, None)
+    if turn is None:
+        return end, arb(0)
+    return end, turn.sharp(walker.matrix(end)) - turn.sharp(walker.matrix(mark))
+
+
 def walk(walker, kind, corners):
     """Points along the polygon; each piece passes the verifier's tests."""
     at = corners[0]
@@ -356,7 +364,7 @@ def walk(walker, kind, corners):
             to = to if to < 1 else 1.0
             where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b, strict=False))
             try:
-                end, turned = walker.piece(kind, mark, where, None)
+                end, turned = moved(walker, kind, mark, where)
             except v2.Refused as no:
                 h /= 2
                 if h < 1e-7:
@@ -382,7 +390,7 @@ def arc(walker, radius):
             else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
         )
         try:
-            end, turned = walker.piece("turn", mark, where, None)
+            end, turned = moved(walker, "turn", mark, where)
         except v2.Refused as no:
             h /= 2
             if h < 1e-7:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 from mpsolve.characteristic.determinant import Bordering
@@ -14,15 +14,16 @@ from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls
 from mpsolve.characteristic.splitting import Splitting, monic, upper_count
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
+from mpsolve.numbers.halves import det_and_trace
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.problem.reduced import Reduced
 
 _K = Balls()
-_CHAIN = 3  # distances in a row from which on products take the place of exponentials
 
 
-@dataclass(frozen=True)
+@frozen
 class ProvedSplitting:
     """U and L in balls, or their roots in balls of their own, upper ones first; `signed`: Re P < 0 and > 0 is proved.
 
@@ -83,12 +84,11 @@ class ProvedSplitting:
     def _by_residues(self, xi: Sequence[Any], slope: bool) -> tuple[list[Any], list[Any]]:
         roots, count = self.roots or (), len(xi)
         G, G_sigma = [acb(0)] * count, [acb(0)] * (count if slope else 0)
-        found = _waves(xi, roots, self.upper) if is_thin(self.sigma) else {}
         for sign, side in ((1, slice(0, self.upper)), (-1, slice(self.upper, None))):
             own = [k for k, x in enumerate(xi) if (x >= 0) == (sign > 0)]
             if not own or not roots[side]:
                 continue
-            waves = [found.get(xi[k]) or _wave(xi[k], roots[side]) for k in own]
+            waves = _waves([xi[k] for k in own], roots[side], is_thin(self.sigma))
             parts = [[t.w, t.a, t.b] for t in self.terms[side]] if slope else [[w] for w in self.weights[side]]
             sums = (acb_mat(waves) * acb_mat(parts) * sign).tolist()
             for k, (value, *rates) in zip(own, sums, strict=True):
@@ -98,23 +98,43 @@ class ProvedSplitting:
         return G, G_sigma
 
 
+def _waves(xi: Sequence[Any], roots: Sequence[Any], thin: bool) -> list[list[Any]]:
+    """e^{zξ} of the roots for each ξ, all of one sign: by products where few distances lie between them."""
+    order = _ways(tuple(xi)) if thin else None
+    if order is None:
+        return [_wave(x, roots) for x in xi]
+    leaps = [_wave(x, roots) for x in order.leaps]
+    out: list[list[Any]] = [[]] * len(xi)
+    here = [acb(1)] * len(roots)
+    for k, leap in order.way:
+        here = [wave * one for wave, one in zip(here, leaps[leap], strict=True)]
+        out[k] = here
+    return out
+
+
+@frozen
+class _Ways:
+    """Distances one after the other from 0 on: (its number, that of the leap to it from the one before)."""
+
+    way: tuple[tuple[int, int], ...]
+    leaps: tuple[Any, ...]
+
+
+@lru_cache(maxsize=64)
+def _ways(xi: tuple[Any, ...]) -> _Ways | None:
+    """None where the leaps are nearly as many as the distances."""
+    leaps: dict[Any, int] = {}
+    order, before = sorted(range(len(xi)), key=lambda k: abs(xi[k])), 0
+    way = []
+    for k in order:
+        way.append((k, leaps.setdefault(xi[k] - before, len(leaps))))
+        before = xi[k]
+    return _Ways(tuple(way), tuple(leaps)) if 2 * len(leaps) < len(xi) else None
+
+
 def _wave(x: Any, roots: Sequence[Any]) -> list[Any]:
     ball = _K.number(x)
     return [(ball * z).exp() if x else acb(1) for z in roots]
-
-
-def _waves(xi: Sequence[Any], roots: tuple[Any, ...], upper: int) -> dict[Any, list[Any]]:
-    """e^{zξ} at the ξ ≠ 0 that are 1, 2, 3, … times the least one of their sign, by products; {} where none are."""
-    out: dict[Any, list[Any]] = {}
-    for sign, side in ((1, roots[:upper]), (-1, roots[upper:])):
-        own = sorted((x for x in set(xi) if sign * x > 0), key=abs)
-        if len(own) < _CHAIN or any(x != k * own[0] for k, x in enumerate(own, 1)):
-            continue
-        step = waves = _wave(own[0], side)
-        for x in own:
-            out[x] = waves
-            waves = [wave * one for wave, one in zip(waves, step, strict=True)]
-    return out
 
 
 def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
@@ -189,13 +209,9 @@ class Proved:
         """Δ̂ and dΔ̂/dσ over the ball σ."""
         A, A_sigma = self.matrices(sigma)
         if is_thin(sigma):
-            try:
-                value = A.det()
-                slope = value * A.solve(A_sigma).trace()
-            except ZeroDivisionError:  # next to a root
-                slope = acb("nan")
-            if slope.is_finite():
-                return value, slope
+            value, trace = det_and_trace(A, A_sigma)
+            if trace.is_finite():
+                return value, value * trace
         return Reduction.of(A).determinant(A, A_sigma)
 
 

@@ -11,7 +11,7 @@ from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import Answer
-from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, UnstableRanges
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
