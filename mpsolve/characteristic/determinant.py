@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -12,6 +11,7 @@ from mpsolve.characteristic.bordered import direct_contacts
 from mpsolve.characteristic.receptance import at_matrix, by_companions, companion
 from mpsolve.characteristic.splitting import Splitting
 from mpsolve.characteristic.symbol import Symbols, product
+from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.problem.reduced import Reduced
 
@@ -19,7 +19,7 @@ Share = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
 """The coefficients of a share in σ, and of its slope."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Bordering:
     """The vehicle's part of the matrix, and which distance stands in which entry.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -15,6 +15,7 @@ from mpsolve.characteristic.splitting import Splitting, monic, upper_count
 from mpsolve.characteristic.spread import Spread
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
 from mpsolve.numbers.halves import det_and_trace
 from mpsolve.numbers.reduction import Reduction
@@ -23,7 +24,7 @@ from mpsolve.problem.reduced import Reduced
 _K = Balls()
 
 
-@dataclass(frozen=True)
+@frozen
 class ProvedSplitting:
     """U and L in balls, or their roots in balls of their own, upper ones first; `signed`: Re P < 0 and > 0 is proved.
 

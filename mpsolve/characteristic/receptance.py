@@ -8,12 +8,12 @@ roots of one side meet, and so are the slopes in σ of everything.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from mpsolve.characteristic.splitting import Splitting, sylvester
 from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
+from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 
 
@@ -91,7 +91,7 @@ def _slopes(
     return out[:m], out[m:], [a - b * grown for a, b in zip(N_s, N, strict=True)]
 
 
-@dataclass(frozen=True)
+@frozen
 class Dual:
     """Coefficients of a polynomial in P, and their slopes in σ; a monic one stands without its leading 1."""
 
@@ -133,7 +133,7 @@ def _at_dual(K: Arithmetic, values: Sequence[Any], slopes: Sequence[Any], C: Any
     return total
 
 
-@dataclass(frozen=True)
+@frozen
 class Terms:
     """A simple p-root z gives G the term w e^{zξ}, and its slope in σ the term (a + bξ) e^{zξ}."""
 
@@ -143,7 +143,7 @@ class Terms:
     b: Any
 
 
-@dataclass(frozen=True)
+@frozen
 class Coefficients:
     """D, N, D_σ, N_σ as coefficients in P at one σ."""
 

@@ -14,7 +14,8 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import HOW, Exact
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.written import HOW
 
 Dimension = tuple[int, int, int]
 """Powers of kg, m and s."""
@@ -108,13 +109,10 @@ def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:
     return exact.as_fraction()
 
 
+@lru_cache(maxsize=256)
 def factor(unit: str) -> Factor:
     """The factor and the dimension of a unit such as "kN/mm" or "N s/m²"; ValueError says what is wrong with it."""
-    return _factor(unit.translate(_ALIKE).strip())
-
-
-@lru_cache(maxsize=256)
-def _factor(unit: str) -> Factor:
+    unit = unit.translate(_ALIKE).strip()
     if not unit:
         return Fraction(1), (0, 0, 0)
     above, *below = unit.replace("(", " ( ").replace(")", " ) ").split("/")

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import io
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from mpsolve.files import write_whole
 from mpsolve.vibration.case_motion import Response
-from mpsolve.vibration.scale import Scale
+from mpsolve.vibration.case_units import Scale
 
+_ARRAYS = "xi tau w steady steady_harmonic harmonic transient velocity acceleration contact_forces within"
 _PARTS = ("w", "steady", "harmonic", "transient")
 
 
@@ -42,27 +40,12 @@ def named(name: str, unit: str, scale: Scale) -> str:
     return f"{name} [{unit}]" if scale.physical else name
 
 
-def save_arrays(found: Response, path: Path, scale: Scale) -> Path:
-    """NPZ with the arrays of the response under their names, dimensionless; `units` tells what one of them is.
+def arrays(found: Response, scale: Scale) -> dict[str, Any]:
+    """The arrays of the response under their names, dimensionless; `units` tells what one of them is.
 
     units: of τ in `unit_names[0]`, of displacements in [1], of forces in [2].
     """
-    names = (
-        "xi",
-        "tau",
-        "w",
-        "steady",
-        "steady_harmonic",
-        "harmonic",
-        "transient",
-        "velocity",
-        "acceleration",
-        "contact_forces",
-        "within",
-    )
-    stream = io.BytesIO()
-    arrays: dict[str, Any] = {name: getattr(found, name) for name in names}
-    arrays["units"] = np.array([scale.time, scale.length, scale.force])
-    arrays["unit_names"] = np.array([scale.time_name, scale.length_name, scale.force_name])
-    np.savez(stream, q=np.array([pair.q for pair in found.harmonic_pairs], complex), **arrays)
-    return write_whole(path, stream.getvalue())
+    out: dict[str, Any] = {name: getattr(found, name) for name in _ARRAYS.split()}
+    out["units"] = np.array([scale.time, scale.length, scale.force])
+    out["unit_names"] = np.array([scale.time_name, scale.length_name, scale.force_name])
+    return out | {"q": np.array([pair.q for pair in found.harmonic_pairs], complex)}

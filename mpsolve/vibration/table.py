@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import io
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from mpsolve.files import save_columns, write_whole
 from mpsolve.vibration.motion import Vibration
 
+_ARRAYS = "times places rail steady steady_harmonic harmonic transient contact_force within"
 _PARTS = {"w": "rail", "steady": "steady", "harmonic": "harmonic", "transient": "transient"}
 
 
@@ -37,28 +35,10 @@ def columns(found: Vibration) -> dict[str, Any]:
     return table
 
 
-def save_table(found: Vibration, path: Path) -> Path:
-    """CSV, each number with all its digits; CertificateError if it cannot be written."""
-    return save_columns(columns(found), path)
-
-
-def save_arrays(found: Vibration, path: Path) -> Path:
-    """NPZ with the arrays of the motion under their names, in SI; vehicle (coordinates, times), `names` of these."""
-    stream = io.BytesIO()
-    names = (
-        "times",
-        "places",
-        "rail",
-        "steady",
-        "steady_harmonic",
-        "harmonic",
-        "transient",
-        "contact_force",
-        "within",
-    )
-    arrays: dict[str, Any] = {name: getattr(found, name) for name in names}
-    arrays["vehicle"] = np.array(list(found.vehicle.values()))
-    arrays["names"] = np.array(list(found.vehicle))
-    arrays["q"] = np.array([part.q for part in found.induced], complex)
-    np.savez(stream, **arrays)
-    return write_whole(path, stream.getvalue())
+def arrays(found: Vibration) -> dict[str, Any]:
+    """The arrays of the motion under their names, in SI; vehicle (coordinates, times), `names` of these."""
+    out: dict[str, Any] = {name: getattr(found, name) for name in _ARRAYS.split()}
+    out["vehicle"] = np.array(list(found.vehicle.values()))
+    out["names"] = np.array(list(found.vehicle))
+    out["q"] = np.array([part.q for part in found.induced], complex)
+    return out

@@ -2,7 +2,7 @@ import numpy as np
 
 from mpsolve import Case, Load, response
 from mpsolve.vibration.case_table import columns, named, time_columns
-from mpsolve.vibration.scale import Scale
+from mpsolve.vibration.case_units import Scale
 
 
 def test_every_part_has_its_column():

@@ -11,8 +11,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.finite.beam.march import UNKNOWN, Loading, Motion, march
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.numbers.float_list import float_list
-from mpsolve.numbers.grid import checked_times
+from mpsolve.numbers.float_list import checked_times, float_list
 from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.case import Case

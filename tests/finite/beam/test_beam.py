@@ -11,7 +11,7 @@ from mpsolve import Case
 from mpsolve.finite.beam.beam import finite_beam
 from mpsolve.finite.beam.march import Loading, march
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.numbers.wave_integrals import gauss, moments, nested_moments
+from mpsolve.numbers.wave_tables import gauss, moments, nested_moments
 from mpsolve.vehicles.load import Load
 
 TAU = np.linspace(0, 60, 121)
