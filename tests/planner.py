@@ -321,10 +321,10 @@ def plan_tail(track, sites, X):
 
 def absorbs(bw, bd, z1, z2, kappa, tau):
     """Whether the verifier's test of the block holds."""
-    f = {at: arb(bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0))) for at in {*bw, *bd}}
+    f = {at: bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0)) for at in {*bw, *bd}}
     try:
         with v2.precision(128):
-            v2.check_positive(f, ((float(z1), float(z2)), (0.0, float(tau))), None, "")
+            v2.check_positive(f, ((q_(z1), q_(z2)), (fmpq(0), q_(tau))), None, "")
     except v2.Refused:
         return False
     return True
@@ -345,6 +345,14 @@ def resonances(bd, most):
 # --- paths -----------------------------------------------------------------------------------------------------------  # noqa: E501
 
 
+def moved(walker, kind, mark, where):
+    """The mark there, and the change of arg Δ̂ from the matrices at both ends."""
+    end, turn = walker.piece(kind, mark, where, None)
+    if turn is None:
+        return end, arb(0)
+    return end, turn.sharp(walker.matrix(end)) - turn.sharp(walker.matrix(mark))
+
+
 def walk(walker, kind, corners):
     """Points along the polygon; each piece passes the verifier's tests."""
     at = corners[0]
@@ -357,7 +365,7 @@ def walk(walker, kind, corners):
             to = to if to < 1 else 1.0
             where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b, strict=False))
             try:
-                end, turned = walker.piece(kind, mark, where, None)
+                end, turned = moved(walker, kind, mark, where)
             except v2.Refused as no:
                 h /= 2
                 if h < 1e-7:
@@ -383,7 +391,7 @@ def arc(walker, radius):
             else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
         )
         try:
-            end, turned = walker.piece("turn", mark, where, None)
+            end, turned = moved(walker, "turn", mark, where)
         except v2.Refused as no:
             h /= 2
             if h < 1e-7:

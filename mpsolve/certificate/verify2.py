@@ -21,7 +21,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
-from math import comb
+from math import comb, prod
 from typing import Any
 
 import flint
@@ -287,32 +287,32 @@ def at(f: Free, x: Sequence[Any]) -> Any:
     return total
 
 
-def least(f: Free, box: Box) -> Any:
-    """A lower bound over a box: the least Bernstein coefficient."""
-    if not f:
-        return fmpq(0)
-    table = dict(f)
+@lru_cache(maxsize=256)
+def basis(n: int, low: Any, high: Any, kind: Any) -> Any:
+    """The matrix that takes coefficients (ascending, degree n) to those of Bernstein on [low, high]."""
+    rows = [
+        [low ** (k - j) * (high - low) ** j * comb(k, j) if k >= j else 0 for k in range(n + 1)] for j in range(n + 1)
+    ]
+    return kind(n + 1, n + 1, [fmpq(comb(i, j), comb(n, j)) for i in range(n + 1) for j in range(n + 1)]) * kind(rows)
+
+
+def bernstein(f: Free, box: Box, kind: Any) -> list[Any]:
+    """Bernstein coefficients over a box: the values there lie between them; the first is that at all low ends.
+
+    kind: of the matrices, fmpq_mat for exact ones, or arb_mat for balls.
+    """
     degrees = [max(e[k] for e in f) for k in range(len(box))]
-    size = 1
-    for d in degrees:
-        size *= d + 1
+    size = prod(d + 1 for d in degrees)
     require(size <= MAX_SIZE, "a polynomial in the parameters has too high degrees")
-    for k, (low, high) in enumerate(box):
-        if not degrees[k]:
-            continue
-        moved: Free = {}
-        for e, c in table.items():
-            for n in range(e[k] + 1):  # (low + (high − low) t)^e
-                key = (*e[:k], n, *e[k + 1 :])
-                step = c * comb(e[k], n) * low ** (e[k] - n) * (high - low) ** n
-                moved[key] = moved.get(key, fmpq(0)) + step
-        table = {}
-        for e, c in moved.items():
-            for n in range(e[k], degrees[k] + 1):
-                key = (*e[:k], n, *e[k + 1 :])
-                share = fmpq(comb(n, e[k]), comb(degrees[k], e[k]))
-                table[key] = table.get(key, fmpq(0)) + c * share
-    return min(table.get(key, fmpq(0)) for key in product(*(range(d + 1) for d in degrees)))
+    table = [f.get(e, 0) for e in product(*(range(d + 1) for d in degrees))]
+    for n, (low, high) in zip(degrees, box, strict=True):  # each variable in turn stands first, and then goes last
+        table = (basis(n, low, high, kind) * kind(n + 1, size // (n + 1), table)).transpose().entries()
+    return table
+
+
+def least(f: Free, box: Box) -> Any:
+    """A lower bound over a box."""
+    return min(bernstein(f, box, fmpq_mat)) if f else fmpq(0)
 
 
 def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
@@ -734,6 +734,15 @@ def shift(z: Any, size: int, rows: int) -> Any:
     return acb_mat(rows, size, [powers[d] * c if c else 0 for d, c in binomials(size, rows)])
 
 
+def moved(a: Any, z: Any) -> Rows:
+    """The rows of coefficients at z of polynomials whose coefficients stand in the columns, by Horner's scheme."""
+    rows: Rows = a.tolist()
+    for k in range(len(rows) - 1):
+        for i in range(len(rows) - 2, k - 1, -1):
+            rows[i] = [x + z * y for x, y in zip(rows[i], rows[i + 1], strict=True)]
+    return rows
+
+
 @lru_cache(maxsize=64)
 def binomials(size: int, rows: int) -> list[tuple[int, int]]:
     return [(k - i, comb(k, i)) for i in range(rows) for k in range(size)]
@@ -763,6 +772,12 @@ class Local:
     def degree(self) -> int:
         return int(self.d.nrows()) - 1
 
+    @cached_property
+    def polynomials(self) -> tuple[Any, Any, Any]:
+        """D, D_P and N at t = 0."""
+        D, N = (acb_poly([a[i, 0] for i in range(a.nrows())]) for a in (self.d, self.n))
+        return D, D.derivative(), N
+
     def lead(self) -> list[Any]:
         return [self.d[self.degree, j] for j in range(self.d.ncols())]
 
@@ -775,6 +790,15 @@ class Waves:
         self.d, self.n = table(track.d), table(track.n)
         self.gaps = sorted({a - b for a in sites for b in sites})
         self.xi = [arb(gap) for gap in self.gaps]
+        # the gaps ahead from 0 on and those behind, each with the number of its distance from the one before it
+        ahead = [g for g, gap in enumerate(self.gaps) if gap >= 0]
+        behind = [g for g, gap in enumerate(self.gaps) if gap < 0]
+        leaps: dict[Any, int] = {}
+        self.ways = []
+        for way in (ahead, behind[::-1]):
+            steps = [self.gaps[g] - (self.gaps[way[k - 1]] if k else 0) for k, g in enumerate(way)]
+            self.ways.append([(g, leaps.setdefault(abs(x), len(leaps))) for g, x in zip(way, steps, strict=True)])
+        self.leaps = [arb(x) for x in leaps]
 
     def near(self, m: Any, thin: bool = False) -> Local:
         """About σ = m; thin: at t = 0 only."""
@@ -958,16 +982,25 @@ def kernels(waves: Waves, split: Split, r: Any) -> list[Bent]:
 
 
 def summed(waves: Waves, roots: Sequence[tuple[int, Bent, Bent]], r: Any) -> list[Bent]:
-    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side."""
+    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side.
+
+    Products of `bent_product` and `bent_wave`; e^{Pξ} from one gap to the next.
+    """
     out: list[Bent] = [NOTHING] * len(waves.xi)
-    for side, wave, weight in roots:
-        weight = (-weight[0], -weight[1], weight[2]) if side else weight
-        ride = riding(wave, weight, r)
-        for g, xi in enumerate(waves.xi):
-            if (waves.gaps[g] < 0) == (side == 1):
-                a, b, rest = ride(xi)
-                x, y, lost = out[g]
-                out[g] = x + a, y + b, rest + lost
+    for side, (p, b, e), (c, d, f) in roots:
+        if side:
+            p, b, c, d = -p, -b, -c, -d  # of |ξ|
+        y1, c_, d_, moves = abs(b) * r + e, abs(c), abs(d) * r, abs(b) * r
+        slope, whole = c * b, c_ + d_
+        each = [((p * x).exp(), (p.real * x).exp(), (y1 * x).exp()) for x in waves.leaps]
+        value, size, power = acb(1), arb(1), arb(1)
+        for g, k in waves.ways[side]:
+            leap = each[k]
+            value, size, power, xi = value * leap[0], size * leap[1], power * leap[2], abs(waves.xi[g])
+            x, rest = moves * xi, e * xi + (power - 1 - y1 * xi)
+            rest = (d_ * x + whole * rest + (1 + x + rest) * f) * size
+            u, v, lost = out[g]
+            out[g] = u + value * c, v + value * (d + slope * xi), lost + rest
     require(all(x.is_finite() for one in out for x in one), "a kernel is not bounded on a piece")
     return out
 
@@ -1000,24 +1033,6 @@ def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
     return value, value * b, abs(value) * (e + y.expm1() - y)
 
 
-def riding(wave: Bent, weight: Bent, r: Any) -> Callable[[Any], Bent]:
-    """weight·e^{wave·ξ} for any real ξ: a product of `bent_product` and `bent_wave`, moduli taken once."""
-    (p, b, e), (c, d, f) = wave, weight
-    y1, c_, d_ = abs(b) * r + e, abs(c), abs(d) * r
-    bent, slope, whole = abs(b) * r, c * b, c_ + d_
-
-    def at(xi: Any) -> Bent:
-        if xi.is_zero():
-            return weight
-        value, size = (p * xi).exp(), abs(xi)
-        y, x = y1 * size, bent * size
-        rest = e * size + y.expm1() - y
-        rest = (d_ * x + whole * rest + (1 + x + rest) * f) * abs(value)
-        return value * c, value * (d + slope * xi), rest
-
-    return at
-
-
 def tails(row: Sequence[Any], r: Any) -> tuple[Any, Any, Any]:
     """Σ |c_j| r^j over j ≥ 0, over j ≥ 1 and over j ≥ 2."""
     rest = arb(0)
@@ -1040,8 +1055,9 @@ def bent_polynomial(c: Rows, sizes: Sequence[Sequence[Any]], root: Bent, e: Any)
 
 def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
     """The one root in the disc of radius e round z, and N/D_P there."""
-    n, rows = local.degree + 1, local.n.nrows()
-    c, above = (shift(z, n, n) * local.d).tolist(), (shift(z, rows, rows) * local.n).tolist()
+    if local.thin:
+        return thin_root(local, z, e)
+    c, above = moved(local.d, z), moved(local.n, z)
     sizes, sizes_above = ([tails(row, r) for row in part] for part in (c, above))
     require(not c[1][0].contains(0), "a p-root may be double on a piece")
     # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
@@ -1053,6 +1069,15 @@ def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
     slope = bent_inverse(bent_polynomial(slopes, steep, root, e), r)
     weight = bent_product(bent_polynomial(above, sizes_above, root, e), slope, r)
     return (z + root[0], root[1], root[2]), weight
+
+
+def thin_root(local: Local, z: Any, e: Any) -> tuple[Bent, Bent]:
+    """The same at one σ: 0 = D(z) + u·(a mean of D_P over the way to the root z + u), |u| ≤ e."""
+    D, slope, N = local.polynomials
+    steep = slope(z + box(e))
+    require(not steep.contains(0), "a p-root may be double")
+    root = z - D(z) / steep
+    return (root, acb(0), arb(0)), (N(root) / slope(root), acb(0), arb(0))
 
 
 class Origin:
@@ -1076,8 +1101,7 @@ class Origin:
         for kind, (local, roots) in enumerate(self.kinds):
             found = []
             for z in (x.mid() for x in roots):
-                n = local.degree + 1
-                e = alone((shift(z, n, n) * local.d).tolist(), r)
+                e = alone(moved(local.d, z), r)
                 require(abs(z.real) > e, "a p-root may be real next to q = 0")
                 found.append((kind, int(z.real > 0), z, e))
             apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
@@ -1308,6 +1332,18 @@ def moduli(a: Any) -> Any:
 
 
 @lru_cache(maxsize=64)
+def tiny_balls(n: int) -> tuple[Any, Any]:
+    """A matrix of balls round 0, and bounds of the moduli of what they hold."""
+    return acb_mat(n, n, [box(arb(2.0**-40))] * (n * n)), arb_mat(n, n, [2.0**-39] * (n * n))
+
+
+def small(a: Any) -> Any:
+    """Bounds of the moduli of entries that most often are all tiny."""
+    balls, bounds = tiny_balls(a.nrows())
+    return bounds if balls.contains(a) else moduli(a)
+
+
+@lru_cache(maxsize=64)
 def identity(n: int) -> Any:
     return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
@@ -1324,30 +1360,38 @@ def near_inverse(a: Any) -> Any:
 
 
 def pivots(a: Any) -> Any:
-    """Σ Arg of the pivots of an elimination on the diagonal, in order: of a leading block, then of its rest.
+    """Σ Arg of the pivots of an elimination on the diagonal, in order."""
+    total = arb(0)
+    for block in diagonal(a):
+        rows = block.tolist()
+        for k in range(len(rows)):
+            total += rows[k][k].arg()
+            for row in rows[k + 1 :]:
+                factor = row[k] / rows[k][k]
+                for j in range(k + 1, len(rows)):
+                    row[j] = row[j] - factor * rows[k][j]
+    return total
+
+
+def diagonal(a: Any) -> Iterator[Any]:
+    """Small blocks that have the pivots of an elimination on the diagonal: a leading block, then what is left.
 
     The Schur complement of a leading block has the pivots that elimination finds after those of the block.
     """
     n = a.nrows()
-    rows = a.tolist()
-    if n > SMALL:
-        k = n // 2
-        one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
-        three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
-        block = acb_mat(one)
-        try:
-            left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
-        except ZeroDivisionError:
-            raise Refused("a pivot may vanish") from None
-        return pivots(block) + pivots(left)
-    total = arb(0)
-    for k in range(n):
-        total += rows[k][k].arg()
-        for row in rows[k + 1 :]:
-            factor = row[k] / rows[k][k]
-            for j in range(k + 1, n):
-                row[j] = row[j] - factor * rows[k][j]
-    return total
+    if n <= SMALL:
+        yield a
+        return
+    rows, k = a.tolist(), n // 2
+    one, two = ([row[part] for row in rows[:k]] for part in (slice(k), slice(k, n)))
+    three, four = ([row[part] for row in rows[k:]] for part in (slice(k), slice(k, n)))
+    block = acb_mat(one)
+    try:
+        left = acb_mat(four) - acb_mat(three) * block.solve(acb_mat(two))
+    except ZeroDivisionError:
+        raise Refused("a pivot may vanish") from None
+    yield from diagonal(block)
+    yield from diagonal(left)
 
 
 def greatest_first(a: list[list[Any]]) -> list[int]:
@@ -1423,15 +1467,42 @@ class Walker:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
         kind, points = path.kind, path.points
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        mark, total = self.marks[points[0]], arb(0)
+        marks, turns = [self.marks[points[0]]], []
         for k, (a, b) in enumerate(pairwise(points)):
             try:
-                end, turned = self.piece(kind, mark, b)
+                end, turn = self.piece(kind, marks[-1], b)
             except Refused as error:
                 x, y = (float(arb(c)) for c in a)
                 raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
-            mark, total = end, total + turned
-            self.marks[b] = mark
+            marks.append(end)
+            turns += [turn] if turn is not None else []
+            self.marks[b] = end
+        return self.turned(marks, turns) if turns else arb(0)
+
+    def turned(self, marks: Sequence[Mark], turns: Sequence[Turn]) -> Any:
+        """The change of arg Δ̂ along pieces that follow each other: from piece to piece arg det R A jumps by what the
+        determinants of R say, but for whole turns, which rough bounds tell. Where they do not, A is taken there."""
+        total, i, last = (
+            turns[-1].sharp(self.matrix(marks[-1])) - turns[0].sharp(self.matrix(marks[0])),
+            0,
+            len(turns) - 1,
+        )
+        while i < last:
+            about, lost, j = arb(0), turns[i].lost, i
+            while j < last and lost + turns[j + 1].lost < 3:
+                at = at_q(marks[j + 1].q)
+                about += turns[j].near(at) - turns[j + 1].near(at)
+                j += 1
+                lost += 2 * turns[j].lost
+            known = (turns[i].det / turns[j].det).arg()
+            whole = ((about + arb(0, 3) - known) / (2 * arb.pi())).unique_fmpz() if j > i else None
+            if whole is None:
+                here = self.matrix(marks[i + 1])
+                total += turns[i].sharp(here) - turns[i + 1].sharp(here)
+                i += 1
+            else:
+                total += known + 2 * arb.pi() * int(whole)
+                i = j
         return total
 
     def around(self, loop: Loop, pole: Any) -> tuple[Any, Any]:
@@ -1441,10 +1512,11 @@ class Walker:
         total, part, back = arb(0), arb(0), loop.back
         for k, (a, b) in enumerate(pairwise(loop.points), 1):
             try:
-                mark, turned = self.piece("turn", mark, b, pole)
+                end, turned = self.piece("turn", mark, b, pole)
+                total += turned if pole is not None else self.turned([mark, end], [turned])
+                mark = end
             except Refused as error:
                 raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
-            total += turned
             if k == back:
                 self.marks[b], part = mark, total
         local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point
@@ -1455,7 +1527,10 @@ class Walker:
         return total, part
 
     def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, Any]:
-        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks."""
+        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks.
+
+        With it the `Turn` of Δ̂; with a pole the change of its argument.
+        """
         n, size = len(mark.z), self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
@@ -1468,24 +1543,19 @@ class Walker:
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(m)
         z = float_roots(local, mark.z)
-        chosen = Nodes([acb(x) for x in z], self.up, local)
-        disc = chosen.split(r)
+        disc = Nodes([acb(x) for x in z], self.up, local).split(r)
         end = self.mark(b, z)
         for side in (mark, end):
             require(disc.links(side.split), "the splitting does not join on to its neighbour's")
         if kind == "link":
-            return end, arb(0)
-        thin = chosen.split(arb(0))
-        require(
-            all(x < y for x, y in zip(thin.tight, disc.box, strict=True)), "the splitting does not hold its middle"
-        )
+            return end, None
         if pole is not None:
             return end, self.turn_beside(mark, end, m, r, disc, pole)
         G = kernels(self.waves, disc, r)
         if kind == "passive":
             self.passive(m, half, r, G)
-            return end, arb(0)
-        return end, self.turn(mark, end, m, r, G)
+            return end, None
+        return end, Turn.over(self.bordered.over(m, r, G), m, r)
 
     @cached_property
     def origin(self) -> Origin | None:
@@ -1500,23 +1570,22 @@ class Walker:
         end = self.mark(b, origin.nodes(complex(other))) if out else Mark(b, mark.z, None)
         require(origin.links((end if out else mark).split, r), "the splitting does not join on to q = 0")
         if kind == "link":
-            return end, arb(0)
+            return end, None
         for one in (mark, end):
             if one.split is None and one.matrix is None:
                 one.matrix = self.bordered.value(acb(0), [a + box(e) for a, _, e in origin.kernels(arb(0))])
-        return end, self.turn(mark, end, acb(0), r, origin.kernels(r))
-
-    def turn(self, mark: Mark, end: Mark, m: Any, r: Any, G: list[Bent]) -> Any:
-        """Δ̂ ≠ 0 on the disc, and the change of its argument from mark to end."""
-        return turned_by(self.bordered.over(m, r, G), r, self.matrix(mark), self.matrix(end))
+        return end, Turn.over(self.bordered.over(acb(0), r, origin.kernels(r)), acb(0), r)
 
     def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
         H, g = kernels_beside(disc, r, self.waves, pole)
         parts = [self.bordered.beside_pole(m, r, H, g, pole)]
         parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
-        ends = zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True)
-        return sum((turned_by(part, r, start, stop) for part, start, stop in ends), arb(0))
+        total = arb(0)
+        for part, start, stop in zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True):
+            turn = Turn.over(part, m, r)
+            total += turn.sharp(stop) - turn.sharp(start)
+        return total
 
     def beside(self, mark: Mark, pole: Any) -> list[Any]:
         """The two matrices at a mark."""
@@ -1551,18 +1620,52 @@ def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
         return False
     left = acb_mat(X)
     right, size = left.conjugate().transpose(), moduli(left)
-    F = moduli(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
+    F = small(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
     for a in H[1:]:
         F = F + moduli(left * a * right)
     return contracting(F)
 
 
-def turned_by(A: Sequence[Any], r: Any, start: Any, stop: Any) -> Any:
-    """det A ≠ 0 on the disc, A = A₀ + A₁t + rest, and the change of its argument between two points of it."""
-    R = near_inverse(A[0])
-    E = moduli(R * A[0] - identity(R.nrows())) + moduli(R * A[1]) * r + moduli(R) * A[2]
-    require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
-    return pivots(R * stop) - pivots(R * start)
+@dataclass(frozen=True)
+class Turn:
+    """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
+
+    It is `near`(σ) to within `lost` (SPEC2, 4.6; nan if that is not bounded).
+    """
+
+    m: Any
+    R: Any
+    slope: Any
+    lost: Any
+
+    @classmethod
+    def over(cls, A: Sequence[Any], m: Any, r: Any) -> Turn:
+        """From A = A₀ + A₁t + rest on the disc."""
+        R = near_inverse(A[0])
+        one = identity(R.nrows())
+        near, along, rest = R * A[0] - one, R * A[1], moduli(R) * A[2]
+        E = small(near) + moduli(along) * r + rest
+        require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
+        lost = abs(near.trace()) + rest.trace() - (one.real - E).det().log() - E.trace()
+        return cls(m, R, along.trace(), lost)
+
+    def sharp(self, a: Any) -> Any:
+        """arg det R A at one point of the disc, from A there."""
+        return pivots(self.R * a)
+
+    @cached_property
+    def det(self) -> Any:
+        """det R, by halves where they allow it: FLINT takes three times as long."""
+        out = acb(1)
+        try:
+            for block in diagonal(self.R):
+                out *= block.det()
+        except Refused:
+            return self.R.det()
+        return self.R.det() if out.contains(0) else out
+
+    def near(self, sigma: Any) -> Any:
+        return (self.slope * (sigma - self.m)).imag
 
 
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
@@ -1588,48 +1691,27 @@ def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
 
 
-def bernstein(n: int, a: float, b: float) -> Any:
-    """Takes coefficients (ascending, degree n) to Bernstein coefficients on [a, b]: they bound the values."""
-    start, width = [arb(1)], [arb(1)]
-    for _ in range(n):
-        start.append(start[-1] * arb(a))
-        width.append(width[-1] * (arb(b) - arb(a)))
-    moved = [[start[k - j] * width[j] * comb(k, j) if k >= j else arb(0) for k in range(n + 1)] for j in range(n + 1)]
-    basis = [[arb(fmpq(comb(i, j), comb(n, j))) if j <= i else arb(0) for j in range(n + 1)] for i in range(n + 1)]
-    return arb_mat(basis) * arb_mat(moved)
-
-
-def check_positive(f: Terms, box: Box, product_below: Any, name: str) -> None:
-    """Σ c x^i y^j > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
-    x, y = ((-above(-arb(a)), above(arb(b))) for a, b in box)
-    n, m = (max(k[i] for k in f) for i in (0, 1))
-    c = arb_mat(n + 1, m + 1, [f.get((i, j), 0) for i in range(n + 1) for j in range(m + 1)])
-    stack, number = [(x, y, 0)], 0
+def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
+    """f > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+    degrees = [max(e[k] for e in f) for k in range(len(box))]
+    steps = [prod(d + 1 for d in degrees[k + 1 :]) for k in range(len(box))]
+    stack, number = [(box, 0)], 0
     while stack:
-        (x0, x1), (y0, y1), depth = stack.pop()
-        if product_below is not None and arb(x0) * arb(y0) > arb(product_below):
+        here, depth = stack.pop()
+        if product_below is not None and here[0][0] * here[1][0] > product_below:
             continue
         number += 1
-        b = bernstein(n, x0, x1) * c * bernstein(m, y0, y1).transpose()
-        if all(z > 0 for z in b.entries()):
+        values = bernstein(f, here, arb_mat)
+        if all(x > 0 for x in values):
             continue
-        require(
-            not b[0, 0] < 0 and number < MAX_BOXES / (n + m + 2) and depth < 60, f"the theorem at large q: {name}"
-        )
-        across = sum(abs(float(b[i + 1, j]) - float(b[i, j])) for i in range(n) for j in range(m + 1))
-        along = sum(abs(float(b[i, j + 1]) - float(b[i, j])) for i in range(n + 1) for j in range(m))
-        if along > across:
-            middle = (y0 + y1) / 2
-            stack += [((x0, x1), (y0, middle), depth + 1), ((x0, x1), (middle, y1), depth + 1)]
-        else:
-            middle = (x0 + x1) / 2
-            stack += [((x0, middle), (y0, y1), depth + 1), ((middle, x1), (y0, y1), depth + 1)]
-
-
-def above(x: Any) -> float:
-    """A float that is no less."""
-    near = float(x.upper())
-    return near + abs(near) * 2.0**-50 + 1e-300
+        fine = not values[0] < 0 and number < MAX_BOXES / max(sum(degrees) + 2, len(values) / 100) and depth < 60
+        require(fine, f"the theorem at large q: {name}")
+        near = [float(x) for x in values]
+        moved = [
+            sum(abs(near[i + s] - x) for i, x in enumerate(near) if i // s % (n + 1) < n)
+            for s, n in zip(steps, degrees, strict=True)
+        ]
+        stack += [(half, depth + 1) for half in halved(here, moved.index(max(moved)))]
 
 
 def in_block(t: Free, v: Free, k: int, m: int) -> tuple[Free, int]:
@@ -1653,7 +1735,7 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     require(min(C, X) > 0, "the theorem's numbers are out of range")
     gap = min((b - a for a, b in pairwise(sites)), default=None)
     parts = absorption(RING, track.D, track.N)
-    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], (), check_positive)
+    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], ())
 
 
 def tail_alpha(
@@ -1666,13 +1748,11 @@ def tail_alpha(
     gap: Any,
     bounds: Sequence[tuple[Any, Any]],
     box: Box,
-    positive_on: Callable[[Free, Box, Any, str], None],
 ) -> int:
     """α, if the theorem at large q (section 6.2) holds for q ≥ Q and all parameters of the box.
 
     parts: W and |D|². v ≤ fastest: the velocity. gap: the least distance of two places, None of one alone.
-    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀. positive_on shows a polynomial to be positive on a box of (z, τ),
-    or of a chart, and of the parameters.
+    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀.
     """
     k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
     omega, alpha = dyadic(content["omega"], "omega"), integer(content["alpha"], least_alpha, 64, "alpha")
@@ -1692,7 +1772,7 @@ def tail_alpha(
     require(all(arb(z2 - z1) * growth > between for z1, z2, _ in blocks), "a block is shorter than 2π/gap")
     for z1, z2, kappa in blocks:
         difference = minus(block_w, {e: kappa * c for e, c in block_d.items()})
-        positive_on(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
+        check_positive(difference, ((z1, z2), (fmpq(0), tau), *box), None, "a block absorbs less than kappa")
     iw, id_ = (max(e[0] for e in t) for t in (w, d))
     nw, nd = (max(e[0] + e[1] for e in t) for t in (w, d))
     require(alpha <= min(id_ - iw, nd - nw), "alpha is too large")
@@ -1704,8 +1784,8 @@ def tail_alpha(
                 for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
                     chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
         give = "the giving part may exceed the envelope"
-        positive_on(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
-        positive_on(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
+        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
     known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
     require(known, "short waves are not bounded beyond Q")
     turn = arb(Q / fastest)
@@ -2167,13 +2247,15 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
 def far_waves(local: Local, r: Any) -> list[Any]:
     """How G(0), the product and sum of the travelling waves, and the evanescent P̂, depart from u = 0; the weights.
 
-    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside. The roots are
-    followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that touch are one.
+    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside; a quarter of
+    it tells the rest by symmetry. The roots are followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that
+    touch are one.
     """
     corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
     table_, before, bounds = local.d, [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
     steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
-    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)) for i in range(ARCS)]
+    size = r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)
+    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), size) for i in range(ARCS // 4 + 1)]
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(center, table_ * shift(center, 5, 5).transpose(), local.n)
@@ -2187,19 +2269,17 @@ def far_waves(local: Local, r: Any) -> list[Any]:
         if i < len(steps):
             continue
         waves, weights = zip(
-            *(bent_root(split.nodes.local, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)),
-            strict=True,
+            *(bent_root(here, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)), strict=True
         )
-        ahead, near_ahead, near_behind, behind = (
-            weights[j] if j < 2 else (-weights[j][0], -weights[j][1], weights[j][2]) for j in range(4)
-        )
-        root_half, unit = arb(fmpq(1, 2)).sqrt(), corner[3]
+        ahead, near, other, behind = weights[:2] + tuple((-x, -y, lost) for x, y, lost in weights[2:])
+        r_, quarter = arb(e), arb(fmpq(1, 8)).sqrt()
+        pairs = (ahead, behind, corner[3]), (near, other, corner[2])
         found = [
-            departs(bent_sum(ahead, near_ahead), root_half / 2, e),
-            16 * departs(bent_product(ahead, behind, arb(e)), unit * unit / 16, e),
-            4 * departs(bent_sum(ahead, behind), unit / 2, e),
-            max_bound(*(departs(waves[j], corner[j], e) for j in (1, 2))),
-            max_bound(*(departs(x, acb(0), e) for x in (ahead, near_ahead, near_behind, behind))),
+            max_bound(*(departs(bent_sum(x, y), quarter, r_) for x, y in ((ahead, near), (behind, other)))),
+            16 * max_bound(*(departs(bent_product(x, y, r_), u * u / 16, r_) for x, y, u in pairs)),
+            4 * max_bound(*(departs(bent_sum(x, y), u / 2, r_) for x, y, u in pairs)),
+            max_bound(*(departs(x, z, r_) for x, z in zip(waves, corner, strict=True))),
+            max_bound(*(departs(x, acb(0), r_) for x in (ahead, near, other, behind))),
         ]
         bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
     return bounds

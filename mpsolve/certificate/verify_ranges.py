@@ -41,7 +41,6 @@ MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS = 32_000_000, 6, 4_000_000, 100
 MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
-BOXES = 20_000  # that positivity at large q may take
 BITS = 64
 TOGETHER, WIDER, NARROWER = (
     0.3,
@@ -963,27 +962,6 @@ def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any],
 # --- large q (section 6.2 over all parameters) ------------------------------------------------------------
 
 
-def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
-    """f > 0 on a box of real variables (where x·y ≤ product_below, if given), by forms and bisection."""
-    coefficients, stack, number_ = balls(f), [(box, 0)], 0
-    while stack:
-        here, depth = stack.pop()
-        if product_below is not None and here[0][0] * here[1][0] > product_below:
-            continue
-        number_ += 1
-        value = Place.of(here, 1).value(coefficients)
-        if value.k[0].real > value.spread:
-            continue
-        require(number_ < BOXES / 4 and depth < 60, f"the theorem at large q: {name}")
-        moved = [float(abs(x)) for x in value.k[1 : 1 + value.m]]
-        for n, i, j in pairs(value.m):
-            moved[i - 1] += float(abs(value.k[n]))
-            moved[j - 1] += float(abs(value.k[n]))
-        size = [float(b - a) for a, b in here]
-        moved = [x if y > 0 else -1.0 for x, y in zip(moved, size, strict=True)]
-        stack += [(half, depth + 1) for half in spectra.halved(here, moved.index(max(moved)))]
-
-
 def read_tail(content: Any, track: spectra.Track, sites: Sequence[Free], box: Box) -> tuple[Envelope, Any]:
     """The envelope, and Q with −Im G > 0 for all q ≥ Q and all parameters: both checked."""
     keys(content, "Q gamma blocks alpha omega bounds")
@@ -998,7 +976,7 @@ def read_tail(content: Any, track: spectra.Track, sites: Sequence[Free], box: Bo
     seen = gap is None or gap > 0
     require(seen, "the theorem at large q: no least distance of two contacts is seen over the range")
     parts = spectra.absorption(track.ring, track.D, track.N)
-    alpha = spectra.tail_alpha(content, 4, parts, track.velocity, fastest, Q, gap, bounds, box, check_positive)
+    alpha = spectra.tail_alpha(content, 4, parts, track.velocity, fastest, Q, gap, bounds, box)
     return Envelope(alpha, [(arb(p0), arb(C)) for p0, C in bounds], arb(fastest)), Q
 
 

@@ -53,8 +53,8 @@ class EdgeBalls:
         _require_sides(at, v, found[1], found[2], bool(real[0]))
         return found
 
-    def matrices(self, p: Any, x: Any) -> tuple[Any, list[Any]]:
-        """(A, [∂A/∂p, ∂A/∂x̂]); `PrecisionError` where balls cannot decide."""
+    def parts(self, p: Any, x: Any) -> Parts:
+        """What A is made of, with slopes; `PrecisionError` where balls cannot decide."""
         at, family = self.edge(p, x), self.family
         EI, N = (_free(beam(family)[k], x) for k in (0, -1))
         b, a2, b2 = self._others(at, p, x)
@@ -65,8 +65,11 @@ class EdgeBalls:
         B = [[_free(c, x) for c in row] for row in family.B]
         zero, one = (Sloped(acb(y), (acb(0), acb(0))) for y in (0, 1))
         a = Sloped(acb(p), (acb(1), acb(0))).times(i)
-        parts = Parts(a, b.times(i), a2.times(i), b2.times(i), EI, N, at.sigma, S, B, own, places, one, zero)
-        rows = entries(parts, self.order)
+        return Parts(a, b.times(i), a2.times(i), b2.times(i), EI, N, at.sigma, S, B, own, places, one, zero)
+
+    def matrices(self, p: Any, x: Any) -> tuple[Any, list[Any]]:
+        """(A, [∂A/∂p, ∂A/∂x̂]); `PrecisionError` where balls cannot decide."""
+        rows = entries(self.parts(p, x), self.order)
         if not all(x.value.is_finite() and all(d.is_finite() for d in x.slopes) for row in rows for x in row):
             raise PrecisionError("the receptance may be infinite over the ball: split the piece")
         slopes = [acb_mat([[x.slopes[k] for x in row] for row in rows]) for k in (0, 1)]

@@ -12,54 +12,14 @@ from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.characteristic.free_roots import roots_over
 from mpsolve.cuts.edge import Edge, beam, edge, sides
-from mpsolve.cuts.entries import Parts, entries
+from mpsolve.cuts.entries import Parts, entries, entries_of_two
+from mpsolve.cuts.model import ROUNDING, Model, model_of
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, constant, lifted, pairs
 from mpsolve.problem.family import Family
 
-_ROUNDING = 1e-13  # of the closed forms and sums of (eʷ − 1)/w and its slopes, far above what is lost
-_TERMS = 24
-
-
-class Model(Quadratic):
-    """A Taylor model with (e^f − 1)/f, closed under the operations that `entries` takes."""
-
-    def __neg__(self) -> Model:
-        return _model(super().__neg__())
-
-    def __add__(self, other: Quadratic) -> Model:
-        return _model(super().__add__(other))
-
-    def __mul__(self, other: Quadratic) -> Model:
-        return _model(super().__mul__(other))
-
-    def times(self, factor: Any) -> Model:
-        return _model(super().times(factor))
-
-    def inverse(self) -> Model:
-        return _model(super().inverse())
-
-    def exp(self) -> Model:
-        return _model(super().exp())
-
-    def quotient(self) -> Model:
-        """(e^f − 1)/f, f = w + δ: as it stands, or by its slopes at w, the third one at most max(1, e^Re)/4."""
-        with np.errstate(all="ignore"):
-            value, first, second = _quotient(self.a)
-            moved = self.k.copy()
-            moved[0] = 0
-            delta = Model(moved, self.e, self.m)
-            y = self.spread
-            most = np.maximum(1.0, np.exp(np.minimum(self.a.real + y, 700.0))) * (1 + 1e-12)
-            total = constant(0.0, len(self.e), self.m) + delta.times(first) + (delta * delta).times(second / 2)
-            k = total.k.copy()
-            k[0] += value
-            e = total.e + (y**3 / 24 + _ROUNDING * (1 + y + y * y)) * most * UP + 4 * U * np.abs(value) + TINY
-            e = np.where(y < 20, e, np.inf)
-            far = (self.exp() + constant(-1.0, len(self.e), self.m)) * self.inverse()  # sharper where |w| is large
-            better = far.e < e
-            return Model(np.where(better, far.k, k), np.where(better, far.e, e), self.m)
+_CLOSE = 0.25  # of |p|: two p-roots that may be about to meet
 
 
 def _scale(A: Any) -> Any:
@@ -68,30 +28,6 @@ def _scale(A: Any) -> Any:
     rows = np.exp2(-np.round(np.log2(np.maximum(size.max(2, keepdims=True), 1e-100))))
     columns = np.exp2(-np.round(np.log2(np.maximum((size * rows).max(1, keepdims=True), 1e-100))))
     return rows * columns
-
-
-def _model(f: Quadratic) -> Model:
-    return Model(f.k, f.e, f.m)
-
-
-def _quotient(w: Any) -> tuple[Any, Any, Any]:
-    """E, E′, E″ at complex floats."""
-    small = np.abs(w) < 1
-    far = np.where(small, 1.0, w)
-    grown = np.exp(far)
-    E = (grown - 1) / far
-    E1 = (grown - E) / far
-    closed = (E, E1, (grown - 2 * E1) / far)
-    near = np.where(small, w, 0.0)
-    sums = [np.zeros(w.shape, complex) for _ in range(3)]
-    power, factor = np.ones(w.shape, complex), 1.0
-    for n in range(_TERMS):
-        factor /= n + 1  # 1/(n + 1)!
-        sums[0] += power * factor
-        sums[1] += power * factor * (n + 1) / (n + 2)
-        sums[2] += power * factor * (n + 1) / (n + 3)
-        power = power * near
-    return tuple(np.where(small, a, b) for a, b in zip(sums, closed, strict=True))  # type: ignore[return-value]
 
 
 @dataclass(frozen=True)
@@ -126,7 +62,7 @@ class EdgeMatrix:
         """(z and what goes with it, the beam's coefficients)."""
         y, rho = boxes.variables
         all_ = self._forms[0](y, rho)
-        coefficients = [_model(all_[:, n]) for n in range(all_.e.shape[1])]
+        coefficients = [model_of(all_[:, n]) for n in range(all_.e.shape[1])]
         p = Model(np.zeros(all_.k.shape[:2], complex), 4 * U * np.abs(y[0]), 2)
         p.k[0], p.k[1] = y[0], rho[0]
         return edge(p, coefficients[:-1], _root), [p, *coefficients]
@@ -141,15 +77,20 @@ class EdgeMatrix:
             z, real = sides(floats, p.a.real, np.where(sane, at.z.a.real, 0.0), v.a.real, self.side)
             one = constant(np.ones(1), boxes.count, 2)
             found = roots_over(cubic, one, z, _least(EI), None)
-            r = [_model(found.P[:, n]) for n in range(3)]
+            r = [model_of(found.P[:, n]) for n in range(3)]
             good = sane & found.good.all(1) & _told(at, r, v, real)
             y, rho = boxes.variables
             own = self._forms[1](y, rho)
-            k, e = self._filled(self._parts((p, *r), EI, N, at.sigma, own))
-            rest = np.flatnonzero(sane & ~good)
-            if len(rest) and self.meeting:
-                near = self._meeting(cubic, z, (p, EI, v, N), at, own, rest)
-                k[:, rest], e[rest], good[rest] = near
+            k, e = _filled(entries(self._parts((p, *r), EI, N, at.sigma, own), self.order))
+            # where the cuts overlap G(0) vanishes at Re q = 0, and b′ meets a′ at the end of the overlap
+            both = np.flatnonzero(good & (real | (np.abs(r[1].a - r[2].a) < _CLOSE * np.abs(p.a))))
+            rest = np.flatnonzero(sane & ~good) if self.meeting else both[:0]
+            if len(both) or len(rest):
+                k, e = _with_one_more(k, e)
+                waves, beams = ([model_of(x[both]) for x in some] for some in ((p, *r), (EI, N, at.sigma)))
+                parts = self._parts(tuple(waves), beams[0], beams[1], beams[2], own[both])
+                k[:, both], e[both] = _filled(entries_of_two(parts, self.order))
+                k[:, rest], e[rest], good[rest] = self._meeting(cubic, z, (p, EI, v, N), at, own, rest)
             good = good & np.isfinite(e).all((1, 2)) & np.isfinite(k).all((0, 2, 3))
             span = float(max(map(abs, map(float, self._span))))
             strain = np.nan_to_num(found.strain) + np.abs(p.b) * (span + 1)
@@ -161,30 +102,25 @@ class EdgeMatrix:
         """The places at the ring's point."""
         return [place.at(self.family.ring.point) for place in self.family.places]
 
-    def _filled(self, parts: Parts) -> tuple[Any, Any]:
-        rows = entries(parts, self.order)
-        k = np.stack([np.stack([x.k for x in row], -1) for row in rows], -2)
-        return k, np.stack([np.stack([x.e for x in row], -1) for row in rows], -2)
-
     def _meeting(
         self, cubic: Quadratic, z: Any, wave: tuple[Model, Model, Model, Model], at: Edge, own: Quadratic, rows: Any
     ) -> tuple[Any, Any, Any]:
         """(A's coefficients, its remainders, where it is good) where a′ and b′ may meet: c ± √w, a third variable."""
-        p, EI, v, N = (_model(x[rows]) for x in wave)
-        z_, lean, sigma, *terms = (_model(x[rows]) for x in (at.z, at.lean, at.sigma, *at.cubic))
+        p, EI, v, N = (model_of(x[rows]) for x in wave)
+        z_, lean, sigma, *terms = (model_of(x[rows]) for x in (at.z, at.lean, at.sigma, *at.cubic))
         at = Edge(z_, lean, sigma, terms)
         found = roots_over(cubic[rows], constant(np.ones(1), len(rows), 2), z[rows, :1], _least(EI), None)
-        r = _model(found.P[:, 0])
+        r = model_of(found.P[:, 0])
         c = -(p + r).times(0.5)
         w = c * c + -(at.cubic[1] * EI.inverse() + r * (p + r))
         radius = np.sqrt(w.size) * UP
         good = found.good[:, 0] & _behind(at, Model(c.k, c.e + radius, 2), v)
-        p, r, c, EI, N, sigma = (_model(lifted(x, 3)) for x in (p, r, c, EI, N, at.sigma))
+        p, r, c, EI, N, sigma = (model_of(lifted(x, 3)) for x in (p, r, c, EI, N, at.sigma))
         apart = np.zeros(c.k.shape, complex)
         apart[3] = radius
         half = Model(apart, 4 * U * radius, 3)
-        parts = self._parts((c + half, c + -half, p, r), EI, N, sigma, lifted(own[rows], 3))
-        k, e = self._filled(parts)
+        parts = self._parts((p, r, c + half, c + -half), EI, N, sigma, lifted(own[rows], 3))
+        k, e = _filled(entries_of_two(parts, self.order))
         kept = [0, 1, 2, *(1 + 3 + pairs(3).index(pair) for pair in pairs(2))]
         lost = np.abs(k).sum(0) - np.abs(k[kept]).sum(0)
         return k[kept], (e + lost) * UP + 64 * U * np.abs(k).sum(0), good
@@ -192,13 +128,13 @@ class EdgeMatrix:
     def _parts(self, r: tuple[Model, ...], EI: Model, N: Model, sigma: Any, own: Quadratic) -> Parts:
         """r: the p-roots a, b, a′, b′, divided by i."""
         n, c = len(self.family.B), len(self.family.index)
-        flat = [_model(own[:, j]) for j in range(own.e.shape[1])]
+        flat = [model_of(own[:, j]) for j in range(own.e.shape[1])]
         S = [[flat[(q * n + i) * n : (q * n + i + 1) * n] for i in range(n)] for q in range(3)]
         rest = flat[3 * n * n :]
         B = [rest[i * c : (i + 1) * c] for i in range(n)]
         h, places = rest[n * c : n * c + c], rest[n * c + c :]
         boxes = len(EI.e)
-        one, zero = (_model(constant(x, boxes, EI.m)) for x in (1.0, 0.0))
+        one, zero = (model_of(constant(x, boxes, EI.m)) for x in (1.0, 0.0))
         a, b, a2, b2 = (x.times(1j) for x in r)
         return Parts(a, b, a2, b2, EI, N, sigma, S, B, h, places, one, zero)
 
@@ -210,12 +146,25 @@ class EdgeMatrix:
             return wrong | (-at.z.a.real > at.z.spread)
 
 
+def _filled(rows: list[list[Model]]) -> tuple[Any, Any]:
+    k = np.stack([np.stack([x.k for x in row], -1) for row in rows], -2)
+    return k, np.stack([np.stack([x.e for x in row], -1) for row in rows], -2)
+
+
+def _with_one_more(k: Any, e: Any) -> tuple[Any, Any]:
+    """Matrices with one more row and column, those of the identity."""
+    n = e.shape[1]
+    k = np.pad(k, ((0, 0), (0, 0), (0, 1), (0, 1)))
+    k[0, :, n, n] = 1
+    return k, np.pad(e, ((0, 0), (0, 1), (0, 1)))
+
+
 def _root(f: Model, m: Model) -> Model:
     s = np.sqrt(np.maximum((f.a / m.a).real, TINY))
     D = _stacked([-f, f.times(0.0), m])
     z = np.stack([-s, s], 1) + 0j
     found = roots_over(D, constant(np.ones(1), len(s), 2), z, _least(m), 1)
-    P = _model(found.P[:, 1])
+    P = model_of(found.P[:, 1])
     return Model(P.k, np.where(found.good.all(1), P.e, np.inf), 2)
 
 
@@ -237,4 +186,4 @@ def _told(at: Edge, r: list[Model], v: Model, real: Any) -> Any:
 def _behind(at: Edge, r: Model, v: Model) -> Any:
     """Where r, if it is real, belongs to the branch z = vr − S."""
     x = at.z + -(v * r)
-    return x.a.real + x.spread < -_ROUNDING * np.abs(x.a)
+    return x.a.real + x.spread < -ROUNDING * np.abs(x.a)

@@ -3,6 +3,12 @@
 z = q − iη is real there, and p is a real p-root. U holds a = ip and a′, L holds b and b′; b meets a where the cut
 begins. With P₀ = a the receptance is G(ξ) = e^{aξ}(g + H(ξ)), where g = G(0) alone is large there (SPEC2, 8.4): one
 more unknown μ = g Σ e^{−a x_j} λ_j, whose row is divided by g, leaves a matrix of determinant Δ̂/g: bounded.
+
+Where cuts overlap b′ meets a′, too, where the other one begins. With r(P) = N/lead/((P − a′)(P − b′)) the residues at
+a and b are g_a = r(a)/(a − b) and −r(b)/(a − b), so that for ξ < 0 their share of G, less e^{aξ} g_a, is
+−(r(a) (e^{aξ} − e^{bξ}) + (r(a) − r(b)) e^{bξ})/(a − b), r(a) − r(b) = −2 (a − b)(a + b) r(a) r(b) lead/N, as
+a + b + a′ + b′ = 0; those at a′ and b′ likewise, and for ξ ≥ 0 nothing is left. An unknown for a and one for a′, with
+rows divided by g_a and g_a′, leave a matrix of determinant Δ̂/(g_a g_a′), bounded where either pair meets.
 """
 
 from __future__ import annotations
@@ -59,12 +65,48 @@ def entries(parts: Parts, order: Sequence[Sequence[int]]) -> list[list[Any]]:
     bodies, contacts = range(len(parts.B)), range(len(parts.places))
     rows = []
     for i in bodies:
-        pencil = [
-            parts.S[0][i][j] + parts.sigma * (parts.S[1][i][j] + parts.sigma * parts.S[2][i][j]) for j in bodies
-        ]
-        rows.append([*pencil, *(-parts.B[i][j] for j in contacts), parts.zero])
+        rows.append([*_pencil(parts, i), *(-parts.B[i][j] for j in contacts), parts.zero])
     for i in contacts:
         own = [receptance(i, j) + parts.h[i] if i == j else receptance(i, j) for j in contacts]
         rows.append([*(parts.B[j][i] for j in bodies), *own, (a * parts.places[i]).exp()])
     waves = [-((a * x).times(-1).exp()) for x in parts.places]
     return [*rows, [*(parts.zero for _ in bodies), *waves, over_g]]
+
+
+def entries_of_two(parts: Parts, order: Sequence[Sequence[int]]) -> list[list[Any]]:
+    """The matrix with an unknown for a and one for a′: bounded where b meets a, where b′ meets a′, or both."""
+    a, b, a2, b2, lead, places = parts.a, parts.b, parts.a2, parts.b2, parts.lead, parts.places
+    inverse = parts.N.inverse()
+    pairs = []  # of (a, b) and (a′, b′): 1/g, r(a), (r(a) − r(b))/(a − b)
+    for (x, y), (x2, y2) in (((a, b), (a2, b2)), ((a2, b2), (a, b))):
+        first, second = (lead * (z + -x2) * (z + -y2) * inverse for z in (x, y))
+        r = first.inverse()
+        bend = ((x + y) * lead * inverse).times(-2) * r * second.inverse()
+        pairs.append((x, y, (x + -y) * first, r, bend))
+
+    def receptance(i: int, j: int) -> Any:
+        if order[i][j] >= 0:
+            return parts.zero
+        xi = places[i] + -places[j]
+        total = parts.zero
+        for x, y, _, r, bend in pairs:
+            total = total + r * (x * xi).exp() * xi * ((y + -x) * xi).quotient() + bend * (y * xi).exp()
+        return -total
+
+    bodies, contacts = range(len(parts.B)), range(len(places))
+    rows = []
+    for i in bodies:
+        rows.append([*_pencil(parts, i), *(-parts.B[i][j] for j in contacts), parts.zero, parts.zero])
+    for i in contacts:
+        own = [receptance(i, j) + parts.h[i] if i == j else receptance(i, j) for j in contacts]
+        rows.append([*(parts.B[j][i] for j in bodies), *own, *((x * places[i]).exp() for x, *_ in pairs)])
+    for k, (x, _, over_g, *_) in enumerate(pairs):
+        waves = [-((x * place).times(-1).exp()) for place in places]
+        ends = (over_g, parts.zero) if k == 0 else (parts.zero, over_g)
+        rows.append([*(parts.zero for _ in bodies), *waves, *ends])
+    return rows
+
+
+def _pencil(parts: Parts, i: int) -> list[Any]:
+    S, sigma = parts.S, parts.sigma
+    return [S[0][i][j] + sigma * (S[1][i][j] + sigma * S[2][i][j]) for j in range(len(parts.B))]

@@ -28,7 +28,7 @@ from mpsolve.ranges.judge import Judge, boxes_of
 ELSEWHERE = 4
 """Of a box that belongs to the other side of the cut, or to mirror images."""
 _BITS, _TRIED = 80, 80
-_COARSE, _SMALLEST = 2.0**-10, 2.0**-20  # of the whole
+_SMALLEST = 2.0**-20  # of the whole
 _INNER = 6.0  # of |p|, scaled
 _SIZE = 2.0**-6  # of half the whole: where a zero is looked for round a point
 
@@ -61,13 +61,7 @@ class Search:
         self._failed: list[Any] = []
 
     def low_wavenumbers(self, budget: Effort, progress: Progress) -> Reason | None:
-        """Why the cover of low wavenumbers, where zeros are, is not complete; None: it is.
-
-        Coarsely first: where p-roots meet boxes stay open however small they are, and zeros elsewhere come before.
-        """
-        reason = self._covered(self.low, self.high, budget, progress, _COARSE).reason
-        if reason is None or reason.code != "boxes":
-            return reason
+        """Why the cover of low wavenumbers, where zeros are, is not complete; None: it is."""
         return self._covered(self.low, self.high, budget, progress).reason
 
     def high_wavenumbers(self, budget: Effort, progress: Progress) -> Reason | None:
@@ -81,10 +75,8 @@ class Search:
                 return cover.reason
         return None
 
-    def _covered(
-        self, low: Any, high: Any, budget: Effort, progress: Progress, smallest: float = _SMALLEST
-    ) -> Covered:
-        return subdivide(low, high, self._judged, budget, smallest, lambda share: progress("boxes", share))
+    def _covered(self, low: Any, high: Any, budget: Effort, progress: Progress) -> Covered:
+        return subdivide(low, high, self._judged, budget, _SMALLEST, lambda share: progress("boxes", share))
 
     def _judged(self, low: Any, high: Any) -> tuple[Any, Any]:
         kind = np.where(self.matrix.elsewhere(boxes_of(low, high, way=1.0)), ELSEWHERE, 0).astype(np.int8)

@@ -139,10 +139,10 @@ class Scope:
         known = tail.prove_tail(base.guide, base.smallest_gap) if not any(self.family.felt) else None
         return None if known is None else known.X
 
-    def judge(self, kind: type[Judge] = Judge) -> Judge:
-        """A judge of boxes in (q̂, x̂) over the whole."""
+    def judge(self, kind: type[Judge] = Judge, **more: Any) -> Judge:
+        """A judge of boxes in (q̂, x̂) over the whole; more: of its kind."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return kind(self.matrix, self.envelope if self.reach is None else None, width)
+        return kind(self.matrix, self.envelope if self.reach is None else None, width, **more)
 
     @property
     def corners(self) -> tuple[Any, Any]:

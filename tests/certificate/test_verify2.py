@@ -384,6 +384,44 @@ def test_signs_on_the_half_line():
     assert not v2.nonnegative(x * (x - 3) ** 3 * (x**2 + 1), False)
 
 
+def test_bernstein_coefficients_hold_the_values():
+    """In three variables, exact and in balls: the values lie between them, and ends of the box are met."""
+    rng = np.random.default_rng(4)
+    f = {tuple(map(int, e)): fmpq(int(c), 7) for *e, c in rng.integers(-4, 5, (9, 4)) % [4, 2, 3, 9]}
+    box = tuple((fmpq(int(a), 3), fmpq(int(a + b), 3)) for a, b in zip((-2, 0, 1), (1, 4, 2), strict=True))
+    exact, balls = (v2.bernstein(f, box, kind) for kind in (fmpq_mat, arb_mat))
+    assert all(b.contains(a) for a, b in zip(exact, balls, strict=True))
+    assert exact[0] == v2.at(f, [a for a, _ in box])
+    assert exact[-1] == v2.at(f, [b for _, b in box])
+    for _ in range(200):
+        inside = v2.at(
+            f, [a + (b - a) * fmpq(int(t), 16) for (a, b), t in zip(box, rng.integers(0, 17, 3), strict=True)]
+        )
+        assert min(exact) <= inside <= max(exact)
+
+
+@pytest.mark.parametrize(
+    ("f", "below", "holds"),
+    [
+        ({(2, 0): 1, (0, 2): 1, (1, 1): -1, (0, 0): fmpq(1, 1000)}, None, True),
+        ({(2, 0): 1, (0, 2): 1, (1, 1): -1, (1, 0): -1, (0, 0): fmpq(1, 3)}, None, False),  # < 0 near (2/3, 1/3) only
+        ({(2, 0): 1, (0, 2): 1, (1, 1): -2, (0, 0): fmpq(1, 3)}, None, True),
+        ({(2, 0): 1, (1, 0): -1, (0, 0): fmpq(1, 4)}, None, False),  # 0 at x = 1/2
+        ({(0, 0): fmpq(1, 2), (1, 1): -1}, None, False),
+        ({(0, 0): fmpq(1, 2), (1, 1): -1}, fmpq(1, 4), True),
+        ({(0, 0): fmpq(1, 2), (1, 1): -1}, fmpq(1, 2), False),
+    ],
+)
+def test_positive_on_a_box(f, below, holds):
+    f = {e: fmpq(c) for e, c in f.items()}
+    unit = ((fmpq(0), fmpq(1)),) * 2
+    if holds:
+        v2.check_positive(f, unit, below, "f")
+    else:
+        with pytest.raises(v2.Refused, match="large q"):
+            v2.check_positive(f, unit, below, "f")
+
+
 def test_hurwitz_agrees_with_roots():
     rng = np.random.default_rng(5)
     seen = set()
@@ -533,6 +571,78 @@ def _ball_matrix(rng, n, radius=0.0):
         return acb(arb(x, radius), arb(y, radius))
 
     return acb_mat(n, n, [entry(i, j) for i in range(n) for j in range(n)])
+
+
+def _quadratic(rng, n):
+    """Three matrices of A + Bσ + Cσ²: A is any, its determinant has any argument."""
+    A, B, C = rng.normal(size=(3, n, n)) + 1j * rng.normal(size=(3, n, n))
+    return A, A @ B / n, A @ C / n
+
+
+def _turn(parts, m, r):
+    A, B, C = parts
+    taylor = [acb_mat((A + B * m + C * m * m).tolist()), acb_mat((B + 2 * C * m).tolist())]
+    return v2.Turn.over([*taylor, arb_mat((abs(C) * r * r).tolist())], acb(m), arb(r))
+
+
+def _pieces(parts):
+    """Points of q from −1 to 1 and the turns between them, as long as they pass; what joins them, taking note."""
+    points, turns, h, asked = [-1.0], [], 0.5, []
+    while points[-1] < 1:
+        m = 1j * (points[-1] + h / 2)
+        try:
+            turns.append(_turn(parts, m, h / 2))
+        except v2.Refused:
+            h /= 2
+            continue
+        points.append(points[-1] + h)
+        h = min(1.5 * h, 1 - points[-1])
+
+    def matrix(mark):
+        asked.append(mark)
+        A, B, C = parts
+        s = 1j * float(mark.q[0])
+        return acb_mat((A + B * s + C * s * s).tolist())
+
+    marks = [SimpleNamespace(q=(fmpq(*float(x).as_integer_ratio()), fmpq(0))) for x in points]
+    return marks, turns, SimpleNamespace(matrix=matrix, asked=asked)
+
+
+def test_the_argument_goes_on_from_piece_to_piece():
+    rng, points, asked, far = np.random.default_rng(3), 0, 0, 0.0
+    for k in range(40):
+        n, alike = int(rng.integers(1, 12)), k % 3 == 0
+        A, B, C = _quadratic(rng, n)
+        A = A if k % 2 else A + 2 * n * np.diag(np.exp(6j * rng.uniform(size=n)))
+        parts = (A, 3j * A if alike else A @ B, C / 9)  # alike: all eigenvalues turn together
+        marks, turns, walker = _pieces(parts)
+        ends = [float(mark.q[0]) for mark in marks]
+        s = 1j * np.concatenate([np.linspace(x, y, 60) for x, y in itertools.pairwise(ends)])[:, None, None]
+        exact = np.unwrap(np.angle(np.linalg.det(parts[0] + parts[1] * s + parts[2] * s * s)))
+        assert np.abs(np.diff(exact)).max() < 0.5
+        for turn, mark in zip(turns, marks, strict=False):
+            off = turn.sharp(walker.matrix(mark)) - turn.near(v2.at_q(mark.q))
+            assert not abs(off) > turn.lost, k
+        walker.asked.clear()
+        found = v2.Walker.turned(walker, marks, turns)
+        assert abs(float(found) - (exact[-1] - exact[0])) < 1e-3, k
+        points, asked, far = points + len(turns) - 1, asked + len(walker.asked) - 2, max(far, abs(float(found)))
+    assert far > 2 * pi
+    assert 0 < asked < points / 3  # most points need no matrix
+
+
+def test_a_determinant_whose_leading_block_is_singular():
+    back = acb_mat(10, 10, [int(i + j == 9) for i in range(10) for j in range(10)])
+    turn = v2.Turn.over([back, back * acb(0.1j), arb_mat(10, 10)], acb(0), arb(1))
+    assert abs(complex(turn.det) + 1) < 1e-12  # five exchanges
+
+
+def test_a_bound_of_the_argument_is_nearly_met():
+    """det A = 1 + t, |t| = 0.9: arg(1 + t) differs from Im t by a part of what −log(1 − 0.9) − 0.9 allows."""
+    turn = v2.Turn.over([acb_mat([[1]]), acb_mat([[1]]), arb_mat([[0]])], acb(0), arb("0.9"))
+    t = 0.9 * np.exp(2.69j)
+    off = abs(np.angle(1 + t) - t.imag)
+    assert 0.3 < off / float(turn.lost) <= 1
 
 
 @pytest.mark.parametrize("n", [1, 7, 9, 20, 33])
