@@ -6,7 +6,6 @@ All numbers are exact and in the problem's own units: scaled ones are multiplied
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 from types import MappingProxyType
@@ -14,6 +13,7 @@ from typing import Any
 
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.errors import CertificateError
+from mpsolve.frozen import frozen
 from mpsolve.passivity.tail import Tail
 from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import Reduced
@@ -24,7 +24,7 @@ VERSION = 2
 KIND = "spectrum"
 
 
-@dataclass(frozen=True)
+@frozen
 class RootEntry:
     """A disc |q − (re + i im)·2^exponent| ≤ radius with `multiplicity` roots; pair: its mirror −q̄ is counted too."""
 

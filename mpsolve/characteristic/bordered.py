@@ -7,7 +7,6 @@ its row among the bodies; column operations clear the rest of the row, so the de
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -16,11 +15,12 @@ import numpy as np
 
 from mpsolve.characteristic.discs import receptances, split, waves
 from mpsolve.characteristic.table import Table
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
 
 
-@dataclass(frozen=True)
+@frozen
 class Direct:
     """Contact `contact` moves with body `body` alone: Bᵀ has the single entry `b` there."""
 
@@ -29,7 +29,7 @@ class Direct:
     b: Fraction
 
 
-@dataclass(frozen=True)
+@frozen
 class Arrays:
     """A reduced problem as float arrays; each entry is the exact one rounded to nearest."""
 

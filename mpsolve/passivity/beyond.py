@@ -7,7 +7,6 @@ passive in all of Im q ≤ 0 outside the rectangle (SPEC, half-plane).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ import numpy as np
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import Path, Paths
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct
 from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.decay import vanishes
@@ -28,7 +28,7 @@ _NO_TAIL = {
 _SHARE = 12000  # evaluations that one rectangle may take
 
 
-@dataclass(frozen=True)
+@frozen
 class Beyond:
     """The rectangle (ρ, d) in scaled units, the tail theorem, and the paths on walls and axis, still to be linked."""
 

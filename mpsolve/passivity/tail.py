@@ -7,7 +7,7 @@ large-sieve inequality bounds ∫|V|² over intervals by their lengths ± 2π/δ
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -16,6 +16,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from mpsolve.characteristic.table import Table
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.absorption import Absorption, in_block, orders, overtakes
@@ -34,7 +35,7 @@ _ROOM = 1.8  # between what floats sample and what is to be proved
 _OMEGA = 4.0  # where the two charts of the envelope meet
 
 
-@dataclass(frozen=True)
+@frozen
 class Tail:
     """The proof: X, the blocks (z₁, z₂, κ) at γ with e, the envelope (ω₀, C, α). Floats are exact as they stand."""
 

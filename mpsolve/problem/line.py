@@ -8,12 +8,13 @@ transposes G (SPEC2, the whole sheet).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from math import comb
 
 from flint import arb, fmpq_mpoly_ctx, fmpq_poly
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.realroots import as_fmpq, is_positive, negative_point, positive_roots
 from mpsolve.problem.reduced import Guide, Reduced
@@ -23,7 +24,7 @@ from mpsolve.vehicles.vehicle import Rows
 _TERMS = {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)}
 
 
-@dataclass(frozen=True)
+@frozen
 class Line:
     """The undamped problems of both halves in scaled units; `height` is η̂."""
 

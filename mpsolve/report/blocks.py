@@ -9,8 +9,10 @@ import io
 import shlex
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
+
+from mpsolve.frozen import frozen
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -21,7 +23,7 @@ _NARROWEST = 12  # of a column that is wrapped
 _CODES = {"bold": "1", "red": "31", "green": "32", "yellow": "33"}
 
 
-@dataclass(frozen=True)
+@frozen
 class Line:
     """One paragraph without indentation. style: words of `bold`, `red`, `green`, `yellow`."""
 
@@ -33,7 +35,7 @@ class Line:
             yield _styled(line, self.style) if colour else line
 
 
-@dataclass(frozen=True)
+@frozen
 class Columns:
     """Rows of cells. heading: a row with a rule under it, or empty; right: the columns that are set to the right."""
 
@@ -63,7 +65,7 @@ class Columns:
             yield (" " * gap).join(parts).rstrip()
 
 
-@dataclass(frozen=True)
+@frozen
 class Section:
     """A heading over an indented body: a text, whose own line ends are kept, or columns."""
 
@@ -78,7 +80,7 @@ class Section:
             yield f"{' ' * _INDENT}{line}".rstrip()
 
 
-@dataclass(frozen=True)
+@frozen
 class Document:
     """Blocks with an empty line between them."""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -152,17 +152,27 @@ def save_figure(draw: Callable[[Axes], Axes], path: str | Path, size: tuple[floa
     return write_whole(file, rendered(figure_of(draw, size), file.suffix.lower()[1:]))
 
 
+def save_panels(
+    panels: Sequence[Callable[[Axes], Any]], path: Path, title: str, height: float, before: float = 0.0
+) -> Path:
+    """Panels under each other, each of this height in inches, as .png, .svg or .pdf, whole or not at all."""
+    require_matplotlib()
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, height * len(panels) + before), layout="constrained")
+    for k, panel in enumerate(panels, 1):
+        panel(figure.add_subplot(len(panels), 1, k))
+    if title:
+        figure.suptitle(title, fontsize=11)
+    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))
+
+
 def rendered(figure: Figure, kind: str) -> bytes:
     """The figure as "svg", "pdf" or "png", without any date."""
     stream = io.BytesIO()
     with styled():
         figure.savefig(stream, format=kind, dpi=160, metadata=_UNDATED[kind], facecolor="white")
     return stream.getvalue()
-
-
-def scaling(factor: float) -> tuple[Callable[[Any], Any], Callable[[Any], Any]]:
-    """Times the factor, and back: what a second scale needs."""
-    return lambda x: x * factor, lambda x: x / factor
 
 
 def inline_svg(figure: Figure, name: str, title: str, description: str) -> str:

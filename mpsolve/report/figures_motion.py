@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.files import write_whole
-from mpsolve.report.figures import COLOUR, Look, rendered, require_matplotlib
+from mpsolve.report.figures import COLOUR, Look, require_matplotlib, save_panels
 from mpsolve.vibration.case_motion import Response
 from mpsolve.vibration.case_units import Scale
 
@@ -116,26 +115,15 @@ def save_history(found: Response, path: Path, title: str = "", scale: Scale | No
         raise InputError(
             "xi", f"has {rows} positions: a picture takes 1 to {MOST_PANELS}; write .csv or .npz for more"
         )
-    return _save([partial(draw_history, found, index=k, scale=scale) for k in range(rows)], path, title)
+    panels = [partial(draw_history, found, index=k, scale=scale) for k in range(rows)]
+    return save_panels(panels, path, title, 2.8, 0.6)
 
 
 def save_curves(
     found: Response, curves: Mapping[str, Any], path: Path, title: str = "", scale: Scale | None = None
 ) -> Path:
     """One panel with all curves, as .png, .svg or .pdf, written whole or not at all."""
-    return _save([partial(draw_curves, found, curves, scale=scale)], path, title)
-
-
-def _save(panels: Sequence[Callable[..., Any]], path: Path, title: str) -> Path:
-    require_matplotlib()
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8.0, 2.8 * len(panels) + 0.6), layout="constrained")
-    for k, panel in enumerate(panels):
-        panel(ax=figure.add_subplot(len(panels), 1, k + 1))
-    if title:
-        figure.suptitle(title, fontsize=11)
-    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))
+    return save_panels([partial(draw_curves, found, curves, scale=scale)], path, title, 2.8, 0.6)
 
 
 def displacements(response: Response, ax: Axes, scale: Scale | None = None, look: Look = COLOUR) -> Axes:

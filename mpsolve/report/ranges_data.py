@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from fractions import Fraction
 from typing import Any
 
+from mpsolve.files import csv_text
 from mpsolve.numbers.spoken import decimal
 from mpsolve.ranges.answer import Answer
 from mpsolve.ranges.cells import BOUNDARY
@@ -73,7 +72,7 @@ def rows_csv(said: list[Said]) -> str:
     names = list(dict.fromkeys(name for row in rows for name in row))
     named = {name: over.path if name == "value" else name for name in names}
     headings = [f"{named[name]} [{units[name]}]" if units.get(name) else named[name] for name in names]
-    return _csv([headings, *([_text(row.get(name)) for name in names] for row in rows)])
+    return csv_text([headings, *([_text(row.get(name)) for name in names] for row in rows)])
 
 
 def cells_csv(chart: Chart, asked: Asked) -> str:
@@ -90,16 +89,10 @@ def cells_csv(chart: Chart, asked: Asked) -> str:
             count = int(chart.counts[i, j])
             shown = str(count) if count >= 0 else "boundary" if count == BOUNDARY else "open"
             rows.append([*map(decimal, ends), shown])
-    return _csv(rows)
+    return csv_text(rows)
 
 
 def _text(value: Any) -> str:
     if isinstance(value, Fraction):
         return decimal(value)
     return "" if value is None else repr(value) if isinstance(value, float) else str(value)
-
-
-def _csv(rows: list[list[str]]) -> str:
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows(rows)
-    return out.getvalue()

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mpsolve.report.schema import certify_schema
 from mpsolve.schemas import parts as p
+from mpsolve.schemas.certify import certify_schema
 
 
 def response_schema() -> p.Schema:

@@ -8,8 +8,8 @@ from __future__ import annotations
 from mpsolve.problem.schema import DRAFT
 from mpsolve.report import range_table
 from mpsolve.report.ranges_data import FORMAT, VERSION
-from mpsolve.report.schema import certify_schema
 from mpsolve.schemas import parts as p
+from mpsolve.schemas.certify import certify_schema
 
 _CELLS = 2
 _OVER = p.by_name({"type": "array", "items": p.maybe(p.EXACT), "minItems": _CELLS})

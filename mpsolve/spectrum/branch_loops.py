@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.loops import turn_round
 from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
@@ -21,7 +22,7 @@ _SIDES = (12, 16, 24, 48, 96)
 _REAL = 1e-3  # relative, in floats
 
 
-@dataclass(frozen=True)
+@frozen
 class BranchPoint:
     """Where real p-roots meet, z > 0: how often it is a root of the discriminant, how far the next one or 0 is.
 
@@ -34,7 +35,7 @@ class BranchPoint:
     pole: complex | None
 
 
-@dataclass(frozen=True)
+@frozen
 class Loop:
     """A polygon from centre − radius several times round a branch point, on which Δ̂ turns as its pole there asks."""
 

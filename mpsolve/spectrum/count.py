@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +14,7 @@ from mpsolve.characteristic.origin import origin, waves_meet_at_zero
 from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
@@ -38,7 +38,7 @@ _AT_REST_REACH = 8.0  # and how far it goes where nothing moves
 Tell = Callable[[str, float], None]
 
 
-@dataclass(frozen=True)
+@frozen
 class Count:
     """The proved number of roots in `region`, with all that the proof rests on (points are scaled, q̂).
 

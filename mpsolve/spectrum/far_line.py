@@ -10,7 +10,6 @@ number of masses.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ import numpy as np
 from mpsolve.characteristic.discs import near_roots, split, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.problem.line import Line, discriminant
 
@@ -32,7 +32,7 @@ _SLACK = 1e-9  # far above the rounding of the few operations on bounds below
 _MARGIN = 1.02  # of the bounds, for a checker with wider ones
 
 
-@dataclass(frozen=True)
+@frozen
 class FarLine:
     """No root has |z| ≥ reach (scaled) on the closed lower half of the sheet; W = 1/|u|."""
 
@@ -86,7 +86,7 @@ def free_beyond(masses: int, active: float, gap: float, W: float, waves: Waves) 
     return bool(changed * (1 + _SLACK) < floor)
 
 
-@dataclass(frozen=True)
+@frozen
 class Waves:
     """Bounds over |u| ≤ 1/W of how the weights N/D_P, times EI λ³, depart from what they are at u = 0."""
 

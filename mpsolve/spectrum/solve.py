@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
@@ -32,7 +33,7 @@ MOST_DIGITS = 10_000
 Tell = Callable[[str, float], None]
 
 
-@dataclass(frozen=True)
+@frozen
 class Found:
     """A count, or None and what is `known`; the balls that explain it, and the reason where they do not."""
 

@@ -12,8 +12,8 @@ from reported import SPRUNG, fast, wire, without_theorem
 from schema_check import errors
 
 from mpsolve import Case, Effort, PhysicalCase, Rectangle, certify
-from mpsolve.report.schema import certify_schema
 from mpsolve.report.spectrum_data import spectrum_data
+from mpsolve.schemas.certify import certify_schema
 
 SCHEMA = certify_schema()
 RAIL = PhysicalCase(EI="6.4e6", m=60, k="1e6", c=770, v=250, masses=[(10000, 0), (10000, "3.4")])
