@@ -1533,10 +1533,11 @@ class Walker:
         total, part, back = arb(0), arb(0), loop.back
         for k, (a, b) in enumerate(pairwise(loop.points), 1):
             try:
-                mark, turned = self.piece("turn", mark, b, pole)
+                end, turned = self.piece("turn", mark, b, pole)
+                total += turned if pole is not None else self.turned([mark, end], [turned])
+                mark = end
             except Refused as error:
                 raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
-            total += turned
             if k == back:
                 self.marks[b], part = mark, total
         local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point

@@ -8,6 +8,7 @@ roots of one side meet, and so are the slopes in σ of everything.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import Any
 
 from mpsolve.characteristic.splitting import Splitting, sylvester
@@ -151,11 +152,17 @@ class Coefficients:
     D_sigma: list[Any]
     N_sigma: list[Any]
 
+    @cached_property
+    def slopes(self) -> tuple[list[Any], ...]:
+        """D_P, D_PP, N_P, D_σP."""
+        D_P = slope_in_P(self.D)
+        return D_P, slope_in_P(D_P), slope_in_P(self.N), slope_in_P(self.D_sigma)
+
     def terms(self, z: Any) -> Terms:
         """Residue at a simple root z of D of N e^{Pξ}/D, and of its derivative in σ, a double pole."""
-        D_P, N, D_s = slope_in_P(self.D), horner(self.N, z), horner(self.D_sigma, z)
-        over = 1 / horner(D_P, z)
+        D_P, D_PP, N_P, D_sP = (horner(x, z) for x in self.slopes)
+        N, D_s = horner(self.N, z), horner(self.D_sigma, z)
+        over = 1 / D_P
         lost = N * D_s * over * over
-        bend = horner(slope_in_P(D_P), z) * over
-        turn = (horner(slope_in_P(self.N), z) * D_s + N * horner(slope_in_P(self.D_sigma), z)) * over * over
-        return Terms(z, N * over, horner(self.N_sigma, z) * over - turn + lost * bend, -lost)
+        turn = (N_P * D_s + N * D_sP) * over * over
+        return Terms(z, N * over, horner(self.N_sigma, z) * over - turn + lost * D_PP * over, -lost)

@@ -188,3 +188,17 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
 def shown(number: Fraction) -> str:
     """A short text of an exact number for messages."""
     return Exact.parse(number).short()
+
+
+def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
+    """Two rational ends in order."""
+    try:
+        low, high = value
+    except (TypeError, ValueError):
+        raise InputError(key, f"is {value!r}: give a range (lo, hi)") from None
+    low, high = Exact.parse(low, key), Exact.parse(high, key)
+    if not (low.is_rational and high.is_rational):
+        raise InputError(key, "has an irrational end: give decimals or ratios p/q")
+    if not low < high:
+        raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
+    return low, high

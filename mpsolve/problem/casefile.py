@@ -12,8 +12,7 @@ from mpsolve.numbers.units import measured
 from mpsolve.problem.case import Case
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.physical import Mass, PhysicalCase
-from mpsolve.problem.sources import SOURCE, sources_of
-from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
+from mpsolve.problem.toml import SOURCE, check_keys, kind, name_of, parsed, refuse_other_kind, sources_of, text_of
 from mpsolve.vehicles.load import Load
 
 PHYSICAL = {

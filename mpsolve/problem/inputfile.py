@@ -24,9 +24,8 @@ from mpsolve.problem.lines import line_of
 from mpsolve.problem.load import gives_forces
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.sources import SOURCE, sources_of
 from mpsolve.problem.titled import Title
-from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
+from mpsolve.problem.toml import SOURCE, check_keys, kind, name_of, parsed, refuse_other_kind, sources_of, text_of
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
 

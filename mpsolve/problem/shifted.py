@@ -14,7 +14,8 @@ from math import comb
 from typing import Any, cast
 
 from mpsolve.numbers.several import Several
-from mpsolve.problem.family import Family, FreePolynomial
+from mpsolve.problem.family import Family
+from mpsolve.problem.free_track import FreePolynomial
 from mpsolve.tracks.waveguide import moving
 
 

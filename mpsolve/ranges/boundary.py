@@ -21,6 +21,7 @@ from mpsolve.ranges.ordered import Path, ordered
 _THIN = 2.0**-30  # of the whole: boxes that stand for points
 _KNOT = 2.0**-16  # of the whole: boxes in which points are enclosed
 _WIDER, _LEAST = 1.15, 0.15  # of a box: more than its points need, and of its longest side
+_WIDTHS = (2.0**-10, 2.0**-6)  # of the whole: of boxes in q next to q = 0, where smaller ones do not do
 _ASIDE = 2.0  # half-widths: boxes closer to q = 0 are taken with their mirror images
 _ROUNDS, _CORRECTIONS = 9, 6
 _NEAR = 1e-9  # of the whole: steps that are no longer taken
@@ -98,12 +99,40 @@ class Curves:
             kept &= (near[0] == 0) | (points[0] > _NEAR * whole[0])  # roots with q = 0 are no pair
         return points[:, kept], tangent[:, kept], np.flatnonzero(kept)
 
-    def arcs(self, m: Any, r: Any) -> Arcs:
-        """Over boxes with these middles and half-widths; next to q = 0 over wider ones with their mirror images."""
+    def arcs(self, m: Any, r: Any, least: float = 0.0) -> Arcs:
+        """Over boxes with these middles and half-widths; next to q = 0 over wider ones with their mirror images.
+
+        least: the half-width of these in q, in shares of the whole.
+        """
         m, r = np.array(m), np.array(r)
-        near = m[0] < _ASIDE * r[0]
-        m[0], r[0] = np.where(near, 0.0, m[0]), np.where(near & (m[0] > 0), _ASIDE * (m[0] + r[0]), r[0])
+        least *= self.whole[0]
+        near = m[0] < np.maximum(_ASIDE * r[0], least / _ASIDE)
+        wide = np.maximum(np.where(m[0] > 0, _ASIDE * (m[0] + r[0]), r[0]), least)
+        m[0], r[0] = np.where(near, 0.0, m[0]), np.where(near, wide, r[0])
         return arcs_over(self.matrix, m, r, self.zero)
+
+    def enclosed(self, points: Any) -> Any:
+        """How far from each point at most lies one that is proved: the only one of a small box at the same pivot."""
+        size = np.full(points.shape, np.inf)
+        for least in self.wider:
+            rows = np.flatnonzero(np.isinf(size).any(0) & ((points[0] < least * self.whole[0]) | (least == 0)))
+            if len(rows):
+                size[:, rows] = self._enclosed(points[:, rows], least)
+        return size
+
+    @property
+    def wider(self) -> tuple[float, ...]:
+        """Half-widths in q of boxes next to q = 0, where very small ones tell nothing of how pairs move."""
+        return (0.0,) if self.zero else (0.0, *_WIDTHS)
+
+    def _enclosed(self, points: Any, least: float) -> Any:
+        found = self.arcs(points, np.repeat(self.whole[:, None] * _KNOT, points.shape[1], 1), least)
+        t = found.along((points - found.m) / found.r)
+        piece = found.pieces(t, 0.0)
+        offset = found.m + found.place(piece.centre, t) * found.r - points
+        around = found.place(piece.around, np.zeros(points.shape[1])) * found.r
+        size = (around + np.abs(offset)) * (1 + 2.0**-20) + 2.0**-50 * np.abs(points)
+        return np.where(found.regular & piece.passes, size, np.inf)
 
 
 @dataclass
@@ -140,17 +169,11 @@ def proved_chains(curves: Curves, paths: list[Path], units: Any) -> list[Boundar
 
 
 def _enclosed(curves: Curves, chains: list[_Chain]) -> None:
-    """For each new point the one next to it that is meant: the only zero of a small box at the point's own pivot."""
+    """New points are enclosed."""
     todo = [(chain, k) for chain in chains for k, size in enumerate(chain.sizes) if size is None]
     if not todo:
         return
-    points = np.array([chain.points[k] for chain, k in todo]).T
-    found = curves.arcs(points, np.repeat(curves.whole[:, None] * _KNOT, points.shape[1], 1))
-    t, none = found.along((points - found.m) / found.r), np.zeros(points.shape[1])
-    piece = found.pieces(t, 0.0)
-    offset = found.m + found.place(piece.centre, t) * found.r - points
-    size = (found.place(piece.around, none) * found.r + np.abs(offset)) * (1 + 2.0**-20) + 2.0**-50 * np.abs(points)
-    size = np.where(found.regular & piece.passes, size, np.inf)
+    size = curves.enclosed(np.array([chain.points[k] for chain, k in todo]).T)
     for n, (chain, k) in enumerate(todo):
         chain.sizes[k] = size[:, n]
 
@@ -175,8 +198,17 @@ def _between(curves: Curves, chains: list[_Chain]) -> None:
 
 def _steps(curves: Curves, ends: Any, sizes: Any) -> Any:
     """Between which ends one arc passes; sizes: of the enclosures of the ends."""
+    out = np.zeros(ends.shape[2], bool)
+    for least in curves.wider:
+        rows = np.flatnonzero(~out & ((ends[:, 0].max(0) < least * curves.whole[0]) | (least == 0)))
+        if len(rows):
+            out[rows] = _steps_over(curves, ends[:, :, rows], sizes[:, :, rows], least)
+    return out
+
+
+def _steps_over(curves: Curves, ends: Any, sizes: Any, least: float) -> Any:
     middle, way, whole = ends.mean(0), np.abs(ends[1] - ends[0]), curves.whole[:, None]
-    found = curves.arcs(middle, _WIDER * way + _LEAST * (way / whole).max(0) * whole)
+    found = curves.arcs(middle, _WIDER * way + _LEAST * (way / whole).max(0) * whole, least)
     t, along = found.along((middle - found.m) / found.r), found.along(way / 2 / found.r)
     half = along * (1 + 2.0**-8)
     good = found.regular & found.pieces(t, half).passes & (np.abs(t) + half < HALF)

@@ -5,12 +5,17 @@ Reports of `certify` are set here rather than by rich, which takes as long to lo
 
 from __future__ import annotations
 
+import io
 import shlex
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
+from typing import TYPE_CHECKING
 
 from mpsolve.frozen import frozen
+
+if TYPE_CHECKING:
+    from rich.console import Group
 
 WIDTH = 88
 _INDENT, _GAP = 2, 2
@@ -115,3 +120,13 @@ def _widths(rows: Iterable[Sequence[str]], width: int, gap: int) -> list[int]:
 def _styled(text: str, style: str) -> str:
     codes = ";".join(_CODES[word] for word in style.split())
     return f"\x1b[{codes}m{text}\x1b[0m" if codes else text
+
+
+def plain(report: Group) -> str:
+    """A report as plain text of `WIDTH` columns."""
+    from rich.console import Console
+
+    stream = io.StringIO()
+    console = Console(file=stream, width=WIDTH, force_terminal=False, color_system=None, legacy_windows=False)
+    console.print(report, soft_wrap=False)
+    return "\n".join(line.rstrip() for line in stream.getvalue().splitlines()) + "\n"

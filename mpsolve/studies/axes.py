@@ -36,7 +36,7 @@ def read_axes(given: Any, design: str, problem: Problem) -> dict[str, Axis]:
             try:
                 problem.changed(path, value)
             except InputError as error:
-                raise InputError(f"parameters.{path}", str(error).removeprefix(f"{error.key}: ")) from None
+                raise error.under(f"parameters.{path}") from None
     return axes
 
 
@@ -44,7 +44,7 @@ def _quantity(problem: Problem, path: str) -> Quantity:
     try:
         return quantity_of(problem.track, problem.vehicles, problem.v, path)
     except InputError as error:
-        raise InputError(f"parameters.{path}", str(error).removeprefix(f"{error.key}: ")) from None
+        raise error.under(f"parameters.{path}") from None
 
 
 def _measured(given: Any, asked: Quantity, key: str) -> Any:

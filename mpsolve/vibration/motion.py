@@ -12,8 +12,8 @@ import numpy as np
 from mpsolve.errors import EffortError
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
-from mpsolve.vibration.engine import Parts, Solution
 from mpsolve.vibration.liftoff import Event, early_times, first_lift_off
+from mpsolve.vibration.solution import Parts, Solution
 
 
 @dataclass(frozen=True)

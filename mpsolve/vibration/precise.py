@@ -16,7 +16,7 @@ import numpy as np
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError
 from mpsolve.numbers.model import rational
-from mpsolve.numbers.multiprecision import Multiprecision
+from mpsolve.numbers.multiprecision import Multiprecision, Rule
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
@@ -32,7 +32,6 @@ from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.precise_image import PreciseImage, number
 from mpsolve.vibration.precise_motion import PreciseVibration, unknown_precise
-from mpsolve.vibration.quadrature import Rule
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 200

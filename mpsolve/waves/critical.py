@@ -17,8 +17,7 @@ from flint import fmpq_poly
 from mpsolve.errors import ContradictionError, InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.model import rational
-from mpsolve.numbers.ranges import checked_range
+from mpsolve.numbers.model import checked_range, rational
 from mpsolve.numbers.realroots import as_fmpq
 from mpsolve.outcome import Reason, Status
 from mpsolve.tracks.at_rest import Status as Rest

@@ -16,6 +16,7 @@ from mpsolve.numbers.model import (
     Quantity,
     Rational,
     Texts,
+    checked_range,
     defaults,
     nonnegative,
     positive,
@@ -93,3 +94,23 @@ def test_mistakes_are_named(make: Any, key: str, said: str) -> None:
     with pytest.raises(InputError, match=said) as caught:
         make()
     assert caught.value.key == key
+
+
+def test_ends_are_exact() -> None:
+    low, high = checked_range(("0.1", Fraction(1, 3)), "alpha")
+    assert (low.as_fraction(), high.as_fraction()) == (Fraction(1, 10), Fraction(1, 3))
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (3, "alpha: is 3: give a range"),
+        ((1, 2, 3), r"alpha: is \(1, 2, 3\): give a range"),
+        ((0, "root4(2)"), "alpha: has an irrational end"),
+        ((1, 1), "alpha: ends at 1, not above its start 1"),
+        ((2, 1), "alpha: ends at 1, not above its start 2"),
+    ],
+)
+def test_what_is_no_range_is_refused(given: object, said: str) -> None:
+    with pytest.raises(InputError, match=f"^{said}"):
+        checked_range(given, "alpha")

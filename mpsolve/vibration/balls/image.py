@@ -15,8 +15,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision
 from mpsolve.vibration.balls.equations import Equations
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
-from mpsolve.vibration.balls.scatter import Waves
-from mpsolve.vibration.balls.solved import Disc, solved
+from mpsolve.vibration.balls.solved import Disc, Waves, solved
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
 
