@@ -66,7 +66,7 @@ class Chart(Answer):
     detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real;
     meetings: points at which two of them cross, or one of pairs comes to q = 0, those that are proved.
     traced: whether each curve goes from edge to edge of the chart, back to its start or to q = 0, and each cell of
-    `detail` that is −1 is next to one that a curve meets.
+    `detail` that is −1 is at most two away from one that a curve meets.
     """
 
     hidden: ClassVar[frozenset[str]] = Answer.hidden | {"detail"}
