@@ -24,14 +24,14 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.balls.equations import exact_terms
+from mpsolve.vibration.balls.image import PreciseImage, number
 from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.integral import sampled_line
+from mpsolve.vibration.motion import PreciseVibration, unknown_precise
 from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
-from mpsolve.vibration.precise_image import PreciseImage, number
-from mpsolve.vibration.precise_motion import PreciseVibration, unknown_precise
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 200
