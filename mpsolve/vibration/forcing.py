@@ -1,4 +1,4 @@
-"""What acts on a problem, as tones: Re(column · e^{iωt}) on the right of the transformed equations."""
+"""What acts on a problem, as tones Re(column · e^{iωt}), irregularities of rail and wheels too; what they keep up."""
 
 from __future__ import annotations
 

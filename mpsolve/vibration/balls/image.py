@@ -2,6 +2,8 @@
 
 Over a cell, a ball of σ̂, each p-root has a disc of its own. Which of them are upper ones is proved at one point of
 the cell in the physical region, and then holds in the whole cell: no p-root changes its disc there.
+
+`PreciseImage` has the middles as mpmath numbers.
 """
 
 from __future__ import annotations
