@@ -78,15 +78,15 @@ if TYPE_CHECKING:
     from mpsolve.vibration.balls.enclosure import ProvedVibration as ProvedVibration
     from mpsolve.vibration.balls.enclosure import response_balls as response_balls
     from mpsolve.vibration.case_motion import Response as Response
-    from mpsolve.vibration.case_studies import deflection_shape as deflection_shape
     from mpsolve.vibration.forcing import Irregularity as Irregularity
     from mpsolve.vibration.forcing import out_of_round as out_of_round
     from mpsolve.vibration.forcing import rail_roughness as rail_roughness
     from mpsolve.vibration.liftoff import Event as Event
+    from mpsolve.vibration.motion import PreciseVibration as PreciseVibration
     from mpsolve.vibration.motion import Vibration as Vibration
     from mpsolve.vibration.precise import response_mp as response_mp
-    from mpsolve.vibration.precise_motion import PreciseVibration as PreciseVibration
     from mpsolve.vibration.response import response as response
+    from mpsolve.vibration.studies import deflection_shape as deflection_shape
     from mpsolve.vibration.studies import envelope as envelope
     from mpsolve.vibration.studies import merged as merged
     from mpsolve.vibration.studies import superposition as superposition
@@ -148,14 +148,12 @@ _NAMES = {
     "vehicles.load": "Load",
     "vibration.response": "response",
     "vibration.case_motion": "Response",
-    "vibration.motion": "Vibration",
+    "vibration.motion": "Vibration PreciseVibration",
     "vibration.precise": "response_mp",
-    "vibration.precise_motion": "PreciseVibration",
     "vibration.balls.enclosure": "response_balls ProvedVibration",
     "vibration.forcing": "Irregularity rail_roughness out_of_round",
     "vibration.liftoff": "Event",
-    "vibration.studies": "envelope superposition merged transient_importance",
-    "vibration.case_studies": "deflection_shape",
+    "vibration.studies": "envelope superposition merged transient_importance deflection_shape",
     "finite.beam.beam": "finite_beam BeamResponse",
     "finite.finite_track": "finite_track FiniteTrackMotion",
     "studies.run": "study open_study Study",

@@ -95,7 +95,7 @@ def _told(prove: Any) -> Spectrum:
     try:
         found: Spectrum = prove()
     except InputError as error:
-        raise InputError(error.key, on_command_line(str(error).removeprefix(f"{error.key}: "))) from None
+        raise InputError(error.key, on_command_line(error.said)) from None
     if found.reason is None:
         return found
     reason = replace(found.reason, remedy=on_command_line(found.reason.remedy))

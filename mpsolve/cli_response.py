@@ -187,9 +187,9 @@ def _scale(source: InputFile) -> Scale:
 
 def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
     from mpsolve.report.figures_motion import save_history
-    from mpsolve.vibration.case_table import arrays, columns
+    from mpsolve.vibration.table import case_arrays, case_columns
 
-    made = partial(columns, found, scale), partial(arrays, found, scale)
+    made = partial(case_columns, found, scale), partial(case_arrays, found, scale)
     picture = partial(save_history, found, path, title, scale)
     cli_vibration.write(path, kind, title, _summary(found, scale), *made, picture)
 
@@ -213,8 +213,9 @@ def _summary(found: Response, scale: Scale) -> list[str]:
 def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[str, Any], list[str]]:
     """The motion, the curves by name, the complete solution first, and what is to be said of them."""
     from mpsolve.finite.beam.beam import finite_beam
-    from mpsolve.vibration.case_studies import merged, superposition
     from mpsolve.vibration.of_case import motion_of_case as respond
+    from mpsolve.vibration.studies import merged_case as merged
+    from mpsolve.vibration.studies import superposition_of_case as superposition
 
     given = source.case, source.loads
     whole = respond(*given, None, tau)
@@ -238,7 +239,7 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[s
 def _save_curves(whole: Response, curves: dict[str, Any], path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.files import save_columns
-        from mpsolve.vibration.case_table import named, time_columns
+        from mpsolve.vibration.table import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
         shown[named("within the model", "1", scale)] = whole.within.astype(float)

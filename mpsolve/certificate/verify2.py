@@ -1218,10 +1218,31 @@ def roots_near(local: Local, start: Sequence[complex] | None = None) -> list[Any
     """Approximate roots of D(·, m) to the present precision, from those of a neighbour or by FLINT's finder."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     z = [acb(x) for x in float_roots(local, [complex(x) for x in D.roots()] if start is None else start)]
-    slope = D.derivative()
-    for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
-        z = [(x - D(x) / slope(x)).mid() for x in z]
-    return z
+    return z if flint.ctx.prec <= 64 else sharp_roots(local, z)
+
+
+def following(local: Local, start: Sequence[Any]) -> list[Any]:
+    """Near the roots of D(·, m), each from the one of a neighbour: floats, or balls' middles beyond 64 bits.
+
+    Next to a branch point two roots may be closer than floats tell.
+    """
+    return float_roots(local, start) if flint.ctx.prec <= 64 else sharp_roots(local, start)
+
+
+def sharp_roots(local: Local, start: Sequence[Any]) -> list[Any]:
+    """The same iteration in balls' middles, to more than half of the precision."""
+    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
+    slope, z, goal = D.derivative(), [acb(x) for x in start], arb(2) ** (-flint.ctx.prec // 2)
+    for _ in range(40):
+        small = True
+        for k, p in enumerate(z):
+            step = D(p) / slope(p)
+            step = step / (1 - step * sum((1 / (p - other) for i, other in enumerate(z) if i != k), acb(0)))
+            require(step.is_finite(), "p-roots meet on a path")
+            z[k], small = (p - step).mid(), small and bool(abs(step) < goal * abs(p))
+        if small:
+            return z
+    raise Refused("p-roots meet on a path")
 
 
 def sided(split: Split) -> bool:
@@ -1651,7 +1672,7 @@ class Walker:
 
     def mark(self, q: Point, near: Sequence[complex]) -> Mark:
         local = self.waves.near(Place.disc(at_q(q), ZERO))
-        z = float_roots(local, near)
+        z = following(local, near)
         return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split())
 
     def matrix(self, mark: Mark) -> Any:
@@ -1739,7 +1760,7 @@ class Walker:
         half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(Place.disc(m, r))
-        z = float_roots(local, mark.z)
+        z = following(local, mark.z)
         disc = Nodes([acb(x) for x in z], self.up, local).split()
         end = self.mark(b, z)
         for side in (mark, end):
@@ -2380,9 +2401,13 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> Any:
     pole = None
     if times == 1:  # where the pair meets: any number would do, a near one serves
         require(loop.points[0] in walker.marks, "a loop does not begin on its path")
-        p = float_roots(walker.waves.near(Place.disc(acb(0, 1) * z.mid(), ZERO)), walker.marks[loop.points[0]].z)
+        local = walker.waves.near(Place.disc(acb(0, 1) * z.mid(), ZERO))
+        p = float_roots(local, [complex(x) for x in walker.marks[loop.points[0]].z])
         near = min(combinations(p, 2), key=lambda two: abs(two[0] - two[1]))
         pole = acb(0, (near[0] + near[1]).imag / 2)
+        slope = acb_poly([local.D[i, 0] for i in range(local.degree + 1)]).derivative()
+        for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
+            pole = acb(0, (pole - slope(pole) / slope.derivative()(pole)).imag).mid()
     whole, part = walker.around(loop, pole)
     require((whole / (2 * arb.pi())).unique_fmpz() == -poles, "a root lies next to a branch point")
     return part

@@ -51,7 +51,7 @@ TOGETHER, WIDER, NARROWER = (
     16,
     fmpq(1, 1 << 20),
 )  # p-roots closer than this share of other distances share a circle
-SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
+SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of the parameters: c}

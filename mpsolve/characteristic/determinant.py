@@ -65,14 +65,14 @@ class Bordering:
 
     @cached_property
     def shares(self) -> tuple[list[Share], list[list[tuple[int, int]]]]:
-        """(the different −S_ij y_j/λ, for each body (contact, the number of its own))."""
+        """(the different S_ij y_j/λ, for each body (contact, the number of its own))."""
         kinds: dict[tuple[tuple[Fraction, ...], Fraction], int] = {}
         links = []
         for row in self.cells:
             here = dict(row)
             found = [(contact, (here[body], b)) for body, contact, b in self.direct if body in here]
             links.append([(contact, kinds.setdefault(key, len(kinds))) for contact, key in found])
-        shares = [tuple(x / b for x in cell) for cell, b in kinds]
+        shares = [tuple(-x / b for x in cell) for cell, b in kinds]
         return [(cell, _rate(cell)) for cell in shares], links
 
     @cached_property
@@ -113,11 +113,11 @@ class Bordering:
         out = []
         for i, cells in enumerate(all_cells):
             row = [like] * len(self.which)
-            for j, x in () if rate else self.loads[i]:
-                row[j] = like - K.number(x)
-            for contact, kind in self.shares[1][i]:
+            for n, (contact, kind) in enumerate(self.shares[1][i]):
                 here = shared[kind]
-                row = [x - here[k] for x, k in zip(row, self.which[contact], strict=True)]
+                row = [x + here[k] if n else here[k] for x, k in zip(row, self.which[contact], strict=True)]
+            for j, x in () if rate else self.loads[i]:
+                row[j] = row[j] - K.number(x)
             entries = dict(cells)
             kept = (K.evaluate(entries[j], sigma) if j in entries else like for j in self.kept)
             out.append([*kept, *row])

@@ -13,8 +13,8 @@ _WHOLE = 5
 def det_and_trace(A: Any, A_slope: Any) -> tuple[Any, Any]:
     """det A and tr A⁻¹A′ = (det A)′/det A; not finite where FLINT finds A singular.
 
-    With A = [[X, Y], [Z, W]] and A′ in the same rows, S = W − Z X⁻¹Y: det A = det X det S, and the rows of A⁻¹A′ are
-    X⁻¹A′₁ − X⁻¹Y V and V = S⁻¹(A′₂ − Z X⁻¹A′₁).
+    With A = [[X, Y], [Z, W]], P = X⁻¹Y, Q = ZX⁻¹ and S = W − ZP: det A = det X · det S, so the trace is that of X⁻¹X′
+    and of S⁻¹S′, S′ = W′ − QY′ − (Z′ − QX′)P.
     """
     try:
         if A.nrows() > _WHOLE:
@@ -28,13 +28,16 @@ def det_and_trace(A: Any, A_slope: Any) -> tuple[Any, Any]:
 
 
 def _by_halves(A: Any, A_slope: Any) -> tuple[Any, Any]:
-    n, k = A.nrows(), A.nrows() // 2
-    rows, slopes = A.tolist(), A_slope.tolist()
-    X, Z = (acb_mat([r[:k] for r in part]) for part in (rows[:k], rows[k:]))
-    above, below = ([r[k:] + d for r, d in zip(rows[p], slopes[p], strict=True)] for p in (slice(k), slice(k, n)))
-    first = X.solve(acb_mat(above))
-    second, first = (acb_mat(below) - Z * first).tolist(), first.tolist()
-    S, right = acb_mat([r[: n - k] for r in second]), acb_mat([r[n - k :] for r in second])
-    V = S.solve(right).tolist()
-    trace = sum((V[i][k + i] for i in range(n - k)), acb(0)) + sum((first[i][n - k + i] for i in range(k)), acb(0))
-    return X.det() * S.det(), trace - (acb_mat([r[: n - k] for r in first]) * acb_mat([r[:k] for r in V])).trace()
+    X, Y, Z, W = _quarters(A)
+    X_, Y_, Z_, W_ = _quarters(A_slope)
+    inverse = X.inv()
+    P, Q = inverse * Y, Z * inverse
+    S = W - Z * P
+    turned = S.solve(W_ - Q * Y_ - (Z_ - Q * X_) * P)
+    return X.det() * S.det(), (inverse * X_).trace() + turned.trace()
+
+
+def _quarters(a: Any) -> list[Any]:
+    k, rows = a.nrows() // 2, a.tolist()
+    sides = (slice(k), slice(k, None))
+    return [acb_mat([row[side] for row in rows[part]]) for part in sides for side in sides]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Set
 from fractions import Fraction
 from functools import cache
+from numbers import Integral
 from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
 
 import msgspec
@@ -172,6 +173,13 @@ def defaults(model: type[Any]) -> dict[str, Any]:
     return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}
 
 
+def whole(value: object, key: str, least: int, most: int) -> int:
+    """The whole number; InputError under `key` where it is none, or out of its bounds."""
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= int(value) <= most:
+        raise InputError(key, f"is {value!r}: give a whole number from {least} to {most}")
+    return int(value)
+
+
 def rational(value: Number | object, key: str, unit: str | None = None, told: str = "") -> Fraction:
     """The exact rational that `value` stands for; InputError under `key` where it is none.
 
@@ -188,3 +196,17 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
 def shown(number: Fraction) -> str:
     """A short text of an exact number for messages."""
     return Exact.parse(number).short()
+
+
+def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
+    """Two rational ends in order."""
+    try:
+        low, high = value
+    except (TypeError, ValueError):
+        raise InputError(key, f"is {value!r}: give a range (lo, hi)") from None
+    low, high = Exact.parse(low, key), Exact.parse(high, key)
+    if not (low.is_rational and high.is_rational):
+        raise InputError(key, "has an irrational end: give decimals or ratios p/q")
+    if not low < high:
+        raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
+    return low, high

@@ -100,10 +100,9 @@ def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:
     try:
         exact = Exact.parse(measured(value, unit, key, told), key)
     except InputError as error:  # a measured value is no root
-        how = "write a decimal such as 0.67 or a ratio such as 67/100" + (
-            f", with a unit such as {unit}" if unit else ""
-        )
-        raise InputError(key, str(error).removeprefix(f"{key}: ").replace(HOW, how)) from None
+        how = "write a decimal such as 0.67 or a ratio such as 67/100"
+        how += f", with a unit such as {unit}" if unit else ""
+        raise InputError(key, error.said.replace(HOW, how)) from None
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()

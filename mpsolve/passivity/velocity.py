@@ -19,7 +19,7 @@ from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.ranges import checked_range
+from mpsolve.numbers.model import checked_range
 from mpsolve.numbers.realroots import as_fmpq, positive_roots
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.answer import Kind, PassivityVelocity

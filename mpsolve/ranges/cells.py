@@ -103,5 +103,8 @@ def met(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
 
 
 def next_to(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
-    """These and all cells round them."""
-    return grown(grown(met(shape, edges, curves), 0), 1)
+    """These and all cells round them, up to two away."""
+    cells = met(shape, edges, curves)
+    for axis in (0, 0, 1, 1):
+        cells = grown(cells, axis)
+    return cells

@@ -66,7 +66,7 @@ class Chart(Answer):
     detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real;
     meetings: points at which two of them cross, or one of pairs comes to q = 0, those that are proved.
     traced: whether each curve goes from edge to edge of the chart, back to its start or to q = 0, and each cell of
-    `detail` that is −1 is next to one that a curve meets.
+    `detail` that is −1 is at most two away from one that a curve meets.
     """
 
     hidden: ClassVar[frozenset[str]] = Answer.hidden | {"detail"}
@@ -167,7 +167,8 @@ def _chart(
     verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
-    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
+    proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
+    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": proofs, "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()

@@ -39,7 +39,7 @@ from mpsolve.ranges.undamped import SPEEDS, cuts_join, no_damping, of_vehicles, 
 
 NOTE = (
     "under one mass that is faster than the waves of an undamped beam no root comes to the real axis: no boxes are "
-    "needed, and the number is that of a certified point"
+    "needed, and as many grow as at a certified point"
 )
 
 

@@ -187,9 +187,9 @@ def value_text(ball: Any, over: Over, digits: int) -> str:
 
 
 def frequency_text(q: Any, asked: Asked, digits: int) -> str:
-    """q with all its digits, and in Hz; 0 for a deflection that grows without oscillation."""
+    """q with all its digits, and in Hz; 0 where a deflection begins to grow without oscillation."""
     if q == 0:
-        return "q = 0, a deflection that does not oscillate"
+        return "q = 0, a deflection that begins without oscillation"
     with precision(working_bits(digits)):
         number = proved_digits(q, digits)
         if not asked.si:

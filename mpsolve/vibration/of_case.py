@@ -75,8 +75,7 @@ def _moved(units: CaseUnits, loads: Any, tau: Any, x: Any, spectrum: Spectrum | 
     try:
         return vibrate(units.problem, loads, times=units.times(tau), places=x, spectrum=spectrum, **work)
     except InputError as error:
-        key = {"times": "tau", "places": "xi"}.get(error.key, error.key)
-        raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
+        raise error.under({"times": "tau", "places": "xi"}.get(error.key, error.key)) from None
 
 
 def certified_of(units: CaseUnits, spectrum: Any, digits: int = 30, **work: Any) -> Spectrum:

@@ -53,9 +53,9 @@ def test_what_a_curve_meets_and_what_is_next_to_it() -> None:
     curve = ((8, 8), ((0, 1), (0, 1)), [Curve((0.55, 0.55), (0.0, 1.0))])
     assert (np.flatnonzero(met(*curve).any(1)) == [4]).all()
     found = next_to(*curve)
-    assert found[3:6].all()
-    assert not found[:3].any()
-    assert not found[6:].any()
+    assert found[2:7].all()
+    assert not found[:2].any()
+    assert not found[7:].any()
 
 
 def test_neighbours() -> None:

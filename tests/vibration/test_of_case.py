@@ -17,8 +17,8 @@ from mpsolve import Case, Effort, InputError, MpsolveError, certify, response
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.exact import Exact
 from mpsolve.vehicles.load import Load
-from mpsolve.vibration.case_table import columns
 from mpsolve.vibration.case_units import Scale
+from mpsolve.vibration.table import case_columns
 
 TWO: dict[str, Any] = {"eta_m": (70, 70), "positions": (0, "1.5")}
 DAMPED = Case(alpha="0.67", eta_b="0.05", **TWO)
@@ -293,7 +293,7 @@ def test_the_first_of_them_hangs_on_no_grid() -> None:
     first = min(time for time in fine.contact_loss if time is not None)
     assert one.time == pytest.approx(first, abs=one.tolerance)
     assert fine.within.tolist() == (fine.tau <= one.time).tolist()
-    assert columns(fine, Scale())["within the model"].tolist() == fine.within.tolist()
+    assert case_columns(fine, Scale())["within the model"].tolist() == fine.within.tolist()
     assert not fine.within.all()
     assert response(FAST_contact_loss, tau=[one.time / 2]).lift_off is None
 
