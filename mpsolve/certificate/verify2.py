@@ -2485,7 +2485,7 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
     corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
     before, bounds = [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
     steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
-    size = r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)
+    size = r * (2 * arb(fmpq(1, 2 * ARCS)).sin_pi() * 1.001)  # half way to the next one, on the circle
     arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), size) for i in range(ARCS // 4 + 1)]
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()

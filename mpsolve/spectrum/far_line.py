@@ -25,6 +25,7 @@ _ROOT_HALF = math.sqrt(0.5)
 ARCS = 24
 """Of the circle |u| = 1/W on which the waves are bounded; those of the first quarter tell the others."""
 _NEEDED = ARCS // 4 + 1
+_HALF_WAY = 2.002 * math.sin(math.pi / (2 * ARCS))  # to the next one, on the circle
 _BEYOND = 2.0  # how far, at least, beyond the last frequency at which p-roots meet
 _LADDER = 2.0 ** (np.arange(6) / 2)  # of W, tried at once
 _ROUNDS = 6
@@ -113,7 +114,7 @@ def _waves(line: Line, W: Any) -> list[Waves | None]:
     D = Table(d)
     corners = np.exp(0.25j * np.pi * np.array([-3, 3, -1, 1]))  # U: travelling, evanescent; L: the other way round
     around = (np.exp(2j * np.pi * np.arange(_NEEDED) / ARCS) / W[:, None]).ravel()
-    s = split(D, around, 1.001 * math.sin(math.pi / ARCS) * np.abs(around), 2, _near(D, around, corners))
+    s = split(D, around, _HALF_WAY * np.abs(around), 2, _near(D, around, corners))
     with np.errstate(all="ignore"):
         weight, p, alone = waves(Table(np.ones((1, 1))), D, s)
         a, e, f, c = weight[:, 0], weight[:, 1], -weight[:, 2], -weight[:, 3]
