@@ -315,15 +315,19 @@ def least(f: Free, box: Box) -> Any:
 
 
 def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
-    """test(rows, box) is true on parts that together are the box; others are halved along what these rows hold."""
+    """test(rows, box) is true on parts that together are the box; others are halved along what these rows hold.
+
+    The longer the polynomials, in all their Bernstein coefficients, the fewer parts are looked at.
+    """
     used = [k for k in range(len(box)) if any(e[k] for f in rows for e in f)]
+    size = sum(prod(max(e[k] for e in f) + 1 for k in range(len(box))) for f in rows if f)
     stack, number = [(box, 0)], 0
     while stack:
         here, depth = stack.pop()
         number += 1
         if test(rows, here):
             continue
-        require(used and depth < 8 * len(used) and number < BOXES, why)
+        require(used and depth < 8 * len(used) and number < BOXES / max(1, size / 1000), why)
         stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
 
 

@@ -894,3 +894,18 @@ def test_the_discs_on_which_waves_are_bounded_far_out_cover_their_circle(monkeyp
     middle, size = np.array(discs).T
     u = np.exp(0.5j * pi * np.linspace(0, 1, 2401)) / W
     assert (abs(u[:, None] - middle) < size.real).any(1).all()
+
+
+def test_long_polynomials_in_many_parameters_are_not_halved_for_ever():
+    box, looked = tuple((fmpq(0), fmpq(1)) for _ in range(6)), []
+    with pytest.raises(v2.Refused, match="why"):
+        v2.everywhere(lambda *_: looked.append(0), [{(4,) * 6: fmpq(1)}], box, "why")  # 5^6 coefficients a part
+    assert len(looked) * 5**6 < 2.1e7
+    looked.clear()
+
+    def small(_, here):
+        looked.append(0)
+        return all(16 * (y - x) <= 1 for x, y in here[:3])
+
+    v2.everywhere(small, [{(1,) * 3: fmpq(1)}], box[:3], "why")  # short ones are
+    assert len(looked) == 2**13 - 1
