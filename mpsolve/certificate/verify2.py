@@ -39,7 +39,6 @@ Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of free parameters: c}; of a number {(): c}
 Box = tuple[tuple[Any, Any], ...]  # exact ends of free parameters; () where there are none
 Point = tuple[Any, Any]  # of q: real and imaginary part, exact
-Terms = Free  # of two variables: {(i, j): c}, Σ c x^i y^j
 
 
 class Refused(Exception):  # noqa: N818
@@ -734,27 +733,28 @@ class Form:
     def __init__(self, k: Rows, e: list[Any], m: int) -> None:
         self.k, self.e, self.m = k, e, m
         self.second = pairs(m) if len(k) > 1 + m else ()  # the coefficients of second order
-        self._sizes: tuple[list[Any], list[Any], list[Any]] | None = None
+        self._sizes: tuple[list[Any], ...] | None = None
         self._size: list[Any] | None = None
 
     @property
-    def sizes(self) -> tuple[list[Any], list[Any], list[Any]]:
-        """Bounds: of the constants, of the linear, of the quadratic parts."""
+    def sizes(self) -> tuple[list[Any], ...]:
+        """Bounds: of the constants, of the linear, of the quadratic parts, and of all three."""
         if self._sizes is None:
             size, n = [[abs(x) for x in row] for row in self.k], len(self.e)
-            self._sizes = (size[0], sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n))
+            first, second = sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n)
+            self._sizes = (size[0], first, second, sums(size, n))
         return self._sizes
 
     @property
     def spread(self) -> list[Any]:
         """Bounds of what changes."""
-        _, first, second = self.sizes
+        _, first, second, _ = self.sizes
         return [x + y + z for x, y, z in zip(first, second, self.e, strict=True)]
 
     @property
     def size(self) -> list[Any]:
         if self._size is None:
-            self._size = [w + x + y + z for w, x, y, z in zip(*self.sizes, self.e, strict=True)]
+            self._size = [x + y for x, y in zip(self.sizes[3], self.e, strict=True)]
         return self._size
 
     def __add__(self, other: Form) -> Form:
@@ -780,12 +780,17 @@ class Form:
 
     def take(self, which: Sequence[int]) -> Form:
         """The functions of these numbers."""
-        out = Form([[row[i] for i in which] for row in self.k], [self.e[i] for i in which], self.m)
+        return self.picked(lambda row: [row[i] for i in which])
+
+    def part(self, start: int, end: int) -> Form:
+        return self.picked(lambda row: row[start:end])
+
+    def picked(self, some: Callable[[list[Any]], list[Any]]) -> Form:
+        out = Form([some(row) for row in self.k], some(self.e), self.m)
         if self._sizes is not None:
-            a, b, c = ([row[i] for i in which] for row in self._sizes)
-            out._sizes = a, b, c
+            out._sizes = tuple(map(some, self._sizes))
         if self._size is not None:
-            out._size = [self._size[i] for i in which]
+            out._size = some(self._size)
         return out
 
     def __mul__(self, other: Form) -> Form:
@@ -799,11 +804,12 @@ class Form:
             row = [x * q + p * y for x, y, p, q in zip(a[0], b[0], a[n], b[n], strict=True)]
             row = [z + p * q for z, p, q in zip(row, a[i], b[j], strict=True)]
             k.append([z + p * q for z, p, q in zip(row, a[j], b[i], strict=True)] if i != j else row)
-        e = []
-        order = bool(self.second)
-        for x0, x1, x2, f, y0, y1, y2, g in zip(*self.sizes, self.e, *other.sizes, other.e, strict=True):
-            beyond = x1 * y2 + x2 * (y1 + y2) if order else x1 * y1
-            e.append(beyond + (x0 + x1 + x2) * g + f * (y0 + y1 + y2 + g))
+        (_, x1, x2, _), (_, y1, y2, y) = self.sizes, other.sizes
+        if self.second:
+            beyond = [p * r + q * (v + r) for p, q, v, r in zip(x1, x2, y1, y2, strict=True)]
+        else:
+            beyond = [p * q for p, q in zip(x1, y1, strict=True)]
+        e = [z + p * g + f * q for z, p, f, q, g in zip(beyond, self.size, self.e, y, other.e, strict=True)]
         return Form(k, e, self.m)
 
     def inverse(self) -> Form:
@@ -818,7 +824,7 @@ class Form:
             twice = 1 if i == j else 2
             k.append([(p * q * twice - x) * y for p, q, x, y in zip(w[i], w[j], w[n], c, strict=True)])
         e = []
-        for x, p, q, f in zip(c, *self.sizes[1:], self.e, strict=True):
+        for x, p, q, f in zip(c, *self.sizes[1:3], self.e, strict=True):
             size = abs(x)
             p, q, f = p * size, q * size, f * size
             y = p + q + f
@@ -838,7 +844,7 @@ class Form:
             k.append(
                 [(x + p * q * half) * y for x, p, q, y in zip(*(self.k[r] for r in (n, i, j)), value, strict=True)]
             )
-        for n, (p, q, f) in enumerate(zip(*self.sizes[1:], self.e, strict=True)):
+        for n, (p, q, f) in enumerate(zip(*self.sizes[1:3], self.e, strict=True)):
             y = p + q + f
             if y < 2:
                 left = y.expm1() - y
@@ -1047,9 +1053,7 @@ class Local:
         rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
         f = self.place.form(acb_mat(rows) * table)
         sizes, few = f.size, min(size, self.place.order + 2)
-        return [f.take(range(i * n, (i + 1) * n)) for i in range(few)], [
-            sizes[i * n : (i + 1) * n] for i in range(size)
-        ]
+        return [f.part(i * n, (i + 1) * n) for i in range(few)], [sizes[i * n : (i + 1) * n] for i in range(size)]
 
 
 @lru_cache(maxsize=64)
@@ -1222,10 +1226,31 @@ def roots_near(local: Local, start: Sequence[complex] | None = None) -> list[Any
     """Approximate roots of D(·, m) to the present precision, from those of a neighbour or by FLINT's finder."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     z = [acb(x) for x in float_roots(local, [complex(x) for x in D.roots()] if start is None else start)]
-    slope = D.derivative()
-    for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
-        z = [(x - D(x) / slope(x)).mid() for x in z]
-    return z
+    return z if flint.ctx.prec <= 64 else sharp_roots(local, z)
+
+
+def following(local: Local, start: Sequence[Any]) -> list[Any]:
+    """Near the roots of D(·, m), each from the one of a neighbour: floats, or balls' middles beyond 64 bits.
+
+    Next to a branch point two roots may be closer than floats tell.
+    """
+    return float_roots(local, start) if flint.ctx.prec <= 64 else sharp_roots(local, start)
+
+
+def sharp_roots(local: Local, start: Sequence[Any]) -> list[Any]:
+    """The same iteration in balls' middles, to more than half of the precision."""
+    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
+    slope, z, goal = D.derivative(), [acb(x) for x in start], arb(2) ** (-flint.ctx.prec // 2)
+    for _ in range(40):
+        small = True
+        for k, p in enumerate(z):
+            step = D(p) / slope(p)
+            step = step / (1 - step * sum((1 / (p - other) for i, other in enumerate(z) if i != k), acb(0)))
+            require(step.is_finite(), "p-roots meet on a path")
+            z[k], small = (p - step).mid(), small and bool(abs(step) < goal * abs(p))
+        if small:
+            return z
+    raise Refused("p-roots meet on a path")
 
 
 def sided(split: Split) -> bool:
@@ -1299,21 +1324,21 @@ def summed(
         ride = ride.plus([acb(-1)] * len(pairs_))
     ride = ride * weight.take(roots)
     ahead = len(sides[0]) * len(chosen[0])
-    parts = [folded(ride.take(range(ahead)), len(chosen[0]))]
+    G = folded(ride.part(0, ahead), len(chosen[0]))
     if chosen[1]:
-        parts.append(-folded(ride.take(range(ahead, len(pairs_))), len(chosen[1])))
-    order = [g for gaps in chosen for g in gaps]
-    G = joined(parts).take([order.index(g) for g in range(len(order))])
+        order = [*chosen[0], *chosen[1]]
+        both = joined([G, -folded(ride.part(ahead, len(pairs_)), len(chosen[1]))])
+        G = both.take([order.index(g) for g in range(len(order))])
     if pole is not None:
         G = G.scaled([(pole * x).exp() for x in xi])
     fine = all(x.is_finite() for row in (*G.k, G.e) for x in row)
     require(fine, "a kernel is not bounded on a piece")
-    return G, folded(weight.take(sides[0]), 1)
+    return G, folded(weight.take(sides[0]), 1) if pole is not None else G
 
 
 def folded(f: Form, n: int) -> Form:
     """The sum of the parts of a row, each of n functions; 0 where it has none."""
-    parts = [f.take(range(k, k + n)) for k in range(0, len(f.e), n)]
+    parts = [f.part(k, k + n) for k in range(0, len(f.e), n)]
     return sum(parts[1:], parts[0]) if parts else Form([[NONE] * n for _ in f.k], [ZERO] * n, f.m)
 
 
@@ -1655,7 +1680,7 @@ class Walker:
 
     def mark(self, q: Point, near: Sequence[complex]) -> Mark:
         local = self.waves.near(Place.disc(at_q(q), ZERO))
-        z = float_roots(local, near)
+        z = following(local, near)
         return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split())
 
     def matrix(self, mark: Mark) -> Any:
@@ -1743,7 +1768,7 @@ class Walker:
         half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(Place.disc(m, r))
-        z = float_roots(local, mark.z)
+        z = following(local, mark.z)
         disc = Nodes([acb(x) for x in z], self.up, local).split()
         end = self.mark(b, z)
         for side in (mark, end):
@@ -2384,9 +2409,13 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> Any:
     pole = None
     if times == 1:  # where the pair meets: any number would do, a near one serves
         require(loop.points[0] in walker.marks, "a loop does not begin on its path")
-        p = float_roots(walker.waves.near(Place.disc(acb(0, 1) * z.mid(), ZERO)), walker.marks[loop.points[0]].z)
+        local = walker.waves.near(Place.disc(acb(0, 1) * z.mid(), ZERO))
+        p = float_roots(local, [complex(x) for x in walker.marks[loop.points[0]].z])
         near = min(combinations(p, 2), key=lambda two: abs(two[0] - two[1]))
         pole = acb(0, (near[0] + near[1]).imag / 2)
+        slope = acb_poly([local.D[i, 0] for i in range(local.degree + 1)]).derivative()
+        for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
+            pole = acb(0, (pole - slope(pole) / slope.derivative()(pole)).imag).mid()
     whole, part = walker.around(loop, pole)
     require((whole / (2 * arb.pi())).unique_fmpz() == -poles, "a root lies next to a branch point")
     return part
