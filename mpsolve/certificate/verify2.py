@@ -874,13 +874,21 @@ def joined(forms: Sequence[Form]) -> Form:
 
 
 def along(
-    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
+    E: Sequence[Form],
+    sizes: Sequence[Sequence[Any]],
+    h: Form,
+    most: Sequence[Any],
+    slope: bool = False,
+    square: Form | None = None,
 ) -> Form:
-    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all.
+
+    square: h², where it is known.
+    """
     n, start = len(h.e), int(slope)
     last = start + (2 if h.second else 1)
     total = E[start]
-    for i, power in enumerate((h, h * h) if h.second else (h,), start + 1):
+    for i, power in enumerate((h, square or h * h) if h.second else (h,), start + 1):
         if i < len(E):
             term = E[i] * power
             total = total + (term.scaled([i] * n) if slope else term)
