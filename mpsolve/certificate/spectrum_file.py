@@ -167,9 +167,14 @@ def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
     return {float(x / unit): x for x in sides}
 
 
-def point(q: complex, unit: Fraction, lines: Mapping[float, Fraction] = MappingProxyType({})) -> list[Any]:
-    """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
-    re, im = (lines.get(x, Fraction(x) * unit) for x in (q.real, q.imag))
+def point(
+    q: complex, unit: Fraction, lines: Mapping[float, Fraction] = MappingProxyType({}), about: Fraction = Fraction(0)
+) -> list[Any]:
+    """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly.
+
+    about: what q counts from, scaled.
+    """
+    re, im = (lines.get(x, (Fraction(x) + real) * unit) for x, real in ((q.real, about), (q.imag, Fraction(0))))
     if any(x.denominator & (x.denominator - 1) for x in (re, im)):
         return [_text(re), _text(im)]
     down = lcm(re.denominator, im.denominator)  # a power of two

@@ -10,7 +10,7 @@ from typing import Any
 from mpsolve.characteristic.determinant import Bordering
 from mpsolve.characteristic.factors import Factors, factor_balls, sides
 from mpsolve.characteristic.receptance import Coefficients, Terms, by_companions
-from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls
+from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls, sharp_roots
 from mpsolve.characteristic.splitting import Splitting, monic, upper_count
 from mpsolve.characteristic.spread import Spread
 from mpsolve.characteristic.symbol import Symbols
@@ -112,8 +112,26 @@ def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
         if roots:
             signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
             return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
-    factors = factor_balls(symbols.D, sigma, z, upper)
-    return ProvedSplitting(symbols, sigma, upper, None, factors, sides(factors, z, upper))
+    try:
+        factors = factor_balls(symbols.D, sigma, z, upper)
+        signed = sides(factors, z, upper)
+    except PrecisionError:
+        found = _told_apart(symbols, sigma, (middle, z), upper)
+        if found is None:
+            raise
+        return found
+    found = None if signed else _told_apart(symbols, sigma, (middle, z), upper)
+    return found or ProvedSplitting(symbols, sigma, upper, None, factors, signed)
+
+
+def _told_apart(symbols: Symbols, sigma: Any, near: tuple[list[Any], Any], upper: int) -> ProvedSplitting | None:
+    """The splitting by sides where roots of both nearly meet, closer than floats tell; None where it is open."""
+    try:
+        roots = tuple(root_balls(symbols.D, sigma, sharp_roots(*near)))
+    except PrecisionError:
+        return None
+    signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
+    return ProvedSplitting(symbols, sigma, upper, roots, None, True) if signed else None
 
 
 class Proved:

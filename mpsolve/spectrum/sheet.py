@@ -42,7 +42,7 @@ class Half:
 
     @property
     def pieces(self) -> int:
-        return sum(path.pieces for path in self.paths) + sum(len(loop.points) - 1 for loop in self.loops)
+        return sum(path.pieces for path in self.paths) + sum(loop.pieces for loop in self.loops)
 
 
 @frozen
@@ -62,6 +62,11 @@ class SheetCount:
     upper: Half
     far: FarLine | None
     evaluations: int
+
+    @property
+    def begins(self) -> Fraction:
+        """Where Δ̂ begins to be followed, exactly: between `begin` and the first branch point at the latest."""
+        return self.lower.loops[0].begin if self.begin else Fraction(0)
 
     @property
     def region(self) -> Sheet:

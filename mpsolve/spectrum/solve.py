@@ -23,6 +23,7 @@ from mpsolve.spectrum.candidates import Area, Weight, both, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.near_roots import near_branch_points
 from mpsolve.spectrum.partial import Partial
 from mpsolve.spectrum.reasons import reason_of, sheet_reason
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
@@ -145,8 +146,8 @@ def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
     h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
     small = max(2 * high, 1.5)
     sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
-    below = [Area(0.0, size, h - size, h) for size in sizes]
-    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small)]) + below[1:])
+    below = [Area(0.0, size, h - size, h, h) for size in sizes]
+    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small, h)]) + below[1:])
 
 
 def _none_above(count: SheetCount) -> bool:
@@ -158,7 +159,7 @@ def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
     """Points at which Δ̂ turns fast."""
     if isinstance(count, SheetCount):
         halves = (count.lower, count.upper)
-        rings = [loop.points for half in halves for loop in half.loops]
+        rings = [loop.places for half in halves for loop in half.loops]
         turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
         points = np.concatenate([*turns, *rings, [count.begin + 0j]])
         near = points[np.abs(points) < max(16.0, 4 * count.end)]
@@ -177,8 +178,15 @@ def _enclosed(
     """The roots; `balls` holds those that are enclosed on the way."""
     hints = _hints(reduced, count)
     weight = _weight(reduced, count.region)
-    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, weight, lambda: tell("roots", 0.5))
     proved = Proved(reduced)
+    for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
+        tell("roots", 0.5)
+        for ball in _balls(proved, sigma, digits):
+            _add(balls, ball, count.region, proved.lossless)
+    left = count.total - sum(ball.multiplicity for ball in balls)
+    if not left:
+        return tuple(balls)
+    seeds = find_roots(reduced, _areas(reduced, count), left, hints, weight, lambda: tell("roots", 0.5))
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)
@@ -211,14 +219,14 @@ def _add(balls: list[RootBall], ball: RootBall, region: Answered, lossless: bool
             balls[:] = [other for other in balls if not one.q.overlaps(other.q)] + [one]
 
 
-def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
+def _balls(proved: Proved, sigma: Any, digits: int) -> list[RootBall]:
     try:
         return [enclose(proved, sigma, digits)]
     except PrecisionError:
         return _separated(proved, sigma, digits)
 
 
-def _separated(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
+def _separated(proved: Proved, sigma: Any, digits: int) -> list[RootBall]:
     try:
         return separate(proved, sigma, digits)
     except PrecisionError:
