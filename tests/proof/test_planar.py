@@ -48,7 +48,8 @@ class Two:
     def value(self, a: Any, b: Any, x: Any, y: Any) -> tuple[Any, ...]:
         return acb(a - 1, x * x - 2), acb(b - x, y - a * x)
 
-    def slopes(self, a: Any, b: Any, x: Any, y: Any) -> tuple[Any, ...]:
+    def slopes(self, *at: Any) -> tuple[Any, ...]:
+        a, _, x, _ = at
         return (acb(1), acb(0), acb(0, 2 * x), acb(0)), (acb(0, -x), acb(1), acb(-1, -a), acb(0, 1))
 
 
