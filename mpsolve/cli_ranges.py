@@ -138,6 +138,7 @@ def crossings(
 @_FILE
 @_over(False, _VELOCITIES)
 @click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced.")
+@click.option("--region", type=click.Choice(["sheet", "unstable"]), help="In place of what lies below the cuts.")
 @_DIGITS
 @_EFFORT
 @_JSON
@@ -148,12 +149,16 @@ def lines(
     file: Path,
     overs: tuple[str, ...],
     points: int,
+    region: str | None,
     digits: int,
     effort: str | None,
     as_json: bool,
     output: Path | None,
 ) -> None:
     """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
+
+    Of a case in the paper's ratios, and of masses on any such beam with --region sheet, every root of the whole
+    sheet, above the cuts too, to where it meets a cut.
 
     Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
     """
@@ -162,7 +167,7 @@ def lines(
         from mpsolve.loci.lines import frequency_lines
         from mpsolve.report.lines_words import said_of_lines
 
-        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell, "region": region}
         return said_of_lines(frequency_lines(question.given, over=question.over, points=points, **options), question)
 
     answered(file, overs, answer, as_json, output, suffixes=(".svg", ".json", ".csv"))
