@@ -4,268 +4,169 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from mpsolve import tracks, vehicles
-    from mpsolve.batch.frequencies import frequencies
-    from mpsolve.batch.result import Frequencies
-    from mpsolve.batch.seeds import Seeds, seeds
-    from mpsolve.certificate.certify import certify
-    from mpsolve.certificate.check import verify
-    from mpsolve.certificate.real_roots import real_roots
-    from mpsolve.certificate.roots import roots
-    from mpsolve.certificate.verify2 import Verdict
-    from mpsolve.characteristic.forced import receptance
-    from mpsolve.cuts.answer import CutPoint, CutPoints
-    from mpsolve.cuts.points import cut_points
-    from mpsolve.endless.amplification import Amplification, amplification
-    from mpsolve.endless.infinite_train import InfiniteTrain, infinite_train
-    from mpsolve.endless.velocities import TrainVelocities, train_velocities
-    from mpsolve.errors import CertificateError, InputError, MpsolveError, StudyError
-    from mpsolve.finite.beam.beam import BeamResponse, finite_beam
-    from mpsolve.finite.finite_track import FiniteTrackMotion, finite_track
-    from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
-    from mpsolve.loci.lines import frequency_lines
-    from mpsolve.numbers.exact import Exact
-    from mpsolve.outcome import Reason, Status
-    from mpsolve.passivity.answer import PassivityVelocity
-    from mpsolve.passivity.band import PassivityBand, passivity_band
-    from mpsolve.passivity.velocity import passivity_velocity
-    from mpsolve.problem.case import Case
-    from mpsolve.problem.casefile import read_case
-    from mpsolve.problem.inputfile import read_problem
-    from mpsolve.problem.physical import Mass, PhysicalCase
-    from mpsolve.problem.problem import Problem
-    from mpsolve.proof.effort import Effort
-    from mpsolve.ranges.chart import Chart, stability_chart
-    from mpsolve.ranges.crossings import Crossing, Crossings, crossings
-    from mpsolve.ranges.onset import Onset, Unstable, UnstableRanges, onset, unstable_ranges
-    from mpsolve.ranges.robust import Robust
-    from mpsolve.ranges.sensitivity import Sensitivity, sensitivity
-    from mpsolve.ranges.table import Table, stability_table
-    from mpsolve.ranges.worst import Worst, worst
-    from mpsolve.spectrum.spectrum import Root, Spectrum
-    from mpsolve.studies.robust import prove_stable
-    from mpsolve.studies.run import Study, open_study, study
-    from mpsolve.vehicles.load import Load
-    from mpsolve.vibration.balls.enclosure import ProvedVibration, response_balls
-    from mpsolve.vibration.case_motion import Response
-    from mpsolve.vibration.case_studies import deflection_shape
-    from mpsolve.vibration.forcing import Irregularity
-    from mpsolve.vibration.liftoff import Event
-    from mpsolve.vibration.motion import Vibration
-    from mpsolve.vibration.precise import response_mp
-    from mpsolve.vibration.precise_motion import PreciseVibration
-    from mpsolve.vibration.response import response
-    from mpsolve.vibration.roughness import out_of_round, rail_roughness
-    from mpsolve.vibration.studies import envelope, merged, superposition, transient_importance
-    from mpsolve.waves.critical import critical_velocities
-    from mpsolve.waves.dispersion import dispersion
-    from mpsolve.waves.velocity import CriticalVelocities, CriticalVelocity
-    from mpsolve.zeros.answer import Zero, Zeros
-    from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle
+    from mpsolve import tracks as tracks
+    from mpsolve import vehicles as vehicles
+    from mpsolve.batch.frequencies import frequencies as frequencies
+    from mpsolve.batch.result import Frequencies as Frequencies
+    from mpsolve.batch.seeds import Seeds as Seeds
+    from mpsolve.batch.seeds import seeds as seeds
+    from mpsolve.certificate.certify import certify as certify
+    from mpsolve.certificate.check import verify as verify
+    from mpsolve.certificate.real_roots import real_roots as real_roots
+    from mpsolve.certificate.roots import roots as roots
+    from mpsolve.certificate.verify2 import Verdict as Verdict
+    from mpsolve.characteristic.forced import receptance as receptance
+    from mpsolve.cuts.answer import CutPoint as CutPoint
+    from mpsolve.cuts.answer import CutPoints as CutPoints
+    from mpsolve.cuts.points import cut_points as cut_points
+    from mpsolve.endless.amplification import Amplification as Amplification
+    from mpsolve.endless.amplification import amplification as amplification
+    from mpsolve.endless.infinite_train import InfiniteTrain as InfiniteTrain
+    from mpsolve.endless.infinite_train import infinite_train as infinite_train
+    from mpsolve.endless.velocities import TrainVelocities as TrainVelocities
+    from mpsolve.endless.velocities import train_velocities as train_velocities
+    from mpsolve.errors import CertificateError as CertificateError
+    from mpsolve.errors import InputError as InputError
+    from mpsolve.errors import MpsolveError as MpsolveError
+    from mpsolve.errors import StudyError as StudyError
+    from mpsolve.finite.beam.beam import BeamResponse as BeamResponse
+    from mpsolve.finite.beam.beam import finite_beam as finite_beam
+    from mpsolve.finite.finite_track import FiniteTrackMotion as FiniteTrackMotion
+    from mpsolve.finite.finite_track import finite_track as finite_track
+    from mpsolve.loci.answer import FrequencyLine as FrequencyLine
+    from mpsolve.loci.answer import FrequencyLines as FrequencyLines
+    from mpsolve.loci.answer import LineEnd as LineEnd
+    from mpsolve.loci.lines import frequency_lines as frequency_lines
+    from mpsolve.numbers.exact import Exact as Exact
+    from mpsolve.outcome import Reason as Reason
+    from mpsolve.outcome import Status as Status
+    from mpsolve.passivity.answer import PassivityVelocity as PassivityVelocity
+    from mpsolve.passivity.band import PassivityBand as PassivityBand
+    from mpsolve.passivity.band import passivity_band as passivity_band
+    from mpsolve.passivity.velocity import passivity_velocity as passivity_velocity
+    from mpsolve.problem.case import Case as Case
+    from mpsolve.problem.casefile import read_case as read_case
+    from mpsolve.problem.inputfile import read_problem as read_problem
+    from mpsolve.problem.physical import Mass as Mass
+    from mpsolve.problem.physical import PhysicalCase as PhysicalCase
+    from mpsolve.problem.problem import Problem as Problem
+    from mpsolve.proof.effort import Effort as Effort
+    from mpsolve.ranges.chart import Chart as Chart
+    from mpsolve.ranges.chart import stability_chart as stability_chart
+    from mpsolve.ranges.crossed import Crossing as Crossing
+    from mpsolve.ranges.crossed import Crossings as Crossings
+    from mpsolve.ranges.crossings import crossings as crossings
+    from mpsolve.ranges.onset import Onset as Onset
+    from mpsolve.ranges.onset import Unstable as Unstable
+    from mpsolve.ranges.onset import UnstableRanges as UnstableRanges
+    from mpsolve.ranges.onset import onset as onset
+    from mpsolve.ranges.onset import unstable_ranges as unstable_ranges
+    from mpsolve.ranges.robust import Robust as Robust
+    from mpsolve.ranges.sensitivity import Sensitivity as Sensitivity
+    from mpsolve.ranges.sensitivity import sensitivity as sensitivity
+    from mpsolve.ranges.table import Table as Table
+    from mpsolve.ranges.table import stability_table as stability_table
+    from mpsolve.ranges.worst import Worst as Worst
+    from mpsolve.ranges.worst import worst as worst
+    from mpsolve.spectrum.spectrum import Root as Root
+    from mpsolve.spectrum.spectrum import Spectrum as Spectrum
+    from mpsolve.studies.robust import prove_stable as prove_stable
+    from mpsolve.studies.run import Study as Study
+    from mpsolve.studies.run import open_study as open_study
+    from mpsolve.studies.run import study as study
+    from mpsolve.vehicles.load import Load as Load
+    from mpsolve.vibration.balls.enclosure import ProvedVibration as ProvedVibration
+    from mpsolve.vibration.balls.enclosure import response_balls as response_balls
+    from mpsolve.vibration.case_motion import Response as Response
+    from mpsolve.vibration.forcing import Irregularity as Irregularity
+    from mpsolve.vibration.forcing import out_of_round as out_of_round
+    from mpsolve.vibration.forcing import rail_roughness as rail_roughness
+    from mpsolve.vibration.liftoff import Event as Event
+    from mpsolve.vibration.motion import PreciseVibration as PreciseVibration
+    from mpsolve.vibration.motion import Vibration as Vibration
+    from mpsolve.vibration.precise import response_mp as response_mp
+    from mpsolve.vibration.response import response as response
+    from mpsolve.vibration.studies import deflection_shape as deflection_shape
+    from mpsolve.vibration.studies import envelope as envelope
+    from mpsolve.vibration.studies import merged as merged
+    from mpsolve.vibration.studies import superposition as superposition
+    from mpsolve.vibration.studies import transient_importance as transient_importance
+    from mpsolve.waves.critical import critical_velocities as critical_velocities
+    from mpsolve.waves.dispersion import dispersion as dispersion
+    from mpsolve.waves.velocity import CriticalVelocities as CriticalVelocities
+    from mpsolve.waves.velocity import CriticalVelocity as CriticalVelocity
+    from mpsolve.zeros.answer import Zero as Zero
+    from mpsolve.zeros.answer import Zeros as Zeros
+    from mpsolve.zeros.regions import Cut as Cut
+    from mpsolve.zeros.regions import Disc as Disc
+    from mpsolve.zeros.regions import HalfPlane as HalfPlane
+    from mpsolve.zeros.regions import Polygon as Polygon
+    from mpsolve.zeros.regions import Rectangle as Rectangle
 
 __version__ = "0.1.0"
 
-__all__ = [
-    "Problem",
-    "tracks",
-    "vehicles",
-    "read_problem",
-    "Case",
-    "PhysicalCase",
-    "Mass",
-    "Exact",
-    "read_case",
-    "receptance",
-    "dispersion",
-    "critical_velocities",
-    "CriticalVelocities",
-    "CriticalVelocity",
-    "passivity_velocity",
-    "PassivityVelocity",
-    "passivity_band",
-    "PassivityBand",
-    "certify",
-    "Rectangle",
-    "Spectrum",
-    "Status",
-    "Reason",
-    "Root",
-    "Effort",
-    "frequencies",
-    "Frequencies",
-    "seeds",
-    "Seeds",
-    "infinite_train",
-    "InfiniteTrain",
-    "train_velocities",
-    "TrainVelocities",
-    "amplification",
-    "Amplification",
-    "onset",
-    "unstable_ranges",
-    "worst",
-    "Worst",
-    "crossings",
-    "prove_stable",
-    "sensitivity",
-    "cut_points",
-    "CutPoints",
-    "CutPoint",
-    "frequency_lines",
-    "FrequencyLines",
-    "FrequencyLine",
-    "LineEnd",
-    "stability_chart",
-    "Onset",
-    "Unstable",
-    "UnstableRanges",
-    "Crossings",
-    "Crossing",
-    "Robust",
-    "Sensitivity",
-    "Chart",
-    "stability_table",
-    "Table",
-    "Load",
-    "response",
-    "Response",
-    "Vibration",
-    "response_mp",
-    "PreciseVibration",
-    "response_balls",
-    "ProvedVibration",
-    "Irregularity",
-    "rail_roughness",
-    "out_of_round",
-    "Event",
-    "envelope",
-    "superposition",
-    "merged",
-    "transient_importance",
-    "deflection_shape",
-    "finite_beam",
-    "BeamResponse",
-    "finite_track",
-    "FiniteTrackMotion",
-    "study",
-    "open_study",
-    "Study",
-    "roots",
-    "real_roots",
-    "Zeros",
-    "Zero",
-    "Disc",
-    "Polygon",
-    "HalfPlane",
-    "Cut",
-    "verify",
-    "Verdict",
-    "MpsolveError",
-    "InputError",
-    "CertificateError",
-    "StudyError",
-]
-
-_HOME = {
-    "Problem": "problem.problem",
+_NAMES = {
+    "problem.problem": "Problem",
     "tracks": "tracks",
     "vehicles": "vehicles",
-    "read_problem": "problem.inputfile",
-    "Case": "problem.case",
-    "PhysicalCase": "problem.physical",
-    "Mass": "problem.physical",
-    "Exact": "numbers.exact",
-    "read_case": "problem.casefile",
-    "receptance": "characteristic.forced",
-    "dispersion": "waves.dispersion",
-    "critical_velocities": "waves.critical",
-    "CriticalVelocities": "waves.velocity",
-    "CriticalVelocity": "waves.velocity",
-    "passivity_velocity": "passivity.velocity",
-    "PassivityVelocity": "passivity.answer",
-    "passivity_band": "passivity.band",
-    "PassivityBand": "passivity.band",
-    "certify": "certificate.certify",
-    "Rectangle": "zeros.regions",
-    "Spectrum": "spectrum.spectrum",
-    "Status": "outcome",
-    "Reason": "outcome",
-    "Root": "spectrum.spectrum",
-    "Effort": "proof.effort",
-    "frequencies": "batch.frequencies",
-    "Frequencies": "batch.result",
-    "seeds": "batch.seeds",
-    "Seeds": "batch.seeds",
-    "infinite_train": "endless.infinite_train",
-    "InfiniteTrain": "endless.infinite_train",
-    "train_velocities": "endless.velocities",
-    "TrainVelocities": "endless.velocities",
-    "amplification": "endless.amplification",
-    "Amplification": "endless.amplification",
-    "onset": "ranges.onset",
-    "unstable_ranges": "ranges.onset",
-    "crossings": "ranges.crossings",
-    "prove_stable": "studies.robust",
-    "sensitivity": "ranges.sensitivity",
-    "cut_points": "cuts.points",
-    "CutPoint": "cuts.answer",
-    "CutPoints": "cuts.answer",
-    "frequency_lines": "loci.lines",
-    "FrequencyLines": "loci.answer",
-    "FrequencyLine": "loci.answer",
-    "LineEnd": "loci.answer",
-    "stability_chart": "ranges.chart",
-    "Onset": "ranges.onset",
-    "Unstable": "ranges.onset",
-    "UnstableRanges": "ranges.onset",
-    "Crossings": "ranges.crossings",
-    "Crossing": "ranges.crossings",
-    "Robust": "ranges.robust",
-    "Sensitivity": "ranges.sensitivity",
-    "Chart": "ranges.chart",
-    "stability_table": "ranges.table",
-    "worst": "ranges.worst",
-    "Worst": "ranges.worst",
-    "Table": "ranges.table",
-    "Load": "vehicles.load",
-    "response": "vibration.response",
-    "Vibration": "vibration.motion",
-    "response_mp": "vibration.precise",
-    "PreciseVibration": "vibration.precise_motion",
-    "response_balls": "vibration.balls.enclosure",
-    "ProvedVibration": "vibration.balls.enclosure",
-    "Irregularity": "vibration.forcing",
-    "rail_roughness": "vibration.roughness",
-    "out_of_round": "vibration.roughness",
-    "Event": "vibration.liftoff",
-    "Response": "vibration.case_motion",
-    "envelope": "vibration.studies",
-    "superposition": "vibration.studies",
-    "merged": "vibration.studies",
-    "transient_importance": "vibration.studies",
-    "deflection_shape": "vibration.case_studies",
-    "finite_beam": "finite.beam.beam",
-    "BeamResponse": "finite.beam.beam",
-    "finite_track": "finite.finite_track",
-    "FiniteTrackMotion": "finite.finite_track",
-    "study": "studies.run",
-    "open_study": "studies.run",
-    "Study": "studies.run",
-    "roots": "certificate.roots",
-    "real_roots": "certificate.real_roots",
-    "Zeros": "zeros.answer",
-    "Zero": "zeros.answer",
-    "Disc": "zeros.regions",
-    "Polygon": "zeros.regions",
-    "HalfPlane": "zeros.regions",
-    "Cut": "zeros.regions",
-    "verify": "certificate.check",
-    "Verdict": "certificate.verify2",
-    "MpsolveError": "errors",
-    "InputError": "errors",
-    "CertificateError": "errors",
-    "StudyError": "errors",
+    "problem.inputfile": "read_problem",
+    "problem.case": "Case",
+    "problem.physical": "PhysicalCase Mass",
+    "numbers.exact": "Exact",
+    "problem.casefile": "read_case",
+    "characteristic.forced": "receptance",
+    "waves.dispersion": "dispersion",
+    "waves.critical": "critical_velocities",
+    "waves.velocity": "CriticalVelocities CriticalVelocity",
+    "passivity.velocity": "passivity_velocity",
+    "passivity.answer": "PassivityVelocity",
+    "passivity.band": "passivity_band PassivityBand",
+    "certificate.certify": "certify",
+    "zeros.regions": "Rectangle Disc Polygon HalfPlane Cut",
+    "spectrum.spectrum": "Spectrum Root",
+    "outcome": "Status Reason",
+    "proof.effort": "Effort",
+    "batch.frequencies": "frequencies",
+    "batch.result": "Frequencies",
+    "batch.seeds": "seeds Seeds",
+    "endless.infinite_train": "infinite_train InfiniteTrain",
+    "endless.velocities": "train_velocities TrainVelocities",
+    "endless.amplification": "amplification Amplification",
+    "ranges.onset": "onset unstable_ranges Onset Unstable UnstableRanges",
+    "ranges.worst": "worst Worst",
+    "ranges.crossings": "crossings",
+    "ranges.crossed": "Crossings Crossing",
+    "studies.robust": "prove_stable",
+    "ranges.sensitivity": "sensitivity Sensitivity",
+    "cuts.points": "cut_points",
+    "cuts.answer": "CutPoints CutPoint",
+    "loci.lines": "frequency_lines",
+    "loci.answer": "FrequencyLines FrequencyLine LineEnd",
+    "ranges.chart": "stability_chart Chart",
+    "ranges.robust": "Robust",
+    "ranges.table": "stability_table Table",
+    "vehicles.load": "Load",
+    "vibration.response": "response",
+    "vibration.case_motion": "Response",
+    "vibration.motion": "Vibration PreciseVibration",
+    "vibration.precise": "response_mp",
+    "vibration.balls.enclosure": "response_balls ProvedVibration",
+    "vibration.forcing": "Irregularity rail_roughness out_of_round",
+    "vibration.liftoff": "Event",
+    "vibration.studies": "envelope superposition merged transient_importance deflection_shape",
+    "finite.beam.beam": "finite_beam BeamResponse",
+    "finite.finite_track": "finite_track FiniteTrackMotion",
+    "studies.run": "study open_study Study",
+    "certificate.roots": "roots",
+    "certificate.real_roots": "real_roots",
+    "zeros.answer": "Zeros Zero",
+    "certificate.check": "verify",
+    "certificate.verify2": "Verdict",
+    "errors": "MpsolveError InputError CertificateError StudyError",
 }
+"""The public names by the module of each, in the order of the flow of the data."""
+_HOME = {name: home for home, names in _NAMES.items() for name in names.split()}
+__all__ = list(_HOME)
 
 
 def __getattr__(name: str) -> Any:

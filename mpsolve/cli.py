@@ -153,7 +153,8 @@ def derive(file: Path | None, latex: bool, masses: int) -> None:
     Without: the paper's beam, to the kernel. Exit status 0: printed. 2: the input cannot be used.
     """
     with one_sentence():
-        from mpsolve.derivation.paper import derivation, render
+        from mpsolve.derivation.paper import derivation
+        from mpsolve.derivation.rendered import render
 
         if file is None:
             steps = derivation(masses)

@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 
 
 def answered(
+    answer: Callable[[Asked, Progress | None], Said],
+    defaults: str = "near",
+    *,
     file: Path,
     overs: tuple[str, ...],
-    answer: Callable[[Asked, Progress | None], Said],
     as_json: bool,
     output: Path | None,
-    defaults: str = "near",
     suffixes: tuple[str, ...] = (".json", ".csv"),
     certificate: Path | None = None,
     endless: bool = False,
@@ -120,7 +121,7 @@ def _certify(path: Path, said: list[Said], quiet: bool) -> None:
 def _write(output: Path, said: list[Said]) -> None:
     from mpsolve.files import write_whole
     from mpsolve.report.lines_words import lines_csv
-    from mpsolve.report.ranges_files import cells_csv, rows_csv
+    from mpsolve.report.ranges_data import cells_csv, rows_csv
 
     suffix, name = output.suffix.lower(), said[0].name
     drawn: Any = said[0].answer

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, one_sentence, progress, show
+from mpsolve.cli_tools import JSON, UNDECIDED, one_sentence, progress, show
 
 if TYPE_CHECKING:
     from mpsolve.claims.report import Report
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 @click.option(
     "--only", multiple=True, metavar="ID", help="Only this claim, or all whose names begin so (may be given again)."
 )
-@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+@JSON
 @click.option("--html", type=click.Path(path_type=Path), help="Write the report as one HTML page, too.")
 @click.option("--certificates", type=click.Path(path_type=Path), help="Folder for the certificates.")
 @click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
@@ -40,8 +40,8 @@ def audit(
     written. 2: the input cannot be used.
     """
     with one_sentence():
+        from mpsolve.claims.load import audit as check
         from mpsolve.claims.load import load
-        from mpsolve.claims.run import audit as check
 
         _admit(paper, html, certificates)
         with progress() as tell:
@@ -50,7 +50,7 @@ def audit(
         if certificates is not None:
             report.save_certificates(certificates)
         if html is not None:
-            from mpsolve.claims.page import page
+            from mpsolve.claims.report import page
             from mpsolve.files import write_whole
 
             write_whole(html, page(report))
@@ -70,7 +70,7 @@ def _admit(paper: str | None, html: Path | None, certificates: Path | None) -> N
 
 
 def _report(report: Report, as_json: bool) -> None:
-    from mpsolve.claims.tables import as_data, document
+    from mpsolve.claims.report import as_data, document
 
     if as_json:
         import json

@@ -9,7 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, certificate_path, effort_of, one_sentence, progress, show
+from mpsolve.cli_tools import (
+    EFFORT,
+    FILE,
+    JSON,
+    UNDECIDED,
+    certificate_path,
+    effort_of,
+    one_sentence,
+    output,
+    progress,
+    show,
+)
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum
@@ -18,7 +29,7 @@ _REFUSED = ("verifier", "not-verified")
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@FILE
 @click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
 @click.option(
     "--region",
@@ -27,14 +38,9 @@ _REFUSED = ("verifier", "not-verified")
     "sheet (everything, for masses alone on a beam). In the units of FILE: rad/s in SI, "
     "or with a unit, as in --region 'below=50 1/s'.  [default: the one of sheet, below and unstable that tells most]",
 )
-@click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
-@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    help="Path of the certificate.  [default: NAME.certificate.json in the working directory]",
-)
+@EFFORT
+@JSON
+@output("Path of the certificate.  [default: NAME.certificate.json in the working directory]")
 def certify(
     file: Path, digits: int, region: str | None, effort: str | None, as_json: bool, output: Path | None
 ) -> None:
@@ -89,7 +95,7 @@ def _told(prove: Any) -> Spectrum:
     try:
         found: Spectrum = prove()
     except InputError as error:
-        raise InputError(error.key, on_command_line(str(error).removeprefix(f"{error.key}: "))) from None
+        raise InputError(error.key, on_command_line(error.said)) from None
     if found.reason is None:
         return found
     reason = replace(found.reason, remedy=on_command_line(found.reason.remedy))

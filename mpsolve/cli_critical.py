@@ -8,18 +8,16 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence
+from mpsolve.cli_tools import FILE, UNDECIDED, checked_output, one_sentence, output
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@FILE
 @click.option("--omega", default="0", show_default=True, help="Frequency of the force, in rad/s for a file in SI.")
 @click.option("--from", "low", default="0", show_default=True, help="The lowest velocity, in m/s.")
 @click.option("--to", "high", default="2000", show_default=True, help="The highest velocity, in m/s.")
 @click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="Draw the chart as this FILE.png, .svg or .pdf."
-)
+@output("Draw the chart as this FILE.png, .svg or .pdf.")
 def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output: Path | None) -> None:
     """Find all critical velocities of the track in FILE (TOML): a force that runs so fast runs with a wave.
 

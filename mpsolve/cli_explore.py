@@ -33,7 +33,7 @@ def explore(file: Path | None, port: int, browser: bool) -> None:
             raise InputError(
                 "explore", "needs NiceGUI, which is not installed: pip install 'mpsolve[explore]'"
             ) from None
-        from mpsolve.explorer.begin import begun
+        from mpsolve.presets.written import begun
 
         problem, title = begun(file)
         click.echo(f"http://127.0.0.1:{port}  (Ctrl-C ends it)")

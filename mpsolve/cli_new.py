@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import one_sentence
+from mpsolve.cli_tools import one_sentence, output
 
 
 @click.command()
@@ -15,7 +15,7 @@ from mpsolve.cli_tools import one_sentence
 @click.option("--v", "velocity", metavar="VELOCITY", help='Another velocity, such as "300 km/h".')
 @click.option("--count", type=int, help="How many of the vehicles run in a row.")
 @click.option("--spacing", metavar="DISTANCE", help='From one vehicle to the next, such as "25 m".')
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write this new file, not the terminal.")
+@output("Write this new file, not the terminal.")
 def new(
     track: str | None,
     vehicle: str | None,

@@ -2,36 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mpsolve.cli_answered import answered
-from mpsolve.cli_tools import DASK, WORKERS, cluster, effort_of, one_sentence
+from mpsolve.cli_tools import DASK, EFFORT, FILE, JSON, WORKERS, Option, effort_of, in_parts, one_sentence, output
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
     from mpsolve.report.ranges_asked import Asked
     from mpsolve.report.ranges_words import Said
 
-_FILE = click.argument("file", type=click.Path(path_type=Path))
 _DIGITS = click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
-_EFFORT = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
-_JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-_OUTPUT = click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="Write the answer as FILE.json, or its rows as FILE.csv."
-)
+_ASKED = (_DIGITS, EFFORT, JSON)
 _CERTIFICATE = click.option(
     "--certificate",
     type=click.Path(path_type=Path),
     help="Write the certificate as FILE.json, for `mpsolve verify`; FILE-2.json, … for further ranges.",
 )
+_TABLE = "Write the answer as FILE.json, or its rows as FILE.csv."
+_DRAWN = (".svg", ".json", ".csv")
+_ENDLESS = "A factor of all masses may be without end, scale.mass=0.. .  "
+_VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity and the waves of the track]"
 
 
-def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+def _over(several: bool, default: str) -> Option:
     many = "; again for each parameter" if several else ""
     text = (
         f"PATH=LOW..HIGH: a parameter (v, track.k, vehicles.wheel, vehicles[0].M, gap[0], scale.mass) and its range, "
@@ -40,39 +38,39 @@ def _over(several: bool, default: str) -> Callable[[Callable[..., None]], Callab
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
-_ENDLESS = "A factor of all masses may be without end, scale.mass=0.. .  "
-_VELOCITIES = "[default: v from 0, so far that it holds the file's own velocity and the waves of the track]"
+def _command(*options: Option) -> Callable[[Callable[..., None]], click.Command]:
+    """A command on a file with these options."""
+
+    def made(function: Callable[..., None]) -> click.Command:
+        every: tuple[Option, ...] = (FILE, *options)
+        for option in reversed(every):
+            function = option(function)
+        return click.command()(function)
+
+    return made
 
 
-@click.command()
-@_FILE
-@_over(False, _ENDLESS + _VELOCITIES)
-@click.option(
-    "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
+def _work(effort: str | None, tell: Progress | None, **more: Any) -> dict[str, Any]:
+    return {"effort": effort_of(effort), "progress": tell, **more}
+
+
+@_command(
+    _over(False, _ENDLESS + _VELOCITIES),
+    click.option(
+        "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
+    ),
+    click.option(
+        "--worst",
+        "worsts",
+        multiple=True,
+        metavar="RANGE",
+        help="A second parameter and its range, such as gap[0]=1m..2m: the onset at its worst value.",
+    ),
+    *_ASKED,
+    output(_TABLE),
+    _CERTIFICATE,
 )
-@click.option(
-    "--worst",
-    "worsts",
-    multiple=True,
-    metavar="RANGE",
-    help="A second parameter and its range, such as gap[0]=1m..2m: the onset at its worst value.",
-)
-@_DIGITS
-@_EFFORT
-@_JSON
-@_OUTPUT
-@_CERTIFICATE
-def onset(
-    file: Path,
-    overs: tuple[str, ...],
-    everything: bool,
-    worsts: tuple[str, ...],
-    digits: int,
-    effort: str | None,
-    as_json: bool,
-    output: Path | None,
-    certificate: Path | None,
-) -> None:
+def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | None, **asked: Any) -> None:
     """Prove from which value of a parameter on the problem in FILE (TOML) is unstable: from which velocity, say.
 
     The file's own value of that parameter plays no part, but the report says how far it is from the onset.
@@ -85,7 +83,7 @@ def onset(
         from mpsolve.ranges.onset import unstable_ranges
         from mpsolve.report import ranges_words as words
 
-        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell}
+        options = _work(effort, tell, digits=digits)
         if worsts:
             from mpsolve.report.worst_words import said_of_onset_at_worst
 
@@ -97,28 +95,17 @@ def onset(
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
     with one_sentence():
-        _only_one(worsts, everything)
-    default = "near" if everything or worsts else "first"
-    answered(file, overs, answer, as_json, output, default, certificate=certificate, endless=not worsts)
+        from mpsolve.errors import InputError
+
+        if len(worsts) > 1:
+            raise InputError("--worst", "is given more than once: name one parameter")
+        if worsts and everything:
+            raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
+    answered(answer, "near" if everything or worsts else "first", endless=not worsts, **asked)
 
 
-@click.command()
-@_FILE
-@_over(False, _ENDLESS + _VELOCITIES)
-@_DIGITS
-@_EFFORT
-@_JSON
-@_OUTPUT
-@_CERTIFICATE
-def crossings(
-    file: Path,
-    overs: tuple[str, ...],
-    digits: int,
-    effort: str | None,
-    as_json: bool,
-    output: Path | None,
-    certificate: Path | None,
-) -> None:
+@_command(_over(False, _ENDLESS + _VELOCITIES), *_ASKED, output(_TABLE), _CERTIFICATE)
+def crossings(digits: int, effort: str | None, **asked: Any) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
     A root q is real there. Exit status as for onset.
@@ -128,33 +115,20 @@ def crossings(
         from mpsolve.ranges.crossings import crossings as prove
         from mpsolve.report import ranges_words as words
 
-        found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
+        found = prove(question.given, over=question.over, **_work(effort, tell, digits=digits))
         return words.said_of_crossings(found, question)
 
-    answered(file, overs, answer, as_json, output, certificate=certificate, endless=True)
+    answered(answer, endless=True, **asked)
 
 
-@click.command()
-@_FILE
-@_over(False, _VELOCITIES)
-@click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced.")
-@click.option("--region", type=click.Choice(["sheet", "unstable"]), help="In place of what lies below the cuts.")
-@_DIGITS
-@_EFFORT
-@_JSON
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="Draw FILE.svg, or write FILE.csv or .json, with points."
+@_command(
+    _over(False, _VELOCITIES),
+    click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced."),
+    click.option("--region", type=click.Choice(["sheet", "unstable"]), help="In place of what lies below the cuts."),
+    *_ASKED,
+    output("Draw FILE.svg, or write FILE.csv or .json, with points."),
 )
-def lines(
-    file: Path,
-    overs: tuple[str, ...],
-    points: int,
-    region: str | None,
-    digits: int,
-    effort: str | None,
-    as_json: bool,
-    output: Path | None,
-) -> None:
+def lines(points: int, region: str | None, digits: int, effort: str | None, **asked: Any) -> None:
     """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
 
     Of a case in the paper's ratios, and of masses on any such beam with --region sheet, every root of the whole
@@ -167,22 +141,18 @@ def lines(
         from mpsolve.loci.lines import frequency_lines
         from mpsolve.report.lines_words import said_of_lines
 
-        options: dict[str, Any] = {"digits": digits, "effort": effort_of(effort), "progress": tell, "region": region}
-        return said_of_lines(frequency_lines(question.given, over=question.over, points=points, **options), question)
+        options = _work(effort, tell, digits=digits, points=points, region=region)
+        return said_of_lines(frequency_lines(question.given, over=question.over, **options), question)
 
-    answered(file, overs, answer, as_json, output, suffixes=(".svg", ".json", ".csv"))
+    answered(answer, suffixes=_DRAWN, **asked)
 
 
-@click.command()
-@_FILE
-@_over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]")
-@_DIGITS
-@_EFFORT
-@_JSON
-@_OUTPUT
-def worst(
-    file: Path, overs: tuple[str, ...], digits: int, effort: str | None, as_json: bool, output: Path | None
-) -> None:
+@_command(
+    _over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]"),
+    *_ASKED,
+    output(_TABLE),
+)
+def worst(digits: int, effort: str | None, **asked: Any) -> None:
     """Prove at which value of a parameter the problem in FILE (TOML) is least stable: at which distance, say.
 
     That is where the vibration that grows fastest grows fastest, or, where none grows, the least damped one decays
@@ -193,40 +163,37 @@ def worst(
         from mpsolve.ranges.worst import worst as prove
         from mpsolve.report.worst_words import said_of_worst
 
-        found = prove(question.given, over=question.over, digits=digits, effort=effort_of(effort), progress=tell)
+        found = prove(question.given, over=question.over, **_work(effort, tell, digits=digits))
         return said_of_worst(found, question)
 
-    answered(file, overs, answer, as_json, output, "gap")
+    answered(answer, "gap", **asked)
 
 
-@click.command()
-@_FILE
-@_over(True, "At least one must be given.")
-@_EFFORT
-@_JSON
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    help="Draw FILE.svg, what stays open and the counterexample, or write FILE.csv or .json.",
+@_command(
+    _over(True, "At least one must be given."),
+    EFFORT,
+    JSON,
+    output("Draw FILE.svg, what stays open and the counterexample, or write FILE.csv or .json."),
+    _CERTIFICATE,
+    click.option(
+        "--store",
+        type=click.Path(path_type=Path),
+        help="Prove it part by part, each kept in this file, such as box.sqlite, when it is proved.",
+    ),
+    click.option(
+        "--boxes", type=int, help="With --store: boxes that the proof of a part may take.  [default: 100000]"
+    ),
+    WORKERS,
+    DASK,
 )
-@_CERTIFICATE
-@click.option(
-    "--store",
-    type=click.Path(path_type=Path),
-    help="Prove it part by part, each kept in this file, such as box.sqlite, when it is proved.",
-)
-@click.option("--boxes", type=int, help="With --store: boxes that the proof of a part may take.  [default: 100000]")
-@WORKERS
-@DASK
 def robust(
-    file: Path,
     overs: tuple[str, ...],
     effort: str | None,
-    as_json: bool,
-    output: Path | None,
-    certificate: Path | None,
-    **shared: Any,
+    store: Path | None,
+    boxes: int | None,
+    workers: int | None,
+    dask: str | None,
+    **asked: Any,
 ) -> None:
     """Prove that the problem in FILE (TOML) is stable for all values of several parameters in their ranges at once.
 
@@ -240,74 +207,29 @@ def robust(
         from mpsolve.report.robust_words import said_of_robust
         from mpsolve.studies.robust import prove_stable
 
-        with _in_parts(effort, **shared) as options:
-            return said_of_robust(
-                prove_stable(question.given, over=question.over, progress=tell, **options), question
-            )
+        with in_parts(effort, store, boxes, workers, dask) as options:
+            found = prove_stable(question.given, over=question.over, progress=tell, **options)
+            return said_of_robust(found, question)
 
     with one_sentence():
-        _required(overs)
-    answered(file, overs, answer, as_json, output, "near", (".svg", ".json", ".csv"), certificate)
+        from mpsolve.errors import InputError
+
+        if not overs:
+            stated = "is missing: give the range of each uncertain parameter, as in --over v=0..80m/s"
+            raise InputError("--over", stated)
+    answered(answer, suffixes=_DRAWN, overs=overs, **asked)
 
 
-@contextmanager
-def _in_parts(
-    effort: str | None, store: Path | None, boxes: int | None, workers: int | None, dask: str | None
-) -> Iterator[dict[str, Any]]:
-    """The options of a proof: at once, or part by part in a store."""
-    from mpsolve.errors import InputError
-    from mpsolve.proof.effort import Effort
-
-    if store is None:
-        for name, given in (("--boxes", boxes), ("--dask", dask)):
-            if given is not None:
-                raise InputError(name, "is given without --store: give the file that keeps what is proved")
-        yield {"effort": effort_of(effort), "workers": workers or 1}
-        return
-    if effort is not None:
-        raise InputError("--effort", "is given beside --store: give --boxes, the work of each part, in its place")
-    with cluster(dask, workers) as (executor, _):
-        yield {
-            "store": store,
-            "executor": executor,
-            "workers": workers,
-            "effort": None if boxes is None else Effort(evaluations=boxes),
-        }
-
-
-def _only_one(worsts: tuple[str, ...], everything: bool) -> None:
-    from mpsolve.errors import InputError
-
-    if len(worsts) > 1:
-        raise InputError("--worst", "is given more than once: name one parameter")
-    if worsts and everything:
-        raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
-
-
-def _required(overs: tuple[str, ...]) -> None:
-    from mpsolve.errors import InputError
-
-    if not overs:
-        raise InputError("--over", "is missing: give the range of each uncertain parameter, as in --over v=0..80m/s")
-
-
-@click.command()
-@_FILE
-@_over(True, "[default: velocities as for onset, and scale.mass=0.2..3, a factor on all masses]")
-@click.option(
-    "--depth", type=int, default=6, show_default=True, help="2^DEPTH cells along each parameter, DEPTH 2 to 10."
+@_command(
+    _over(True, "[default: velocities as for onset, and scale.mass=0.2..3, a factor on all masses]"),
+    click.option(
+        "--depth", type=int, default=6, show_default=True, help="2^DEPTH cells along each parameter, DEPTH 2 to 10."
+    ),
+    EFFORT,
+    JSON,
+    output("Draw FILE.svg, or write FILE.csv or .json, with each cell."),
 )
-@_EFFORT
-@_JSON
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    help="Draw FILE.svg, or write FILE.csv or .json, with each cell.",
-)
-def chart(
-    file: Path, overs: tuple[str, ...], depth: int, effort: str | None, as_json: bool, output: Path | None
-) -> None:
+def chart(depth: int, effort: str | None, **asked: Any) -> None:
     """Prove how many roots grow over two parameters of the problem in FILE (TOML): as regions, and strips between.
 
     Exit status 0: every region is proved. 1: some are open. 2: the input cannot be used.
@@ -317,12 +239,10 @@ def chart(
         from mpsolve.ranges.chart import stability_chart
         from mpsolve.report.robust_words import said_of_chart
 
-        found = stability_chart(
-            question.given, over=question.over, depth=depth, effort=effort_of(effort), progress=tell
-        )
+        found = stability_chart(question.given, over=question.over, **_work(effort, tell, depth=depth))
         return said_of_chart(found, question)
 
-    answered(file, overs, answer, as_json, output, "chart", (".svg", ".json", ".csv"))
+    answered(answer, "chart", suffixes=_DRAWN, **asked)
 
 
 COMMANDS = (onset, crossings, lines, worst, robust, chart)

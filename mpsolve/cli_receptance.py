@@ -6,11 +6,11 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import checked_output, one_sentence
+from mpsolve.cli_tools import FILE, checked_output, one_sentence, output
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@FILE
 @click.option(
     "--omega",
     required=True,
@@ -23,7 +23,7 @@ from mpsolve.cli_tools import checked_output, one_sentence
     "--contacts", is_flag=True, help="In JSON: the matrices between the contacts of FILE, and their inverses, too."
 )
 @click.option("--json", "as_json", is_flag=True, help="JSON instead of CSV, as -o FILE.json does.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write this file, not the terminal.")
+@output("Write this file, not the terminal.")
 def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, output: Path | None) -> None:
     """Tabulate the receptance G(ξ, ω) of the track in FILE (TOML) under a moving harmonic force, in float64.
 

@@ -7,17 +7,12 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress, seconds_of
+from mpsolve.cli_tools import FILE, UNDECIDED, checked_output, one_sentence, output, progress, seconds_of
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    help="Path of the page.  [default: NAME.html in the working directory]",
-)
+@FILE
+@output("Path of the page.  [default: NAME.html in the working directory]")
 @click.option("--pdf", type=click.Path(path_type=Path), metavar="FILE", help="The page as a PDF, too.")
 @click.option("--digits", type=int, default=20, show_default=True, help="Certified digits of the roots, 15 to 10000.")
 @click.option("--effort", default="60", show_default=True, metavar="SECONDS", help="Processor time for all parts.")

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mpsolve import cli_vibration
-from mpsolve.cli_tools import checked_output, one_sentence
+from mpsolve.cli_tools import FILE, checked_output, one_sentence, output
 
 if TYPE_CHECKING:
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
     from mpsolve.vibration.case_motion import Response
-    from mpsolve.vibration.scale import Scale
+    from mpsolve.vibration.case_units import Scale
 
-_FILE = click.argument("file", type=click.Path(path_type=Path))
 _END = click.option(
     "--to",
     "end",
@@ -29,8 +29,8 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 
 @click.command()
-@_FILE
-@click.option("-o", "--output", type=click.Path(path_type=Path), help=f"Write FILE{', '.join(_SUFFIXES)}.")
+@FILE
+@output(f"Write FILE{', '.join(_SUFFIXES)}.")
 @_END
 @_POINTS
 @click.option("--xi", help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]")
@@ -85,15 +85,12 @@ def response(
                 cli_vibration.film(source, animate, last, initial, rough)
             click.echo("\n".join([*said, *(str(path) for path in (output, animate) if path is not None)]))
             return
-        _only_in_seconds(initial != "rest", "--initial")
-        _only_in_seconds(animate is not None, "--animate")
-        _only_in_seconds(roughness is not None, "--roughness")
-        _only_in_seconds(out_of_round is not None, "--out-of-round")
-        tau = _times(end, points)
+        _only_in_seconds(initial=None if initial == "rest" else initial, animate=animate, roughness=roughness,
+                         out_of_round=out_of_round)  # fmt: skip
         from mpsolve.vibration.of_case import motion_of_case as respond
 
         places = None if xi is None else [x.strip() for x in xi.split(",")]
-        found = respond(source.case, source.loads, places, tau)
+        found = respond(source.case, source.loads, places, _grid(_last(end), points))
         scale = _scale(source)
         if output is not None:
             _save(found, output, kind, source.title, scale)
@@ -102,8 +99,8 @@ def response(
 
 
 @click.command()
-@_FILE
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write FILE.csv, .png, .svg, .pdf.")
+@FILE
+@output("Write FILE.csv, .png, .svg, .pdf.")
 @_END
 @_POINTS
 def compare(file: Path, output: Path | None, end: str | None, points: int) -> None:
@@ -124,19 +121,11 @@ def compare(file: Path, output: Path | None, end: str | None, points: int) -> No
             cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
             _tell(output)
             return
-        tau = _times(end, points)
         scale = _scale(source)
-        whole, curves, notes = _curves(source, tau, scale)
+        whole, curves, notes = _curves(source, _grid(_last(end), points), scale)
         if output is not None:
             _save_curves(whole, curves, output, kind, source.title, scale)
-        reference, unit = curves["complete"], _unit(scale)
-        for name, curve in list(curves.items())[1:]:
-            apart = abs(curve - reference)[whole.within].max() * scale.length
-            click.echo(
-                f"{name}: differs from the complete solution by at most {apart:.6g} {unit} while contact is kept"
-            )
-        for note in notes:
-            click.echo(note)
+        cli_vibration.tell_apart(curves, whole.within, scale.length_unit, notes, scale.length)
         _tell(output)
 
 
@@ -164,11 +153,13 @@ def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
     return problem_file(source), end
 
 
-def _only_in_seconds(given: bool, key: str) -> None:
+def _only_in_seconds(**options: Any) -> None:
     from mpsolve.errors import InputError
 
-    if given:
-        raise InputError(key, 'is for a motion in s: give --to "2 s", and a file in SI')
+    for name, given in options.items():
+        if given is not None:
+            key = f"--{name.replace('_', '-')}"
+            raise InputError(key, 'is for a motion in s: give --to "2 s", and a file in SI')
 
 
 def _last(end: str) -> float:
@@ -187,47 +178,29 @@ def _grid(last: float, points: int) -> Any:
     return np.linspace(0.0, last, points)
 
 
-def _times(end: str, points: int) -> Any:
-    return _grid(_last(end), points)
-
-
 def _scale(source: InputFile) -> Scale:
     from mpsolve.problem.physical import PhysicalCase
-    from mpsolve.vibration.scale import Scale
+    from mpsolve.vibration.case_units import Scale
 
     return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
 
 
-def _unit(scale: Scale) -> str:
-    return scale.length_name if scale.physical else "w_st"
-
-
 def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
-    if kind == ".csv":
-        from mpsolve.files import save_columns
-        from mpsolve.vibration.case_table import columns
+    from mpsolve.report.figures_motion import save_history
+    from mpsolve.vibration.table import case_arrays, case_columns
 
-        save_columns(columns(found, scale), path)
-    elif kind == ".json":
-        from mpsolve.files import save_json
-        from mpsolve.vibration.case_table import columns
-
-        save_json(columns(found, scale), path, title, _summary(found, scale))
-    elif kind == ".npz":
-        from mpsolve.vibration.case_table import save_arrays
-
-        save_arrays(found, path, scale)
-    else:
-        from mpsolve.report.figures_motion import save_history
-
-        save_history(found, path, title, scale)
+    made = partial(case_columns, found, scale), partial(case_arrays, found, scale)
+    picture = partial(save_history, found, path, title, scale)
+    cli_vibration.write(path, kind, title, _summary(found, scale), *made, picture)
 
 
 def _summary(found: Response, scale: Scale) -> list[str]:
     lines = [f"units: {scale.said}.", f"estimated error {found.error:.1e} of the size of the parts (float64)."]
     for pair in found.harmonic_pairs:
         size = abs(pair.amplitude[0]) * scale.length
-        lines.append(f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {_unit(scale)} at ξ = {found.xi[0]:g}")
+        lines.append(
+            f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {scale.length_unit} at ξ = {found.xi[0]:g}"
+        )
     lines += [f"mass {j}: {note}." for j, note in enumerate(found.contact_note, 1) if note and "before" not in note]
     event = found.lift_off
     if event is None:
@@ -239,19 +212,19 @@ def _summary(found: Response, scale: Scale) -> list[str]:
 
 def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[str, Any], list[str]]:
     """The motion, the curves by name, the complete solution first, and what is to be said of them."""
-    from mpsolve.errors import InputError, PrecisionError
     from mpsolve.finite.beam.beam import finite_beam
-    from mpsolve.vibration.case_studies import merged, superposition
     from mpsolve.vibration.of_case import motion_of_case as respond
+    from mpsolve.vibration.studies import merged_case as merged
+    from mpsolve.vibration.studies import superposition_of_case as superposition
 
     given = source.case, source.loads
     whole = respond(*given, None, tau)
     curves = {"complete": whole.w[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
-    notes = []
+    notes: list[str] = []
 
     def beam() -> Any:
         found = finite_beam(*given, tau=tau)
-        notes.append(f"finite beam: estimated error {found.error.total * scale.length:.2g} {_unit(scale)}")
+        notes.append(f"finite beam: estimated error {found.error.total * scale.length:.2g} {scale.length_unit}")
         return found.displacement[0]
 
     others: dict[str, Callable[[], Any]] = {
@@ -259,18 +232,14 @@ def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[s
         "one merged mass": lambda: merged(*given, whole.xi, tau).w[0],
         "finite beam": beam,
     }
-    for name, compute in others.items():
-        try:
-            curves[name] = compute()
-        except (InputError, PrecisionError) as error:  # the other curves stand without it
-            notes.append(f"{name}: left out, {error}")
+    cli_vibration.add(curves, others, notes)
     return whole, curves, notes
 
 
 def _save_curves(whole: Response, curves: dict[str, Any], path: Path, kind: str, title: str, scale: Scale) -> None:
     if kind == ".csv":
         from mpsolve.files import save_columns
-        from mpsolve.vibration.case_table import named, time_columns
+        from mpsolve.vibration.table import named, time_columns
 
         shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
         shown[named("within the model", "1", scale)] = whole.within.astype(float)

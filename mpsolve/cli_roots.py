@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, certificate_path, effort_of, one_sentence, progress
+from mpsolve.cli_tools import EFFORT, JSON, UNDECIDED, certificate_path, effort_of, one_sentence, output, progress
 
 _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
 
@@ -33,11 +33,9 @@ _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
     help="A branch cut from RE + i IM in the direction DRE + i DIM, along an axis. May be given more than once.",
 )
 @click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
-@click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
-@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="Path of the certificate.  [default: none is written]"
-)
+@EFFORT
+@JSON
+@output("Path of the certificate.  [default: none is written]")
 def roots(
     function: str,
     rectangle: tuple[str, ...] | None,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import DASK, UNDECIDED, WORKERS, checked_output, cluster, one_sentence
+from mpsolve.cli_tools import DASK, UNDECIDED, WORKERS, checked_output, cluster, one_sentence, output
 
 if TYPE_CHECKING:
     from mpsolve.studies.run import Progress, Study
@@ -53,9 +53,7 @@ def study(file: Path, output: Path, workers: int | None, dask: str | None) -> No
 @click.command()
 @_STORE
 @click.option("--to", required=True, type=click.Choice(("csv", "json", "npz", "parquet")), help="The format.")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="Path.  [default: NAME.FORMAT in the working directory]"
-)
+@output("Path.  [default: NAME.FORMAT in the working directory]")
 def export(store: Path, to: str, output: Path | None) -> None:
     """Write the results in STORE to a file for other programs.
 

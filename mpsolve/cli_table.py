@@ -9,12 +9,12 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
+from mpsolve.cli_tools import FILE, UNDECIDED, checked_output, one_sentence, output, progress
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write FILE.csv, .json or .tex.")
+@FILE
+@output("Write FILE.csv, .json or .tex.")
 @click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
 def table(file: Path, output: Path | None, workers: int | None) -> None:
     """Prove a table of onsets, or of all unstable ranges, over a grid of two parameters, as FILE (TOML) describes it.

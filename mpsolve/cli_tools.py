@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -26,9 +26,20 @@ if TYPE_CHECKING:
 _NARROW = 40  # columns; a narrower terminal breaks lines itself
 UNDECIDED = 1
 BAD_INPUT = 2
-WORKERS = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
-DASK = click.option("--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes.")
+Option = Callable[[Callable[..., None]], Callable[..., None]]
+FILE: Option = click.argument("file", type=click.Path(path_type=Path))
+JSON: Option = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+EFFORT: Option = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
+WORKERS: Option = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
+DASK: Option = click.option(
+    "--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes."
+)
 INTERRUPTED = 130  # as a shell says of a program that ended by Ctrl-C
+
+
+def output(text: str) -> Option:
+    """The option -o."""
+    return click.option("-o", "--output", type=click.Path(path_type=Path), help=text)
 
 
 @contextmanager
@@ -111,6 +122,31 @@ def effort_of(given: str | None) -> Effort | None:
     return None if given is None else Effort(seconds=seconds_of(given, "effort"))
 
 
+@contextmanager
+def in_parts(
+    effort: str | None, store: Path | None, boxes: int | None, workers: int | None, dask: str | None
+) -> Iterator[dict[str, Any]]:
+    """The options of a proof: at once, or part by part in a store."""
+    from mpsolve.errors import InputError
+    from mpsolve.proof.effort import Effort
+
+    if store is None:
+        for name, given in (("--boxes", boxes), ("--dask", dask)):
+            if given is not None:
+                raise InputError(name, "is given without --store: give the file that keeps what is proved")
+        yield {"effort": effort_of(effort), "workers": workers or 1}
+        return
+    if effort is not None:
+        raise InputError("--effort", "is given beside --store: give --boxes, the work of each part, in its place")
+    with cluster(dask, workers) as (executor, _):
+        yield {
+            "store": store,
+            "executor": executor,
+            "workers": workers,
+            "effort": None if boxes is None else Effort(evaluations=boxes),
+        }
+
+
 def seconds_of(given: str, key: str) -> float:
     """A time above 0 such as 5, "5 s" or "2 min", in seconds; InputError under `key`."""
     from mpsolve.errors import InputError
@@ -136,7 +172,7 @@ def show(report: Group | Document) -> None:
 
         Console().print(report)
     else:
-        from mpsolve.report.layout import plain
+        from mpsolve.report.blocks import plain
 
         click.echo(plain(report), nl=False)
 

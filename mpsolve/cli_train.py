@@ -7,14 +7,14 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, effort_of, one_sentence, progress
+from mpsolve.cli_tools import FILE, JSON, UNDECIDED, effort_of, one_sentence, progress
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@FILE
 @click.option("--spacing", help="From each vehicle to the next, where FILE holds only one.")
 @click.option("--effort", default="10", show_default=True, metavar="SECONDS", help="Time for each of the proofs.")
-@click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+@JSON
 def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     """Prove whether disturbances grow along the train in FILE (TOML), as if it had no end, and how it amplifies.
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,7 +32,7 @@ def irregularities(problem: Problem, roughness: str | None, out_of_round: str | 
     """What the options give: a wave on the rail, or uneven wheels, or nothing."""
     from mpsolve.errors import InputError
     from mpsolve.numbers.units import in_unit
-    from mpsolve.vibration import roughness as kinds
+    from mpsolve.vibration import forcing as kinds
 
     def lengths(text: str, key: str, most: int) -> tuple[list[Any], list[int]]:
         parts = [part.strip() for part in text.split(",")]
@@ -59,27 +61,57 @@ def respond(
     places = None if xi is None else [x.strip() for x in xi.split(",")]
     given: dict[str, Any] = {"initial": initial, "irregularities": rough}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
+    said = _summary(found)
     if output is not None:
-        _write(found, output, kind, source.title)
-    return [*_summary(found), *warnings(source)]
+        from mpsolve.report.figures_vibration import save_motion
+        from mpsolve.vibration.table import arrays, columns
+
+        made = partial(columns, found), partial(arrays, found), partial(save_motion, found, output, source.title)
+        write(output, kind, source.title, said, *made)
+    return [*said, *warnings(source)]
 
 
-def _write(found: Any, output: Path, kind: str, title: str) -> None:
-    from mpsolve.vibration.table import save_arrays, save_table
+def write(
+    output: Path,
+    kind: str,
+    title: str,
+    said: list[str],
+    columns: Callable[[], dict[str, Any]],
+    arrays: Callable[[], dict[str, Any]],
+    picture: Callable[[], Any],
+) -> None:
+    """Writes the motion: its columns as CSV or JSON, its arrays as NPZ, or its picture."""
+    from mpsolve.files import save_arrays, save_columns, save_json
 
     if kind == ".csv":
-        save_table(found, output)
+        save_columns(columns(), output)
     elif kind == ".json":
-        from mpsolve.files import save_json
-        from mpsolve.vibration.table import columns
-
-        save_json(columns(found), output, title, _summary(found))
+        save_json(columns(), output, title, said)
     elif kind == ".npz":
-        save_arrays(found, output)
+        save_arrays(arrays(), output)
     else:
-        from mpsolve.report.figures_vibration import save_motion
+        picture()
 
-        save_motion(found, output, title)
+
+def add(curves: dict[str, Any], others: Mapping[str, Callable[[], Any]], notes: list[str]) -> None:
+    """The other curves too; where one cannot be computed, the rest stands without it, and a note says why."""
+    from mpsolve.errors import InputError, PrecisionError
+
+    for name, compute in others.items():
+        try:
+            curves[name] = compute()
+        except (InputError, PrecisionError) as error:
+            notes.append(f"{name}: left out, {error}")
+
+
+def tell_apart(curves: Mapping[str, Any], within: Any, unit: str, notes: list[str], one: float = 1.0) -> None:
+    """How far the curves are from the first one, in units of which the curves' own is `one`; then the notes."""
+    complete, *others = curves.items()
+    for name, curve in others:
+        apart = abs(curve - complete[1])[within].max() * one
+        click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} {unit} while contact is kept")
+    for note in notes:
+        click.echo(note)
 
 
 def warnings(source: ProblemFile) -> list[str]:
@@ -134,7 +166,6 @@ def _summary(found: Vibration) -> list[str]:
 
 def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], list[str]]:
     """The motion under the rear contact by different ways, the complete solution first, and what is to be said."""
-    from mpsolve.errors import InputError, PrecisionError
     from mpsolve.finite.finite_track import finite_track
     from mpsolve.vibration.studies import merged, superposition
     from mpsolve.vibration.vibrate import vibrate
@@ -143,7 +174,7 @@ def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], 
     rear = [problem.pencil.places[0]]
     whole = vibrate(problem, loads, times=times, places=rear)
     out = {"complete": whole.rail[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
-    notes = []
+    notes: list[str] = []
 
     def finite() -> Any:
         last = float(times[-1])
@@ -155,20 +186,16 @@ def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], 
         notes.append(f"finite track: {length:.4g} m, {modes} modes, estimated error {found.error.total:.2g} m")
         return found.rail[0]
 
-    others = {
+    others: dict[str, Callable[[], Any]] = {
         "superposition": lambda: sum(
             part.rail[0] for part in superposition(problem, loads, times=times, places=rear)
         ),
         "one merged mass": lambda: merged(problem, loads, times=times, places=rear).rail[0],
         "finite track": finite,
     }
-    for name, compute in others.items():
-        if name == "superposition" and len(problem.vehicles) == 1:
-            continue
-        try:
-            out[name] = compute()
-        except (InputError, PrecisionError) as error:  # the other curves stand without it
-            notes.append(f"{name}: left out, {error}")
+    if len(problem.vehicles) == 1:
+        del others["superposition"]
+    add(out, others, notes)
     return whole, out, notes
 
 
@@ -185,8 +212,4 @@ def compare(source: ProblemFile, output: Path | None, kind: str, times: Any) -> 
             from mpsolve.report.figures_vibration import save_comparison
 
             save_comparison(whole, found, output, source.title)
-    for name, row in list(found.items())[1:]:
-        apart = abs(row - found["complete"])[whole.within].max()
-        click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} m while contact is kept")
-    for note in (*notes, *warnings(source)):
-        click.echo(note)
+    tell_apart(found, whole.within, "m", [*notes, *warnings(source)])

@@ -21,7 +21,7 @@ _NAMES = {"f": "function", "places": "xi", "store": "output", "times": "to"}
 def told(error: InputError) -> str:
     """Its sentence under the name of the option that was typed, or of the key with its line in the file."""
     context = click.get_current_context(silent=True)
-    said = str(error).removeprefix(f"{error.key}: ")
+    said = error.said
     if context is None:
         return f"{error.key}: {said}"
     key = error.key.split(".")[0].split("[")[0]

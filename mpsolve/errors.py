@@ -24,7 +24,14 @@ class InputError(MpsolveError, ValueError):
 
     def __init__(self, key: str, message: str) -> None:
         super().__init__(f"{key}: {message}")
-        self.key = key
+        self.key, self.said = key, message
+
+    def __reduce__(self) -> tuple[type[InputError], tuple[str, str]]:
+        return type(self), (self.key, self.said)
+
+    def under(self, key: str) -> InputError:
+        """The same about another key."""
+        return InputError(key, self.said)
 
 
 class PrecisionError(MpsolveError, ArithmeticError):

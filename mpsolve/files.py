@@ -7,7 +7,7 @@ import io
 import json
 import os
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -59,12 +59,25 @@ def checked_suffix(path: Path, allowed: tuple[str, ...], key: str = "output") ->
     return suffix
 
 
+def csv_text(rows: Iterable[Iterable[Any]]) -> str:
+    """Rows as CSV, with the line ends of Unix."""
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows(rows)
+    return stream.getvalue()
+
+
 def save_columns(table: Mapping[str, Any], path: Path) -> Path:
     """CSV, each number with all its digits; CertificateError if it cannot be written."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(table)
-    writer.writerows([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
+    numbers = ([repr(float(x)) for x in row] for row in zip(*table.values(), strict=True))
+    return write_whole(path, csv_text([table, *numbers]))
+
+
+def save_arrays(arrays: Mapping[str, Any], path: Path) -> Path:
+    """NPZ; CertificateError if it cannot be written."""
+    import numpy as np
+
+    stream = io.BytesIO()
+    np.savez(stream, **arrays)
     return write_whole(path, stream.getvalue())
 
 

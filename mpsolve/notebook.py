@@ -17,10 +17,9 @@ from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.spoken import decimal
 from mpsolve.ranges.table import Table
 from mpsolve.report import spectrum_words as words
-from mpsolve.report.figures import figure_of
+from mpsolve.report.figures import figure_of, inline_svg
+from mpsolve.report.figures_motion import displacements
 from mpsolve.report.figures_plane import q_plane
-from mpsolve.report.figures_response import displacements
-from mpsolve.report.figures_svg import inline_svg
 from mpsolve.report.range_table import WITHOUT
 from mpsolve.report.template import rendered
 from mpsolve.report.vibration import in_words, motion_rows, vibrations

@@ -6,10 +6,12 @@ A `Reason` is kept as parts, so that the terminal prints a sentence, JSON the pa
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from types import MappingProxyType
 from typing import Any
+
+from mpsolve.frozen import frozen
 
 
 class Status(Enum):
@@ -26,7 +28,7 @@ class Status(Enum):
         return self in (Status.PROVED, Status.UNVERIFIED)
 
 
-@dataclass(frozen=True)
+@frozen
 class Reason:
     """Why an answer is undecided or refused, and what to do.
 

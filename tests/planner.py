@@ -169,11 +169,10 @@ class Floats:
                 a[i, j] = c
             self.tables.append(a)
         self.M, self.C, self.K, self.B = (
-            np.array([[float(arb(x)) for x in r] for r in a.tolist()])
-            for a in (self.car.M, self.car.C, self.car.K, self.car.B)
+            np.array([[float(arb(x)) for x in r] for r in a.tolist()]) for a in (*self.car.numbers, self.car.B)
         )
-        self.h = np.diag([float(arb(x)) for x in self.car.h])
-        self.x = np.array([float(arb(x)) for x in self.car.places])
+        self.h = np.diag([float(arb(v2.at(x, ()))) for x in self.car.h])
+        self.x = np.array([float(arb(v2.at(x, ()))) for x in self.car.places])
         self.sites = np.array([float(arb(x)) for x in self.car.sites])
         self.upper = self.up(-1j * (1 + abs(self.v)))
 
@@ -321,10 +320,10 @@ def plan_tail(track, sites, X):
 
 def absorbs(bw, bd, z1, z2, kappa, tau):
     """Whether the verifier's test of the block holds."""
-    f = {at: arb(bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0))) for at in {*bw, *bd}}
+    f = {at: bw.get(at, fmpq(0)) - q_(kappa) * bd.get(at, fmpq(0)) for at in {*bw, *bd}}
     try:
         with v2.precision(128):
-            v2.check_positive(f, ((float(z1), float(z2)), (0.0, float(tau))), None, "")
+            v2.check_positive(f, ((q_(z1), q_(z2)), (fmpq(0), q_(tau))), None, "")
     except v2.Refused:
         return False
     return True
@@ -345,6 +344,14 @@ def resonances(bd, most):
 # --- paths -----------------------------------------------------------------------------------------------------------  # noqa: E501
 
 
+def moved(walker, kind, mark, where):
+    """The mark there, and the change of arg Δ̂ from the matrices at both ends."""
+    end, turn = walker.piece(kind, mark, where, None)
+    if turn is None:
+        return end, arb(0)
+    return end, turn.sharp(walker.matrix(end)) - turn.sharp(walker.matrix(mark))
+
+
 def walk(walker, kind, corners):
     """Points along the polygon; each piece passes the verifier's tests."""
     at = corners[0]
@@ -357,7 +364,7 @@ def walk(walker, kind, corners):
             to = to if to < 1 else 1.0
             where = b if to == 1.0 else tuple(x + q_(to) * (y - x) for x, y in zip(a, b, strict=False))
             try:
-                end, turned = walker.piece(kind, mark, where, None)
+                end, turned = moved(walker, kind, mark, where)
             except v2.Refused as no:
                 h /= 2
                 if h < 1e-7:
@@ -383,7 +390,7 @@ def arc(walker, radius):
             else tuple(q_(x) for x in (R * np.cos(to * pi / 2), -R * np.sin(to * pi / 2)))
         )
         try:
-            end, turned = walker.piece("turn", mark, where, None)
+            end, turned = moved(walker, "turn", mark, where)
         except v2.Refused as no:
             h /= 2
             if h < 1e-7:
@@ -416,7 +423,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
     track, car = floats.track, floats.car
     reg = v2.read_region(region)
     with v2.precision(bits):
-        waves = v2.Waves(track, car.sites)
+        waves = v2.Waves(track, car.places)
         walker = v2.Walker(waves, v2.Bordered(car, waves))
         passive = reg.kind in ("unstable", "below")
         theorem, X = None, None
@@ -585,16 +592,14 @@ def refine(content, digits):
     for value in content["roots"]:
         root = v2.read_root(value)
         with v2.precision(bits + 64):
-            waves = v2.Waves(track, car.sites)
+            waves = v2.Waves(track, car.places)
             bordered = v2.Bordered(car, waves)
             sigma = v2.at_q(root.z)
             for _ in range(bits.bit_length()):
-                local = waves.near(sigma)
-                z = sorted(v2.roots_near(local), key=lambda p: bool(p.real > 0))
-                thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
-                G = v2.kernels(waves, thin, arb(0))
-                first, slope, _ = v2.block(bordered.over(sigma, arb(0), G), arb(0), 1)
-                sigma = (sigma - first[0, 0] / slope[0, 0]).mid()
+                place = v2.Place.disc(sigma, r := abs(sigma) * arb(2) ** -(bits // 2))
+                disc = v2.nodes_near(waves.near(place)).split()
+                (first, slope), _ = v2.block(bordered(place, v2.kernels(waves, disc)[0]), 1)
+                sigma = (sigma - first[0, 0] / slope[0, 0] * r).mid()
                 if not root.pair and root.z[0] == 0:
                     sigma = acb(sigma.real)
             q = sigma / acb(0, 1)

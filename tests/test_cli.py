@@ -17,7 +17,7 @@ import mpsolve
 from mpsolve.cli import EXAMPLES as _EXAMPLES
 from mpsolve.cli import cli
 from mpsolve.derivation import paper as derivation
-from mpsolve.derivation.paper_steps import equation_of_motion
+from mpsolve.derivation.paper_motion import equation_of_motion
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 CERTS = EXAMPLES.parent / "certs"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import pytest
 
 from mpsolve.errors import ContradictionError, EffortError, InputError, MpsolveError, PrecisionError, known
@@ -12,6 +14,16 @@ def test_an_input_error_names_its_key_and_is_a_value_error() -> None:
     error = InputError("track.k", "is 0: give a stiffness")
     assert (error.key, str(error)) == ("track.k", "track.k: is 0: give a stiffness")
     assert isinstance(error, (MpsolveError, ValueError))
+    assert str(error.under("k")) == "k: is 0: give a stiffness"
+
+
+def test_an_input_error_travels_between_processes() -> None:
+    back = pickle.loads(pickle.dumps(InputError("track.k", "is 0: give a stiffness")))
+    assert (back.key, back.said, str(back)) == (
+        "track.k",
+        "is 0: give a stiffness",
+        "track.k: is 0: give a stiffness",
+    )
 
 
 def test_a_reason_in_parts_is_kept_and_a_sentence_becomes_one() -> None:

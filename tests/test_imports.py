@@ -158,17 +158,17 @@ def test_one_module_touches_the_precision_that_the_process_shares() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "import mpsolve.report.rows",
-        "from mpsolve.report import rows",
-        "from mpsolve.report.rows import document",
-        "def f():\n    from mpsolve.report.rows import document",
-        "if x:\n    pass\nelse:\n    import mpsolve.report.rows as t",
-        "if TYPE_CHECKING:\n    pass\nelse:\n    import mpsolve.report.rows",
+        "import mpsolve.report.models",
+        "from mpsolve.report import models",
+        "from mpsolve.report.models import document",
+        "def f():\n    from mpsolve.report.models import document",
+        "if x:\n    pass\nelse:\n    import mpsolve.report.models as t",
+        "if TYPE_CHECKING:\n    pass\nelse:\n    import mpsolve.report.models",
     ],
 )
 def test_an_import_is_seen_wherever_it_stands(text: str) -> None:
     ((module, _),) = imports("mpsolve.waves.dispersion", ast.parse(text), TREES)
-    assert module == "mpsolve.report.rows"
+    assert module == "mpsolve.report.models"
     assert downstream("mpsolve.waves.dispersion", module)
     assert not downstream("mpsolve.notebook", module)
     assert downstream("mpsolve.tracks.string", "mpsolve.vehicles.mass")  # side by side
@@ -176,7 +176,7 @@ def test_an_import_is_seen_wherever_it_stands(text: str) -> None:
 
 @pytest.mark.parametrize("guard", ["TYPE_CHECKING", "typing.TYPE_CHECKING"])
 def test_an_import_for_types_only_is_none(guard: str) -> None:
-    assert list(imports("mpsolve.files", ast.parse(f"if {guard}:\n    import mpsolve.report.rows"), TREES)) == []
+    assert list(imports("mpsolve.files", ast.parse(f"if {guard}:\n    import mpsolve.report.models"), TREES)) == []
 
 
 def test_circles_of_any_length_are_seen() -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from site_pages import asked, broken, main, of_page, of_style, unfilled
 
-from mpsolve.presets.catalogue import names, preset
+from mpsolve.presets.written import names, preset
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"

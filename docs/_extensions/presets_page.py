@@ -10,8 +10,7 @@ from mpsolve.numbers.spoken import beside
 from mpsolve.page.page import tables_of
 from mpsolve.pictures.axes import STYLE
 from mpsolve.pictures.model import model_picture
-from mpsolve.presets.catalogue import Preset, names, preset
-from mpsolve.presets.written import input_file
+from mpsolve.presets.written import Preset, input_file, names, preset
 from mpsolve.problem.problem import Problem
 from mpsolve.report.spectrum_words import verdict
 

@@ -13,10 +13,10 @@ from sympy.parsing.sympy_parser import parse_expr
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
+from mpsolve.derivation import paper_motion as st
 from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation import paper_steps as st
 from mpsolve.derivation.paper import derivation
-from mpsolve.derivation.paper_steps import Step
+from mpsolve.derivation.paper_motion import Step
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.case import Case
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import os
@@ -18,7 +17,7 @@ import numpy as np
 from mpsolve.certificate.certify import certify
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import InputError, MpsolveError, PrecisionError
-from mpsolve.files import write_whole
+from mpsolve.files import csv_text, write_whole
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.taylor import Taylor, taylor
@@ -78,12 +77,8 @@ class Seeds:
         return buffer.getvalue()
 
     def _csv(self) -> str:
-        buffer = io.StringIO()
-        table = csv.writer(buffer, lineterminator="\n")
-        table.writerow([*PARAMETERS, "q_re", "q_im", "radius", "roots"])
-        for case, q, radius, roots in self._rows():
-            table.writerow([*case, repr(q.real), repr(q.imag), repr(radius), roots])
-        return buffer.getvalue()
+        rows = ([*case, repr(q.real), repr(q.imag), repr(radius), roots] for case, q, radius, roots in self._rows())
+        return csv_text([[*PARAMETERS, "q_re", "q_im", "radius", "roots"], *rows])
 
     def _json(self) -> str:
         content = {

@@ -5,16 +5,16 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from mpsolve.files import write_whole
+from mpsolve.frozen import frozen
 
 FORMAT = "mpsolve certificate"
 
 
-@dataclass(frozen=True)
+@frozen
 class Certificate:
     """A certificate's content; `text` is what stands in the file."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
@@ -10,7 +11,7 @@ from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import KIND, VERSION, RootEntry, dyadic, equations, point, root_entry
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.branch_loops import Loop
-from mpsolve.spectrum.sheet import SheetCount
+from mpsolve.spectrum.sheet import Half, SheetCount
 
 
 def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootEntry], unstable: int) -> Certificate:
@@ -23,14 +24,11 @@ def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootE
         "kind": KIND,
         "equations": equations(reduced),
         "basis": None,
-        "bits": 64,
+        "bits": _bits(count),
         "start": dyadic(Fraction(count.start.depth) * unit),
-        "paths": [
-            {"kind": path.kind, "points": [point(z, unit) for z in path.points.tolist()]}
-            for path in (*count.lower.paths, *count.upper.paths)
-        ],
+        "paths": [*_half(count.lower, unit), *_half(count.upper, unit)],
         "theorem": {
-            "begin": dyadic(Fraction(count.begin) * unit),
+            "begin": dyadic(count.begins * unit),
             "end": dyadic(Fraction(count.end) * unit),
             "reach": far,
             "lower": [_loop(loop, unit) for loop in count.lower.loops],
@@ -42,9 +40,32 @@ def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootE
     return Certificate(content | {"sha256": digest(content)})
 
 
+def _bits(count: SheetCount) -> int:
+    """More of them where loops are small: p-roots are closer to each other there."""
+    radii = [loop.radius for half in (count.lower, count.upper) for loop in half.loops if loop.ways is not None]
+    return 64 if not radii else min(256, 96 + 2 * int(-math.log2(min(radii))))
+
+
+def _half(half: Half, unit: Fraction) -> list[dict[str, Any]]:
+    """The link, and the turns with the ways to small loops at their ends."""
+    out: list[dict[str, Any]] = [
+        {"kind": path.kind, "points": [point(z, unit) for z in path.points.tolist()]} for path in half.paths
+    ]
+    for k, loop in enumerate(half.loops, 1):
+        if loop.ways is not None:
+            before, behind = ([point(t, unit, about=loop.about) for t in way.tolist()] for way in loop.ways.ends)
+            if loop.ways.linked:
+                out[0]["points"] += before
+                out[1]["points"] = before[-1:]
+            else:
+                out[k]["points"] += before
+            out[k + 1]["points"] = behind + out[k + 1]["points"]
+    return out
+
+
 def _loop(loop: Loop, unit: Fraction) -> dict[str, Any]:
     return {
-        "centre": dyadic(Fraction(loop.centre) * unit),
+        "centre": dyadic((Fraction(loop.centre) + loop.about) * unit),
         "radius": dyadic(Fraction(loop.reach) * unit),
-        "points": [point(z, unit) for z in loop.points.tolist()],
+        "points": [point(z, unit, about=loop.about) for z in loop.points.tolist()],
     }

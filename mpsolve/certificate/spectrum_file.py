@@ -6,7 +6,6 @@ All numbers are exact and in the problem's own units: scaled ones are multiplied
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 from types import MappingProxyType
@@ -14,6 +13,7 @@ from typing import Any
 
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.errors import CertificateError
+from mpsolve.frozen import frozen
 from mpsolve.passivity.tail import Tail
 from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import Reduced
@@ -24,7 +24,7 @@ VERSION = 2
 KIND = "spectrum"
 
 
-@dataclass(frozen=True)
+@frozen
 class RootEntry:
     """A disc |q − (re + i im)·2^exponent| ≤ radius with `multiplicity` roots; pair: its mirror −q̄ is counted too."""
 
@@ -167,9 +167,14 @@ def _lines(region: Region, unit: Fraction) -> dict[float, Fraction]:
     return {float(x / unit): x for x in sides}
 
 
-def point(q: complex, unit: Fraction, lines: Mapping[float, Fraction] = MappingProxyType({})) -> list[Any]:
-    """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly."""
-    re, im = (lines.get(x, Fraction(x) * unit) for x in (q.real, q.imag))
+def point(
+    q: complex, unit: Fraction, lines: Mapping[float, Fraction] = MappingProxyType({}), about: Fraction = Fraction(0)
+) -> list[Any]:
+    """[m, n, e]: (m + i n)·2^e in the problem's units, or two rationals; on a side of the region exactly.
+
+    about: what q counts from, scaled.
+    """
+    re, im = (lines.get(x, (Fraction(x) + real) * unit) for x, real in ((q.real, about), (q.imag, Fraction(0))))
     if any(x.denominator & (x.denominator - 1) for x in (re, im)):
         return [_text(re), _text(im)]
     down = lcm(re.denominator, im.denominator)  # a power of two

@@ -7,7 +7,6 @@ its row among the bodies; column operations clear the rest of the row, so the de
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -16,11 +15,12 @@ import numpy as np
 
 from mpsolve.characteristic.discs import receptances, split, waves
 from mpsolve.characteristic.table import Table
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
 
 
-@dataclass(frozen=True)
+@frozen
 class Direct:
     """Contact `contact` moves with body `body` alone: Bᵀ has the single entry `b` there."""
 
@@ -29,7 +29,7 @@ class Direct:
     b: Fraction
 
 
-@dataclass(frozen=True)
+@frozen
 class Arrays:
     """A reduced problem as float arrays; each entry is the exact one rounded to nearest."""
 
@@ -68,6 +68,11 @@ class Arrays:
         pairs = np.array([[number[a - b] for b in places] for a in places])
         return np.array([nearest(x) for x in exact]), pairs
 
+    @property
+    def shift(self) -> complex:
+        """The P from which the waves are counted."""
+        return 0j
+
     def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Any, Jet, Any]:
         """(splittings, G between the places as jets of shape (discs, places, places), where it is bounded)."""
         s = split(self.D, m, r, up, nodes)
@@ -86,8 +91,11 @@ class Arrays:
         parts = []
         for x in distances:
             side, sign = (slice(0, up), 1.0) if x >= 0 else (slice(up, None), -1.0)
-            moved = (p[:, side] + -at) * x
-            parts.append(((moved.exp() + -1.0) * weight[:, side] * sign).sum(1) * np.exp(at * x))
+            moved = (p[:, side] + (self.shift - at)) * x
+            one, lost = ((moved.exp() + -1.0) * weight[:, side] * sign).sum(1), 4 * U * abs(at * x)
+            turned = one * np.exp(at * x)
+            size = np.abs(turned.a) + np.abs(turned.b) * s.r
+            parts.append(Jet(turned.a, turned.b, turned.e + lost * size, s.r))
         a, b, e = (np.stack([getattr(part, key) for part in parts], 1) for key in "abe")
         g = weight[:, :up].sum(1)
         good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(g.e)
@@ -98,7 +106,7 @@ class Arrays:
         contact = np.array(self.reduced.index)
         places = np.array([nearest(x) for x in self.reduced.places])[contact]
         H = H[:, contact[:, None], contact[None, :]]
-        v, back = (self._constant(np.exp(sign * at * places), H.r) for sign in (1, -1))
+        v, back = (self._constant(np.exp(sign * at * places), H.r, 4 * U * np.abs(at * places)) for sign in (1, -1))
         above = self._rows(_joined(H, v[:, :, None], 2), m)
         width = above.a.shape[2] - len(contact) - 1
         low = _joined(self._constant(np.zeros(width), H.r), -back, 1)
@@ -165,9 +173,10 @@ class Arrays:
         e = (np.abs(S2) * radius * radius + 32 * U * size) * UP + TINY
         return Jet(S0 + S1 * z + S2 * z * z, S1 + 2 * S2 * z, e, r)
 
-    def _constant(self, matrix: Any, r: Any) -> Jet:
+    def _constant(self, matrix: Any, r: Any, lost: Any = 0.0) -> Jet:
+        """lost: a bound of relative errors beside those of rounding."""
         a = np.broadcast_to(matrix.astype(complex), (len(r), *matrix.shape))
-        return Jet(a, np.zeros(a.shape, complex), 2 * U * np.abs(a), r)
+        return Jet(a, np.zeros(a.shape, complex), (2 * U + lost) * np.abs(a), r)
 
 
 def direct_contacts(reduced: Reduced) -> tuple[Direct, ...]:

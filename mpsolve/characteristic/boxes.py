@@ -19,7 +19,8 @@ from mpsolve.characteristic.start import start
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic
-from mpsolve.problem.family import Family, FreePolynomial
+from mpsolve.problem.family import Family
+from mpsolve.problem.free_track import FreePolynomial
 
 _APART = 0.7  # of how far a box moves two roots that meet: how far their nodes are put from their middle
 

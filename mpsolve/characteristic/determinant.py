@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -12,11 +11,15 @@ from mpsolve.characteristic.bordered import direct_contacts
 from mpsolve.characteristic.receptance import at_matrix, by_companions, companion
 from mpsolve.characteristic.splitting import Splitting
 from mpsolve.characteristic.symbol import Symbols, product
+from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.problem.reduced import Reduced
 
+Share = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
+"""The coefficients of a share in σ, and of its slope."""
 
-@dataclass(frozen=True)
+
+@frozen
 class Bordering:
     """The vehicle's part of the matrix, and which distance stands in which entry.
 
@@ -61,32 +64,40 @@ class Bordering:
         return tuple(tuple((j, cell) for j, cell in enumerate(row) if any(cell)) for row in self.S)
 
     @cached_property
-    def shares(self) -> tuple[list[tuple[tuple[Fraction, ...], Fraction]], list[list[tuple[int, int]]]]:
-        """(the different −S_ij y_j/λ as (S_ij, b), for each body (contact, the number of its own))."""
+    def shares(self) -> tuple[list[Share], list[list[tuple[int, int]]]]:
+        """(the different S_ij y_j/λ, for each body (contact, the number of its own))."""
         kinds: dict[tuple[tuple[Fraction, ...], Fraction], int] = {}
         links = []
         for row in self.cells:
             here = dict(row)
             found = [(contact, (here[body], b)) for body, contact, b in self.direct if body in here]
             links.append([(contact, kinds.setdefault(key, len(kinds))) for contact, key in found])
-        return list(kinds), links
+        shares = [tuple(-x / b for x in cell) for cell, b in kinds]
+        return [(cell, _rate(cell)) for cell in shares], links
+
+    @cached_property
+    def rates(self) -> tuple[tuple[tuple[int, tuple[Fraction, ...]], ...], ...]:
+        """The slopes of `cells`."""
+        return tuple(tuple((j, _rate(cell)) for j, cell in row) for row in self.cells)
+
+    @cached_property
+    def loads(self) -> tuple[tuple[tuple[int, Fraction], ...], ...]:
+        """For each row of B the entries that are not 0, by their columns."""
+        return tuple(tuple((j, x) for j, x in enumerate(row) if x) for row in self.B)
 
     def rows(self, K: Arithmetic, sigma: Any, G: Sequence[Any]) -> list[list[Any]]:
         """The matrix A(σ), from the receptances at `distances`: rows of bodies, then of contacts that remain."""
-        kinds, links = self.shares
-        factors = [K.evaluate(cell, sigma) * K.number(1 / b) for cell, b in kinds]
+        factors = [K.evaluate(cell, sigma) for cell, _ in self.shares[0]]
         shared = [[factor * g for g in G] for factor in factors]
-        return self._filled(K, sigma, G, shared, links, False)
+        return self._filled(K, sigma, G, shared, self.cells, False)
 
     def slopes(self, K: Arithmetic, sigma: Any, G: Sequence[Any], G_sigma: Sequence[Any]) -> list[list[Any]]:
         """A'(σ), from the receptances and their slopes."""
-        kinds, links = self.shares
         shared = []
-        for cell, b in kinds:
-            inverse = K.number(1 / b)
-            factor, rate = K.evaluate(cell, sigma) * inverse, K.evaluate((cell[1], 2 * cell[2]), sigma) * inverse
+        for cell, slope in self.shares[0]:
+            factor, rate = K.evaluate(cell, sigma), K.evaluate(slope, sigma)
             shared.append([factor * x + rate * g for x, g in zip(G_sigma, G, strict=True)])
-        return self._filled(K, sigma, G_sigma, shared, links, True)
+        return self._filled(K, sigma, G_sigma, shared, self.rates, True)
 
     def _filled(
         self,
@@ -94,17 +105,20 @@ class Bordering:
         sigma: Any,
         G: Sequence[Any],
         shared: list[list[Any]],
-        links: list[list[tuple[int, int]]],
+        all_cells: Sequence[Sequence[tuple[int, tuple[Fraction, ...]]]],
         rate: bool,
     ) -> list[list[Any]]:
         """The rows, where those of a body take `shared` at the distances of its own contacts; rate: of the slopes."""
         like = sigma * 0
         out = []
-        for i, cells in enumerate(self.cells):
-            entries = {j: (cell[1], 2 * cell[2]) if rate else cell for j, cell in cells}
-            row = [like - K.number(x) if x and not rate else like for x in self.B[i]]
-            for contact, kind in links[i]:
-                row = [x - shared[kind][k] for x, k in zip(row, self.which[contact], strict=True)]
+        for i, cells in enumerate(all_cells):
+            row = [like] * len(self.which)
+            for n, (contact, kind) in enumerate(self.shares[1][i]):
+                here = shared[kind]
+                row = [x + here[k] if n else here[k] for x, k in zip(row, self.which[contact], strict=True)]
+            for j, x in () if rate else self.loads[i]:
+                row[j] = row[j] - K.number(x)
+            entries = dict(cells)
             kept = (K.evaluate(entries[j], sigma) if j in entries else like for j in self.kept)
             out.append([*kept, *row])
         for i in self.indirect:
@@ -115,6 +129,10 @@ class Bordering:
             B = [self.B[j][i] if not rate else Fraction(0) for j in self.kept]
             out.append([*(like + K.number(x) if x else like for x in B), *own])
         return out
+
+
+def _rate(cell: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
+    return cell[1], 2 * cell[2]
 
 
 def delta(K: Arithmetic, border: Bordering, symbols: Symbols, split: Splitting, sigma: Any) -> tuple[Any, Any]:

@@ -12,18 +12,18 @@ of iterates that are analytic in σ (Earle and Hamilton), so U and L are analyti
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.characteristic.table import Table
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import TINY, UP, Jet, U, powers_up_to
 
 _TIE, _AHEAD = 1e-9, 1e-7  # relative, and in σ: how roots on the edge of a cut are told apart; nothing rests on it
 
 
-@dataclass(frozen=True)
+@frozen
 class Splittings:
     """On each disc |σ − m| ≤ r: exactly one pair has |a_k| ≤ box_k, and it has |a_k| ≤ tight_k, where `good`."""
 
@@ -155,7 +155,7 @@ def linked(disc: Splittings, thin: Splittings) -> Any:
     return ok
 
 
-@dataclass(frozen=True)
+@frozen
 class Receptances:
     """G at each signed distance as jets of shape (discs, distances); `good` where it is bounded."""
 
@@ -200,7 +200,7 @@ def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
         return weight, p, alone & s.good
 
 
-@dataclass(frozen=True)
+@frozen
 class Roots:
     """Discs |P − z_k| ≤ eps that hold exactly one root for every σ of the disc, where `done`; c: D at P = z_k + e."""
 

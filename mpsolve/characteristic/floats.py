@@ -7,7 +7,7 @@ residues cancel.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -19,6 +19,7 @@ from mpsolve.characteristic.follow import eigenvalues, followed
 from mpsolve.characteristic.receptance import Coefficients, by_companions
 from mpsolve.characteristic.splitting import Splitting, monic, sharpened, upper_count
 from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
+from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import Float64
 from mpsolve.problem.reduced import Guide, Reduced
 
@@ -29,7 +30,7 @@ _TIE = 1e-9
 _AHEAD = 1e-7
 
 
-@dataclass(frozen=True)
+@frozen
 class Receptance:
     """Ĝ of a moving track (scaled units) on arrays of σ with Re σ ≥ 0, and as far below as no cut lies between."""
 
@@ -133,7 +134,7 @@ class Receptance:
         return G, G_sigma
 
 
-@dataclass(frozen=True)
+@frozen
 class Floats:
     """Δ̂ of a problem on arrays of σ."""
 

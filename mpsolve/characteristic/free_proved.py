@@ -15,7 +15,8 @@ from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_mat, acb_poly, rational_ball
 from mpsolve.numbers.several import Several
-from mpsolve.problem.family import Family, FreePolynomial
+from mpsolve.problem.family import Family
+from mpsolve.problem.free_track import FreePolynomial
 
 
 class BallSymbol:

@@ -7,7 +7,6 @@ the proof is that neighbouring pieces are linked, as on any other path.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import fsum
 from typing import Any
 
@@ -16,11 +15,12 @@ import numpy as np
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, near_roots
 from mpsolve.characteristic.paths import discs
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import pivot_arguments, regular
 
 
-@dataclass(frozen=True)
+@frozen
 class Turned:
     """The change of arg Δ̂ along the whole loop and along its first part, each with a bound of its error."""
 

@@ -9,7 +9,6 @@ whole disc, though U and L have a common root at σ = 0 where the waves run to b
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -26,6 +25,7 @@ from mpsolve.characteristic.discs import (
     weights,
 )
 from mpsolve.characteristic.table import Table
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial
@@ -36,7 +36,7 @@ def waves_meet_at_zero(guide: Guide) -> bool:
     return _order(guide.D) > 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Origin:
     """D, N: tables in P; E, F: those in ζ of D and N over powers of σ; power: of σ in the residues of slow roots.
 

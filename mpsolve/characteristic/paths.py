@@ -15,7 +15,7 @@ and at a point two pieces have the pair of the thin splitting there.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import fsum
 from typing import Any, Literal
 
@@ -26,6 +26,7 @@ from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.characteristic.origin import Origin
 from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.cover import cover, halved, midpoints
@@ -48,7 +49,7 @@ _BATCH = 2**19
 _OFF_ARC = 2.0**-14  # of a piece's length: how far from the circle the points of an arc may lie
 
 
-@dataclass(frozen=True)
+@frozen
 class Path:
     """Break points in order, and what is proved between them.
 
@@ -65,7 +66,7 @@ class Path:
         return len(self.points) - 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Proved:
     """Paths whose pieces all passed; for each the change of arg Δ̂ and a bound of its error (0 unless it turns).
 
@@ -81,7 +82,7 @@ class Proved:
         return sum(path.pieces for path in self.paths)
 
 
-@dataclass(frozen=True)
+@frozen
 class Paths:
     """The tests of a problem whose splitting starts at `start`; pieces are planned on discs larger by `room`.
 

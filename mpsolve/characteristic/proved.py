@@ -3,26 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 from mpsolve.characteristic.determinant import Bordering
 from mpsolve.characteristic.factors import Factors, factor_balls, sides
 from mpsolve.characteristic.receptance import Coefficients, Terms, by_companions
-from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls
+from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls, sharp_roots
 from mpsolve.characteristic.splitting import Splitting, monic, upper_count
+from mpsolve.characteristic.spread import Spread
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
+from mpsolve.numbers.halves import det_and_trace
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.problem.reduced import Reduced
 
 _K = Balls()
-_CHAIN = 3  # distances in a row from which on products take the place of exponentials
 
 
-@dataclass(frozen=True)
+@frozen
 class ProvedSplitting:
     """U and L in balls, or their roots in balls of their own, upper ones first; `signed`: Re P < 0 and > 0 is proved.
 
@@ -70,51 +72,31 @@ class ProvedSplitting:
             out.append(replace(local.terms(root - middle), z=root))
         return tuple(out)
 
-    def receptances(self, xi: Sequence[Any], slope: bool = True) -> tuple[list[Any], list[Any]]:
+    def receptances(self, xi: Sequence[Any] | Spread, slope: bool = True) -> tuple[list[Any], list[Any]]:
         """G(ξ, σ) for each exact ξ, and where asked its slope in σ; `PrecisionError` where balls are too wide."""
+        spread = xi if isinstance(xi, Spread) else Spread(tuple(xi))
         if self.roots is None:
-            G, G_sigma = by_companions(_K, self.symbols, self.splitting, self.sigma, xi, slope)
+            G, G_sigma = by_companions(_K, self.symbols, self.splitting, self.sigma, spread.exact, slope)
         else:
-            G, G_sigma = self._by_residues(xi, slope)
+            G, G_sigma = self._by_residues(spread, slope)
         if not all(g.is_finite() for g in (*G, *G_sigma)):
             raise PrecisionError("the receptance may be infinite over the ball: split the piece")
         return G, G_sigma
 
-    def _by_residues(self, xi: Sequence[Any], slope: bool) -> tuple[list[Any], list[Any]]:
-        roots, count = self.roots or (), len(xi)
-        G, G_sigma = [acb(0)] * count, [acb(0)] * (count if slope else 0)
-        found = _waves(xi, roots, self.upper) if is_thin(self.sigma) else {}
-        for sign, side in ((1, slice(0, self.upper)), (-1, slice(self.upper, None))):
-            own = [k for k, x in enumerate(xi) if (x >= 0) == (sign > 0)]
-            if not own or not roots[side]:
+    def _by_residues(self, spread: Spread, slope: bool) -> tuple[list[Any], list[Any]]:
+        roots, count, thin = self.roots or (), len(spread.exact), is_thin(self.sigma)
+        G, G_sigma, xi = [acb(0)] * count, [acb(0)] * (count if slope else 0), spread.balls
+        for side in spread.sides:
+            here = slice(0, self.upper) if side.sign > 0 else slice(self.upper, None)
+            if not side.own or not roots[here]:
                 continue
-            waves = [found.get(xi[k]) or _wave(xi[k], roots[side]) for k in own]
-            parts = [[t.w, t.a, t.b] for t in self.terms[side]] if slope else [[w] for w in self.weights[side]]
-            sums = (acb_mat(waves) * acb_mat(parts) * sign).tolist()
-            for k, (value, *rates) in zip(own, sums, strict=True):
+            parts = [[t.w, t.a, t.b] for t in self.terms[here]] if slope else [[w] for w in self.weights[here]]
+            sums = (acb_mat(side.waves(roots[here], thin)) * acb_mat(parts) * side.sign).tolist()
+            for k, (value, *rates) in zip(side.own, sums, strict=True):
                 G[k] = value
                 if slope:
-                    G_sigma[k] = rates[0] + _K.number(xi[k]) * rates[1] if xi[k] else rates[0]
+                    G_sigma[k] = rates[0] + xi[k] * rates[1]
         return G, G_sigma
-
-
-def _wave(x: Any, roots: Sequence[Any]) -> list[Any]:
-    ball = _K.number(x)
-    return [(ball * z).exp() if x else acb(1) for z in roots]
-
-
-def _waves(xi: Sequence[Any], roots: tuple[Any, ...], upper: int) -> dict[Any, list[Any]]:
-    """e^{zξ} at the ξ ≠ 0 that are 1, 2, 3, … times the least one of their sign, by products; {} where none are."""
-    out: dict[Any, list[Any]] = {}
-    for sign, side in ((1, roots[:upper]), (-1, roots[upper:])):
-        own = sorted((x for x in set(xi) if sign * x > 0), key=abs)
-        if len(own) < _CHAIN or any(x != k * own[0] for k, x in enumerate(own, 1)):
-            continue
-        step = waves = _wave(own[0], side)
-        for x in own:
-            out[x] = waves
-            waves = [wave * one for wave, one in zip(waves, step, strict=True)]
-    return out
 
 
 def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
@@ -130,8 +112,26 @@ def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
         if roots:
             signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
             return ProvedSplitting(symbols, sigma, upper, roots, None, signed)
-    factors = factor_balls(symbols.D, sigma, z, upper)
-    return ProvedSplitting(symbols, sigma, upper, None, factors, sides(factors, z, upper))
+    try:
+        factors = factor_balls(symbols.D, sigma, z, upper)
+        signed = sides(factors, z, upper)
+    except PrecisionError:
+        found = _told_apart(symbols, sigma, (middle, z), upper)
+        if found is None:
+            raise
+        return found
+    found = None if signed else _told_apart(symbols, sigma, (middle, z), upper)
+    return found or ProvedSplitting(symbols, sigma, upper, None, factors, signed)
+
+
+def _told_apart(symbols: Symbols, sigma: Any, near: tuple[list[Any], Any], upper: int) -> ProvedSplitting | None:
+    """The splitting by sides where roots of both nearly meet, closer than floats tell; None where it is open."""
+    try:
+        roots = tuple(root_balls(symbols.D, sigma, sharp_roots(*near)))
+    except PrecisionError:
+        return None
+    signed = all(x.real < 0 for x in roots[:upper]) and all(x.real > 0 for x in roots[upper:])
+    return ProvedSplitting(symbols, sigma, upper, roots, None, True) if signed else None
 
 
 class Proved:
@@ -147,6 +147,7 @@ class Proved:
         self.reduced = reduced
         self.symbols = Symbols.of(reduced.guide)
         self.border = Bordering.of(reduced, eliminate)
+        self.spread = Spread(self.border.distances)
         self.signed = signed
 
     @cached_property
@@ -177,25 +178,21 @@ class Proved:
         """
         sigma = acb(sigma)
         mean = mean and not is_thin(sigma)
-        G, G_sigma = self.splitting(sigma).receptances(self.border.distances, slope or mean)
+        G, G_sigma = self.splitting(sigma).receptances(self.spread, slope or mean)
         A_sigma = acb_mat(self.border.slopes(_K, sigma, G, G_sigma)) if slope or mean else None
         if not mean:
             return acb_mat(self.border.rows(_K, sigma, G)), A_sigma
         middle = sigma.mid()
-        inner = self.splitting(middle).receptances(self.border.distances, False)[0]
+        inner = self.splitting(middle).receptances(self.spread, False)[0]
         return acb_mat(self.border.rows(_K, middle, inner)) + A_sigma * (sigma - middle), A_sigma
 
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ over the ball σ."""
         A, A_sigma = self.matrices(sigma)
         if is_thin(sigma):
-            try:
-                value = A.det()
-                slope = value * A.solve(A_sigma).trace()
-            except ZeroDivisionError:  # next to a root
-                slope = acb("nan")
-            if slope.is_finite():
-                return value, slope
+            value, trace = det_and_trace(A, A_sigma)
+            if trace.is_finite():
+                return value, value * trace
         return Reduction.of(A).determinant(A, A_sigma)
 
 

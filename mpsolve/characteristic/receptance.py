@@ -8,11 +8,12 @@ roots of one side meet, and so are the slopes in σ of everything.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from mpsolve.characteristic.splitting import Splitting, sylvester
 from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
+from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 
 
@@ -90,7 +91,7 @@ def _slopes(
     return out[:m], out[m:], [a - b * grown for a, b in zip(N_s, N, strict=True)]
 
 
-@dataclass(frozen=True)
+@frozen
 class Dual:
     """Coefficients of a polynomial in P, and their slopes in σ; a monic one stands without its leading 1."""
 
@@ -132,7 +133,7 @@ def _at_dual(K: Arithmetic, values: Sequence[Any], slopes: Sequence[Any], C: Any
     return total
 
 
-@dataclass(frozen=True)
+@frozen
 class Terms:
     """A simple p-root z gives G the term w e^{zξ}, and its slope in σ the term (a + bξ) e^{zξ}."""
 
@@ -142,7 +143,7 @@ class Terms:
     b: Any
 
 
-@dataclass(frozen=True)
+@frozen
 class Coefficients:
     """D, N, D_σ, N_σ as coefficients in P at one σ."""
 
@@ -151,11 +152,17 @@ class Coefficients:
     D_sigma: list[Any]
     N_sigma: list[Any]
 
+    @cached_property
+    def slopes(self) -> tuple[list[Any], ...]:
+        """D_P, D_PP, N_P, D_σP."""
+        D_P = slope_in_P(self.D)
+        return D_P, slope_in_P(D_P), slope_in_P(self.N), slope_in_P(self.D_sigma)
+
     def terms(self, z: Any) -> Terms:
         """Residue at a simple root z of D of N e^{Pξ}/D, and of its derivative in σ, a double pole."""
-        D_P, N, D_s = slope_in_P(self.D), horner(self.N, z), horner(self.D_sigma, z)
-        over = 1 / horner(D_P, z)
+        D_P, D_PP, N_P, D_sP = (horner(x, z) for x in self.slopes)
+        N, D_s = horner(self.N, z), horner(self.D_sigma, z)
+        over = 1 / D_P
         lost = N * D_s * over * over
-        bend = horner(slope_in_P(D_P), z) * over
-        turn = (horner(slope_in_P(self.N), z) * D_s + N * horner(slope_in_P(self.D_sigma), z)) * over * over
-        return Terms(z, N * over, horner(self.N_sigma, z) * over - turn + lost * bend, -lost)
+        turn = (N_P * D_s + N * D_sP) * over * over
+        return Terms(z, N * over, horner(self.N_sigma, z) * over - turn + lost * D_PP * over, -lost)

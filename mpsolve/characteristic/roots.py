@@ -18,6 +18,7 @@ from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, exact_ball, is_t
 
 _NEAR = 2.0**-12
 """Roots that are nearer than this, relative to the largest root, are taken together."""
+_ABERTH = 40  # steps
 _FIRST_BITS = 80
 """Interval Newton starts here, from discs of some 45 bits round float64's roots."""
 
@@ -80,6 +81,27 @@ def float_roots(D: Any, degree: int) -> Any:
     return z[np.argsort(z.real)]
 
 
+def sharp_roots(D: list[Any], z: Any) -> list[Any]:
+    """Exact numbers near the roots of the midpoint polynomial, smallest real part first, from floats near them.
+
+    By Ehrlich's and Aberth's iteration, to more than half of the precision that is set; nothing is proved here.
+    """
+    f = acb_poly([x.mid() for x in D])
+    slope, size = f.derivative(), max(map(abs, z))
+    found = [acb(complex(x)) + acb(complex(1, k)) * (2.0**-30 * size) for k, x in enumerate(z)]  # none the same
+    for _ in range(_ABERTH):
+        change = arb(0)
+        for k, x in enumerate(found):
+            step = f(x) / slope(x)
+            step = step / (1 - step * sum((1 / (x - y) for i, y in enumerate(found) if i != k), acb(0)))
+            if not step.is_finite():
+                raise PrecisionError("p-roots cannot be told apart: raise the precision")
+            found[k], change = (x - step).mid(), change.max(step.abs_upper())
+        if change < arb(2) ** (-bits_now() // 2) * size:  # the next step is its third power
+            return sorted(found, key=lambda x: float(x.real))
+    raise PrecisionError("p-roots cannot be told apart: raise the precision")
+
+
 def apart(z: Any) -> bool:
     """Whether the roots keep their distance; a matter of method, nothing is proved by it."""
     size = np.abs(z).max()
@@ -88,11 +110,11 @@ def apart(z: Any) -> bool:
 
 
 def root_balls(symbol: Symbol, sigma: Any, z: Any) -> list[Any]:
-    """Balls round the floats z, each with one root of D for every σ; `PrecisionError` where two may touch."""
+    """Balls round the floats or exact z, each with one root of D for all σ; `PrecisionError` where they may touch."""
     target = bits_now()
     if not is_thin(sigma):
         local = Orders(symbol, sigma)
-        nodes = [exact_ball(complex(x)) for x in z]
+        nodes = [x if isinstance(x, acb) else exact_ball(complex(x)) for x in z]
         values, radii = discs(local, local.wide, nodes)
         return [_newton(local, *one) for one in zip(nodes, values, radii, strict=True)]
     ladder = [target]
@@ -101,7 +123,7 @@ def root_balls(symbol: Symbol, sigma: Any, z: Any) -> list[Any]:
     with precision(ladder[0]):
         local = Orders(symbol, sigma)
         D = local.wide
-        nodes = [exact_ball(complex(x)) for x in z]
+        nodes = [x if isinstance(x, acb) else exact_ball(complex(x)) for x in z]
         values, radii = discs(local, D, nodes)
         slope = D.derivative()
         balls = [x + square(r) for x, r in zip(nodes, radii, strict=True)]

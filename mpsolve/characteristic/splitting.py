@@ -8,12 +8,12 @@ coefficient does not vanish. "Re P < 0" itself is never decided by rounded numbe
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from mpsolve.characteristic.symbol import Symbol, Symbols, product
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.numbers.balls import acb_poly, arb, precision, rational_ball
 from mpsolve.numbers.multiprecision import Multiprecision
@@ -21,7 +21,7 @@ from mpsolve.numbers.multiprecision import Multiprecision
 _STARTS = [Fraction(2) ** k for k in (0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8)]
 
 
-@dataclass(frozen=True)
+@frozen
 class Splitting:
     """lead, and the coefficients of the monic U and L from the constant term up, without their leading 1."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -11,11 +11,12 @@ from flint import acb, acb_poly, arb, fmpq
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.reduced import Guide
 
 
-@dataclass(frozen=True)
+@frozen
 class Start:
     """At σ̂ = depth the number of roots with Re P < 0 is `up`, and `splitting` is a thin one of just these roots."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.numbers.balls import acb_poly, bits_now, rational_ball
 from mpsolve.problem.reduced import Guide
@@ -17,7 +17,7 @@ Table = tuple[tuple[Fraction, ...], ...]
 _KEPT = 16
 
 
-@dataclass(frozen=True)
+@frozen
 class Symbol:
     """A polynomial in P and σ: rows[i][j] is the exact coefficient of P^i σ^j."""
 
@@ -50,7 +50,7 @@ class Symbol:
         return {}
 
 
-@dataclass(frozen=True)
+@frozen
 class Symbols:
     """What the receptance of a moving track is made of: D, N and their slopes in σ."""
 

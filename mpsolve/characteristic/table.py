@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import comb
 from typing import Any
 
 import numpy as np
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import TINY, UP, U, nearest
 from mpsolve.tracks.waveguide import Polynomial
 
 
-@dataclass(frozen=True)
+@frozen
 class Table:
     """d[i, j]: the coefficient of P^i σ^j, rounded to nearest."""
 

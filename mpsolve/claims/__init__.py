@@ -3,8 +3,6 @@
 The papers themselves are folders of data outside this package, as `examples/paper`.
 """
 
-from mpsolve.claims.claim import Claim, Printed
-from mpsolve.claims.finding import Finding, Verdict
-from mpsolve.claims.paper import Paper
+from mpsolve.claims.claim import Claim, Finding, Paper, Printed, Verdict
 
 __all__ = ["Claim", "Finding", "Paper", "Printed", "Verdict"]

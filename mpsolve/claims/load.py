@@ -1,10 +1,10 @@
-"""A paper from its folder or module: the same in every process, whatever its search path for modules is."""
+"""A paper from its folder or module, the same in every process; and its audit: every claim checked."""
 
 from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -14,8 +14,11 @@ from pathlib import Path
 from types import ModuleType
 from zlib import crc32
 
-from mpsolve.claims.paper import Paper
+from mpsolve.claims.claim import Claim, Finding, Paper, Verdict
+from mpsolve.claims.report import Report, collected
 from mpsolve.errors import InputError, MpsolveError
+from mpsolve.parallel.pool import run
+from mpsolve.progress import Progress
 
 _FILES = ("__init__.py", "paper.py")
 _EXAMPLE = "for example examples/paper of the sources of mpsolve"
@@ -83,3 +86,38 @@ def _told(what: str) -> Iterator[None]:
         raise
     except Exception as error:
         raise InputError("paper", f"{what} cannot be imported ({type(error).__name__}: {error}): mend it") from error
+
+
+def audit(paper: Paper, only: Sequence[str] = (), workers: int | None = None, tell: Progress | None = None) -> Report:
+    """The findings of the claims that `only` names (all by default), the same for any number of workers.
+
+    A paper that was loaded from its folder is loaded anew in each process; the checks of another must be functions of
+    a module. InputError, MpsolveError as `pool.run`.
+    """
+    claims = paper.chosen(only)
+    order = sorted(claims, key=lambda claim: _rank(paper, claim))
+    if paper.where:
+        jobs = [(paper.where, claim.id) for claim in order]
+        findings = run(_checked_there, jobs, workers, tell, "checking")
+    else:
+        findings = run(checked, order, workers, tell, "checking")
+    found = {claim.id: finding for claim, finding in zip(order, findings, strict=True)}
+    return collected(paper, [(claim, found[claim.id]) for claim in claims])
+
+
+def _rank(paper: Paper, claim: Claim) -> int:
+    return paper.slow.index(claim.id) if claim.id in paper.slow else len(paper.slow)
+
+
+def _checked_there(job: tuple[str, str]) -> Finding:
+    """The finding of a claim by the place of its paper and its name, which travel between processes."""
+    where, name = job
+    return checked(load(where).claim(name))
+
+
+def checked(claim: Claim) -> Finding:
+    """The finding; a check that comes to no end is a finding too, with its reason."""
+    try:
+        return claim.check(claim)
+    except MpsolveError as error:
+        return Finding(Verdict.UNDECIDABLE, f"The check came to no end: {error}", stopped=True)

@@ -10,6 +10,7 @@ from typing import Any
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.decimals import fixed_digits
 from mpsolve.numbers.packed import exact_ends
+from mpsolve.numbers.spoken import decimal as decimal
 
 
 def shown(ball: Any, digits: int = 12) -> str:
@@ -73,15 +74,6 @@ def grid(text: str) -> tuple[str, ...]:
     first, step, last = (Fraction(part) for part in text.split(":"))
     count = math.floor((last - first) / step) + 1
     return tuple(decimal(first + k * step) for k in range(count))
-
-
-def decimal(x: Fraction) -> str:
-    """A short decimal of a rational that has one."""
-    for digits in range(13):
-        scaled = x * 10**digits
-        if scaled.denominator == 1:
-            return _point(scaled.numerator, digits)
-    return str(x)
 
 
 def _point(units: int, decimals: int) -> str:

@@ -1,7 +1,8 @@
 """The model derived symbolically, from the equation of motion (1) to the residue forms of the kernel.
 
 Numbers are the paper's equations; (A1), (A2), ... are what the numerical code adds to them. The steps up to
-(36) are in `steps`, the residue forms of the kernel in `residues`; here they are put in order, and printed.
+(36) are in `paper_motion`, `paper_steps` and `paper_inversion`, the residue forms of the kernel in `paper_residues`;
+here they are put in order.
 
     >>> steps = derivation(masses=2)
     >>> [step.title for step in steps if step.number == "(18)"]
@@ -10,21 +11,22 @@ Numbers are the paper's equations; (A1), (A2), ... are what the numerical code a
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
+from mpsolve.derivation import paper_inversion as inv
+from mpsolve.derivation import paper_motion as mo
 from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation import paper_steps as st
+from mpsolve.derivation.paper_motion import Step, eta_b, eta_N, eta_S, positions
 from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
-from mpsolve.derivation.paper_steps import Step, eta_b, eta_N, eta_S, positions
 from mpsolve.errors import InputError
 
-__all__ = ["Step", "Formula", "derivation", "render", "dispersion", "characteristic", "kernel_resolvent"]
+__all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic", "kernel_resolvent"]
 
 
 @dataclass(frozen=True)
@@ -121,16 +123,16 @@ def cubic_steps(coefficients: Step) -> tuple[Step, ...]:
 
 def _motion(masses: int) -> tuple[Step, ...]:
     motion, load_, velocity, acceleration = (
-        st.equation_of_motion(),
-        st.loading(masses),
-        st.contact(1),
-        st.contact(2),
+        mo.equation_of_motion(),
+        mo.loading(masses),
+        mo.contact(1),
+        mo.contact(2),
     )
-    field = st.loading_field(load_, acceleration, masses)
-    fixed = st.governing(motion, field)
-    moving = st.moving_frame(fixed)
-    scale, beam, loads = st.scales(), st.beam_ratios(), st.load_ratios(masses)
-    final = st.dimensionless(moving, scale, beam, loads)
+    field = mo.loading_field(load_, acceleration, masses)
+    fixed = mo.governing(motion, field)
+    moving = mo.moving_frame(fixed)
+    scale, beam, loads = mo.scales(), mo.beam_ratios(), mo.load_ratios(masses)
+    final = mo.dimensionless(moving, scale, beam, loads)
     return motion, load_, velocity, acceleration, field, fixed, moving, scale, beam, loads, final
 
 
@@ -157,12 +159,12 @@ def derivation(masses: int = 2) -> tuple[Step, ...]:
     charact, solved = st.determinant(system), st.mass_displacements(system, masses)
     general = st.displacement(by_kernels, solved, charact, masses)
     equal = st.displacement_equal(general, force, masses)
-    residues = st.residue_sum(equal)
+    residues = inv.residue_sum(equal)
     return (
         *steps, rules, image, direct, spectrum, D, inverse, kernel, force, by_kernels, rows, system, charact,
         st.normalised_determinant(system, masses), solved, general, equal,
         *((st.equal_factors(system),) if masses == 2 else ()),
-        st.inversion(), *st.limiting_velocity(D), residues, st.harmonic_sum(residues, charact, masses),
+        inv.inversion(), *inv.limiting_velocity(D), residues, inv.harmonic_sum(residues, charact, masses),
         *_any_masses(D, kernel),
     )  # fmt: skip
 
@@ -188,81 +190,10 @@ def characteristic(masses: int = 2) -> Formula:
         for j, there in enumerate(positions(masses)):
             matrix[i, j] = matrix[i, j].subs(K(here - there, q), rows[i][j])
     determinant_ = sp.expand(matrix.det(method="berkowitz"))
-    return Formula(determinant_, (q, st.numbered("eta_M", masses), rows))
+    return Formula(determinant_, (q, mo.numbered("eta_M", masses), rows))
 
 
 def kernel_resolvent() -> tuple[Formula, Formula]:
     """K(xi >= 0) and K(xi < 0) in (xi, s, c_1, c_2), where y = s^2 solves the cubic (A10) and Im s > 0."""
     ahead, behind = (Formula(rs.resolvent_form(half), (xi, rs.s, rs.c1, rs.c2)) for half in (UPPER, LOWER))
     return ahead, behind
-
-
-def _statements(step: Step) -> tuple[Expr, ...]:
-    return step.statement if isinstance(step.statement, tuple) else (step.statement,)
-
-
-def _pieces(expression: Expr, write: Callable[[Expr], str], size: Callable[[str], int], limit: int) -> list[str]:
-    """A sum written in pieces of consecutive terms, each piece within `limit` where a single term is."""
-    pieces: list[list[Expr]] = []
-    terms = expression.as_ordered_terms() if isinstance(expression, sp.Add) else [expression]
-    for term in terms:
-        if pieces and size(write(sp.Add(*pieces[-1], term))) <= limit:
-            pieces[-1].append(term)
-        else:
-            pieces.append([term])
-    return [write(sp.Add(*piece)) if len(piece) > 1 else write(piece[0]) for piece in pieces]
-
-
-def _width(block: str) -> int:
-    return max(map(len, block.splitlines()))
-
-
-def _pretty(equation: Expr, width: int = 110) -> str:
-    """The equation; if wider than `width`, in several blocks."""
-
-    def write(expression: Expr) -> str:
-        return str(sp.pretty(expression, use_unicode=True, wrap_line=False))
-
-    if _width(write(equation)) <= width:
-        return write(equation)
-    left, right = (_pieces(side, write, _width, width) for side in equation.args)
-    sides = ("\n\n  +\n".join(textwrap.indent(block, "  ") for block in side) for side in (left, right))
-    return "\n\n  =\n".join(sides)
-
-
-def _text(step: Step) -> str:
-    body = "\n\n".join(_pretty(equation) for equation in _statements(step))
-    head = f"{step.number} {step.title}"
-    return f"{head}\n{'-' * len(head)}\n{textwrap.fill(step.note, 100)}\n\n{body}\n"
-
-
-def _latex_lines(equation: Expr, limit: int = 400) -> str:
-    """The rows of an align environment, each at most about `limit` characters of source where a term is."""
-    left, right = (_pieces(side, sp.latex, len, limit) for side in equation.args)
-    rows = [f"&{left[0]}", *(f"&\\quad + {piece}" for piece in left[1:])]
-    if len(left) == 1:
-        rows = [f"{left[0]} &= {right[0]}"]
-    else:
-        rows.append(f"&= {right[0]}")
-    return " \\\\\n".join(rows + [f"&\\quad + {piece}" for piece in right[1:]])
-
-
-def _latex(step: Step) -> str:
-    escaped = step.note
-    for old, new in (("_", r"\_"), ("^", r"\^{}"), ("{", r"\{"), ("}", r"\}")):
-        escaped = escaped.replace(old, new)
-    rows = " \\\\\n".join(_latex_lines(equation) for equation in _statements(step))
-    body = f"\\begin{{align*}}\n\\tag*{{{step.number}}}\n{rows}\n\\end{{align*}}\n"
-    return f"\\paragraph{{{step.title}.}} {escaped}\n{body}"
-
-
-def render(steps: Sequence[Step], style: str = "text") -> str:
-    """The steps as text, or as a complete LaTeX document (style "latex")."""
-    if style == "text":
-        return "\n".join(_text(step) for step in steps)
-    if style == "latex":
-        packages = ("[T1]{fontenc}", "[landscape,a3paper,margin=15mm]{geometry}", "{amsmath}")
-        preamble = "".join(f"\\usepackage{package}\n" for package in packages)
-        head = f"\\documentclass{{article}}\n{preamble}\\allowdisplaybreaks\n\\begin{{document}}\n"
-        return head + "\n".join(_latex(step) for step in steps) + "\\end{document}\n"
-    raise InputError("style", f'{style!r} given; use "text" or "latex"')

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from mpsolve.derivation.paper_steps import Step
+from mpsolve.derivation.paper_motion import Step
 from mpsolve.derivation.tracks import Derived, Omega, derived, load, p, symbols_of, t, x
 from mpsolve.derivation.vehicles import Energies, energies
 from mpsolve.errors import InputError

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -13,6 +12,7 @@ from mpsolve.characteristic.discs import Splittings, split, waves
 from mpsolve.characteristic.paths import discs, positive
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import Jet, U, nearest
 from mpsolve.proof.turning import regular
 
@@ -20,7 +20,7 @@ ROUND = 3.1416
 """The arcs from −ROUND to ROUND are the whole circle, and a little more."""
 
 
-@dataclass(frozen=True)
+@frozen
 class LatticeArrays(Arrays):
     """The reduced problem of one vehicle of a row, whose receptance between places is the sum over the row.
 
@@ -88,7 +88,7 @@ def _constant(z: Any, off: Any, like: Jet) -> Jet:
     )
 
 
-@dataclass(frozen=True)
+@frozen
 class Boxes:
     """Tests for boxes in (τ, θ): q̂ = start + τ·(end − start), 0 ≤ τ ≤ 1, a piece of a path; z = e^{iθ}."""
 

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from mpsolve.explorer.player import player
-from mpsolve.explorer.shaping import stretch
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
-from mpsolve.pictures.shape import numbered, shape_in_time
+from mpsolve.pictures.shape import moving_shape, numbered, shape_in_time
 from mpsolve.problem.problem import Problem
+from mpsolve.spectrum.shape import root_shape
 from mpsolve.vibration.response import response
 
 POINTS = 401
@@ -19,6 +19,8 @@ EVERY = 4
 """Of the times: those at which the shape is drawn."""
 PLAYED = 8.0  # s
 _SHOWN = 4
+_POINTS = 121
+_SPREAD = 1e-12
 
 
 def motion_pictures(problem: Problem, seconds: float) -> tuple[str, str]:
@@ -49,3 +51,23 @@ def _curves(found: Any, contacts: int, end: float | None) -> str:
             lines_picture(curves, "time, s", f"{name}, {unit}", title, name=f"motion-{name}", marks=marks)
         )
     return "".join(pictures)
+
+
+def stretch(problem: Problem, points: int) -> Any:
+    """Places under the vehicles and beside them, in m, to 0.1 mm."""
+    places = [float(x) for x in problem.pencil.places]
+    reach = max(6.0, 0.6 * (max(places) - min(places)))
+    return np.linspace(min(places) - reach, max(places) + reach, points).round(4)
+
+
+def root_picture(problem: Problem, q: complex) -> str:
+    """The shape of the root near q."""
+    from flint import acb, arb
+
+    places = [float(x) for x in problem.pencil.places]
+    x = stretch(problem, _POINTS)
+    ball = acb(arb(q.real, _SPREAD * abs(q)), arb(q.imag, _SPREAD * abs(q)))
+    shape = root_shape(problem, ball, places=[*x.tolist(), *places])
+    rail = np.array([complex(w.mid()) for w in shape.rail[: len(x)]])
+    bodies = {name: complex(a.mid()) for name, a in shape.bodies.items()}
+    return moving_shape(x, rail, places, bodies, 2.0) + numbered(bodies)

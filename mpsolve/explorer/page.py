@@ -13,14 +13,11 @@ from typing import Any
 from nicegui import events, run, ui
 
 from mpsolve.errors import InputError, MpsolveError
-from mpsolve.explorer.begin import problem_of
 from mpsolve.explorer.form import Form, heading
-from mpsolve.explorer.player import SCRIPT
-from mpsolve.explorer.proof_panel import ProofPanel
+from mpsolve.explorer.player import BLUE, CSS, SCRIPT
+from mpsolve.explorer.proof_panel import ProofPanel, vibration
 from mpsolve.explorer.session import Session
-from mpsolve.explorer.style import BLUE, CSS
-from mpsolve.explorer.words import vibration
-from mpsolve.presets.catalogue import names
+from mpsolve.presets.written import names, problem_of
 from mpsolve.problem.inputfile import read_problem
 from mpsolve.problem.problem import Problem
 

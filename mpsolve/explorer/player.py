@@ -1,6 +1,8 @@
-"""Play, pause and wind what moves on the page; where less motion is asked for, nothing moves by itself."""
+"""Play, pause and wind what moves on the page, by itself only where that is wanted; and the colours of the page."""
 
 from __future__ import annotations
+
+from mpsolve.pictures import axes as pictures
 
 STYLE = """
 .player .controls { display: flex; gap: 0.75rem; align-items: center; max-width: 46rem; flex-wrap: wrap; }
@@ -46,6 +48,17 @@ SCRIPT = """<script>
   }).observe(document, { childList: true, subtree: true });
 })();
 </script>"""
+BLUE = "#1f5f99"
+CSS = (
+    pictures.STYLE
+    + STYLE
+    + """
+:root { --blue: #0072b2; --red: #c44e00; --green: #00805f; --pink: #a8588a; --faint: #6d747b; --soft: #55606b; }
+.body--dark { --blue: #64b5f0; --red: #ff9a57; --green: #4fd1a5; --pink: #e39ac6; --faint: #97a0a8; --soft: #a9b2bb; }
+.q-btn { text-transform: none; }
+#plane svg, #shape svg, #chart svg, #motion svg, #moving svg { max-width: 46rem; }
+"""
+)
 
 
 def player(picture: str, lasts: float, played: float, end: float | None) -> str:

@@ -12,11 +12,9 @@ import numpy as np
 from mpsolve.batch.view import View, Window, look
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
-from mpsolve.explorer.history import History
-from mpsolve.explorer.moving import motion_pictures
+from mpsolve.explorer.history import History, Waiting
+from mpsolve.explorer.moving import motion_pictures, root_picture
 from mpsolve.explorer.proving import Proving, report
-from mpsolve.explorer.shaping import root_picture
-from mpsolve.explorer.waiting import Waiting
 from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture
 from mpsolve.problem.left_out import left_out

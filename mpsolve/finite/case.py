@@ -15,7 +15,6 @@ from mpsolve.finite.discretization import discretized
 from mpsolve.finite.exponentials import exponentials
 from mpsolve.finite.march import Motion, Setting, march
 from mpsolve.numbers.float_list import float_list
-from mpsolve.numbers.hermite import hermite
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
@@ -233,3 +232,13 @@ def positive(value: Any, key: str) -> float:
     if number <= 0:
         raise InputError(key, f"is {number:g}, not above 0: give a positive one")
     return number
+
+
+def hermite(nodes: Any, values: Any, slopes: Any, times: Any) -> Any:
+    """The piecewise cubic with these values and slopes (rows, nodes) at the nodes; (rows, times)."""
+    i = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 2)
+    h = nodes[i + 1] - nodes[i]
+    s = (times - nodes[i]) / h
+    left, right = values[:, i], values[:, i + 1]
+    rise, start, end = right - left, h * slopes[:, i], h * slopes[:, i + 1]
+    return left + s * (start + s * (3 * rise - 2 * start - end + s * (start + end - 2 * rise)))

@@ -7,6 +7,7 @@ state, the force and two integrals of the rate gives all tables.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -16,6 +17,7 @@ import numpy as np
 from mpsolve.finite.carriage import Carriage
 from mpsolve.numbers.float64 import Float64
 from mpsolve.vehicles.loads import Outer
+from mpsolve.vibration.forcing import Irregularity
 
 
 @dataclass(frozen=True)
@@ -96,3 +98,20 @@ def _system(vehicle: Carriage, outer: Outer, h: float) -> tuple[Any, Any, Any, A
     turn = np.diag(h * outer.frequency)
     A[sine, cosine], A[cosine, sine] = turn, -turn
     return A, E, vehicle.B.T @ A[:r], vehicle.B.T @ E[:r]
+
+
+def rough_rates(rough: Sequence[Irregularity], contacts: int, h: float, steps: int) -> Any:
+    """∫φ_a dr/dθ over each step of length h, (steps, contacts, a), φ_0 = 1, φ_1 = P₁; r compresses where positive.
+
+    In parts: r(1) − r(0), and r(1) + r(0) − 2 ∫r, which is in closed form for r = A sin(ωt + φ).
+    """
+    if not rough:
+        return np.zeros((steps, contacts, 2))
+    size, omega, phase = (
+        np.array([getattr(one, key) for one in rough]) for key in ("amplitude", "frequency", "phase")
+    )
+    turn = np.multiply.outer(np.arange(steps + 1) * h, omega) + phase
+    r = size * np.sin(turn)
+    middle = (turn[1:] + turn[:-1]) / 2
+    mean = size * np.sin(middle) * np.sinc(omega * h / (2 * np.pi))
+    return np.stack([r[1:] - r[:-1], r[1:] + r[:-1] - 2 * mean], axis=-1)

@@ -14,9 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.finite.carriage import Carriage
-from mpsolve.finite.coupling import VehicleTables, vehicle_tables
+from mpsolve.finite.coupling import VehicleTables, rough_rates, vehicle_tables
 from mpsolve.finite.exponentials import Exponentials
-from mpsolve.finite.rough import rough_rates
 from mpsolve.numbers.wave_tables import wave_tables
 from mpsolve.proof.effort import Effort
 from mpsolve.vehicles.loads import Outer

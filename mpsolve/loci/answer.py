@@ -9,7 +9,7 @@ from typing import Any
 
 from mpsolve.numbers.packed import Portable
 from mpsolve.ranges.answer import Answer, AtValue
-from mpsolve.ranges.crossings import Crossing
+from mpsolve.ranges.crossed import Crossing
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 
 

@@ -15,7 +15,8 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError
 from mpsolve.loci.room import Room
 from mpsolve.numbers.model import rational, shown
-from mpsolve.problem.family import Family, FreePolynomial
+from mpsolve.problem.family import Family
+from mpsolve.problem.free_track import FreePolynomial
 from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.premises import require_stable_track
 from mpsolve.ranges.scope import Scope

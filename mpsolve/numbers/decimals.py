@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from decimal import ROUND_CEILING, ROUND_FLOOR, localcontext
 from decimal import Decimal as Exactly
 from typing import Any
@@ -11,12 +10,13 @@ from typing import Any
 from flint import fmpq, fmpz
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 
 _GUARD_BITS = 64
 _FIXED = range(-5, 16)  # decimal exponents of numbers that are written without an exponent
 
 
-@dataclass(frozen=True)
+@frozen
 class Decimal:
     """The decimal `digits`·10^`place`; every point of its ball is within `radius` ≤ 10^`place` of it.
 

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import math
 import numbers
-import re
 from collections.abc import Iterable
-from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, ROUND_HALF_UP, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_UP, Context, Decimal
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, NoReturn, TypeAlias, final
@@ -18,24 +17,12 @@ from typing import Any, NoReturn, TypeAlias, final
 from flint import arb, fmpq
 
 from mpsolve.errors import InputError
+from mpsolve.numbers import written
+from mpsolve.numbers.root4 import decimal_root, rational_root, raw_root
 
 Number: TypeAlias = "Exact | int | float | str | Fraction | Decimal"
 
-MAX_TEXT = 20_000
-"""Longest text of one number, in characters."""
-MAX_DIGITS = 400
-"""Most decimal digits in the numerator or denominator of a number that is given as a rational."""
-MAX_RADICAND_DIGITS = 4_000
-"""The same for the radicand of a fourth root, which may be M⁴k/(4EI m⁴) of such numbers, with ten factors."""
-
-_UNSIGNED = r"(?P<mantissa>[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE](?P<exponent>[+-]?[0-9_]+))?"
-_RATIO = r"(?P<numerator>[0-9_]+)\s*/\s*(?P<denominator>[0-9_]+)"
-_NUMBER = re.compile(rf"(?:{_RATIO}|{_UNSIGNED})")
-_SIGNED = re.compile(r"(?P<sign>[+-]?)(?:root4\(\s*(?P<radicand>[^()]*?)\s*\)|(?P<plain>[^()]+))")
-_BAD_UNDERSCORE = re.compile(r"(?<![0-9])_|_(?![0-9])")
-_GUARD_BITS = 20
-_GUARD_DIGITS, _FLOAT_DIGITS = 6, 20
-HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
+_FLOAT_DIGITS = 20
 
 
 @final
@@ -69,12 +56,12 @@ class Exact:
             return value
         if isinstance(value, numbers.Rational) and not isinstance(value, bool):
             fraction = Fraction(int(value.numerator), int(value.denominator))
-            return cls._from_fraction(_bounded(fraction, MAX_DIGITS, key))
+            return cls._from_fraction(written.bounded(fraction, written.MAX_DIGITS, key))
         if isinstance(value, float):
             return cls._from_text(float.__repr__(value), key)
         if isinstance(value, (str, Decimal, numbers.Real)) and not isinstance(value, bool):
             return cls._from_text(str(value), key)
-        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + HOW)
+        raise InputError(key, f"is of type {type(value).__name__}, not a number: " + written.HOW)
 
     @classmethod
     def root4(cls, radicand: Fraction | int) -> Exact:
@@ -92,15 +79,15 @@ class Exact:
 
     @classmethod
     def _from_text(cls, text: str, key: str) -> Exact:
-        if len(text) > MAX_TEXT:
-            raise InputError(key, f"has {len(text)} characters, more than the {MAX_TEXT} that are read")
-        parts = _SIGNED.fullmatch(text.strip())
+        if len(text) > written.MAX_TEXT:
+            raise InputError(key, f"has {len(text)} characters, more than the {written.MAX_TEXT} that are read")
+        parts = written.SIGNED.fullmatch(text.strip())
         if parts is None:
-            _refuse_text(text, key)
+            written.refuse_text(text, key)
         if parts["plain"] is not None:
-            size = _unsigned(parts["plain"], text, MAX_DIGITS, key)
+            size = written.unsigned(parts["plain"], text, written.MAX_DIGITS, key)
             return cls._from_fraction(-size if parts["sign"] == "-" else size)
-        radicand = _unsigned(parts["radicand"], text, MAX_RADICAND_DIGITS, key)
+        radicand = written.unsigned(parts["radicand"], text, written.MAX_RADICAND_DIGITS, key)
         return cls._from_signed(-radicand if parts["sign"] == "-" else radicand)
 
     @classmethod
@@ -109,7 +96,7 @@ class Exact:
 
     @classmethod
     def _from_signed(cls, signed: Fraction) -> Exact:
-        return cls._assemble(signed, _rational_root(signed))
+        return cls._assemble(signed, rational_root(signed))
 
     @classmethod
     def _assemble(cls, signed: Fraction, rational: Fraction | None) -> Exact:
@@ -118,11 +105,10 @@ class Exact:
         object.__setattr__(self, "_rational", rational)
         return self
 
-    def __setattr__(self, name: str, value: object) -> NoReturn:
+    def __setattr__(self, name: str, *_: object) -> NoReturn:
         raise AttributeError(f"an Exact cannot be changed: {name}")
 
-    def __delattr__(self, name: str) -> NoReturn:
-        raise AttributeError(f"an Exact cannot be changed: {name}")
+    __delattr__ = __setattr__
 
     def __reduce__(self) -> tuple[Any, tuple[Fraction, Fraction | None]]:
         return Exact._assemble, (self._signed, self._rational)
@@ -208,8 +194,7 @@ class Exact:
         """Return x within 1.2e-16 relative, if not below the normal doubles; OverflowError above."""
         if self._rational is not None:
             return float(self._rational)
-        near = self._decimal(_FLOAT_DIGITS)
-        found = float(near)
+        found = float(decimal_root(self._signed, self._rational, _FLOAT_DIGITS))
         if math.isinf(found):
             raise OverflowError(f"{self} is beyond the range of floats")
         return found
@@ -225,8 +210,8 @@ class Exact:
     def short(self, digits: int = 6) -> str:
         """Return x rounded to `digits` significant digits, for people to read."""
         context = Context(prec=digits, rounding=ROUND_HALF_UP, Emax=MAX_EMAX, Emin=MIN_EMIN)
-        rounded = context.normalize(self._decimal(2 * digits + _FLOAT_DIGITS))
-        return _short(rounded, digits)
+        rounded = context.normalize(decimal_root(self._signed, self._rational, 2 * digits + _FLOAT_DIGITS))
+        return written.short_text(rounded, digits)
 
     def beside(self, bound: int) -> str:
         """Return x as `short`, with as many digits as tell it from the bound, or the exact text."""
@@ -246,42 +231,7 @@ class Exact:
 
     def mpf(self, context: Any) -> Any:
         """Return x within one unit in the last place of `context`, an mpmath multiprecision context."""
-        return context.make_mpf(self._raw(context.prec))
-
-    def _decimal(self, digits: int) -> Decimal:
-        """Return x within one unit in the last of so many digits."""
-        context = Context(prec=digits + _GUARD_DIGITS, rounding=ROUND_HALF_EVEN, Emax=MAX_EMAX, Emin=MIN_EMIN)
-        exact = self.fourth_power if self._rational is None else self._rational
-        near = context.divide(Decimal(exact.numerator), Decimal(exact.denominator))
-        if self._rational is None:
-            near = context.sqrt(context.sqrt(near))
-            near = near.copy_negate() if self._signed < 0 else near
-        return near
-
-    def _raw(self, precision: int) -> Any:
-        """Return x as an mpmath raw number of `precision` bits, within one unit in the last place."""
-        from mpmath import libmp  # costs as much at start as the rest of this package
-
-        if self._rational is not None:
-            return libmp.from_rational(self._rational.numerator, self._rational.denominator, precision, "n")
-        fine = precision + _GUARD_BITS
-        radicand = self.fourth_power
-        root = libmp.mpf_nthroot(libmp.from_rational(radicand.numerator, radicand.denominator, fine), 4, fine)
-        return libmp.mpf_pos(libmp.mpf_neg(root) if self._signed < 0 else root, precision, "n")
-
-
-def _short(rounded: Decimal, digits: int) -> str:
-    """A decimal without zeros at its end; with an exponent below 10^−5 (or a third of the digits), from 10^digits."""
-    if not rounded:
-        return "0"
-    sign, figures, _ = rounded.as_tuple()
-    exponent = rounded.adjusted()
-    least = min(-(digits // 3), -5)
-    if least < exponent < digits:
-        return f"{rounded:f}"
-    text = "".join(map(str, figures))
-    mantissa = text[0] + (f".{text[1:]}" if len(text) > 1 else "")
-    return f"{'-' if sign else ''}{mantissa}e{exponent:+d}"
+        return context.make_mpf(raw_root(self._signed, self._rational, context.prec))
 
 
 def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:
@@ -298,52 +248,3 @@ def _coerced(value: object) -> Exact | None:
     if isinstance(value, Exact):
         return value
     return Exact._from_fraction(Fraction(value)) if isinstance(value, (int, Fraction)) else None
-
-
-def _rational_root(signed: Fraction) -> Fraction | None:
-    """Return the rational x with x|x|³ = `signed`, or None if there is none."""
-    numerator, denominator = _integer_root4(abs(signed.numerator)), _integer_root4(signed.denominator)
-    if numerator is None or denominator is None:
-        return None
-    return Fraction(-numerator if signed < 0 else numerator, denominator)
-
-
-def _integer_root4(n: int) -> int | None:
-    """Return the integer r ≥ 0 with r⁴ = n, or None if n ≥ 0 is no perfect fourth power."""
-    root = math.isqrt(math.isqrt(n))
-    return root if root**4 == n else None
-
-
-def _unsigned(text: str, whole: str, digits: int, key: str) -> Fraction:
-    """Return the unsigned decimal or ratio `text` of at most `digits` digits; `whole` is for the message."""
-    parts = _NUMBER.fullmatch(text)
-    if parts is None or _BAD_UNDERSCORE.search(text):
-        _refuse_text(whole, key)
-    try:
-        power = int(parts["exponent"] or 0)
-        top = Fraction((parts["numerator"] or parts["mantissa"]).replace("_", ""))
-        bottom = int(parts["denominator"] or 1)
-    except ValueError:  # Python refuses to read integers beyond its own limit of digits
-        raise InputError(key, f"{_shown(whole)} has too many digits: give at most {digits}") from None
-    if abs(power) > digits:
-        raise InputError(key, f"{_shown(whole)} has an exponent beyond ±{digits}: give a smaller one")
-    if not bottom:
-        raise InputError(key, f"{_shown(whole)} divides by zero: give a denominator above 0")
-    return _bounded(top / bottom * Fraction(10) ** power, digits, key)
-
-
-def _bounded(value: Fraction, digits: int, key: str) -> Fraction:
-    if max(abs(value.numerator), value.denominator) >= 10**digits:
-        raise InputError(key, f"needs more than {digits} digits as a ratio of integers: give fewer digits")
-    return value
-
-
-def _refuse_text(text: str, key: str) -> NoReturn:
-    if text.strip().lstrip("+-").lower() in ("nan", "snan", "inf", "infinity"):
-        raise InputError(key, f"{_shown(text)} is not finite: give a finite number")
-    raise InputError(key, f"{_shown(text)} is not a number: {HOW}")
-
-
-def _shown(text: str) -> str:
-    """Return `text` quoted and cut to a length that fits into a sentence."""
-    return repr(text if len(text) <= 40 else text[:37] + "…")

@@ -1,4 +1,4 @@
-"""Numbers as they are given, as one float64 array of one dimension."""
+"""Numbers as they are given, positions and times among them, as one float64 array of one dimension."""
 
 from __future__ import annotations
 
@@ -30,3 +30,16 @@ def _float(number: Any, key: str) -> float:
     if math.isinf(value) or (value == 0 and number):
         raise InputError(key, f"is {number.short()}, beyond the range of float64: give a moderate number")
     return value
+
+
+def checked_places(xi: Any, default: Any) -> Any:
+    """The positions, those of the masses (the default) where there are none."""
+    return np.array(default, float) if xi is None else float_list(xi, "xi")
+
+
+def checked_times(tau: Any) -> Any:
+    """The times, in the order given."""
+    times = float_list(tau, "tau")
+    if np.any(times < 0):
+        raise InputError("tau", f"holds {times.min():g}: the motion starts at 0, give no earlier time")
+    return times

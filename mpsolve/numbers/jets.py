@@ -11,12 +11,12 @@ loses a factor that `UP` covers, so bounds themselves are rounded as they come a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 
 U = 2.0**-53
 """Unit roundoff."""
@@ -47,7 +47,7 @@ def powers_up_to(x: Any, n: int) -> Any:
     return out
 
 
-@dataclass(frozen=True)
+@frozen
 class Jet:
     """a, b: complex arrays; e ≥ 0: real array; r: radii, one for each leading index."""
 

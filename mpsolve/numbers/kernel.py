@@ -11,15 +11,7 @@ def kernel(rows: Any) -> list[list[Fraction]]:
     width = len(rows[0])
     echelon: dict[int, list[Fraction]] = {}
     for row in rows:
-        rest = _reduced(row, echelon)
-        lead = next((i for i, x in enumerate(rest) if x), None)
-        if lead is None:
-            continue
-        rest = [x / rest[lead] for x in rest]
-        for other, known in echelon.items():
-            if known[lead]:
-                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
-        echelon[lead] = rest
+        _taken(row, echelon)
     out = []
     for free in (i for i in range(width) if i not in echelon):
         vector = [-echelon[i][free] if i in echelon else Fraction(0) for i in range(width)]
@@ -28,28 +20,25 @@ def kernel(rows: Any) -> list[list[Fraction]]:
     return out
 
 
-def _reduced(row: Any, echelon: dict[int, list[Fraction]]) -> list[Fraction]:
+def _taken(row: Any, echelon: dict[int, list[Fraction]]) -> bool:
+    """Whether the row is independent of those in reduced echelon form; then it joins them."""
     rest = list(row)
     for lead, known in echelon.items():
         if rest[lead]:
             factor = rest[lead]
             rest = [a - factor * b for a, b in zip(rest, known, strict=True)]
-    return rest
+    first = next((i for i, x in enumerate(rest) if x), None)
+    if first is None:
+        return False
+    rest = [x / rest[first] for x in rest]
+    for other, known in echelon.items():
+        if known[first]:
+            echelon[other] = [a - known[first] * b for a, b in zip(known, rest, strict=True)]
+    echelon[first] = rest
+    return True
 
 
 def completed(first: list[list[Fraction]], space: list[list[Fraction]]) -> list[list[Fraction]]:
     """Vectors of `space` that, with `first`, are a basis of their span."""
     echelon: dict[int, list[Fraction]] = {}
-    out = []
-    for vector in [*first, *space]:
-        rest = _reduced(vector, echelon)
-        lead = next((i for i, x in enumerate(rest) if x), None)
-        if lead is None:
-            continue
-        rest = [x / rest[lead] for x in rest]
-        for other, known in echelon.items():
-            if known[lead]:
-                echelon[other] = [a - known[lead] * b for a, b in zip(known, rest, strict=True)]
-        echelon[lead] = rest
-        out.append(vector)
-    return out[len(first) :]
+    return [vector for vector in [*first, *space] if _taken(vector, echelon)][len(first) :]

@@ -7,14 +7,15 @@ messages, the reader of input files, `mpsolve models` and the documentation all 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from numbers import Integral
 from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
 
 import msgspec
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.units import in_unit
 
@@ -22,7 +23,7 @@ Rational: TypeAlias = Any
 """An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Quantity:
     """One parameter: its unit, what it means, and the least value that it may have.
 
@@ -58,7 +59,7 @@ class Quantity:
         return f"{self.meaning} in {self.unit}" if self.unit else self.meaning
 
 
-@dataclass(frozen=True)
+@frozen
 class Entries(Quantity):
     """A list of numbers, or a matrix as a list of rows (depth 2).
 
@@ -89,7 +90,7 @@ class Entries(Quantity):
         return rational(value, key, self.unit, self.meaning)
 
 
-@dataclass(frozen=True)
+@frozen
 class Texts(Quantity):
     """A list of texts."""
 
@@ -104,7 +105,7 @@ class Texts(Quantity):
         return texts
 
 
-@dataclass(frozen=True)
+@frozen
 class Part(Quantity):
     """Another model of the kind that the parameter is declared as."""
 
@@ -172,6 +173,13 @@ def defaults(model: type[Any]) -> dict[str, Any]:
     return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}
 
 
+def whole(value: object, key: str, least: int, most: int) -> int:
+    """The whole number; InputError under `key` where it is none, or out of its bounds."""
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= int(value) <= most:
+        raise InputError(key, f"is {value!r}: give a whole number from {least} to {most}")
+    return int(value)
+
+
 def rational(value: Number | object, key: str, unit: str | None = None, told: str = "") -> Fraction:
     """The exact rational that `value` stands for; InputError under `key` where it is none.
 
@@ -188,3 +196,17 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
 def shown(number: Fraction) -> str:
     """A short text of an exact number for messages."""
     return Exact.parse(number).short()
+
+
+def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
+    """Two rational ends in order."""
+    try:
+        low, high = value
+    except (TypeError, ValueError):
+        raise InputError(key, f"is {value!r}: give a range (lo, hi)") from None
+    low, high = Exact.parse(low, key), Exact.parse(high, key)
+    if not (low.is_rational and high.is_rational):
+        raise InputError(key, "has an irrational end: give decimals or ratios p/q")
+    if not low < high:
+        raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
+    return low, high

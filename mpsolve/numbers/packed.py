@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from fractions import Fraction
 from typing import Any
 
 from flint import acb, arb
+
+from mpsolve.frozen import frozen
 
 PackedBall = tuple[tuple[int, int], tuple[int, int]]
 """(mantissa, exponent) of the midpoint and of the radius."""
@@ -37,14 +39,14 @@ def exact_ends(ball: Any) -> tuple[Fraction, Fraction]:
     return middle - radius, middle + radius
 
 
-@dataclass(frozen=True)
+@frozen
 class _Ball:
     """A real ball (one part) or a complex one (two); None is the ball of all numbers, for one that is not finite."""
 
     parts: tuple[PackedBall | None, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class _Array:
     """A numpy array of objects."""
 

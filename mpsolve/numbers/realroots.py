@@ -5,9 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
+from flint import arb, fmpq, fmpq_poly, fmpz_poly
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.packed import dyadic
 
 
 def as_fmpq(x: Fraction) -> fmpq:
@@ -35,8 +36,8 @@ def samples(f: fmpq_poly) -> list[Fraction]:
     if not roots:
         return [Fraction(1)]
     ends = [(Fraction(0), Fraction(0)), *((end_of(ball, -1), end_of(ball, 1)) for ball in roots)]
-    return [_between(below[1], above[0]) for below, above in pairwise(ends)] + [
-        _between(ends[-1][1], 4 * ends[-1][1])
+    return [short_between(below[1], above[0]) for below, above in pairwise(ends)] + [
+        short_between(ends[-1][1], 4 * ends[-1][1])
     ]
 
 
@@ -78,7 +79,7 @@ def _vanishes_in(factor: fmpz_poly, ball: arb) -> bool:
     return sign_at(fmpq_poly(factor), low) * sign_at(fmpq_poly(factor), high) <= 0
 
 
-def _between(low: Fraction, high: Fraction) -> Fraction:
+def short_between(low: Fraction, high: Fraction) -> Fraction:
     """A short dyadic number near the middle of an interval."""
     unit = Fraction(1)
     while unit * 4 > high - low:
@@ -90,10 +91,4 @@ def _between(low: Fraction, high: Fraction) -> Fraction:
 
 def end_of(ball: arb, side: int) -> Fraction:
     """The middle (side 0) or an end of a ball, exactly."""
-    mid, exp = ball.mid().man_exp()
-    rad, rad_exp = ball.rad().man_exp()
-    return _dyadic(mid, exp) + side * _dyadic(rad, rad_exp)
-
-
-def _dyadic(man: fmpz, exp: fmpz) -> Fraction:
-    return Fraction(int(man)) * Fraction(2) ** int(exp)
+    return dyadic(ball.mid()) + side * dyadic(ball.rad())

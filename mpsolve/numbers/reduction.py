@@ -8,20 +8,20 @@ with one column replaced by u: the first block is regular, so det A = 0 exactly 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, acb_mat, exact_ball
 
 _SINGULAR = 2.0**-20
 """Of the largest singular value of an equilibrated matrix: below it a matrix is nearly singular."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Reduction:
     """left · A · right ≈ diag(1, …, 1, s), both exact and regular."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.numbers.packed import Portable
 
@@ -20,7 +20,7 @@ class Symmetry(Enum):
     REAL = "real"  # Im q = 0, from the symmetry q → q̄ of the undamped gap
 
 
-@dataclass(frozen=True)
+@frozen
 class RootBall(Portable):
     """A ball that is proved to hold exactly `multiplicity` roots of Δ, counted with multiplicity.
 

@@ -7,15 +7,16 @@ ring's own point are, which tells nothing about other points.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any
 
+from mpsolve.frozen import frozen
+
 Exponents = tuple[int, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class Ring:
     """The variables, and a point that orders what is made of them."""
 

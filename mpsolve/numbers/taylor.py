@@ -6,15 +6,16 @@ They come from samples on a circle; what the samples cannot see is bounded by th
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from flint import acb, arb
 
+from mpsolve.frozen import frozen
+
 SAMPLES = 16
 
 
-@dataclass(frozen=True)
+@frozen
 class Taylor:
     """Balls of a_0 … a_{SAMPLES−1} of f(centre + z) = Σ a_k z^k; |a_k| ≤ bound/outer^k for every k."""
 

@@ -14,7 +14,8 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import HOW, Exact
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.written import HOW
 
 Dimension = tuple[int, int, int]
 """Powers of kg, m and s."""
@@ -99,22 +100,18 @@ def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:
     try:
         exact = Exact.parse(measured(value, unit, key, told), key)
     except InputError as error:  # a measured value is no root
-        how = "write a decimal such as 0.67 or a ratio such as 67/100" + (
-            f", with a unit such as {unit}" if unit else ""
-        )
-        raise InputError(key, str(error).removeprefix(f"{key}: ").replace(HOW, how)) from None
+        how = "write a decimal such as 0.67 or a ratio such as 67/100"
+        how += f", with a unit such as {unit}" if unit else ""
+        raise InputError(key, error.said.replace(HOW, how)) from None
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()
 
 
+@lru_cache(maxsize=256)
 def factor(unit: str) -> Factor:
     """The factor and the dimension of a unit such as "kN/mm" or "N s/m²"; ValueError says what is wrong with it."""
-    return _factor(unit.translate(_ALIKE).strip())
-
-
-@lru_cache(maxsize=256)
-def _factor(unit: str) -> Factor:
+    unit = unit.translate(_ALIKE).strip()
     if not unit:
         return Fraction(1), (0, 0, 0)
     above, *below = unit.replace("(", " ( ").replace(")", " ) ").split("/")

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.view import cuts_in, fitting_window, free_height
+from mpsolve.page.charts import Picture
 from mpsolve.page.parts import Parts, searched, vibrations, worst
-from mpsolve.page.picture import Picture
 from mpsolve.page.words import contact_names, speech
 from mpsolve.pictures.axes import COLOURS
 from mpsolve.pictures.lines import Curve, Mark, lines_picture

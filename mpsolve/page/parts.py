@@ -99,21 +99,9 @@ def gather(
     lines = budget.part("frequency lines", lambda _: lines_of(problem, top), share=0.6, least=0.5)
     mass = budget.part("limit of the mass", lambda left: mass_margin(problem, left), share=0.4, least=0.2)
     parts = Parts(
-        given,
-        problem,
-        title,
-        top,
-        spectrum,
-        reach,
-        response,
-        lines,
-        critical,
-        NOT_ASKED,
-        mass,
-        shape=shape,
-        loads=loads,
-        sources=sources,
-    )
+        given, problem, title, top, spectrum, reach, response, lines, critical, NOT_ASKED, mass,
+        shape=shape, loads=loads, sources=sources,
+    )  # fmt: skip
     return _last(parts, budget, prove_chart)
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 
+from mpsolve.frozen import frozen
 from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial, add, moving, multiply, scaled
 
 
-@dataclass(frozen=True)
+@frozen
 class Absorption:
     """W and |D|² as exact real polynomials {(i, j): c} in p and Ω, and with Ω = q − vp in p and q."""
 

@@ -16,7 +16,7 @@ from mpsolve.outcome import Reason, Status
 class Kind(Enum):
     """How the range of velocities ends for passivity."""
 
-    LOST = "lost at the velocity"  # first where q → 0
+    LOST = "lost at the velocity"  # first where q → 0; on a string for all q, at the speed of its waves
     WHOLE = "passive over the whole range"
     FROM_START = "not passive at the lower end of the range"
     UNDECIDED = "undecided"

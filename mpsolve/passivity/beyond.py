@@ -7,7 +7,6 @@ passive in all of Im q ≤ 0 outside the rectangle (SPEC, half-plane).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ import numpy as np
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import Path, Paths
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct
 from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.decay import vanishes
@@ -28,7 +28,7 @@ _NO_TAIL = {
 _SHARE = 12000  # evaluations that one rectangle may take
 
 
-@dataclass(frozen=True)
+@frozen
 class Beyond:
     """The rectangle (ρ, d) in scaled units, the tail theorem, and the paths on walls and axis, still to be linked."""
 
@@ -54,17 +54,19 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
         rho = _short(min(rho, max(tail.X, least)))
         depth = _depth(arrays, paths.up, rho)
         corner = complex(rho, -depth)
-        around = np.concatenate([_line(rho, corner), _line(corner, complex(0, -depth))[1:]])
+        axis = _axis(rho, tail.X)
+        around = [axis[::-1], _line(rho, corner)[1:], _line(corner, complex(0, -depth))[1:]]
         share = effort.share(_SHARE)
         try:
-            axis = paths.plan("passive", _axis(rho, tail.X), share)
-            walls = paths.plan("passive", around, share)
+            points = paths.plan("passive", np.concatenate(around), share).points
         except PrecisionError as error:
             reason = str(error)
             continue
         finally:
             effort.spend(share.spent)
-        return Beyond(rho, depth, tail, walls, axis)
+        at = int(np.flatnonzero(points == axis[0])[0])  # a corner, so that it stays where pieces are joined
+        walls, axis = points[at:], points[at::-1]
+        return Beyond(rho, depth, tail, Path("passive", walls), Path("passive", axis))
     return f"passivity is not proved between the counted rectangle and the frequency X: {reason}"
 
 

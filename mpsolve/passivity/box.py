@@ -41,7 +41,7 @@ def passive_beyond(
     if top is None:
         return None
     X, tried, open_ = top, 0, False
-    width = 8
+    width = 16
     while not open_ and top * _LOWEST < X and tried < _MOST:
         ends = X * _RATIO ** -np.arange(width + 1.0)
         found, open_, spent = _covered(envelope, low, high, ends, halvings)

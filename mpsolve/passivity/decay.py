@@ -8,16 +8,16 @@ along, P ~ σ/v with s = σ − vP of lower order, are looked at in s in the sam
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from math import comb
 
 from flint import fmpq, fmpq_poly
 
+from mpsolve.frozen import frozen
 from mpsolve.tracks.waveguide import Polynomial
 
 
-@dataclass(frozen=True)
+@frozen
 class Edge:
     """Roots ~ c σ^slope; `roots`: the polynomial of c, ascending; weight: the exponent of N/D_P there."""
 

@@ -7,7 +7,7 @@ large-sieve inequality bounds ∫|V|² over intervals by their lengths ± 2π/δ
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -16,6 +16,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from mpsolve.characteristic.table import Table
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.absorption import Absorption, in_block, orders, overtakes
@@ -34,7 +35,7 @@ _ROOM = 1.8  # between what floats sample and what is to be proved
 _OMEGA = 4.0  # where the two charts of the envelope meet
 
 
-@dataclass(frozen=True)
+@frozen
 class Tail:
     """The proof: X, the blocks (z₁, z₂, κ) at γ with e, the envelope (ω₀, C, α). Floats are exact as they stand."""
 
@@ -47,11 +48,35 @@ class Tail:
     alpha: int
 
 
+_KNOWN: dict[Any, Tail | None] = {}
+
+
 def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: float = 1e9) -> Tail | None:
     """A tail theorem with X as small as is found quickly; None where there is none (faster than the track's waves).
 
-    Floats propose X and the blocks; what is returned has been proved.
+    Floats propose X and the blocks; what is returned has been proved. The last answer is kept: one question about
+    several vehicles asks for it again and again.
     """
+    told = (
+        *(frozenset(p.items()) for p in (guide.D, guide.N, guide.D_rest, guide.N_rest)),
+        guide.v,
+        gap,
+        least,
+        most,
+    )
+    if told not in _KNOWN:
+        found = _proved_tail(guide, gap, least, most)
+        _KNOWN.clear()
+        _KNOWN[told] = found
+    return _KNOWN[told]
+
+
+def forget() -> None:
+    """The last answer, so that times of questions can be compared."""
+    _KNOWN.clear()
+
+
+def _proved_tail(guide: Guide, gap: Fraction | None, least: float, most: float) -> Tail | None:
     absorption = Absorption.of(guide)
     if not absorption.W or not guide.v or overtakes(absorption, guide.v):
         return None

@@ -19,19 +19,21 @@ from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.ranges import checked_range
+from mpsolve.numbers.model import checked_range
 from mpsolve.numbers.realroots import as_fmpq, positive_roots
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.answer import Kind, PassivityVelocity
 from mpsolve.passivity.corner import corner, unscaled, velocity_of_loss
 from mpsolve.passivity.cover import Moving, Strip, cover
 from mpsolve.passivity.decay import vanishes
+from mpsolve.passivity.string_velocity import velocity_of_string
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import MORE_EFFORT, Effort
 from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest
 from mpsolve.tracks.passive import passivity
+from mpsolve.tracks.string import String
 from mpsolve.tracks.waveguide import Track, Waveguide, moving
 
 _EVALUATIONS = 20000
@@ -61,6 +63,8 @@ def passivity_velocity(
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:
         raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {_MOST_DIGITS}")
     guide = _checked(track)
+    if isinstance(track, String):
+        return velocity_of_string(track, low, high, working_bits(digits))
     budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
     return _Search(guide, low, high, working_bits(digits), budget, progress or silent).answer()
 

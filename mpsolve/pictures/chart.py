@@ -46,13 +46,15 @@ def chart_picture(
     x: Any, y: Any, counts: Any, x_title: str, y_title: str, title: str,
     here: tuple[float, float] | None = None, boundaries: Sequence[Border] = (),
     proved: Sequence[tuple[float, float, bool]] = (), sure: Sequence[Sure] = (), open_words: str = "open",
+    meetings: Sequence[tuple[float, float, str]] = (), numbers: Sequence[tuple[float, float, int]] = (),
 ) -> str:  # fmt: skip
     """counts[i, j] belongs to the cell round (x[i], y[j]): 0 blank, 1 and 2 hatched, more crossed, −1 dotted as open.
 
     x, y may also be the edges of cells, one more than these. here: the point of the case; boundaries: curves on
     which a root is real, drawn in place of lines between cells; proved: points (x, y, whether stable) that have been
     proved: circles are stable, squares not; sure: outlined boxes and lines on which stability is proved. open_words:
-    what the legend says of −1. The legend stands below the axes.
+    what the legend says of −1; meetings: points (x, y, words) at which boundaries meet; numbers: points (x, y, count)
+    of areas whose count is written there. The legend stands below the axes.
     """
     counts = np.asarray(counts)
     edges = _edges(x, counts.shape[0]), _edges(y, counts.shape[1])
@@ -61,12 +63,14 @@ def chart_picture(
     parts = [_PATTERNS, *_areas(axes, edges, kinds)]
     parts += [line(axes, one.x, one.y, "boundary zero" if one.at_zero else "boundary") for one in boundaries]
     parts += [] if boundaries else _borders(axes, edges, kinds)
+    parts += [disc(float(axes.px(a)), float(axes.py(b)), 4, "point", words) for a, b, words in meetings]
+    parts += [text(float(axes.px(a)), float(axes.py(b)) + 5, str(n), "middle", "halo") for a, b, n in numbers]
     parts += [_sure(axes, one) for one in sure]
     parts += [_proved(axes, *one) for one in proved]
     if here is not None:
         parts += _here(axes, *here)
     parts += axes.titled(x_title, y_title)
-    legend = _legend(counts, open_words, bool(sure), [one.at_zero for one in boundaries])
+    legend = _legend(counts, open_words, bool(sure), [one.at_zero for one in boundaries], bool(meetings))
     return svg([*parts, *legend], title, HIGH + 4 + _ROW * -(-len(legend) // 4))
 
 
@@ -152,7 +156,7 @@ def _sure(axes: Axes, one: Sure) -> str:
     return f'<path class="sure" d="{outline}"><title>proved: stable all over</title></path>'
 
 
-def _legend(counts: Any, open_words: str, sure: bool, at_zero: list[bool]) -> list[str]:
+def _legend(counts: Any, open_words: str, sure: bool, at_zero: list[bool], meetings: bool) -> list[str]:
     """Four pieces of picture for each row: frame, tint, hatching, words."""
     found = sorted(set(np.ravel(counts).tolist()))
     few, more = [k for k in found if 0 < k <= 2], [k for k in found if k > 2]
@@ -165,12 +169,14 @@ def _legend(counts: Any, open_words: str, sure: bool, at_zero: list[bool]) -> li
     rows += [(OPEN, f"dotted: {open_words}")] * (found[0] < 0)
     rows += [("boundary", "line: proved boundary, a pair of roots crosses")] * (False in at_zero)
     rows += [("boundary zero", "dashed line: proved boundary, a root passes q = 0")] * (True in at_zero)
+    rows += [("point", "circle: proved point at which boundaries meet")] * meetings
     rows += [("sure", "outlined, or on the line: proved stable")] * sure
     parts = []
     for k, (name, words) in enumerate(rows):
         y = HIGH + 4 + _ROW * k
-        if name.startswith("boundary"):
-            parts += [path(f"M{LEFT} {y + 6}h22", name), text(LEFT + 30, y + 11, words, name="note"), "", ""]
+        if name.startswith(("boundary", "point")):
+            mark = disc(LEFT + 11, y + 6, 4, name) if name == "point" else path(f"M{LEFT} {y + 6}h22", name)
+            parts += [mark, text(LEFT + 30, y + 11, words, name="note"), "", ""]
             continue
         frame = box(LEFT, y, 22, 12, "sure" if name == "sure" else "frame")
         tint = box(LEFT, y, 22, 12, "grows") if name in (SOME, MANY) else ""

@@ -10,12 +10,14 @@ import numpy as np
 from mpsolve.pictures.axes import STYLE
 from mpsolve.pictures.chart import Border, chart_picture
 from mpsolve.problem.over import Over
-from mpsolve.ranges.cells import met
+from mpsolve.ranges.cells import grown, met, next_to
 from mpsolve.ranges.chart import Chart
 from mpsolve.report.ranges_asked import Asked
 
 ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
 _ROUNDS = 6  # cells: as wide as the strip beside a curve is, at most
+_LARGE = 0.01  # of the chart: areas in which their number is written
+_CELLS = 512  # along each parameter: about one for a pixel
 
 
 def proved_chart(found: Chart, asked: Asked) -> str:
@@ -29,23 +31,44 @@ def proved_chart(found: Chart, asked: Asked) -> str:
         ends(found.x, counts.shape[0]) * factors[0], ends(found.y, counts.shape[1]) * factors[1], counts,
         axis_title(first), axis_title(second), "How many roots grow: proved regions, dotted where open",
         here=(here[0], here[1]) if len(here) == 2 else None, boundaries=borders(found, factors),
-        open_words=open_words(found),
+        open_words=open_words(found), meetings=places(found, factors), numbers=numbers(found, factors),
     )  # fmt: skip
     head, rest = picture.split(">", 1)
     return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
 
 
 def drawn(found: Chart) -> Any:
-    """The finest counts there are, −1 where they are open; cells at a proved curve are drawn as those beside it."""
+    """The finest counts there are, −1 where they are open; strips next to proved curves as their side of these.
+
+    Cells are so small that a curve, drawn as a line, hides those that it meets.
+    """
     counts = np.maximum(found.counts if found.detail is None else found.detail, -1)
-    under = met(counts.shape, (found.x, found.y), found.boundaries)
-    for _ in range(_ROUNDS):
-        for shift, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):
-            beside = np.roll(counts, shift, axis)
-            edge: list[Any] = [slice(None), slice(None)]
-            edge[axis] = 0 if shift > 0 else -1
-            beside[tuple(edge)] = -1
-            counts = np.where((counts < 0) & under, beside, counts)
+    beside = next_to(counts.shape, (found.x, found.y), found.boundaries)
+    each = max(1, _CELLS // counts.shape[0])
+    counts, beside = (np.repeat(np.repeat(part, each, 0), each, 1) for part in (counts, beside))
+    line = met(counts.shape, (found.x, found.y), found.boundaries)
+    beside &= counts < 0
+    filled = _filled(counts, beside & ~line, _ROUNDS * each)
+    unlike = np.where(line, -1, filled)  # where two sides meet that no curve parts, nothing is told
+    wrong = np.zeros(counts.shape, bool)
+    for axis in (0, 1):
+        a, b = np.moveaxis(unlike, axis, 0)[:-1], np.moveaxis(unlike, axis, 0)[1:]
+        np.moveaxis(wrong, axis, 0)[1:] |= (a != b) & (a >= 0) & (b >= 0)
+    for _ in range(2 * each if wrong.any() else 0):
+        wrong = grown(wrong, 0, 1)
+    return _filled(np.where(wrong, counts, filled), beside & line & ~wrong, 2)
+
+
+def _filled(counts: Any, cells: Any, rounds: int) -> Any:
+    """Open ones of these cells as neighbours are, one round after another."""
+    high, wide = counts.shape
+    for _ in range(rounds):
+        padded = np.pad(counts, 1, constant_values=-1)
+        most = np.max([padded[i : i + high, j : j + wide] for i, j in ((2, 1), (0, 1), (1, 2), (1, 0))], 0)
+        new = cells & (counts < 0) & (most >= 0)
+        if not new.any():
+            break
+        counts = np.where(new, most, counts)
     return counts
 
 
@@ -60,6 +83,22 @@ def borders(found: Chart, factors: Sequence[float]) -> list[Border]:
         Border(np.asarray(one.x) * factors[0], np.asarray(one.y) * factors[1], one.divergence)
         for one in found.boundaries
     ]
+
+
+def places(found: Chart, factors: Sequence[float]) -> list[tuple[float, float, str]]:
+    """The points at which curves meet, in the same units, each with its words."""
+    return [(float(one.x.mid()) * factors[0], float(one.y.mid()) * factors[1], one.kind) for one in found.meetings]
+
+
+def numbers(found: Chart, factors: Sequence[float]) -> list[tuple[float, float, int]]:
+    """The points at which the larger areas are counted, and their numbers."""
+    total = sum(part.cells for part in found.parts)
+    out = []
+    for part in found.parts:
+        if part.roots is not None and part.cells >= _LARGE * total:
+            x, y = (float(part.point[path]) * factor for path, factor in zip(found.over, factors, strict=True))
+            out.append((x, y, part.roots))
+    return out
 
 
 def open_words(found: Chart) -> str:

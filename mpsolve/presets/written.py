@@ -1,12 +1,17 @@
-"""The input file of a track and a vehicle from the presets, with a comment on every line."""
+"""The input file of a track and a vehicle from the presets, with a comment on every line, and the problem in it."""
 
 from __future__ import annotations
 
 import re
+import tempfile
 import textwrap
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
 from fractions import Fraction
-from typing import Any
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Literal
 
 from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
@@ -14,14 +19,70 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Part, Quantity, defaults, quantities
 from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit, split
-from mpsolve.presets.catalogue import Preset, names, preset
+from mpsolve.problem.inputfile import ProblemFile, read_problem
+from mpsolve.problem.problem import Problem
+from mpsolve.problem.toml import parsed
 
+_HERE = Path(__file__).parent
+Kind = Literal["track", "vehicle"]
 _WIDTH, _COLUMN = 118, 28
 _SHARED = ("kg", "kg m²", "N/m", "N s/m")
 """Units of what a rail takes half of."""
 _OF_ONE_RAIL = re.compile(r" (?:on|under) one rail")
 """What the models say of their values; here they may be for something else."""
 _OF = {"rail": "one rail", "track": "both rails and the whole vehicle", "wire": "one wire", "ice": "a strip of ice"}
+FIRST = "ballasted"
+"""The preset that stands there without a file."""
+
+
+@dataclass(frozen=True)
+class Preset:
+    """One track or vehicle.
+
+    on: what its values are for: "rail" (one rail), "track" (both rails, the whole vehicle), "wire", "ice".
+    sources: where its numbers come from, and what is assumed. model: the section of the input file, with units.
+    notes: where single values come from, by their key. v, vehicle: what a track is tried with. count, spacing: of a
+    row of vehicles.
+    """
+
+    name: str
+    kind: Kind
+    title: str
+    on: str
+    sources: tuple[str, ...]
+    model: Mapping[str, Any]
+    notes: Mapping[str, str] = field(default_factory=dict)
+    v: str = ""
+    vehicle: str = ""
+    count: int = 1
+    spacing: str = ""
+
+
+def names(kind: Kind) -> tuple[str, ...]:
+    """The names of all presets of a kind, in alphabetical order."""
+    return tuple(sorted(file.stem for file in (_HERE / f"{kind}s").glob("*.toml")))
+
+
+def preset(kind: Kind, name: str) -> Preset:
+    """The preset of that name; InputError names the nearest one."""
+    known = names(kind)
+    if name not in known:
+        models = {model.name for model in (tracks if kind == "track" else vehicles).CATALOGUE}
+        if name.lower() in models:
+            stated = f"is {name!r}, which is a model, not a preset: see mpsolve models {name.lower()}"
+            raise InputError(kind, f"{stated}, or take one of the presets {', '.join(known)}")
+        near = get_close_matches(name.lower(), known, n=1, cutoff=0.5)
+        advice = f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}"
+        raise InputError(kind, f"is {name[:40]!r}, which is unknown: {advice}")
+    return _read(kind, name)
+
+
+@lru_cache
+def _read(kind: Kind, name: str) -> Preset:
+    file = _HERE / f"{kind}s" / f"{name}.toml"
+    content = parsed(file.read_text("utf-8"), file.name)
+    model, sources = content.pop(kind), tuple(content.pop("sources"))
+    return Preset(name=name, kind=kind, sources=sources, model=model, **content)
 
 
 def input_file(
@@ -156,3 +217,22 @@ def listing() -> str:
     lines += ["", "Vehicles (--vehicle NAME):"]
     lines += [f"  {name.ljust(14)}{preset('vehicle', name).title}" for name in names("vehicle")]
     return "\n".join(lines) + "\n"
+
+
+def begun(file: Path | None) -> tuple[Problem, str]:
+    """The problem of an input file, or of the first preset, with its title."""
+    read = read_problem(file) if file is not None else _read_preset(FIRST, None)
+    return read.problem, read.title or (file.stem if file is not None else "")
+
+
+def problem_of(track: str, vehicle: str | None = None) -> tuple[Problem, str]:
+    """The problem of a preset of a track, with a preset of a vehicle or with its usual one, and its title."""
+    read = _read_preset(track, vehicle)
+    return read.problem, read.title
+
+
+def _read_preset(track: str, vehicle: str | None) -> ProblemFile:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"{track}.toml"
+        path.write_text(input_file(track, vehicle), encoding="utf-8")
+        return read_problem(path)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.units import measured
 from mpsolve.problem.case import Case
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.physical import Mass, PhysicalCase
-from mpsolve.problem.sources import SOURCE, sources_of
-from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
+from mpsolve.problem.toml import SOURCE, check_keys, kind, name_of, parsed, refuse_other_kind, sources_of, text_of
 from mpsolve.vehicles.load import Load
 
 PHYSICAL = {
@@ -56,7 +55,7 @@ _TOP = {"title": "a text", "source": SOURCE} | dict.fromkeys(_SECTIONS, "a secti
 REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
 
 
-@dataclass(frozen=True)
+@frozen
 class InputFile:
     """A case that has passed every check, with the title ("" if none), the path of its file, and its loads.
 

@@ -18,7 +18,7 @@ def errors_under(prefix: str) -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        raise InputError(prefix + error.key, str(error).removeprefix(f"{error.key}: ")) from None
+        raise error.under(prefix + error.key) from None
 
 
 def above_zero(value: object, key: str, meaning: str) -> Exact:

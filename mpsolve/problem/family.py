@@ -17,15 +17,14 @@ from typing import Any, cast
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.several import Ring, Several
+from mpsolve.problem.free_track import FreePolynomial, free_guide
 from mpsolve.problem.parameters import changed
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Guide, Reduced, conjugate, reduce_problem, times, without_neutral
-from mpsolve.tracks.waveguide import Track, Waveguide, moving
+from mpsolve.tracks.waveguide import moving
 from mpsolve.vehicles.vehicle import Pencil, Rows, joined
 
 Interval = tuple[Fraction, Fraction]
-FreePolynomial = dict[tuple[int, int], Several]
-"""Σ c P^i σ^j with c polynomials in the free parameters."""
 _SHARES = (Fraction(1, 2), Fraction(3, 8), Fraction(9, 16))
 """Of the box: where the problem that scales stands; one after the other, as it must not be a wave speed."""
 
@@ -101,18 +100,8 @@ class Family:
         """The problem at a point x̂ in the family's scales; its contacts keep their order and number of places."""
         S0, S1, S2 = (_values(rows, x) for rows in self.S)
         places, h = (tuple(c.at(x) for c in a) for a in (self.places, self.h))
-        base = self.base
-        return Reduced(
-            self.at(x),
-            self.guide(x),
-            places,
-            self.index,
-            (S0, S1, S2),
-            _values(self.B, x),
-            h,
-            base.parts,
-            base.scales,
-        )
+        B, base = _values(self.B, x), self.base
+        return Reduced(self.at(x), self.guide(x), places, self.index, (S0, S1, S2), B, h, base.parts, base.scales)
 
 
 def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
@@ -129,7 +118,7 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     track, vehicles, v = problem.track, problem.vehicles, cast(Any, problem.v)
     for path, unit, x in factors_last(list(zip(over, units, ring.variables, strict=True))):
         track, vehicles, v = changed(track, vehicles, v, path, x * unit)
-    D_rest, N_rest, speed = _guide(track, base.guide, ring, ring.constant(v))
+    D_rest, N_rest, speed = free_guide(track, base.guide, ring, ring.constant(v))
     pencil = joined([(placed.vehicle.pencil, placed.position, "") for placed in vehicles])
     length = Fraction(2) ** -base.guide.length
     every = [ring.constant(place) * length for place in pencil.places]
@@ -201,50 +190,6 @@ def _base(
     raise InputError("over", "is empty: give a path and a range")
 
 
-def _guide(
-    track: Track | Waveguide, scale: Guide, ring: Ring, v: Several
-) -> tuple[FreePolynomial, FreePolynomial, Several]:
-    """D̂ and N̂ at rest, and v̂, in the scales of a guide."""
-    P, s = Fraction(2) ** -scale.length, Fraction(2) ** -scale.time
-    free = Waveguide(free_matrix(track, ring), track.loaded)
-    out = []
-    for polynomial, like in ((free.dispersion, scale.D_rest), (free.numerator, scale.N_rest)):
-        rescaled = {(i, j): ring.constant(c) * P**i * s**j for (i, j), c in polynomial.items()}
-        key = next(key for key in like if key in rescaled)
-        factor = like[key] / rescaled[key].at(ring.point)
-        out.append({key: c * factor for key, c in rescaled.items()})
-    return out[0], out[1], v * (P / s)
-
-
-def free_matrix(track: Track | Waveguide, ring: Ring) -> Any:
-    """The equations of the track as polynomials in P and s, with coefficients in the free parameters."""
-    if isinstance(track, Waveguide):
-        return track.matrix
-    wide = Ring(("P", "s", *ring.names), (Fraction(0), Fraction(0), *ring.point))
-    P, s, *_ = wide.variables
-    values = {name: _lifted(ring.constant(value), wide) for name, value in track.parameters.items()}
-    rows = track.equations(_Symbols(P=P, s=s, **values))
-    return tuple(tuple(_in_P_and_s(wide.constant(entry), ring) for entry in row) for row in rows)
-
-
-class _Symbols:
-    """The symbols of the equations as attributes."""
-
-    def __init__(self, **values: Any) -> None:
-        vars(self).update(values)
-
-
-def _lifted(value: Several, wide: Ring) -> Several:
-    return Several(wide, {(0, 0, *exponents): c for exponents, c in value})
-
-
-def _in_P_and_s(entry: Several, ring: Ring) -> FreePolynomial:
-    out: dict[tuple[int, int], dict[tuple[int, ...], Fraction]] = {}
-    for (i, j, *rest), c in entry:
-        out.setdefault((i, j), {})[tuple(rest)] = c
-    return {key: Several(ring, terms) for key, terms in out.items()}
-
-
 def _vehicle(pencil: Pencil, base: Reduced, ring: Ring) -> tuple[tuple[Any, Any, Any], Any]:
     """S and B of the felt motions, in the coordinates and scales of the base."""
     M, C, K, B = (
@@ -282,11 +227,7 @@ def _congruent(rows: Any, columns: Any, ring: Ring) -> Any:
 
 
 def _dot(a: Any, b: Any, ring: Ring) -> Several:
-    total = ring.constant(0)
-    for x, y in zip(a, b, strict=True):
-        if x and y:
-            total = total + ring.constant(x) * y
-    return total
+    return sum((ring.constant(x) * y for x, y in zip(a, b, strict=True) if x and y), ring.constant(0))
 
 
 def _moving(a: FreePolynomial, v: Several) -> FreePolynomial:

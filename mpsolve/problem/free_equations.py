@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import Any, cast
 
 from mpsolve.numbers.several import Ring, Several
-from mpsolve.problem.family import Family, FreePolynomial, factors_last, free_matrix
+from mpsolve.problem.family import Family, factors_last
+from mpsolve.problem.free_track import FreePolynomial, free_matrix
 from mpsolve.problem.parameters import changed
 from mpsolve.vehicles.vehicle import Pencil, joined
 

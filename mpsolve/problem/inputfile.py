@@ -6,13 +6,14 @@ What a model takes stands in its own class; keys, bounds and messages come from 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
 
 from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model, Part, defaults, quantities
 from mpsolve.numbers.units import measured, split
 from mpsolve.problem.case import Case
@@ -23,9 +24,8 @@ from mpsolve.problem.lines import line_of
 from mpsolve.problem.load import gives_forces
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.sources import SOURCE, sources_of
 from mpsolve.problem.titled import Title
-from mpsolve.problem.toml import check_keys, kind, name_of, parsed, refuse_other_kind, text_of
+from mpsolve.problem.toml import SOURCE, check_keys, kind, name_of, parsed, refuse_other_kind, sources_of, text_of
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
 
@@ -53,7 +53,7 @@ LOAD = {
 LOAD_UNITS = {"constant": "N", "amplitude": "N", "frequency": "rad/s", "phase": "rad"}
 
 
-@dataclass(frozen=True)
+@frozen
 class ProblemFile:
     """A problem that has passed every check, with the title ("" if none) and the path of its file.
 

@@ -53,5 +53,5 @@ def _forces(case: PhysicalCase) -> tuple[Load, ...]:
                 if weigh
                 else {"constant": "P", "amplitude": "P_A", "frequency": "omega_f"}.get(error.key, "phi_f")
             )
-            raise InputError(f"mass[{j}].{key}", str(error).partition(": ")[2]) from None
+            raise error.under(f"mass[{j}].{key}") from None
     return tuple(found)

@@ -107,7 +107,7 @@ def _quantity(problem: Problem, path: str, key: str) -> Quantity:
     try:
         return problem.quantity(path)
     except InputError as error:
-        raise InputError(key, f"names {path!r}, which {str(error).removeprefix(f'{error.key}: ')}") from None
+        raise InputError(key, f"names {path!r}, which {error.said}") from None
 
 
 def _end(text: str, unit: str, quantity: Quantity, key: str) -> Fraction:

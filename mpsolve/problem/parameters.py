@@ -107,7 +107,7 @@ def _ratio_changed(track: Any, placed: Any, v: Any, path: str, number: Any) -> t
         for inner, factor in paths_of(path, len(placed)):
             track, placed, v = changed(track, placed, v, inner, number * factor)
     except InputError as error:
-        raise InputError(path, str(error).removeprefix(f"{error.key}: ")) from None
+        raise error.under(path) from None
     return track, placed, v
 
 
@@ -175,7 +175,7 @@ def _with(model: Any, path: str, value: Any, key: str) -> Any:
         new = _with(getattr(model, name), inner, value, key) if inner else value
         return _replaced(model, {name: new})
     except InputError as error:
-        raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
+        raise error.under(key) from None
 
 
 def _heavier(model: Any, factor: Fraction) -> Any:

@@ -7,7 +7,6 @@ vehicle is scaled by g and body by body. Only nonzero constants and the named fa
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import log2
@@ -16,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped, moving, scaled
@@ -23,7 +23,7 @@ from mpsolve.vehicles.felt import Parts, split_felt
 from mpsolve.vehicles.vehicle import Rows
 
 
-@dataclass(frozen=True)
+@frozen
 class Guide:
     """The track at a velocity in scaled units: D̂ and N̂ at rest (in P, s) and moving (in P, σ)."""
 
@@ -42,7 +42,7 @@ class Guide:
         return max(i for i, _ in self.D)
 
 
-@dataclass(frozen=True)
+@frozen
 class Reduced:
     """A scaled problem: Δ̂ = det [[S, −B], [Bᵀ, Ĝ + diag ĥ]], S = S₀ + S₁σ̂ + S₂σ̂², rows of neutral modes divided by σ̂.
 

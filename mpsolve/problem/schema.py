@@ -13,11 +13,13 @@ from mpsolve.numbers.model import Entries, Part, Quantity, Texts, defaults, quan
 from mpsolve.problem.casefile import DIMENSIONLESS, MASS, PHYSICAL, REQUIRED, UNITS
 from mpsolve.problem.casefile import LOAD as RATIO_LOAD
 from mpsolve.problem.inputfile import LOAD, LOAD_UNITS, PLACE
-from mpsolve.problem.sources import SOURCE
+from mpsolve.problem.toml import SOURCE
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 VERSION = 1
 _PLACE_UNITS = {"position": "m", "spacing": "m"}
+_TEXT = {"type": "string"}
+_SOURCE = {"description": SOURCE, "anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 
 
 def input_schema() -> dict[str, Any]:
@@ -63,10 +65,6 @@ def input_schema() -> dict[str, Any]:
             **{f"vehicle-{model.name}": _model(model, _placed()) for model in vehicles.CATALOGUE},
         },
     }  # fmt: skip
-
-
-_TEXT = {"type": "string"}
-_SOURCE = {"description": SOURCE, "anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 
 
 def _table(properties: Mapping[str, Any], required: tuple[str, ...]) -> dict[str, Any]:

@@ -15,6 +15,21 @@ from mpsolve.errors import InputError
 
 MAX_BYTES = 1_000_000
 """Largest file that is read; a case of a thousand masses takes a tenth of it."""
+_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
+_NO_TEXT = "is no text: give a TOML file, a plain text; no spreadsheet, no PDF"
+_WRITTEN = "mpsolve new ballasted -o mine.toml writes an input file"
+_AT = re.compile(r" \(at line (\d+), column \d+\)$")
+_BARE = re.compile(r"([\w.\[\]-]+)\s*=\s*([^\"'\[{#]*?)\s*(#.*)?$")
+_KINDS = {
+    "study": ("a study", "mpsolve study"),
+    "rows": ("a table", "mpsolve table"),
+    "columns": ("a table", "mpsolve table"),
+    "track": ("a problem", "mpsolve certify"),
+    "physical": ("a case", "mpsolve certify"),
+    "dimensionless": ("a case", "mpsolve certify"),
+}
+"""The key by which a kind of file is known, what it is, and the command for it."""
+SOURCE = "where the numbers come from"
 
 
 class Written(str):
@@ -38,10 +53,6 @@ def text_of(file: Path) -> str:
     except UnicodeDecodeError as error:
         reason = _undecoded(error.object, error.start)
     raise InputError(name_of(file), reason)
-
-
-_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
-_NO_TEXT = "is no text: give a TOML file, a plain text; no spreadsheet, no PDF"
 
 
 def _undecoded(content: bytes, at: int) -> str:
@@ -98,9 +109,6 @@ def parsed(text: str, key: str) -> dict[str, Any]:
         raise InputError(key, "is nested too deeply: lists in lists have no meaning here") from None
 
 
-_WRITTEN = "mpsolve new ballasted -o mine.toml writes an input file"
-
-
 def _not_toml(text: str, name: str) -> str:
     """What the text is where it is no TOML at all, and what to do; "" where it may be TOML."""
     if _CONTROLS.search(text):
@@ -127,10 +135,6 @@ def _not_toml(text: str, name: str) -> str:
     return ""
 
 
-_AT = re.compile(r" \(at line (\d+), column \d+\)$")
-_BARE = re.compile(r"([\w.\[\]-]+)\s*=\s*([^\"'\[{#]*?)\s*(#.*)?$")
-
-
 def _broken(text: str, said: str) -> str:
     """What is wrong with a line that is no TOML, in the words of people, and how it is written."""
     at = _AT.search(said)
@@ -150,17 +154,6 @@ def _broken(text: str, said: str) -> str:
     if "twice" in why or "overwrite" in why:
         return f"{head} ({why}): it stands there for the second time, keep one"
     return f"{head} ({why}): correct it there"
-
-
-_KINDS = {
-    "study": ("a study", "mpsolve study"),
-    "rows": ("a table", "mpsolve table"),
-    "columns": ("a table", "mpsolve table"),
-    "track": ("a problem", "mpsolve certify"),
-    "physical": ("a case", "mpsolve certify"),
-    "dimensionless": ("a case", "mpsolve certify"),
-}
-"""The key by which a kind of file is known, what it is, and the command for it."""
 
 
 def refuse_other_kind(content: Mapping[str, Any], known: Mapping[str, Any], file: Path) -> None:
@@ -194,3 +187,24 @@ def kind(value: object) -> str:
     """Return the name that TOML has for the type of `value`."""
     kinds = {bool: "a boolean", int: "a number", Written: "a number", str: "a text", list: "a list"}
     return "a table" if isinstance(value, dict) else kinds.get(type(value), "a date or time")
+
+
+def sources_of(content: Mapping[str, Any]) -> tuple[str, ...]:
+    """The sources of the file, its track and its vehicles, each once; InputError for what is no text."""
+    found = [*_texts(content.get("source"), "source")]
+    track, placed = content.get("track"), content.get("vehicle")
+    if isinstance(track, dict):
+        found += [f"Track: {text}" for text in _texts(track.get("source"), "track.source")]
+    for j, entry in enumerate(placed if isinstance(placed, list) else [], 1):
+        if isinstance(entry, dict):
+            found += [f"Vehicle: {text}" for text in _texts(entry.get("source"), f"vehicle[{j}].source")]
+    return tuple(dict.fromkeys(found))
+
+
+def _texts(given: Any, key: str) -> list[str]:
+    each = [] if given is None else given if isinstance(given, list) else [given]
+    for one in each:
+        if type(one) is not str or not one.strip():
+            stated = "is empty" if type(one) is str else f"is {kind(one)}, not a text"
+            raise InputError(key, f'{stated}: write source = "…", a book, a paper or a measurement')
+    return [" ".join(one.split()).rstrip(".") for one in each]

@@ -6,10 +6,10 @@ Nothing here knows what the function is: it gives its series, the ball of one ro
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, acb_poly, arb, precision
 from mpsolve.numbers.rootball import RootBall
 from mpsolve.numbers.taylor import Taylor
@@ -35,7 +35,7 @@ class Meeting(Protocol):
         """The ball of relative size 2^−target that holds the m roots about the centre; none where that fails."""
 
 
-@dataclass(frozen=True)
+@frozen
 class _Found:
     series: Taylor
     m: int

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import arb, precision
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid
 from mpsolve.proof.newton import Analytic, Isolated, isolated, sharpened
@@ -19,7 +19,7 @@ _GUARD = 24
 _NEAR = 2.0**-30
 
 
-@dataclass(frozen=True)
+@frozen
 class Line:
     """A line that mirrors roots onto roots: the symmetry that is then known of q, and z ↦ the nearest point of it."""
 
@@ -31,7 +31,7 @@ class Line:
         return bool(abs(z - self.onto(z)) < arb(_NEAR) * size)
 
 
-@dataclass(frozen=True)
+@frozen
 class Enclosed:
     """The box that holds one root and its image; the line on which the root is proved to lie, or None."""
 

@@ -7,10 +7,10 @@ simple one, and it lies in the image. Nothing here knows what f is.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, bits_now, precision, square
 
 _GUARD = 24
@@ -32,7 +32,7 @@ class Analytic(Protocol):
         """The two at once."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Isolated:
     """A box that holds exactly one root of f, and its sharper image, which holds that root too."""
 

@@ -1,19 +1,20 @@
-"""Interval Newton for one complex equation in two real unknowns, f(y, x) = 0, at rising precision.
+"""Interval Newton for one complex equation in two real unknowns, f(y, x) = 0, or n in 2n, at rising precision.
 
-With a real 2 × 2 matrix Y near the inverse of the Jacobian at the middle m of a box X, Krawczyk's image
+With a real matrix Y near the inverse of the Jacobian at the middle m of a box X, Krawczyk's image
 m − Y f(m) + (I − Y J(X))(X − m) in the interior of X proves exactly one zero in X, which lies in the image.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, bits_now, precision
 
-Point = tuple[Any, Any]
-"""Two real balls."""
+Point = tuple[Any, ...]
+"""Real balls, two for each equation."""
 _GUARD = 32
 _POLISH = 12
 _MOST_STEPS = 60
@@ -22,11 +23,11 @@ _MOST_STEPS = 60
 class Planar(Protocol):
     """f on real balls; raises `PrecisionError` where balls cannot decide."""
 
-    def value(self, y: Any, x: Any) -> Any:
-        """A ball of f."""
+    def value(self, *at: Any) -> Any:
+        """A ball of f, or a tuple of them."""
 
-    def slopes(self, y: Any, x: Any) -> tuple[Any, Any]:
-        """Balls of f_y and f_x."""
+    def slopes(self, *at: Any) -> tuple[Any, ...]:
+        """Balls of f_y and f_x, or a tuple of such rows."""
 
 
 @dataclass(frozen=True)
@@ -37,13 +38,13 @@ class Zero:
     image: Point
 
 
-def polished(f: Planar, seed: tuple[float, float]) -> Point:
+def polished(f: Planar, seed: Sequence[float]) -> Point:
     """Exact numbers to which Newton's method leads."""
-    at: Point = (arb(seed[0]), arb(seed[1]))
+    at: Point = tuple(map(arb, seed))
     for _ in range(_POLISH):
         step = _newton(f, at)
-        at = (arb((at[0] - step[0]).mid()), arb((at[1] - step[1]).mid()))
-        if not (at[0].is_finite() and at[1].is_finite()):
+        at = tuple(arb((a - s).mid()) for a, s in zip(at, step, strict=True))
+        if not all(a.is_finite() for a in at):
             raise PrecisionError("Newton's method left the plane near a crossing: two crossings may be too close")
         if all(
             abs(s).upper() <= (abs(p) + 1).upper() * arb(2) ** (-bits_now() // 2)
@@ -55,7 +56,7 @@ def polished(f: Planar, seed: tuple[float, float]) -> Point:
 
 def _newton(f: Planar, at: Point) -> Point:
     moved = _inverse(f.slopes(*at)) * _column(f.value(*at))
-    return arb(moved[0, 0].mid()), arb(moved[1, 0].mid())
+    return tuple(arb(x.mid()) for x in moved.entries())
 
 
 def isolated(f: Planar, middle: Point, size: Point) -> Zero:
@@ -63,14 +64,12 @@ def isolated(f: Planar, middle: Point, size: Point) -> Zero:
     value, slopes = f.value(*middle), f.slopes(*middle)
     Y = _inverse(slopes)
     for shift in range(4, bits_now() - 8, 6):
-        radii = [arb(s) * arb(2) ** -shift for s in size]
-        box = (middle[0] + arb(0, radii[0]), middle[1] + arb(0, radii[1]))
+        box = tuple(m + arb(0, arb(s) * arb(2) ** -shift) for m, s in zip(middle, size, strict=True))
         image = _image(f, middle, value, Y, box)
         if image is not None:
             return Zero(box, image)
-    raise PrecisionError(
-        f"no box around ({middle[0].str(6)}, {middle[1].str(6)}) is proved to hold exactly one crossing"
-    )
+    where = ", ".join(m.str(6) for m in middle)
+    raise PrecisionError(f"no box around ({where}) is proved to hold exactly one crossing")
 
 
 def _image(f: Planar, middle: Point, value: Any, Y: Any, box: Point) -> Point | None:
@@ -78,10 +77,17 @@ def _image(f: Planar, middle: Point, value: Any, Y: Any, box: Point) -> Point | 
         J = _jacobian(f.slopes(*box))
     except PrecisionError:
         return None
-    spread = arb_mat([[box[0] - middle[0]], [box[1] - middle[1]]])
-    step = (_one() - Y * J) * spread - Y * _column(value)
-    image = (middle[0] + step[0, 0], middle[1] + step[1, 0])
+    image = _step(middle, box, value, Y, J)
     return image if all(b.contains_interior(i) for b, i in zip(box, image, strict=True)) else None
+
+
+def _step(middle: Point, box: Point, value: Any, Y: Any, J: Any) -> Point:
+    """m − Y f(m) + (I − Y J)(X − m)."""
+    n = len(box)
+    one = arb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
+    spread = arb_mat([[b - m] for b, m in zip(box, middle, strict=True)])
+    step = (one - Y * J) * spread - Y * _column(value)
+    return tuple(m + s for m, s in zip(middle, step.entries(), strict=True))
 
 
 def sharpened(f: Planar, zero: Zero, goal: int) -> Point:
@@ -96,12 +102,9 @@ def sharpened(f: Planar, zero: Zero, goal: int) -> Point:
             J = _jacobian(f.slopes(*at))
         bits = min(2 * known + 2 * _GUARD, goal + 2 * _GUARD) if known > _GUARD else bits + _GUARD
         with precision(bits):
-            middle = (arb(at[0].mid()), arb(at[1].mid()))
-            Y = _mid(_regular(_mid(J)))
-            spread = arb_mat([[at[0] - middle[0]], [at[1] - middle[1]]])
-            step = (_one() - Y * J) * spread - Y * _column(f.value(*middle))
-            new = (middle[0] + step[0, 0], middle[1] + step[1, 0])
-            at = (_met(at[0], new[0]), _met(at[1], new[1]))
+            middle = tuple(arb(a.mid()) for a in at)
+            new = _step(middle, at, f.value(*middle), _mid(_regular(_mid(J))), J)
+            at = tuple(map(_met, at, new))
     raise PrecisionError("a crossing could not be sharpened to the digits asked: it is too badly conditioned")
 
 
@@ -109,14 +112,11 @@ def settled(f: Planar, zero: Zero) -> Point:
     """The image, made smaller by further steps as long as they help: f may be known on balls only."""
     at = zero.image
     for _ in range(_MOST_STEPS):
-        middle = (arb(at[0].mid()), arb(at[1].mid()))
+        middle = tuple(arb(a.mid()) for a in at)
         slopes = f.slopes(*at)
-        Y = _inverse(slopes)
-        spread = arb_mat([[at[0] - middle[0]], [at[1] - middle[1]]])
-        step = (_one() - Y * _jacobian(slopes)) * spread - Y * _column(f.value(*middle))
-        new = tuple(_met(old, m + s) for old, m, s in zip(at, middle, (step[0, 0], step[1, 0]), strict=True))
+        new = tuple(map(_met, at, _step(middle, at, f.value(*middle), _inverse(slopes), _jacobian(slopes))))
         better = any(bool(b.rad() * 2 < a.rad()) for a, b in zip(at, new, strict=True))
-        at = (new[0], new[1])
+        at = new
         if not better:
             break
     return at
@@ -139,15 +139,16 @@ def _exponent(x: Any) -> int:
 
 
 def _column(value: Any) -> Any:
-    return arb_mat([[value.real], [value.imag]])
+    each = value if isinstance(value, tuple) else (value,)
+    return arb_mat([[part] for z in each for part in (acb(z).real, acb(z).imag)])
 
 
-def _jacobian(slopes: tuple[Any, Any]) -> Any:
-    one, other = (acb(s) for s in slopes)
-    return arb_mat([[one.real, other.real], [one.imag, other.imag]])
+def _jacobian(slopes: tuple[Any, ...]) -> Any:
+    rows = slopes if isinstance(slopes[0], tuple) else (slopes,)
+    return arb_mat([line for row in rows for line in ([acb(z).real for z in row], [acb(z).imag for z in row])])
 
 
-def _inverse(slopes: tuple[Any, Any]) -> Any:
+def _inverse(slopes: tuple[Any, ...]) -> Any:
     """A real matrix near the inverse of the Jacobian, exact."""
     return _mid(_regular(_mid(_jacobian(slopes))))
 
@@ -162,8 +163,4 @@ def _regular(J: Any) -> Any:
 
 
 def _mid(a: Any) -> Any:
-    return arb_mat([[arb(a[i, j].mid()) for j in range(2)] for i in range(2)])
-
-
-def _one() -> Any:
-    return arb_mat([[1, 0], [0, 1]])
+    return arb_mat(a.nrows(), a.ncols(), [arb(x.mid()) for x in a.entries()])

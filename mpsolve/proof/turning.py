@@ -11,11 +11,11 @@ row over it and beyond it, α + β ≤ θ. Each row of E₁₁ and E₁₂ has s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U
 
 THETA = 0.9
@@ -24,7 +24,7 @@ _PIVOTS = 0.95
 """The most that θ + φ may be in `pivot_arguments`."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Regular:
     """For each disc the preconditioner R, the vector x, θ; `good` where |R A − I| x ≤ θ x, θ < THETA, is proved."""
 

@@ -11,8 +11,8 @@ so a bound of |u − u*| gives one of |ε|, which gives a better one of |u − u
 in the last. Where a bound is mapped into itself, within |u_i| < 1/2, there is a zero for each τ (Brouwer): the arc
 passes.
 
-A box that touches q = 0 is taken with its mirror image. Roots q, −q̄ go together, so the one zero for each t of such
-a box has q = 0, exactly, if the pivot is a parameter.
+A box that touches q = 0 is taken with its mirror image and has two models, of the roots at q = 0 and of those beside
+it (see `mirrored`): one arc at most of each kind.
 """
 
 from __future__ import annotations
@@ -27,28 +27,32 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.numbers.jets import UP, U
 from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.proof.subdivide import OPEN
-from mpsolve.proof.vanishing import Scalar, guess, scalar
+from mpsolve.proof.vanishing import Scalar, guess, nonzero, scalar
 from mpsolve.ranges.judge import Judge
-from mpsolve.ranges.ridge import REGULAR, unevenness
+from mpsolve.ranges.mirrored import at_zero, beside_zero
+from mpsolve.ranges.ridge import REGULAR, solved, solved_size, unevenness
 
 ARC = 4
-"""A kind of leaf, beside those of `judge`: the zeros in it are a part of one arc."""
+"""A kind of leaf, beside those of `judge`: the zeros in it are a part of one arc, at q = 0 of one of each kind."""
 SHARE = 0.4
 """Of a model's box: that of which is spoken."""
 HALF = 0.5  # of a model's box: where the zeros are a graph
 PIECES = 10
 _STEPS = 8
 _NOISE = 2.0**-42  # of the coefficients: covers the rounding of values, slopes and steps
+_NEXT = 2.0**-10  # of the width of a box along q: in which roots at q = 0 are looked for
 _LARGEST = 2.0**-2  # of the whole: boxes that are tried
 _HOPE = 1.3
+_ANY = np.full(2, np.inf)
 _ORDER = np.array([[1, 2, 0], [0, 2, 1], [0, 1, 2]])  # by pivot, which comes last
 
 
 @dataclass(frozen=True)
 class Arcs:
-    """Models over boxes, the pivot as the last variable. m, r: of the models' boxes, (q̂, x̂, ŷ) along the first axis.
+    """Models, the pivot as the last variable. m, r: of the models' boxes, (q̂, x̂, ŷ) along the first axis.
 
-    low, high: of the boxes of which is spoken; regular: where the zeros are one arc at most.
+    low, high: of the boxes of which is spoken; at_zero: whether of roots with q = 0 alone; regular: where the zeros
+    are one arc at most.
     """
 
     low: Any
@@ -57,12 +61,8 @@ class Arcs:
     r: Any
     pivot: Any
     s: Quadratic
+    at_zero: Any
     regular: Any
-
-    @property
-    def at_zero(self) -> Any:
-        """Whether all zeros have q = 0."""
-        return (self.m[0] == 0) & (self.pivot != 0)
 
     def place(self, u: Any, t: Any) -> Any:
         """(q̂, x̂, ŷ) of the others and the pivot, in shares of the models' boxes; sizes alike, without the middles."""
@@ -72,35 +72,82 @@ class Arcs:
             out[_ORDER[self.pivot, k], columns] = value
         return out
 
-    def take(self, rows: Any) -> Arcs:
-        """Those of some boxes."""
-        low, high, m, r = (part[:, rows] for part in (self.low, self.high, self.m, self.r))
-        return Arcs(low, high, m, r, self.pivot[rows], self.s[rows], self.regular[rows])
+    def along(self, value: Any) -> Any:
+        """Of (q̂, x̂, ŷ) that of the pivot."""
+        return np.take_along_axis(value, self.pivot[None], 0)[0]
 
-    def pieces(self, t: float, half: Any) -> Pieces:
+    def take(self, rows: Any) -> Arcs:
+        """Those of some models."""
+        low, high, m, r = (part[:, rows] for part in (self.low, self.high, self.m, self.r))
+        return Arcs(low, high, m, r, self.pivot[rows], self.s[rows], self.at_zero[rows], self.regular[rows])
+
+    @property
+    def blurred(self) -> Any:
+        """By how much in (q̂, x̂, ŷ) arcs are not told by the models, about."""
+        g0, g1, _ = self.s.b
+        return self.place(solved_size(g0, g1, self.s.e), np.zeros(len(self.pivot))) * self.r
+
+    def pieces(self, t: Any, half: Any) -> Pieces:
         """The arcs for t − half ≤ pivot ≤ t + half."""
         return _pieces(self.s, t, half)
 
 
-def arcs(matrix: FreeMatrix, low: Any, high: Any) -> Arcs:
-    """Of boxes between corners, shape (3, boxes)."""
+def arcs(matrix: FreeMatrix, low: Any, high: Any, thin: Any = _ANY) -> tuple[Arcs, Any]:
+    """(The arcs of boxes between corners, shape (3, boxes); which boxes hold no zeros but theirs).
+
+    thin: how well arcs are to be known in x̂ and ŷ. Boxes without zeros have none; those at q = 0 come last.
+    """
     m = low / 2 + high / 2
     half = np.maximum(high - m, m - low) * UP
     touching = low[0] == 0
     m[0], half[0] = np.where(touching, 0.0, m[0]), np.where(touching, high[0], half[0])
-    return arcs_over(matrix, m, half / SHARE * UP, low, high)
+    r = half / SHARE * UP
+    rows = np.arange(low.shape[1])
+    zero = rows[touching]
+    rows = np.concatenate([rows, zero])
+    kind = np.arange(len(rows)) >= low.shape[1]
+    r = r[:, rows]
+    r[0] *= np.where(kind, _NEXT, 1.0)
+    found = arcs_over(matrix, m[:, rows], r, kind, low[:, rows], high[:, rows])
+    none = nonzero(wider(found.s, SHARE)).nonzero
+    closed = np.ones(low.shape[1], bool)
+    fine = found.regular & (found.blurred[1:] <= thin[:, None]).all(0)
+    np.logical_and.at(closed, rows, none | fine)
+    return found.take(np.flatnonzero(~none)), closed
 
 
-def arcs_over(matrix: FreeMatrix, m: Any, r: Any, low: Any = None, high: Any = None) -> Arcs:
-    """Of models over boxes with these middles and half-widths."""
-    A, G = matrix(Boxes(m, r))
-    found = scalar(A, G.good)
-    turned = [_turned(found.s, pivot) for pivot in range(3)]
+def arcs_over(matrix: FreeMatrix, m: Any, r: Any, zero: Any = False, low: Any = None, high: Any = None) -> Arcs:
+    """Of models over boxes with these middles and half-widths. zero: of which the roots at q = 0 are meant."""
+    zero = np.broadcast_to(zero, m.shape[1])
+    s = models(matrix, m, r, zero)
+    turned = [_turned(s, pivot) for pivot in range(3)]
     uneven = np.stack([unevenness(one) for one in turned])
     pivot = uneven.argmin(0)
     k = np.choose(pivot[None], [one.k for one in turned])
     least = np.take_along_axis(uneven, pivot[None], 0)[0]
-    return Arcs(low, high, m, r, pivot, Quadratic(k, found.s.e, 3), found.good & (least < REGULAR))
+    return Arcs(low, high, m, r, pivot, Quadratic(k, s.e, 3), zero, least < REGULAR)
+
+
+def models(matrix: FreeMatrix, m: Any, r: Any, zero: Any) -> Quadratic:
+    """Of the reduced determinant; round q = 0 of roots there (`zero`) or of those beside it. e = ∞: not bounded."""
+    k, e = np.zeros((10, m.shape[1]), complex), np.full(m.shape[1], np.inf)
+    mirrored = m[0] == 0
+    for real in (False, True):
+        rows = np.flatnonzero(mirrored == real)
+        if len(rows):
+            A, G = matrix(Boxes(m[:, rows], r[:, rows]))
+            found = scalar(A, G.good, real=real)
+            s = found.s
+            if real:
+                here, beside = at_zero(s), beside_zero(s)
+                s = Quadratic(np.where(zero[rows], here.k, beside.k), np.where(zero[rows], here.e, beside.e), 3)
+            k[:, rows], e[rows] = s.k, np.where(found.good, s.e, np.inf)
+    return Quadratic(k, e, 3)
+
+
+def wider(s: Quadratic, times: float) -> Quadratic:
+    """The same polynomials over boxes so many times as wide; the rest holds for smaller ones."""
+    return Quadratic(s.k * np.array([1.0] + [times] * 3 + [times * times] * 6)[:, None], s.e, 3)
 
 
 def _turned(s: Quadratic, pivot: int) -> Quadratic:
@@ -112,21 +159,26 @@ def _turned(s: Quadratic, pivot: int) -> Quadratic:
 
 @dataclass
 class ArcJudge(Judge):
-    """A judge that also closes boxes in which the zeros are one arc at most."""
+    """A judge that also closes boxes in which the zeros are one arc at most.
+
+    thin: how well this is to be known, in shares of the whole.
+    """
+
+    thin: float = np.inf
 
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         kind, axis, rest = self.judged(low, high)
         small = (high - low <= _LARGEST * 2 * self.width[:, None]).all(0)
         rows = np.flatnonzero((kind == OPEN) & small & (_likely(rest) | (low[0] == 0)))
         if len(rows):
-            kind[rows[arcs(self.matrix, low[:, rows], high[:, rows]).regular]] = ARC
+            kind[rows[arcs(self.matrix, low[:, rows], high[:, rows], self.thin * 2 * self.width[1:])[1]]] = ARC
         return kind, axis
 
 
 def _likely(found: Scalar) -> Any:
     """Whether a wider box may be regular, as far as the model over the box itself tells."""
-    wider = np.array([1.0] + [1 / SHARE] * 3 + [SHARE**-2] * 6)[:, None]
-    s = Quadratic(found.s.k * wider, found.s.e * SHARE**-3, 3)
+    s = wider(found.s, 1 / SHARE)
+    s = Quadratic(s.k, s.e * SHARE**-3, 3)
     return found.good & (np.min([unevenness(_turned(s, pivot)) for pivot in range(3)], 0) < _HOPE * REGULAR)
 
 
@@ -143,7 +195,7 @@ class Pieces:
     passes: Any
 
 
-def _pieces(s: Quadratic, t: float, half: Any) -> Pieces:
+def _pieces(s: Quadratic, t: Any, half: Any) -> Pieces:
     a, b0, b1, b2, c00, c01, c02, c11, c12, c22 = s.k
     with np.errstate(all="ignore"):
         there = np.stack([a + (b2 + c22 * t) * t, b0 + c02 * t, b1 + c12 * t, c00, c01, c11])
@@ -155,15 +207,13 @@ def _pieces(s: Quadratic, t: float, half: Any) -> Pieces:
         step, lean = (
             -np.stack([(z * g[1].conj()).imag, (g[0].conj() * z).imag]) / np.stack([-det, det]) for z in (value, h)
         )
-        sure = np.abs(det) - 8 * U * np.abs(g).prod(0)
-        per = np.where(sure > 0, np.abs(g[::-1]) / sure * (1 + 64 * U), np.inf)
-        still = s.e + np.abs(c22) * half**2 + _NOISE * np.abs(s.k).sum(0)
-        bent = np.abs(np.stack([c00, c01, c11, c02 * half, c12 * half]))
         along = np.abs(step) + np.abs(lean) * half
+        still = solved(g[0], g[1], c22) * half**2 + solved_size(g[0], g[1], s.e + _NOISE * np.abs(s.k).sum(0))
+        bent = [solved(g[0], g[1], z) for z in (c00, c01, c11, c02 * half, c12 * half)]
 
         def rest(wide: Any) -> Any:
             square = bent[0] * wide[0] ** 2 + bent[1] * wide[0] * wide[1] + bent[2] * wide[1] ** 2
-            return per * (still + square + bent[3] * wide[0] + bent[4] * wide[1]) * (1 + 64 * U)
+            return (still + square + bent[3] * wide[0] + bent[4] * wide[1]) * (1 + 64 * U)
 
         widest = HALF + np.abs(u)
         around = rest(widest)

@@ -49,6 +49,16 @@ def spread(labels: Any, free: Any, from_cells: list[tuple[int, int]]) -> None:
                 stack.append((k, m))
 
 
+def grown(cells: Any, *axes: int) -> Any:
+    """With the neighbours along each of these axes."""
+    out = cells.copy()
+    for axis in axes:
+        to, of = np.moveaxis(out, axis, 0), np.moveaxis(cells, axis, 0)
+        to[1:] |= of[:-1]
+        to[:-1] |= of[1:]
+    return out
+
+
 def finer(labels: Any, free: Any) -> Any:
     """Labels of cells handed on to those of a finer grid, whose free ones no boundary meets; new parts count on.
 
@@ -57,54 +67,44 @@ def finer(labels: Any, free: Any) -> Any:
     each = free.shape[0] // labels.shape[0]
     out = np.repeat(np.repeat(labels, each, 0), each, 1)
     known = out > 0
-    beside = np.zeros_like(known)
-    beside[1:] |= free[:-1] & ~known[:-1]
-    beside[:-1] |= free[1:] & ~known[1:]
-    beside[:, 1:] |= free[:, :-1] & ~known[:, :-1]
-    beside[:, :-1] |= free[:, 1:] & ~known[:, 1:]
-    spread(out, free, [(int(i), int(j)) for i, j in np.argwhere(known & beside)])
-    current = int(out.max())
-    for start in np.argwhere(free & (out == 0)):
-        if not out[tuple(start)]:
-            current += 1
-            out[tuple(start)] = current
-            spread(out, free, [(int(start[0]), int(start[1]))])
-    return out
+    spread(out, free, [(int(i), int(j)) for i, j in np.argwhere(known & grown(free & ~known, 0, 1))])
+    rest = parts_of(free & (out == 0))
+    return np.where(rest > 0, rest + out.max(), out)
 
 
 def inmost(where: Any) -> tuple[int, int]:
     """A cell far from the edge of its part."""
     kept = where
     while True:
-        inner = kept.copy()
-        inner[1:] &= kept[:-1]
-        inner[:-1] &= kept[1:]
-        inner[:, 1:] &= kept[:, :-1]
-        inner[:, :-1] &= kept[:, 1:]
+        inner = ~grown(~kept, 0, 1)
         inner[[0, -1]], inner[:, [0, -1]] = False, False
         if not inner.any():
-            i, j = np.argwhere(kept)[len(np.argwhere(kept)) // 2]
+            every = np.argwhere(kept)
+            i, j = every[len(every) // 2]
             return int(i), int(j)
         kept = inner
 
 
-def met(shape: tuple[int, int], edges: Any, curves: Any) -> Any:
-    """Cells next to one that a curve meets, in floats. edges: of both parameters; curves: with x and y."""
+def met(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
+    """Cells that a curve meets, in floats. edges: of both parameters; curves: with x and y."""
     out = np.zeros(shape, bool)
     for curve in curves:
         z = np.stack([
             (np.asarray(v, float) - float(e[0])) / float(e[-1] - e[0]) * n
             for v, e, n in zip((curve.x, curve.y), edges, shape, strict=True)
         ])  # fmt: skip
-        steps = np.maximum(np.ceil(np.abs(np.diff(z)).max(0) * 4), 1).astype(int)
-        for k, n in enumerate(steps.tolist()):
-            line = z[:, k : k + 1] + (z[:, k + 1 : k + 2] - z[:, k : k + 1]) * np.linspace(0, 1, n + 1)
-            i, j = (np.floor(v).astype(int).clip(0, m - 1) for v, m in zip(line, shape, strict=True))
-            out[i, j] = True
-    wide = out.copy()
-    wide[1:] |= out[:-1]
-    wide[:-1] |= out[1:]
-    tall = wide.copy()
-    tall[:, 1:] |= wide[:, :-1]
-    tall[:, :-1] |= wide[:, 1:]
-    return tall
+        count = np.maximum(np.ceil(np.abs(np.diff(z)).max(0) * 4), 1).astype(int)
+        index = np.repeat(np.arange(len(count)), count + 1)
+        share = np.concatenate([np.linspace(0, 1, n + 1) for n in count.tolist()])
+        line = z[:, index] + (z[:, index + 1] - z[:, index]) * share
+        i, j = (np.floor(v).astype(int).clip(0, m - 1) for v, m in zip(line, shape, strict=True))
+        out[i, j] = True
+    return out
+
+
+def next_to(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
+    """These and all cells round them, up to two away."""
+    cells = met(shape, edges, curves)
+    for axis in (0, 0, 1, 1):
+        cells = grown(cells, axis)
+    return cells

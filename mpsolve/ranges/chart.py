@@ -30,14 +30,17 @@ from mpsolve.proof.subdivide import subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
-from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, marked, met, parts_of
+from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, next_to, parts_of
+from mpsolve.ranges.meeting import Meeting, meetings
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
-from mpsolve.ranges.strips import Strips, strips_of
+from mpsolve.ranges.strips import free_cells, strips_of
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
-_SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, before a box stays open
+_SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, or beyond _FINE, before a box stays open
+_FINE = 5
 _MOST_PARTS = 60
+_THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
 NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
 
@@ -60,9 +63,10 @@ class Part:
 class Chart(Answer):
     """counts[i, j]: the number of growing roots over the cell x[i] … x[i + 1], y[j] … y[j + 1]; −1: a boundary passes
     or may pass through the cell; −2: open. x, y: edges of cells, in the problem's units, as exact numbers.
-    detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real.
-    traced: whether each goes from edge to edge of the chart or back to its start, and each cell of `detail` that is
-    −1 is next to one that a curve meets.
+    detail: the same of cells that are finer along each parameter. boundaries: the curves on which a root is real;
+    meetings: points at which two of them cross, or one of pairs comes to q = 0, those that are proved.
+    traced: whether each curve goes from edge to edge of the chart, back to its start or to q = 0, and each cell of
+    `detail` that is −1 is at most two away from one that a curve meets.
     """
 
     hidden: ClassVar[frozenset[str]] = Answer.hidden | {"detail"}
@@ -72,6 +76,7 @@ class Chart(Answer):
     counts: Any = None
     parts: tuple[Part, ...] = ()
     boundaries: tuple[Boundary, ...] = ()
+    meetings: tuple[Meeting, ...] = ()
     traced: bool = False
     detail: Any = field(default=None, repr=False)
 
@@ -140,14 +145,14 @@ def _chart(
         cost = Spent(process_time() - started)
         return Chart(problem, over, Status.UNDECIDED, error.reason, cost=cost, x=edges[0], y=edges[1], counts=counts)
     low, high = scope.corners
-    smallest = 2.0 ** -(float(depth) + np.array(_SMALLER))
+    smallest = 2.0 ** -(float(max(depth, _FINE)) + np.array(_SMALLER))
     tell = lambda share: progress("boxes", 0.7 * share)  # noqa: E731
-    cover = subdivide(low, high, scope.judge(ArcJudge), budget, smallest, tell)
+    cells = 2**depth * _FINER_CELLS
+    cover = subdivide(low, high, scope.judge(ArcJudge, thin=_THIN / cells), budget, smallest, tell)
     spent = cover.reason is not None and cover.reason.code != "boxes"
     progress("boundaries", 0.7)
-    cells = 2**depth * _FINER_CELLS
     strips = strips_of(scope.matrix, *cover.tree.boxes(np.flatnonzero(cover.tree.kind == ARC)), scope.corners, cells)
-    free = _free(scope, cover.tree, strips, cells)
+    free = free_cells(scope.corners, cover.tree, strips, cells)
     units = tuple(map(float, (scope.family.frequency_unit, *scope.family.units)))
     rest = sum(cover.tree.boxes(cover.tree.open)) / 2
     curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
@@ -162,26 +167,15 @@ def _chart(
     verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
-    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
+    proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
+    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": proofs, "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
-    lost = (detail == BOUNDARY) & ~met(detail.shape, edges, curves)
+    lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
         problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
-        traced=whole, detail=detail, **told,
+        meetings=meetings(scope, curves), traced=whole, detail=detail, **told,
     )  # fmt: skip
-
-
-def _free(scope: Scope, tree: Any, strips: Strips, cells: int) -> Any:
-    """The cells of the finer grid over which no root is real.
-
-    Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.
-    """
-    width = (scope.high - scope.low)[:, None]
-    beside = 2.0**-50 * np.maximum(np.abs(scope.low), np.abs(scope.high))[:, None] / width
-    rest = ((end[1:] - scope.low[:, None]) / width for end in tree.boxes(tree.open))
-    low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
-    return marked(low - beside, high + beside, (cells, cells)) == 0
 
 
 def _counted(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import accumulate, pairwise
 from time import process_time
@@ -11,7 +11,8 @@ from typing import Any
 
 from mpsolve.certificate.solve import certify_problem, checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
-from mpsolve.numbers.packed import Portable, exact_ends
+from mpsolve.numbers.packed import exact_ends
+from mpsolve.numbers.realroots import short_between
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -19,53 +20,23 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, AtValue, Interval, Proof, Spent, growing, uncounted, within
+from mpsolve.ranges.answer import Interval, Proof, Spent, growing, uncounted, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
+from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.enclosed import Crossing as Scaled
-from mpsolve.ranges.on_string import quiet
-from mpsolve.ranges.parted import LeftOut, parted, speeds_above, speeds_within
+from mpsolve.ranges.never import never_unstable
+from mpsolve.ranges.parted import COMPLETE, parted, speeds_above, speeds_within
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
+from mpsolve.ranges.undamped import no_damping
 from mpsolve.ranges.verified import verified
-from mpsolve.ranges.without_end import endless
+from mpsolve.ranges.without_damping import without_damping
+from mpsolve.ranges.without_end import endless, require_mass
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise
+_REACH, _IN_REACH = 8.0, 20_000
+"""Scaled: up to which frequency crossings are listed where none bounds them, and boxes for that."""
 _ROOM = Fraction(1, 1024)  # of a range: where roots are counted there is so much to the next crossing, if anywhere
-
-
-@dataclass(frozen=True)
-class Crossing(AtValue, Portable):
-    """A root q that is real at the parameter `value`: two balls in the problem's units.
-
-    lower, upper: floats that hold `value` between them. direction: by how much the number of unstable roots grows
-    there with the parameter: ±2, and ±1 where q = 0.
-    """
-
-    value: Any
-    q: Any
-    direction: int | None
-
-
-@dataclass(frozen=True)
-class Crossings(Answer):
-    """All crossings of a range, in ascending order, and the numbers of unstable roots before, between and behind.
-
-    left_out: speeds of short waves in a range of velocities, each with what is not proved round it; where that is
-    more than the speed itself the answer is undecided. parts: the answers between them, whose crossings and, if
-    proved, counts stand here one after the other: one count more for each part.
-    """
-
-    digits: int = 15
-    crossings: tuple[Crossing, ...] = ()
-    counts: tuple[int, ...] | None = None
-    left_out: tuple[LeftOut, ...] = ()
-    parts: tuple[Crossings, ...] = field(default=(), repr=False)
-
-    def rows(self) -> list[Mapping[str, Any]]:
-        """The answer as a table, numbers as floats: one mapping for each row."""
-        return [
-            {"value": float(c.value.mid()), "q": float(c.q.mid()), "direction": c.direction} for c in self.crossings
-        ]
 
 
 def crossings(
@@ -79,9 +50,12 @@ def crossings(
 ) -> Crossings:
     """Every value of one parameter in a closed range at which a root is real: isolated, to `digits` digits.
 
+    On a beam without damping, where roots may be real all over, those at which the number of growing roots changes.
+
     over: {path: (low, high)}, in the problem's units; a factor of all masses may have the high None: without end.
     The answer is proved where the list is complete and the numbers of unstable roots between its entries are known;
-    else `Status.UNDECIDED` with a reason, and what was found.
+    else `Status.UNDECIDED` with a reason, and what was found. Faster than short waves of the track nothing may bound
+    the frequencies at which roots cross: then all crossings up to one are listed, which `known` says.
     check: have the standalone verifier pass the certificate of the whole answer; without it the answer has none.
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
@@ -117,10 +91,15 @@ def find(
         return Crossings(problem, over, Status.UNDECIDED, why, digits=digits)
 
     found: Crossings
-    why = quiet(problem, over)
+    why = never_unstable(problem, over)
     if why is not None:
         return none(over, why)
-    if next(iter(over.values()))[1] is None:
+    ((path, (_, high)),) = over.items()
+    if high is None:
+        require_mass(path)
+    if no_damping(problem, over):
+        return without_damping(problem, over, digits, progress, check)
+    if high is None:
         budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
         found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
         return found
@@ -148,13 +127,12 @@ def _within(
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     over = from_above_rest(problem, over)
-    scope = scope_of(problem, over)
+    scope, unbounded = scope_of(problem, over), None
     try:
         X = scope.X
     except OpenError as error:
-        return Crossings(
-            problem, over, Status.UNDECIDED, error.reason, digits=digits, cost=Spent(process_time() - started)
-        )
+        X, unbounded, budget = _REACH, error.reason, budget.share(min(_IN_REACH, budget.evaluations or _IN_REACH))
+        scope = replace(scope, reach=X)
     search = Search(scope, digits)
     q_unit, unit = float(scope.family.frequency_unit), float(scope.family.units[0])
     search.enclose_near([(q / q_unit, x / unit) for q, x in near])
@@ -172,6 +150,11 @@ def _within(
             inside.append(crossing)
     inside.sort(key=lambda one: float(one.value.mid()))
     common: dict[str, Any] = {"digits": digits, "crossings": tuple(inside)}
+    if unbounded is not None:
+        known: dict[str, Any] = {"crossings": len(inside)}
+        known |= {COMPLETE: Fraction(X) * family.frequency_unit} if reason is None else {}
+        cost = Spent(process_time() - started, 0.0, budget.spent)
+        return Crossings(problem, over, Status.UNDECIDED, unbounded, known, (proof,), cost, **common)
     counts, base = None, None
     if reason is None:
         progress("base", 0.9)
@@ -231,16 +214,3 @@ def _counted_at(over: Mapping[str, Interval], found: list[Crossing]) -> tuple[Fr
     widths = [b - a for a, b in gaps]
     k = next((n for n, width in enumerate(widths) if width > (high - low) * _ROOM), widths.index(max(widths)))
     return short_between(*gaps[k]), k
-
-
-def short_between(low: Fraction, high: Fraction) -> Fraction:
-    """A number with few digits strictly between."""
-    middle = (low + high) / 2
-    bits = 4
-    while True:
-        step = (high - low) / 2**bits
-        unit = Fraction(2) ** (step.numerator.bit_length() - step.denominator.bit_length())
-        near: Fraction = round(middle / unit) * unit
-        if low < near < high:
-            return near
-        bits += 4

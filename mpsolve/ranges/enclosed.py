@@ -99,7 +99,7 @@ def _in_plane(
 ) -> Crossing:
     at: planar.Point = (arb(seed[0]), arb(seed[1]))
     for _ in range(2):  # the reduction is best made at the zero itself
-        f = InPlane(proved, _reduction(proved, *at, edge), edge)
+        f = InPlane(proved, _reduction(proved, at[0], at[1], edge), edge)
         at = planar.polished(f, (float(at[0]), float(at[1])))
     zero = planar.isolated(f, at, (arb(size[0]), arb(size[1])))
     q, x = planar.sharpened(f, zero, goal + 8)

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.realroots import short_between
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.family import family_of
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
-from mpsolve.ranges.crossings import short_between
 from mpsolve.ranges.first_seen import first_seen
 from mpsolve.ranges.scope import from_above_rest, one_path
 

@@ -15,9 +15,8 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.problem.family import Family
 from mpsolve.proof.vanishing import guess, in_plane, scalar
 
-_Q = np.geomspace(2.0**-6, 2.0**3, 19)
-"""Ends of cells of q̂."""
-_X = 12  # cells of x̂
+_Q = 2.0**-6, 2.0**3  # between them lie cells of q̂
+_CELLS, _X = 18, 12  # of q̂ and of x̂
 _WIDE = 4  # ends of a range further apart than by this factor are parted by equal factors
 _SMALL = 2.0**-8  # of a cell: the boxes in which slopes are taken
 _ROUNDS, _NEAR, _DONE = 4, 4.0, 2.0**-6  # steps; of a cell: as far as they may lead, and the last
@@ -26,9 +25,12 @@ _SAMPLES = 6  # values of the second parameter at which the whole grid is tried
 
 def first_seen(family: Family) -> tuple[float, float] | None:
     """(q̂, x̂) of the crossing with the least x̂ that is met, for a family of one parameter; None where none is."""
-    m, half = _grid(family)
-    found = met(FreeMatrix(family), m, half)
-    return _least(found, family)
+    matrix = FreeMatrix(family)
+    for finer in (1, 2):  # contacts far apart have crossings so close together that a coarse grid meets none
+        least = _least(met(matrix, *_grid(family, finer)), family)
+        if least is not None:
+            return least
+    return None
 
 
 def each_seen(family: Family, values: Any) -> Any:
@@ -82,10 +84,11 @@ def _least(found: Any, family: Family) -> tuple[float, float] | None:
     return min(((float(q), float(x)) for q, x in found[:2, inside].T), key=lambda one: one[1], default=None)
 
 
-def _grid(family: Family) -> tuple[Any, Any]:
-    """Middles and halves of cells of (q̂, x̂)."""
+def _grid(family: Family, finer: int = 1) -> tuple[Any, Any]:
+    """Middles and halves of cells of (q̂, x̂), so many times as many each way."""
     low, high = (float(x) for x in family.box[0])
-    x = np.geomspace(low, high, _X + 1) if 0 < low * _WIDE < high else np.linspace(low, high, _X + 1)
-    middles = np.meshgrid((_Q[1:] + _Q[:-1]) / 2, (x[1:] + x[:-1]) / 2)
-    halves = np.meshgrid((_Q[1:] - _Q[:-1]) / 2, (x[1:] - x[:-1]) / 2)
+    q, cells = np.geomspace(*_Q, _CELLS * finer + 1), _X * finer
+    x = np.geomspace(low, high, cells + 1) if 0 < low * _WIDE < high else np.linspace(low, high, cells + 1)
+    middles = np.meshgrid((q[1:] + q[:-1]) / 2, (x[1:] + x[:-1]) / 2)
+    halves = np.meshgrid((q[1:] - q[:-1]) / 2, (x[1:] - x[:-1]) / 2)
     return np.stack([a.ravel() for a in middles]), np.stack([a.ravel() for a in halves])

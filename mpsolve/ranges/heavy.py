@@ -119,9 +119,9 @@ class HeavyJudge(Judge):
         boxes = Boxes(m, np.stack([high[0], np.maximum(high[1] - m[1], m[1] - low[1])]) * UP + 2.0**-1000)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good, real=True)
-        # what is left out of s is of third order along y, and Im s is of first order along q
-        share = boxes.r / self.width[:, None]
-        return np.where(s.good & off_axis(s.s), CORNER, 0), np.where(share[1] ** 2 > share[0], 1, 0)
+        # what is left out of s is of third order along y, by its own size, and Im s is of first order along q
+        along, across = boxes.r[0] / self.width[0], boxes.r[1] / (m[1] + TINY)
+        return np.where(s.good & off_axis(s.s), CORNER, 0), np.where(across**2 > along, 1, 0)
 
 
 def off_axis(s: Quadratic) -> Any:

@@ -123,15 +123,17 @@ class Judge:
         """A box round the point, of half-widths a share of `size`, in which one zero at most is proved."""
         one, other = np.meshgrid(_SHARES, _SHARES)
         shares = np.stack([one.ravel(), other.ravel()])
-        boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), size[:, None] * shares, self.origin, self.way)
-        A, G = self.matrix(boxes)
-        s = scalar(A, G.good)
-        area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
-        best = area.argmax()
-        if not area[best]:
-            return None
-        half = boxes.r[:, best] * 0.49
-        return point - half, point + half
+        for least in (1.0, _SHARES[-1]):  # bogies far apart have crossings so close together that both are needed
+            halves = size[:, None] * least * shares
+            boxes = Boxes(np.repeat(point[:, None], shares.shape[1], 1), halves, self.origin, self.way)
+            A, G = self.matrix(boxes)
+            s = scalar(A, G.good)
+            area = np.where(s.good & one_at_most(s.s), shares.prod(0), 0.0)
+            best = area.argmax()
+            if area[best]:
+                half = boxes.r[:, best] * 0.49
+                return point - half, point + half
+        return None
 
     def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, verdict: Verdict) -> Any:
         """Where the determinant is bounded, what stands most against the test; else what moves the p-roots most."""

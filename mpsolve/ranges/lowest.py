@@ -35,6 +35,7 @@ from mpsolve.tracks.at_rest import lowest_cut
 
 _SHARES = (2.0**-4, 2.0**-6, 2.0**-9, 2.0**-12)
 """Of the range: how far off, about, the lowest root crosses the line; less where another one is nearly as low."""
+_CUT = 2.0**-4  # of it: the least that is left of the width where an end of the range is near
 _SIDES = {"inside": np.array([-1.0, 1.0]), "start": np.array([1.0]), "end": np.array([-1.0])}
 _REACH = 2.0  # scaled: how far roots are looked for in floats
 _BELOW = 0.98  # of the height of the cuts
@@ -186,6 +187,9 @@ class Question:
 def _above(found: Candidate, share: float, scope: Scope, top: float) -> tuple[float, Fraction]:
     """(width, a height above the lowest point, a short float): the root crosses it so far beside the point, about."""
     width = share * float(scope.high[0] - scope.low[0])
+    aside = min(float(found.x) - scope.low[0], scope.high[0] - float(found.x)) / 2
+    if found.where == "inside" and width * _CUT < aside < width:  # crossings on both sides tell the root's path
+        width = float(aside)
     least, slope = float(found.state[0].imag.mid()), 0.0 if found.where == "inside" else abs(found.slope)
     lift = slope * width + max(found.bend, 0.0) * width**2 / 2
     most = -least / 2 if least < 0 else (top - least) / 2

@@ -22,13 +22,12 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Valued
-from mpsolve.ranges.crossings import Crossings, find
+from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.crossings import find
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
-from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.parted import LeftOut
 from mpsolve.ranges.scope import checked_over, one_path
-from mpsolve.ranges.undamped import stable_up_to
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note", "left_out")
 """What an answer has from the crossings that it is read from: their certificate is its own."""
@@ -283,10 +282,4 @@ def _found(
 ) -> Crossings:
     one_path(ranges)
     with one_thread():
-        why = never_unstable(given, ranges)  # without damping roots are real all over, so that crossings tell nothing
-        if why is not None:
-            return Crossings(given, ranges, Status.UNVERIFIED, digits=checked_digits(digits), counts=(0,), note=why)
-        open_end = stable_up_to(given, ranges)
-        if open_end is not None:
-            return Crossings(given, ranges, Status.UNDECIDED, *open_end, digits=checked_digits(digits))
         return find(given, ranges, checked_digits(digits), effort, progress or silent, check, near)

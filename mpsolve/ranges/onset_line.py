@@ -22,6 +22,7 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.jets import UP
+from mpsolve.numbers.realroots import short_between
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.family import family_of
 from mpsolve.problem.problem import Problem
@@ -31,7 +32,6 @@ from mpsolve.proof.vanishing import in_plane, one_at_most, scalar
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.asked import Asked, AskedJudge
 from mpsolve.ranges.crossingcurve import Fixed
-from mpsolve.ranges.crossings import short_between
 from mpsolve.ranges.enclosed import Crossing, enclose
 from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.scope import Scope, from_above_rest, scope_of

@@ -10,6 +10,7 @@ import numpy as np
 
 _FINE = 240  # of the whole: one point is kept in each cell of this size
 _FAR = 6.0  # cells: to the next point at most
+_TO_ZERO = 24.0  # cells: to the end of a curve at q̂ = 0, where there are few points
 _AHEAD = 0.5  # the cosine of how far aside it may lie
 Corrected = Callable[[Any, int], Any]
 """Points (3, n) put on the curves with one coordinate as it is; those without one are left out."""
@@ -19,7 +20,8 @@ Corrected = Callable[[Any, int], Any]
 class Path:
     """points (3, n) in their order.
 
-    whole: whether it comes back to its start, which then stands at both ends, or both ends lie on the edge.
+    whole: whether it comes back to its start, which then stands at both ends, or both ends lie on the edge, or where
+    q̂ = 0.
     """
 
     points: Any
@@ -27,7 +29,7 @@ class Path:
 
 
 def ordered(points: Any, tangents: Any, corners: tuple[Any, Any], corrected: Corrected) -> list[Path]:
-    """Of points (q̂, x̂, ŷ) and directions, the paths of more than two points. The edge is that in x̂ and ŷ."""
+    """Of points (q̂, x̂, ŷ) and directions, the paths of more than two points. q̂ = 0 is an edge too."""
     if points.shape[1] < 2:
         return []
     whole = np.array([np.ptp(points[0]) or 1.0, *(corners[1] - corners[0])[1:]])[:, None]
@@ -90,16 +92,19 @@ def _on_edge(last: Any, before: Any, corners: tuple[Any, Any], whole: Any, corre
     """The point on the edge to which the last step leads; None where none is near."""
     step = last - before
     best: tuple[float, int, float] | None = None
-    for k in (1, 2):
+    for k in range(3):
         edge = corners[1][k] if step[k] > 0 else corners[0][k]
         if step[k]:
             times = float((edge - last[k]) / step[k])
             if times >= 0 and (best is None or times < best[0]):
                 best = times, k, float(edge)
-    if best is None or np.linalg.norm(best[0] * step / whole[:, 0]) * _FINE > _FAR:
+    if best is None:
+        return None
+    far = _FAR if best[1] else _TO_ZERO
+    if np.linalg.norm(best[0] * step / whole[:, 0]) * _FINE > far:
         return None
     seed = last + best[0] * step
     seed[best[1]] = best[2]
     found = corrected(seed[:, None], best[1])
-    near = found.shape[1] and np.linalg.norm((found[:, 0] - last) / whole[:, 0]) * _FINE <= 2 * _FAR
+    near = found.shape[1] and np.linalg.norm((found[:, 0] - last) / whole[:, 0]) * _FINE <= 2 * far
     return found[:, 0] if near else None

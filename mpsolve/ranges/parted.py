@@ -29,6 +29,8 @@ _PLACES = 10**6
 _SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
 _BOXES = 20_000  # for a strip
+COMPLETE = "crossings complete up to q"
+"""What is known where nothing bounds the frequencies at which roots cross."""
 
 Find = Callable[[dict[str, Interval], Effort | None], Any]
 
@@ -206,9 +208,10 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
         "proofs": tuple(proof for one in found for proof in one.proofs),
     }  # fmt: skip
     if reason is not None:
-        done = [list(one.over["v"]) for one in found if one.proved]
-        return replace(first, status=Status.UNDECIDED, reason=reason, known={"proved": done},
-                       counts=None, note="", **common)  # fmt: skip
+        done: dict[str, Any] = {"proved": [list(one.over["v"]) for one in found if one.proved]}
+        listed = [[*one.over["v"], one.known[COMPLETE]] for one in found if COMPLETE in one.known]
+        done |= {COMPLETE: listed} if listed else {}
+        return replace(first, status=Status.UNDECIDED, reason=reason, known=done, counts=None, note="", **common)
     told = f"left out: {'; '.join(map(_shown, left_out))}. " if left_out else ""
     note = f"{told}There is no certificate of the whole"
     counts = tuple(n for one in found for n in one.counts)

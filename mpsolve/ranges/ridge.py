@@ -46,15 +46,39 @@ def one_for_each(s: Quadratic) -> Any:
 def unevenness(s: Quadratic) -> Any:
     """A bound of by how much the slopes by the first two variables vary in half a box, times their inverse; or ∞.
 
-    Below 1 the map is injective in them for each value of the third.
+    Below 1 the map is injective in them for each value of the third: with J the real slopes at the middle, the means
+    of the slopes between two points are J(I + E), |E| ≤ N entry by entry, and this is the spectral radius of N.
     """
     with np.errstate(all="ignore"):
         g0, g1, _ = s.b
-        c00, c01, c02, c11, c12, _ = np.abs(s.c)
-        vary = np.stack([c00 + c01 / 2 + c02 / 2 + 2 * s.e, c11 + c01 / 2 + c12 / 2 + 2 * s.e]) * (1 + 64 * U)
+        c00, c01, c02, c11, c12, _ = s.c
+        rest = 2 * solved_size(g0, g1, s.e)
+        n = [
+            solved(g0, g1, pure) + solved(g0, g1, mixed) / 2 + solved(g0, g1, along) / 2 + rest
+            for pure, mixed, along in ((c00, c01, c02), (c11, c01, c12))
+        ]
+        (a, c), (b, d) = n
+        worst = ((a + d) / 2 + np.sqrt(((a - d) / 2) ** 2 + b * c)) * (1 + 64 * U)
+        return np.where(np.isfinite(worst), worst, np.inf)
+
+
+def solved(g0: Any, g1: Any, z: Any) -> Any:
+    """Bounds of |w| for real w with g₀w₀ + g₁w₁ = z; ∞ where there may be none."""
+    lost = 8 * U
+    det = np.abs((g0.conj() * g1).imag) - lost * np.abs(g0) * np.abs(g1)
+    size = np.abs(z)
+    w = np.stack([
+        np.abs((z.conj() * g1).imag) + lost * size * np.abs(g1),
+        np.abs((g0.conj() * z).imag) + lost * size * np.abs(g0),
+    ])  # fmt: skip
+    return np.where(det > 0, w / det * (1 + 16 * U), np.inf)
+
+
+def solved_size(g0: Any, g1: Any, size: Any) -> Any:
+    """The same for all z of a modulus."""
+    with np.errstate(all="ignore"):
         det = np.abs((g0.conj() * g1).imag) - 8 * U * np.abs(g0) * np.abs(g1)
-        worst = (np.abs(g1) * vary[0] + np.abs(g0) * vary[1]) / det * (1 + 64 * U)
-        return np.where((det > 0) & np.isfinite(worst), worst, np.inf)
+        return np.where(det > 0, np.stack([np.abs(g1), np.abs(g0)]) * size / det * (1 + 16 * U), np.inf)
 
 
 @dataclass(frozen=True)

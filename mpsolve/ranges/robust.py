@@ -21,6 +21,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.ranges import undamped
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
@@ -81,14 +82,28 @@ def at_first_sight(problem: Problem, over: dict[str, Interval], effort: Effort |
     with one_thread():
         question = _asked(problem, over, effort, check)
         try:
-            return _by_theorem(problem, over) or question.counterexample()
+            return _by_theorem(problem, over, check) or question.counterexample()
         except (EffortError, OpenError):  # parts may tell
             return None
 
 
-def _by_theorem(problem: Problem, over: dict[str, Interval]) -> Robust | None:
+def _by_theorem(problem: Problem, over: dict[str, Interval], check: bool) -> Robust | None:
     why = never_unstable(problem, over)
-    return None if why is None else Robust(problem, over, Status.UNVERIFIED, stable=True, note=why)
+    if why is not None:
+        return Robust(problem, over, Status.UNVERIFIED, stable=True, note=why)
+    return _refuted_undamped(problem, over, check) if undamped.no_damping(problem, over) else None
+
+
+def _refuted_undamped(problem: Problem, over: dict[str, Interval], check: bool) -> Robust:
+    """A root that grows where the velocity is greatest, or what is known."""
+    started = process_time()
+    point = {path: high if path in undamped.SPEEDS else low for path, (low, high) in over.items()}
+    found = certify_problem(undamped.at_corner(problem, point), region="unstable", digits=15, check=check)
+    checked = found.cost.verification
+    cost = Spent(process_time() - started - checked, checked)
+    if found.stable is False:
+        return Robust(problem, over, found.status, cost=cost, stable=False, counterexample=point, spectrum=found)
+    return Robust(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), cost=cost)
 
 
 def _asked(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> _Question:
@@ -158,7 +173,7 @@ class _Question:
 def _robust(
     problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool, workers: int
 ) -> Robust:
-    known = _by_theorem(problem, over)
+    known = _by_theorem(problem, over, check)
     if known is not None:
         return known
     question = _asked(problem, over, effort, check)

@@ -16,6 +16,7 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.model import rational, shown
 from mpsolve.outcome import Reason
+from mpsolve.passivity import tail
 from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
@@ -53,6 +54,7 @@ _KNOWN: dict[Any, float | None] = {}
 def forget() -> None:
     """What was found for earlier questions, so that times of questions can be compared."""
     _KNOWN.clear()
+    tail.forget()
 
 
 class OpenError(PrecisionError):
@@ -125,13 +127,22 @@ class Scope:
         # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
         one = len(self.family.paths) == len(self.family.places) == 1
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
-        found = far(self.envelope) if one else getattr(passive_beyond(self.envelope, halvings=0), "X", None)
-        return None if found is None else float(found)
+        if one:
+            return far(self.envelope)
+        found = passive_beyond(self.envelope, ceiling=self._ceiling, halvings=0)
+        return None if found is None else float(found.X)
 
-    def judge(self, kind: type[Judge] = Judge) -> Judge:
-        """A judge of boxes in (q̂, x̂) over the whole."""
+    @property
+    def _ceiling(self) -> float | None:
+        """Where one track at one velocity is asked about, the theorem of its spectra, which are counted later on."""
+        base = self.family.base
+        known = tail.prove_tail(base.guide, base.smallest_gap) if not any(self.family.felt) else None
+        return None if known is None else known.X
+
+    def judge(self, kind: type[Judge] = Judge, **more: Any) -> Judge:
+        """A judge of boxes in (q̂, x̂) over the whole; more: of its kind."""
         width = np.concatenate([[self.X], self.high - self.low]) / 2
-        return kind(self.matrix, self.envelope if self.reach is None else None, width)
+        return kind(self.matrix, self.envelope if self.reach is None else None, width, **more)
 
     @property
     def corners(self) -> tuple[Any, Any]:

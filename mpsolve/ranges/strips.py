@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
-from mpsolve.proof.subdivide import BATCH
+from mpsolve.proof.subdivide import BATCH, Tree
 from mpsolve.ranges.arcs import HALF, PIECES, Arcs, arcs
+from mpsolve.ranges.cells import marked
 
 _MOST = 64  # parts of a piece
+_POINTS = 120  # along each parameter: how fine points near arcs are
 
 
 @dataclass(frozen=True)
@@ -32,24 +34,46 @@ def strips_of(matrix: FreeMatrix, low: Any, high: Any, corners: tuple[Any, Any],
     middles = (np.arange(PIECES) + 0.5) / PIECES - HALF
     for start in range(0, low.shape[1], BATCH):
         part = slice(start, start + BATCH)
-        found = arcs(matrix, low[:, part], high[:, part])
-        for t in middles.tolist():
+        found, _ = arcs(matrix, low[:, part], high[:, part])
+        for t in middles.tolist() if len(found.pivot) else ():
             boxes.append(_strips(found, t, corners, cells))
-            points.append(_points(found, t))
+            points.append(_points(found, t, corners))
     lows, highs = (np.concatenate([one[k] for one in boxes], 1) for k in range(2))
     return Strips(lows, highs, np.concatenate(points, 1))
 
 
-def _points(found: Arcs, t: float) -> Any:
-    """Where arcs pass the middles of pieces, about, inside of their leaves."""
-    at = np.full(found.low.shape[1], t)
-    point = found.m + found.place(found.pieces(t, 0.0).centre, at) * found.r
-    point[0] = np.where(found.at_zero, 0.0, point[0])
-    return point[:, ((point >= found.low) & (point <= found.high)).all(0)]
+def _points(found: Arcs, t: float, corners: tuple[Any, Any]) -> Any:
+    """Where arcs pass a piece, about, inside of their leaves."""
+    part = _parts(found, t, corners, _POINTS)
+    point = np.where(part.pick.at_zero, np.array([[0.0], [1.0], [1.0]]), 1.0) * part.centre
+    return point[:, ((point >= part.pick.low) & (point <= part.pick.high)).all(0)]
 
 
 def _strips(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> tuple[Any, Any]:
-    """A piece in parts, none of which is much larger than a cell."""
+    part = _parts(found, t, corners, cells)
+    pick, size = part.pick, part.size
+    room = 2.0**-46 * (np.abs(pick.m) + pick.r + size)
+    a, b = (
+        np.fmax(part.centre - size - room, pick.low),
+        np.fmin(part.centre + size + room, pick.high),
+    )  # nan: the leaf
+    keep = ~(a > b).any(0)
+    low, high = (((end[:, keep] - corners[0][:, None]) / (corners[1] - corners[0])[:, None])[1:] for end in (a, b))
+    return low, high
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """Parts of a piece, none of which is much larger than a cell. pick: the arc of each; zeros lie within `size` of
+    `centre`.
+    """
+
+    pick: Arcs
+    centre: Any
+    size: Any
+
+
+def _parts(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> _Parts:
     half, whole = HALF / PIECES, (corners[1] - corners[0])[:, None]
     piece = found.pieces(t, half)
     reach = np.nan_to_num(np.abs(piece.lean) * half, nan=np.inf)
@@ -62,9 +86,17 @@ def _strips(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> tupl
     pick = found.take(index)
     lean, around = piece.lean[:, index], piece.around[:, index]
     centre = pick.m + pick.place(piece.centre[:, index] + lean * tau, t + tau) * pick.r
-    size = pick.place(np.abs(lean) * share + around, share) * pick.r
-    room = 2.0**-46 * (np.abs(pick.m) + pick.r + size)
-    a, b = np.fmax(centre - size - room, pick.low), np.fmin(centre + size + room, pick.high)  # nan: all of the leaf
-    keep = ~(a > b).any(0)
-    low, high = (((end[:, keep] - corners[0][:, None]) / whole)[1:] for end in (a, b))
-    return low, high
+    return _Parts(pick, centre, pick.place(np.abs(lean) * share + around, share) * pick.r)
+
+
+def free_cells(corners: tuple[Any, Any], tree: Tree, strips: Strips, cells: int) -> Any:
+    """The cells, so many along each parameter, over which no root is real: neither strips nor open boxes meet them.
+
+    Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.
+    """
+    start, end = (side[1:, None] for side in corners)
+    width = end - start
+    beside = 2.0**-50 * np.maximum(np.abs(start), np.abs(end)) / width
+    rest = ((side[1:] - start) / width for side in tree.boxes(tree.open))
+    low, high = (np.concatenate([one, other], 1) for one, other in zip(rest, (strips.low, strips.high), strict=True))
+    return marked(low - beside, high + beside, (cells, cells)) == 0

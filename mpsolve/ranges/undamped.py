@@ -1,7 +1,8 @@
-"""Ranges in which an undamped beam lets no passive vehicle grow: the theorem of one point (SPEC2, 8.8) over a box.
+"""Ranges over which a beam has no damping: what is known of them without boxes, for real roots are no rarity there.
 
-The bracket EI y² − (N − kp + m v²) y + k of `spectrum.lossless` falls as v grows, is linear in each other parameter
-of the track and knows nothing of vehicles: at each y ≥ 0 it is least at a corner with the greatest v.
+*Where nothing grows.* The theorem of one point (SPEC2, 8.8) over a box: the bracket EI y² − (N − kp + m v²) y + k of
+`spectrum.lossless` falls as v grows, is linear in each other parameter of the track and knows nothing of vehicles: at
+each y ≥ 0 it is least at a corner with the greatest v. What grows beyond, under one mass, is told by `lone_mass`.
 """
 
 from __future__ import annotations
@@ -21,45 +22,81 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.lossless import passive_everywhere
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 
-NOTE = "the undamped beam takes up power at all frequencies and velocities of the range: no boxes are needed"
+NOTE = (
+    "the undamped beam takes up power at all frequencies and velocities of the range: roots may be real, but none "
+    "grows; no boxes are needed"
+)
+SPEEDS = ("v", "alpha")
 _OF_VEHICLES = ("vehicles", "gap[", "scale.", "eta_m", "d")
-_SPEEDS = ("v", "alpha")
 
 
 def never_unstable(problem: Problem, over: Mapping[str, Interval]) -> bool:
     """Whether nothing grows at any point of the ranges; False where the theorem does not tell."""
-    free = {path: ends for path, ends in over.items() if path == "alpha" or not path.startswith(_OF_VEHICLES)}
+    free = {path: ends for path, ends in over.items() if not of_vehicles(path)}
     if any(None in ends for ends in free.values()):
         return False
-    corners = [(max(map(abs, ends)),) if path in _SPEEDS else ends for path, ends in free.items()]
-    return all(_passive_at(problem, dict(zip(free, corner, strict=True))) for corner in product(*corners))
+    corners = [(max(map(abs, ends)),) if path in SPEEDS else ends for path, ends in free.items()]
+    return all(passive_at(problem, dict(zip(free, corner, strict=True))) for corner in product(*corners))
 
 
-def _passive_at(problem: Problem, point: Mapping[str, Fraction]) -> bool:
+def of_vehicles(path: str) -> bool:
+    """Whether a path names something of vehicles."""
+    return path.startswith(_OF_VEHICLES)
+
+
+def at_corner(problem: Problem, point: Mapping[str, Fraction]) -> Problem:
+    """The problem with these values."""
+    for path, value in point.items():
+        problem = problem.changed(path, value)
+    return problem
+
+
+def passive_at(problem: Problem, point: Mapping[str, Fraction]) -> bool:
+    """Whether nothing grows at a point, by the theorem."""
     try:
-        for path, value in point.items():
-            problem = problem.changed(path, value)
-        line = on_line(reduce_problem(problem))
+        line = on_line(reduce_problem(at_corner(problem, point)))
     except InputError:
         return False
     return line is not None and passive_everywhere(line)
 
 
-def stable_up_to(problem: Problem, over: Mapping[str, Interval]) -> tuple[Reason, dict[str, Any]] | None:
-    """Why a range of velocities is open, and the velocity up to which nothing grows, where it lies inside the range.
+def no_damping(problem: Problem, over: Mapping[str, Interval]) -> bool:
+    """Whether the track is a beam without any damping, all over the ranges, that does not buckle by itself."""
+    if not isinstance(problem.track, EulerBernoulli):
+        return False
+    for corner in product(*(tuple(x for x in ends if x is not None) for ends in over.values())):
+        try:
+            track: Any = at_corner(problem, dict(zip(over, corner, strict=True))).track
+        except InputError:
+            return False
+        if track.c or track.eta or not track.k > 0 or not _held(track):
+            return False
+    return True
 
-    That is √((2√(EI k) + kp − N)/m), at which the cuts join: a ball, in the unit of the path; None elsewhere.
-    """
-    ((path, (low, high)),) = over.items()
-    track = problem.track
-    if path not in _SPEEDS or not isinstance(track, EulerBernoulli) or track.c or track.eta or high is None:
-        return None
-    if low < 0 or not _passive_at(problem, {path: low}):
-        return None
+
+def _held(track: EulerBernoulli) -> bool:
+    """EI y² + (kp − N) y + k > 0 for all y ≥ 0, exactly."""
+    T = track.kp - track.N
+    return bool(T >= 0 or 4 * track.EI * track.k > T * T)
+
+
+def cuts_join(problem: Problem, path: str) -> Any:
+    """√((2√(EI k) + kp − N)/m), at which the cuts of the undamped beam join: a ball, in the unit of the path."""
+    track: Any = problem.track
     unit = problem.changed(path, 1).v
-    ball = (
-        (2 * rational_ball(track.EI * track.k).sqrt() + rational_ball(track.kp - track.N)) / rational_ball(track.m)
-    ).sqrt() / rational_ball(unit)
-    stated = "without damping roots are real above the velocity at which the cuts join, and cross nothing there"
-    remedy = "give the track some damping, or certify single velocities"
-    return Reason("undamped", stated, {}, remedy), {"stable up to": ball}
+    square = (2 * rational_ball(track.EI * track.k).sqrt() + rational_ball(track.kp - track.N)) / rational_ball(
+        track.m
+    )
+    return square.sqrt() / rational_ball(unit)
+
+
+def left_open(problem: Problem, over: Mapping[str, Interval]) -> tuple[Reason, dict[str, Any]]:
+    """Why ranges without damping are open, and the velocity up to which nothing grows, where it lies inside them."""
+    stated = (
+        "faster than its slowest wave an undamped beam has cuts on all of the real axis, where no crossing is sought"
+    )
+    reason = Reason("undamped", stated, {}, "give the track some damping, or certify single points")
+    path, (low, high) = next(iter(over.items()))
+    if len(over) > 1 or path not in SPEEDS or high is None or not passive_at(problem, {path: low}):
+        return reason, {}
+    return reason, {"stable up to": cuts_join(problem, path)}

@@ -36,8 +36,6 @@ class Beyond:
 
 def beyond(problem: Problem, path: str, low: Fraction, budget: Effort) -> Beyond:
     """A mass above `low` from which on no root is real however heavy it is, and why."""
-    if not path.startswith(_MASSES):
-        raise InputError(path, ONLY_MASSES)
     mass = max(2 * low, problem.parameters.get(path, Fraction(1)))
     over = {path: (mass, 2 * mass)}
     heavy = Heavy(scope_of(problem, over), path)
@@ -64,6 +62,12 @@ def beyond(problem: Problem, path: str, low: Fraction, budget: Effort) -> Beyond
     stated = "it is not decided whether roots are real for masses without end"
     remedy = "give an upper end, or a velocity farther from where heavy masses become unstable"
     return Beyond(mass, reason=Reason("endless", stated, {}, remedy))
+
+
+def require_mass(path: str) -> None:
+    """InputError for a range without an upper end of what cannot be a factor of all masses."""
+    if not path.startswith(_MASSES):
+        raise InputError(path, ONLY_MASSES)
 
 
 def endless(

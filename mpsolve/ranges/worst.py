@@ -17,6 +17,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
+from mpsolve.ranges import undamped
 from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
 from mpsolve.ranges.lowest import NEXT, Question
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
@@ -29,8 +30,9 @@ NOTE = "no certificate states where something is lowest yet"
 class Worst(Valued, Answer):
     """The lowest root in a range of one parameter: the one that grows fastest, or decays most slowly.
 
-    value, q, growth: balls in the problem's units, growth = −Im q in 1/s; None where undecided. where: "inside" (a
-    stationary point), "start" or "end" of the range, "" where undecided. lower, upper: floats that hold `value`.
+    value, q, growth: balls in the problem's units, growth = −Im q in 1/s; None where undecided, and where nothing
+    grows on a beam without damping, as roots may then be real all over the range. where: "inside" (a stationary
+    point), "start" or "end" of the range, "" without a value. lower, upper: floats that hold `value`.
 
     Where some root of the range grows, that is the minimum over all roots. Where none does, it is the minimum over
     those below the lowest cut with |Re q| < reach, and no other root has Im q < 0.
@@ -84,6 +86,10 @@ def worst(
 def _worst(
     problem: Problem, over: dict[str, Interval], digits: int, effort: Effort | None, progress: Progress, check: bool
 ) -> Worst:
+    if undamped.never_unstable(problem, over):
+        return Worst(problem, over, Status.UNVERIFIED, note=undamped.NOTE, digits=digits)
+    if undamped.no_damping(problem, over):
+        return Worst(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), digits=digits)
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     over = from_above_rest(problem, over)

@@ -5,10 +5,17 @@ Reports of `certify` are set here rather than by rich, which takes as long to lo
 
 from __future__ import annotations
 
+import io
 import shlex
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
+from typing import TYPE_CHECKING
+
+from mpsolve.frozen import frozen
+
+if TYPE_CHECKING:
+    from rich.console import Group
 
 WIDTH = 88
 _INDENT, _GAP = 2, 2
@@ -16,7 +23,7 @@ _NARROWEST = 12  # of a column that is wrapped
 _CODES = {"bold": "1", "red": "31", "green": "32", "yellow": "33"}
 
 
-@dataclass(frozen=True)
+@frozen
 class Line:
     """One paragraph without indentation. style: words of `bold`, `red`, `green`, `yellow`."""
 
@@ -28,7 +35,7 @@ class Line:
             yield _styled(line, self.style) if colour else line
 
 
-@dataclass(frozen=True)
+@frozen
 class Columns:
     """Rows of cells. heading: a row with a rule under it, or empty; right: the columns that are set to the right."""
 
@@ -58,7 +65,7 @@ class Columns:
             yield (" " * gap).join(parts).rstrip()
 
 
-@dataclass(frozen=True)
+@frozen
 class Section:
     """A heading over an indented body: a text, whose own line ends are kept, or columns."""
 
@@ -73,7 +80,7 @@ class Section:
             yield f"{' ' * _INDENT}{line}".rstrip()
 
 
-@dataclass(frozen=True)
+@frozen
 class Document:
     """Blocks with an empty line between them."""
 
@@ -113,3 +120,13 @@ def _widths(rows: Iterable[Sequence[str]], width: int, gap: int) -> list[int]:
 def _styled(text: str, style: str) -> str:
     codes = ";".join(_CODES[word] for word in style.split())
     return f"\x1b[{codes}m{text}\x1b[0m" if codes else text
+
+
+def plain(report: Group) -> str:
+    """A report as plain text of `WIDTH` columns."""
+    from rich.console import Console
+
+    stream = io.StringIO()
+    console = Console(file=stream, width=WIDTH, force_terminal=False, color_system=None, legacy_windows=False)
+    console.print(report, soft_wrap=False)
+    return "\n".join(line.rstrip() for line in stream.getvalue().splitlines()) + "\n"

@@ -1,8 +1,12 @@
-"""Pictures of a response, by matplotlib: each function draws on the Axes it is given."""
+"""Pictures of a response, by matplotlib: each function draws on the Axes it is given.
+
+Ids in `displacements` and `contact_forces`: w-K, envelope-K (of the K-th contact point from 1), force-K, loss-K (of
+the K-th mass).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,14 +14,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.files import write_whole
-from mpsolve.report.figures import rendered, require_matplotlib
+from mpsolve.report.figures import COLOUR, Look, require_matplotlib, save_panels
 from mpsolve.vibration.case_motion import Response
-from mpsolve.vibration.scale import Scale
+from mpsolve.vibration.case_units import Scale
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
+
 
 MOST_PANELS = 24
 _PARTS = {"w": "complete", "harmonic": "unsteady harmonic", "steady": "steady", "transient": "truly transient"}
@@ -115,23 +119,60 @@ def save_history(found: Response, path: Path, title: str = "", scale: Scale | No
         raise InputError(
             "xi", f"has {rows} positions: a picture takes 1 to {MOST_PANELS}; write .csv or .npz for more"
         )
-    return _save([partial(draw_history, found, index=k, scale=scale) for k in range(rows)], path, title)
+    panels = [partial(draw_history, found, index=k, scale=scale) for k in range(rows)]
+    return save_panels(panels, path, title, 2.8, 0.6)
 
 
 def save_curves(
     found: Response, curves: Mapping[str, Any], path: Path, title: str = "", scale: Scale | None = None
 ) -> Path:
     """One panel with all curves, as .png, .svg or .pdf, written whole or not at all."""
-    return _save([partial(draw_curves, found, curves, scale=scale)], path, title)
+    return save_panels([partial(draw_curves, found, curves, scale=scale)], path, title, 2.8, 0.6)
 
 
-def _save(panels: Sequence[Callable[..., Any]], path: Path, title: str) -> Path:
-    require_matplotlib()
-    from matplotlib.figure import Figure
+def displacements(response: Response, ax: Axes, scale: Scale | None = None, look: Look = COLOUR) -> Axes:
+    """w at each ξ over time, downward on the page too; dotted: the steady part ± the envelope; returns `ax`."""
+    scale = scale or Scale()
+    order = np.argsort(response.tau)
+    t, bounds = response.tau[order] * scale.time, response.envelope
+    for k in range(len(response.xi)):
+        style = look.line(k)
+        ax.plot(t, response.w[k, order] * scale.length, **style, label=f"contact point {k + 1}", gid=f"w-{k + 1}")
+        for sign in (1, -1):
+            edge = (response.steady[k] + sign * bounds[k])[order] * scale.length
+            name: dict[str, Any] = {"gid": f"envelope-{k + 1}"} if sign > 0 else {}
+            ax.plot(t, edge, color=style["color"], linestyle=":", linewidth=1, **name)
+    ax.plot([], [], color=look.ink, linestyle=":", linewidth=1, label="steady part ± envelope")
+    ax.axhline(0, color=look.faint, linewidth=0.6)
+    ax.invert_yaxis()
+    unit = f"[{scale.length_name}]" if scale.physical else "w in units of $w_{st}$"
+    return _timed(ax, t, scale, f"displacement, downward\n{unit}")
 
-    figure = Figure(figsize=(8.0, 2.8 * len(panels) + 0.6), layout="constrained")
-    for k, panel in enumerate(panels):
-        panel(ax=figure.add_subplot(len(panels), 1, k + 1))
-    if title:
-        figure.suptitle(title, fontsize=11)
-    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))
+
+def contact_forces(response: Response, ax: Axes, scale: Scale | None = None, look: Look = COLOUR) -> Axes:
+    """The force of each mass on the beam over time; a cross where it first falls to zero; returns `ax`."""
+    scale = scale or Scale()
+    order = np.argsort(response.tau)
+    t = response.tau[order] * scale.time
+    for k, force in enumerate(response.contact_forces):
+        ax.plot(t, force[order] * scale.force, **look.line(k), label=f"mass {k + 1}", gid=f"force-{k + 1}")
+        loss = response.contact_loss[k]
+        if loss is not None:
+            mark: dict[str, Any] = {"color": look.ink, "markersize": 9, "markeredgewidth": 2, "zorder": 5}
+            ax.plot(loss * scale.time, 0, "x", **mark, gid=f"loss-{k + 1}", label=f"mass {k + 1} would lift off")
+    low, high = ax.get_ylim()
+    if low < 0:
+        ax.axhspan(low, 0, color=look.shade, linewidth=0, zorder=0)
+        ax.set_ylim(low, high)
+    ax.axhline(0, color=look.ink, linewidth=0.8)
+    unit = f"[{scale.force_name}]" if scale.physical else "in unit forces"
+    return _timed(ax, t, scale, f"contact force, pressing\n{unit}")
+
+
+def _timed(ax: Axes, t: Any, scale: Scale, label: str) -> Axes:
+    time = "time t [s]" if scale.physical else "time τ"
+    ax.set(xlabel=time, ylabel=label)
+    if len(t) and t[0] < t[-1]:
+        ax.set_xlim(float(t[0]), float(t[-1]))
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, columnspacing=1.2, handlelength=1.8)
+    return ax

@@ -6,6 +6,7 @@ What comes after the first lift-off is beyond the model: it is drawn pale, and n
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.files import write_whole
-from mpsolve.report.figures import rendered, require_matplotlib
+from mpsolve.report.figures import save_panels
 from mpsolve.vibration.motion import Vibration
 
 if TYPE_CHECKING:
@@ -30,37 +31,31 @@ def save_motion(found: Vibration, path: Path, title: str = "") -> Path:
     rows = len(found.places)
     if not 1 <= rows < MOST_PANELS:
         raise InputError("xi", f"has {rows} places: a picture takes 1 to {MOST_PANELS - 1}; write .csv or .npz")
-    require_matplotlib()
-    from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(8.0, 2.8 * (rows + 1) + 0.6), layout="constrained")
-    for k, place in enumerate(found.places):
-        ax = figure.add_subplot(rows + 1, 1, k + 1)
-        curves = {name: 1e3 * getattr(found, part)[k] for part, name in _PARTS.items()}
-        draw_curves(found, curves, ax, f"$w$ [mm] at $x$ = {place:g} m", list(_COLOURS.values()))
-        ax.invert_yaxis()
-    ax = figure.add_subplot(rows + 1, 1, rows + 1)
-    forces = {f"contact {j}": row / 1e3 for j, row in enumerate(found.contact_force, 1)}
-    draw_curves(found, forces, ax, "contact force [kN]", list(_PALETTE))
-    ax.axhline(0, color="black", linewidth=0.6)
-    if title:
-        figure.suptitle(title, fontsize=11)
-    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))
+    def forces(ax: Axes) -> None:
+        pressing = {f"contact {j}": row / 1e3 for j, row in enumerate(found.contact_force, 1)}
+        draw_curves(found, pressing, ax, "contact force [kN]", list(_PALETTE))
+        ax.axhline(0, color="black", linewidth=0.6)
+
+    panels = [partial(_place, found, k) for k in range(rows)]
+    return save_panels([*panels, forces], path, title, 2.8, 0.6)
+
+
+def _place(found: Vibration, k: int, ax: Axes) -> None:
+    curves = {name: 1e3 * getattr(found, part)[k] for part, name in _PARTS.items()}
+    draw_curves(found, curves, ax, f"$w$ [mm] at $x$ = {found.places[k]:g} m", list(_COLOURS.values()))
+    ax.invert_yaxis()
 
 
 def save_comparison(found: Vibration, curves: Mapping[str, Any], path: Path, title: str = "") -> Path:
     """Deflections [m] at one place by their names, in one panel."""
-    require_matplotlib()
-    from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(8.0, 3.6), layout="constrained")
-    ax = figure.add_subplot()
-    shown = {name: 1e3 * row for name, row in curves.items()}
-    draw_curves(found, shown, ax, "$w$ [mm] under the rear contact", list(_PALETTE))
-    ax.invert_yaxis()
-    if title:
-        figure.suptitle(title, fontsize=11)
-    return write_whole(path, rendered(figure, path.suffix.lower()[1:]))
+    def panel(ax: Axes) -> None:
+        shown = {name: 1e3 * row for name, row in curves.items()}
+        draw_curves(found, shown, ax, "$w$ [mm] under the rear contact", list(_PALETTE))
+        ax.invert_yaxis()
+
+    return save_panels([panel], path, title, 3.6)
 
 
 def draw_curves(found: Vibration, curves: Mapping[str, Any], ax: Axes, label: str, colours: list[str]) -> Axes:

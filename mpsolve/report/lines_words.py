@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
-
 import numpy as np
 
+from mpsolve.files import csv_text
 from mpsolve.loci.answer import FrequencyLine, FrequencyLines, LineEnd
 from mpsolve.numbers.spoken import rounded
 from mpsolve.problem.over import Over
@@ -92,6 +90,4 @@ def lines_csv(found: FrequencyLines, asked: Asked) -> str:
             re, im = float(q.real.mid()), float(q.imag.mid())
             hertz = [repr(re / (2 * np.pi))] if asked.si else []
             rows.append([str(k), repr(float(over.shown(value))), repr(re), repr(im), *hertz, end])
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows(rows)
-    return out.getvalue()
+    return csv_text(rows)

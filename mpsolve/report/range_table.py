@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 from collections.abc import Mapping
@@ -11,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.files import csv_text
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import rational
 from mpsolve.numbers.packed import pack
@@ -106,13 +105,10 @@ def _grid(table: Any, key: str) -> dict[str, Any]:
 
 def table_csv(table: Table) -> str:
     """A line a row, a column a column; the unit of the numbers stands in the first heading."""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
     what = f"{table.quantity} of {table.over.path}" + (f" [{table.over.unit}]" if table.over.unit else "")
-    writer.writerow([f"{table.rows[0]} \\ {table.columns[0]}: {what}", *map(decimal, table.columns[1])])
-    for value, row in zip(table.rows[1], table.entries, strict=True):
-        writer.writerow([decimal(value), *(entry.text for entry in row)])
-    return out.getvalue()
+    head = [f"{table.rows[0]} \\ {table.columns[0]}: {what}", *map(decimal, table.columns[1])]
+    rows = zip(table.rows[1], table.entries, strict=True)
+    return csv_text([head, *([decimal(value), *(entry.text for entry in row)] for value, row in rows)])
 
 
 def table_json(table: Table) -> str:

@@ -11,7 +11,7 @@ from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import Answer
-from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, UnstableRanges
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
@@ -187,9 +187,9 @@ def value_text(ball: Any, over: Over, digits: int) -> str:
 
 
 def frequency_text(q: Any, asked: Asked, digits: int) -> str:
-    """q with all its digits, and in Hz; 0 for a deflection that grows without oscillation."""
+    """q with all its digits, and in Hz; 0 where a deflection begins to grow without oscillation."""
     if q == 0:
-        return "q = 0, a deflection that does not oscillate"
+        return "q = 0, a deflection that begins without oscillation"
     with precision(working_bits(digits)):
         number = proved_digits(q, digits)
         if not asked.si:

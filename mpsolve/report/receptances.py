@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from dataclasses import dataclass
 from fractions import Fraction
@@ -13,6 +11,8 @@ import numpy as np
 
 from mpsolve.characteristic.forced import receptance
 from mpsolve.errors import InputError
+from mpsolve.files import csv_text
+from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Track
@@ -43,12 +43,12 @@ class Receptances:
     def to_csv(self) -> str:
         """A row for each ω: omega, then re_G(ξ) and im_G(ξ) for each ξ; in SI with the units behind them."""
         rate, unit = (" [rad/s]", " [m/N]") if self.si else ("", "")
-        stream = io.StringIO()
-        rows = csv.writer(stream, lineterminator="\n")
-        rows.writerow([f"omega{rate}", *(f"{part}_G({xi:.10g}){unit}" for xi in self.xi for part in ("re", "im"))])
-        for omega, column in zip(self.omega, self.G.T.tolist(), strict=True):
-            rows.writerow([repr(omega), *(repr(part) for value in column for part in (value.real, value.imag))])
-        return stream.getvalue()
+        head = [f"omega{rate}", *(f"{part}_G({xi:.10g}){unit}" for xi in self.xi for part in ("re", "im"))]
+        rows = (
+            [repr(omega), *(repr(part) for value in column for part in (value.real, value.imag))]
+            for omega, column in zip(self.omega, self.G.T.tolist(), strict=True)
+        )
+        return csv_text([head, *rows])
 
     def to_json(self) -> str:
         """G_re[i][j], G_im[i][j] for xi[i], omega[j]; track: its model and its parameters, exactly."""
@@ -112,4 +112,4 @@ def _track(track: Any) -> dict[str, str]:
 def _number(value: Fraction) -> str:
     """As short as it is exact."""
     text = shown(value)
-    return text if "…" not in text else str(value)
+    return text if Exact.parse(text) == value else str(value)

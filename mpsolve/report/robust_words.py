@@ -5,6 +5,7 @@ from __future__ import annotations
 from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.outcome import Status
 from mpsolve.ranges.chart import Chart
+from mpsolve.ranges.meeting import Meeting
 from mpsolve.ranges.robust import Robust
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, framed, growing, undecided
@@ -56,6 +57,13 @@ def _value(x: object, path: str, asked: Asked) -> str:
     return beside(x, asked.problem.quantity(path).unit) if asked.si else rounded(x)
 
 
+_MEETINGS = {
+    "two pairs": "two boundaries cross, with two pairs of roots real,",
+    "pair and divergence": "a boundary of a pair crosses one of divergence",
+    "pair from q = 0": "a boundary of a pair ends on one of divergence, as q comes to 0,",
+}
+
+
 def said_of_chart(found: Chart, asked: Asked) -> Said:
     """The report of a chart."""
     asked = asked.answered(found.over)
@@ -81,4 +89,11 @@ def _chart(found: Chart, asked: Asked) -> list[str]:
         kind = "a root passes q = 0 (divergence)" if curve.divergence else "a pair of roots crosses the real axis"
         end = "" if curve.whole else "; it could not be followed further"
         lines.append(f"  a boundary, proved through {len(curve.x)} points: {kind}{end}")
+    lines += [f"  {_meeting(one, asked)}" for one in found.meetings]
     return [*lines, f"  strips round the boundaries: {100 * (1 - found.share):.3g} % of the chart"]
+
+
+def _meeting(one: Meeting, asked: Asked) -> str:
+    each = zip(asked.overs, (one.x, one.y), strict=True)
+    where = " and ".join(f"{over.path} = {over.told(float(ball.mid()))}" for over, ball in each)
+    return f"{_MEETINGS[one.kind]} at {where}"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import outward
 from mpsolve.numbers.spoken import rounded, spoken
@@ -22,7 +22,7 @@ ASSUMED = (
 _PLACES = 8
 
 
-@dataclass(frozen=True)
+@frozen
 class Units:
     """What q, frequency, growth rate and time are measured in."""
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
 from flint import arb
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.rootball import Symmetry
@@ -26,7 +26,7 @@ class Trend(Enum):
     OPEN = "open"
 
 
-@dataclass(frozen=True)
+@frozen
 class Vibration:
     """The motion e^{iqt} of the roots q and −q̄, in balls (flint.arb) that contain the exact values.
 

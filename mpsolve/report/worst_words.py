@@ -49,7 +49,7 @@ def _end(over: Over) -> Fraction:
 def worst_verdict(found: Worst, asked: Asked) -> str:
     """One sentence."""
     if found.value is None or found.growth is None:
-        return undecided(found)
+        return f"STABLE: {found.note}." if found.proved else undecided(found)
     (over,) = asked.overs
     with precision(working_bits(found.digits)):
         grows = bool(found.growth > 0)

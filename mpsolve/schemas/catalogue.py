@@ -7,22 +7,29 @@ from functools import partial
 
 from mpsolve.errors import InputError
 from mpsolve.problem.schema import input_schema
-from mpsolve.report.schema import certify_schema
-from mpsolve.schemas import certificates, motions, pages, studies, tables
+from mpsolve.schemas import certificates, motions, studies
+from mpsolve.schemas.certify import certify_schema
 from mpsolve.schemas.parts import Schema
-from mpsolve.schemas.ranges import OF_LIBRARY, QUESTIONS, library_schema, ranges_schema
+from mpsolve.schemas.ranges import (
+    OF_LIBRARY,
+    QUESTIONS,
+    library_schema,
+    ranges_schema,
+    table_file_schema,
+    table_schema,
+)
 
 CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "input": ("input files of a problem", input_schema),
     "study-file": ("files of mpsolve study", studies.study_file_schema),
-    "table-file": ("files of mpsolve table", tables.table_file_schema),
+    "table-file": ("files of mpsolve table", table_file_schema),
     "certify": ("mpsolve certify --json", certify_schema),
     **{
         name: (f"the answer about {name.replace('_', ' ')}, --json or -o FILE.json", partial(ranges_schema, name))
         for name in QUESTIONS
     },
     **{name: (f"{name}(…).to_json() of the library", partial(library_schema, name)) for name in OF_LIBRARY},
-    "table": ("mpsolve table -o FILE.json", tables.table_schema),
+    "table": ("mpsolve table -o FILE.json", table_schema),
     "train": ("mpsolve train --json", motions.train_schema),
     "critical": ("mpsolve critical --json", motions.critical_schema),
     "receptance": ("mpsolve receptance --json", motions.receptance_schema),
@@ -30,9 +37,9 @@ CATALOGUE: dict[str, tuple[str, Callable[[], Schema]]] = {
     "study": ("mpsolve export --to json", studies.study_schema),
     "status": ("mpsolve status --json", studies.status_schema),
     "seeds": ("seeds(…).save of the library", studies.seeds_schema),
-    "page": ("the numbers in a page of mpsolve report", pages.page_schema),
+    "page": ("the numbers in a page of mpsolve report", motions.page_schema),
     "roots": ("mpsolve roots --json", motions.roots_schema),
-    "audit": ("mpsolve audit --json", pages.audit_schema),
+    "audit": ("mpsolve audit --json", motions.audit_schema),
     "certificate": ("certificates of any problem", certificates.certificate_schema),
     "ranges-certificate": ("certificates over ranges of parameters", certificates.ranges_certificate_schema),
     "zeros-certificate": ("certificates of mpsolve roots", certificates.zeros_certificate_schema),

@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field, replace
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from flint import arb
 
+from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.loops import turn_round
 from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.jets import UP, U
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.near_loop import Ways, about, ways_to
 
-_FIRST, _SMALLEST, _SHRINK = 0.15, 2.0**-28, 4  # of the distance to what is next: radii of loops
+_FIRST, _SMALL, _SHRINK = 0.15, 2.0**-14, 4  # of the distance to what is next: radii of loops
+_SMALLEST, _SHRINK_MORE, _JOIN = 2.0**-84, 32, 2.0**-7  # the same about the point, and where ways to it begin
 _SIDES = (12, 16, 24, 48, 96)
 _REAL = 1e-3  # relative, in floats
 
 
-@dataclass(frozen=True)
+@frozen
 class BranchPoint:
     """Where real p-roots meet, z > 0: how often it is a root of the discriminant, how far the next one or 0 is.
 
+    exact: z to some 120 bits.
     pole: about the P at which one pair meets; None where more roots do.
     """
 
@@ -32,45 +39,77 @@ class BranchPoint:
     multiplicity: int
     room: float
     pole: complex | None
+    exact: Fraction
 
 
-@dataclass(frozen=True)
+@frozen
 class Loop:
-    """A polygon from centre − radius several times round a branch point, on which Δ̂ turns as its pole there asks."""
+    """A polygon from centre − radius several times round a branch point, on which Δ̂ turns as its pole there asks.
+
+    ways: those to a loop that is so small that its numbers count from the branch point.
+    """
 
     centre: float
     radius: float
     sides: int
     points: Any
     half: tuple[float, float] = field(compare=False)
-    """The change of arg Δ̂ along the first half, below the real axis, and a bound of its error."""
+    """The change of arg Δ̂ from `first` to `last`, below the real axis, and a bound of its error."""
+    ways: Ways | None = None
+
+    @property
+    def about(self) -> Fraction:
+        """What the points and the centre count from."""
+        return self.ways.z if self.ways is not None else Fraction(0)
 
     @property
     def first(self) -> float:
-        """Where the loop begins, on the real axis."""
-        return self.centre - self.radius
+        """Where the way along the real axis is left, on it."""
+        return self.ways.first if self.ways is not None else self.centre - self.radius
+
+    @property
+    def begin(self) -> Fraction:
+        """Where Δ̂ begins to be followed, exactly: at `first`, or where the loop begins."""
+        linked = self.ways is not None and self.ways.linked
+        return self.about - Fraction(self.radius) if linked else Fraction(self.first)
 
     @property
     def last(self) -> float:
-        """Where it comes back to the real axis for the first time."""
-        return self.centre + self.radius
+        """Where it goes on."""
+        return self.ways.last if self.ways is not None else self.centre + self.radius
 
     @property
     def reach(self) -> float:
         """The radius of a disc round the centre that holds all points."""
         return self.radius * (1 + 2.0**-10)
 
+    @property
+    def pieces(self) -> int:
+        return len(self.points) - 1 + (self.ways.pieces if self.ways is not None else 0)
+
+    @property
+    def places(self) -> Any:
+        """The points, and those of the ways, in floats."""
+        if self.ways is None:
+            return self.points
+        return float(self.ways.z) + np.concatenate([self.points, self.ways.before, self.ways.behind])
+
 
 def edge_points(line: Line) -> list[BranchPoint]:
     """The branch points on the edge of the cut, ascending."""
-    found = [(float(z), k) for z, k in line.branch_points]
+    found = [(float(z), k, _middle(z)) for z, k in line.branch_points]
     out = []
-    for j, (z, k) in enumerate(found):
-        others = [abs(z - other) for i, (other, _) in enumerate(found) if i != j]
+    for j, (z, k, exact) in enumerate(found):
+        others = [abs(z - other) for i, (other, *_) in enumerate(found) if i != j]
         pole = _meeting(line, z)
         if k > 2 or pole is not None:
-            out.append(BranchPoint(z, k, min([z, *others]), pole if k == 1 else None))
+            out.append(BranchPoint(z, k, min([z, *others]), pole if k == 1 else None, exact))
     return out
+
+
+def _middle(ball: arb) -> Fraction:
+    mantissa, exponent = ball.mid().man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def _meeting(line: Line, z: float) -> complex | None:
@@ -91,13 +130,21 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
     sites = len(line.lower.places)
     turns, poles = (4, 4 if sites > 1 else 3) if point.multiplicity > 2 else (2, min(point.multiplicity, sites))
     ratio = _FIRST
-    while ratio > _SMALLEST:
-        radius = float(np.float32(ratio * point.room))
-        centre = float(np.float32(point.z)) if ratio > 2.0**-16 else point.z
-        loop = _turned(paths, point, centre, radius, turns, poles, effort)
+    while ratio > _SMALL:
+        centre = float(np.float32(point.z))
+        loop = _turned(paths, paths.arrays, point, centre, ratio * point.room, (turns, poles), effort)
         if loop is not None:
             return loop
         ratio /= _SHRINK
+    near = about(paths, point.exact, point.pole)
+    while ratio > _SMALLEST:
+        loop = _turned(paths, near, point, 0.0, ratio * point.room, (turns, poles), effort)
+        if loop is not None:
+            linked = not line.height and not line.joined  # real roots may lie in the gap
+            ways = ways_to(paths, near, loop.radius, _JOIN * point.room, linked, effort)
+            turn, lost = (x + y for x, y in zip(loop.half, ways.turn, strict=True))
+            return replace(loop, half=(turn, (lost + 4 * U * abs(turn)) * UP), ways=ways)
+        ratio /= _SHRINK_MORE
     unit = float(line.lower.frequency_unit)
     place = f"the branch point of the cuts at Re q = {point.z * unit:.8g}"
     raise PrecisionError(
@@ -106,13 +153,21 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
 
 
 def _turned(
-    paths: Paths, point: BranchPoint, centre: float, radius: float, turns: int, poles: int, effort: Effort
+    paths: Paths,
+    arrays: Arrays,
+    point: BranchPoint,
+    centre: float,
+    radius: float,
+    asked: tuple[int, int],
+    effort: Effort,
 ) -> Loop | None:
+    """The loop of this radius; asked: how often it goes round, and how many poles it shows."""
+    radius, (turns, poles) = float(np.float32(radius)), asked
     for sides in _SIDES:
         points = _polygon(centre, radius, sides, turns)
         effort.spend(2 * len(points))
-        ends = split(paths.arrays.D, 1j * points[[0, sides // 2]], np.zeros(2), paths.up)
-        turn = turn_round(paths.arrays, ends, points, sides // 2, paths.room, point.pole)
+        ends = split(arrays.D, 1j * points[[0, sides // 2]], np.zeros(2), paths.up)
+        turn = turn_round(arrays, ends, points, sides // 2, paths.room, point.pole)
         if turn is None:
             continue
         with precision(64):

@@ -8,12 +8,12 @@ many roots are found as were counted.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.characteristic.floats import Floats
+from mpsolve.frozen import frozen
 from mpsolve.problem.reduced import Reduced
 
 _STEPS = 40
@@ -21,7 +21,7 @@ _CROWD = 1e-3  # relative: hints that are closer give one start
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
 
 
-@dataclass(frozen=True)
+@frozen
 class Area:
     """The right half of a symmetric region in scaled q̂: 0 ≤ Re q ≤ re_max, im_min ≤ Im q ≤ im_max."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +14,7 @@ from mpsolve.characteristic.origin import origin, waves_meet_at_zero
 from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
@@ -24,7 +24,7 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
-from mpsolve.spectrum.partial import Partial, count_strips, hold_growth
+from mpsolve.spectrum.partial import Partial, count_strips, holding_growth
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
@@ -38,7 +38,7 @@ _AT_REST_REACH = 8.0  # and how far it goes where nothing moves
 Tell = Callable[[str, float], None]
 
 
-@dataclass(frozen=True)
+@frozen
 class Count:
     """The proved number of roots in `region`, with all that the proof rests on (points are scaled, q̂).
 
@@ -94,13 +94,15 @@ def count_roots(
         plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if reduced.guide.v else None
     )
     tell("contour", 0.3)
-    if isinstance(closed, Beyond) and partial is not None:
-        hold_growth(partial, paths, closed, height, effort)
     if isinstance(closed, str):
         return _disc(paths, first, region, height, closed, effort)
     if closed is None and not height:
         return Count(HalfPlane(), 0, first, (), None, AT_REST, effort.spent)
-    return _half_plane(paths, first, height, closed, effort)
+    if closed is None or partial is None:
+        return _half_plane(paths, first, height, closed, effort)
+    beyond = closed
+    count = lambda: _half_plane(paths, first, height, beyond, effort)  # noqa: E731
+    return holding_growth(partial, paths, beyond, height, effort, count)
 
 
 def _at_rest(reduced: Reduced, region: Region) -> bool:

@@ -8,13 +8,13 @@ does so too.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, rational_ball
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.numbers.rootball import RootBall, Symmetry
@@ -34,7 +34,7 @@ _REAL = Line(Symmetry.REAL, lambda sigma: acb(0, sigma.imag))
 """Im q = 0, where nothing damps."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Scalar:
     """The scalar to which the determinant is reduced near one root, as a function of σ."""
 
@@ -52,7 +52,7 @@ class Scalar:
         return self.reduction.scalar(A), self.reduction.scalar_slope(A, A_sigma)
 
 
-@dataclass(frozen=True)
+@frozen
 class Box:
     """A root that is proved to be alone in its box of σ̂, and the function that it is a root of."""
 

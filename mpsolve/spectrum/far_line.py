@@ -10,7 +10,6 @@ number of masses.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,19 +17,22 @@ import numpy as np
 from mpsolve.characteristic.discs import near_roots, split, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.problem.line import Line, discriminant
 
 _ROOT_HALF = math.sqrt(0.5)
 ARCS = 24
-"""Of the circle |u| = 1/W on which the waves are bounded."""
+"""Of the circle |u| = 1/W on which the waves are bounded; those of the first quarter tell the others."""
+_NEEDED = ARCS // 4 + 1
 _BEYOND = 2.0  # how far, at least, beyond the last frequency at which p-roots meet
 _LADDER = 2.0 ** (np.arange(6) / 2)  # of W, tried at once
 _ROUNDS = 6
 _SLACK = 1e-9  # far above the rounding of the few operations on bounds below
+_MARGIN = 1.02  # of the bounds, for a checker with wider ones
 
 
-@dataclass(frozen=True)
+@frozen
 class FarLine:
     """No root has |z| ≥ reach (scaled) on the closed lower half of the sheet; W = 1/|u|."""
 
@@ -84,7 +86,7 @@ def free_beyond(masses: int, active: float, gap: float, W: float, waves: Waves) 
     return bool(changed * (1 + _SLACK) < floor)
 
 
-@dataclass(frozen=True)
+@frozen
 class Waves:
     """Bounds over |u| ≤ 1/W of how the weights N/D_P, times EI λ³, depart from what they are at u = 0."""
 
@@ -96,7 +98,11 @@ class Waves:
 
 
 def _waves(line: Line, W: Any) -> list[Waves | None]:
-    """For each W, by the maximum principle from arcs of the circle |u| = 1/W; None where roots are not told apart."""
+    """For each W, by the maximum principle from arcs of the circle |u| = 1/W; None where roots are not told apart.
+
+    u → ū takes the waves a, e, f, c to the conjugates of e, a, c, f, and u → −u takes their weights to those of
+    c, f, e, a: so a quarter of the circle is enough where each bound is taken of all that it may become.
+    """
     EI, T, k, m = (float(x) for x in line.beam)
     v = float(line.lower.guide.v) / math.sqrt(EI / m)
     d = np.zeros((5, 5))
@@ -106,19 +112,20 @@ def _waves(line: Line, W: Any) -> list[Waves | None]:
     d[0, 4] = k / EI
     D = Table(d)
     corners = np.exp(0.25j * np.pi * np.array([-3, 3, -1, 1]))  # U: travelling, evanescent; L: the other way round
-    around = (np.exp(2j * np.pi * np.arange(ARCS) / ARCS) / W[:, None]).ravel()
+    around = (np.exp(2j * np.pi * np.arange(_NEEDED) / ARCS) / W[:, None]).ravel()
     s = split(D, around, 1.001 * math.sin(math.pi / ARCS) * np.abs(around), 2, _near(D, around, corners))
     with np.errstate(all="ignore"):
         weight, p, alone = waves(Table(np.ones((1, 1))), D, s)
-        a, na, nb, b = weight[:, 0], weight[:, 1], -weight[:, 2], -weight[:, 3]
+        a, e, f, c = weight[:, 0], weight[:, 1], -weight[:, 2], -weight[:, 3]
+        turn = np.exp(0.25j * np.pi)
         bounds = (
-            _departs(a + na, _ROOT_HALF / 2),
-            _departs(a * b * (-16j), 1),
-            _departs((a + b) * (4 * np.exp(-0.25j * np.pi)), 2),
-            np.maximum(*(_departs(p[:, k], corners[k]) for k in (1, 2))),
-            np.max([_departs(x, 0) for x in (a, na, nb, b)], axis=0),
+            np.maximum(_departs(a + e, _ROOT_HALF / 2), _departs(c + f, _ROOT_HALF / 2)),
+            np.maximum(_departs(a * c * (-16j), 1), _departs(e * f * 16j, 1)),
+            np.maximum(_departs((a + c) * (4 / turn), 2), _departs((e + f) * (4 * turn), 2)),
+            np.max([_departs(p[:, k], corners[k]) for k in range(4)], axis=0),
+            np.max([_departs(x, 0) for x in (a, e, f, c)], axis=0),
         )
-    good = (s.good & alone).reshape(len(W), ARCS).all(1)
+    good = (s.good & alone).reshape(len(W), _NEEDED).all(1)
     return [
         Waves(*map(float, row)) if fine else None for fine, row in zip(good, zip(*bounds, strict=True), strict=True)
     ]
@@ -133,8 +140,8 @@ def _near(D: Table, u: Any, corners: Any) -> Any:
 
 def _departs(f: Jet, value: complex) -> Any:
     """For each W a bound of |f − value| over its arcs."""
-    each = (np.abs(f.a - value) + 1e-15 + np.abs(f.b) * f.r + f.e) * UP
-    return each.reshape(-1, ARCS).max(1)
+    each = (np.abs(f.a - value) + 1e-15 + np.abs(f.b) * f.r + f.e) * (UP * _MARGIN)
+    return each.reshape(-1, _NEEDED).max(1)
 
 
 def _floor(masses: int, g: float, change: float, skew: float) -> float | None:

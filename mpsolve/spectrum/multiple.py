@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, square
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import Taylor, taylor
@@ -18,7 +18,7 @@ from mpsolve.spectrum.enclose import in_units, isolate, refine
 _OUTER = 14  # the larger disc has the radius |σ| 2^−14
 
 
-@dataclass(frozen=True)
+@frozen
 class _Roots:
     """Δ̂ as the search for clusters asks for it, in σ̂."""
 

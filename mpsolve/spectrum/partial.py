@@ -6,11 +6,12 @@ effort is stated, strips are counted one after the other, each by the turn of Δ
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from flint import arb
@@ -25,6 +26,9 @@ from mpsolve.spectrum.sides import along_sides, side, whole_turn, zeros
 
 _HALF_STRIPS, _BOX_STRIPS = 4, 3
 """Of the right half of a rectangle that lies evenly about the imaginary axis, and of any other rectangle."""
+
+_HELD = 4000  # evaluations for what is known of a count that stays open
+Counted = TypeVar("Counted")
 
 
 @dataclass
@@ -52,6 +56,21 @@ class Partial:
         if self.strips or self.outside is not None:
             out |= {"strips": tuple(self.strips), "open": tuple(self.open)}
         return out
+
+
+def holding_growth(
+    partial: Partial, paths: Paths, beyond: Beyond, height: Fraction, effort: Effort, count: Callable[[], Counted]
+) -> Counted:
+    """What `count` gives. Where that stays open, or strips are wanted, what holds all growth is proved, too."""
+    if partial.in_strips:
+        hold_growth(partial, paths, beyond, height, effort)
+    try:
+        return count()
+    except PrecisionError:
+        if not partial.in_strips:
+            with suppress(EffortError):
+                hold_growth(partial, paths, beyond, height, Effort(evaluations=_HELD))
+        raise
 
 
 def hold_growth(partial: Partial, paths: Paths, beyond: Beyond, height: Fraction, effort: Effort) -> None:

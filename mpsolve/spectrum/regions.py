@@ -5,16 +5,16 @@ What a user gives is "sheet", "unstable", ("below", h) or a `Rectangle`; what an
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import rational, shown
 from mpsolve.zeros.regions import Rectangle
 
 
-@dataclass(frozen=True)
+@frozen
 class Sheet:
     """The whole physical sheet: the q-plane without the branch cuts."""
 
@@ -22,7 +22,7 @@ class Sheet:
         return "the whole physical sheet"
 
 
-@dataclass(frozen=True)
+@frozen
 class HalfPlane:
     """Im q < 0; where `radius` is given, only |q| < radius."""
 
@@ -32,7 +32,7 @@ class HalfPlane:
         return "Im q < 0" if self.radius is None else f"Im q < 0, |q| < {float(self.radius):.6g}"
 
 
-@dataclass(frozen=True)
+@frozen
 class Below:
     """Im q < 0, and with it Im q < height as far as |Re q| < reach; with a `radius`, below 0 only |q| < radius."""
 

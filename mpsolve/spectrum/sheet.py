@@ -9,7 +9,6 @@ followed to there. A loop round each branch point shows that no root is next to 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -20,6 +19,7 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
@@ -33,7 +33,7 @@ _STRIDE = 0.5  # of the phase √z·(span of the places) that a first piece of t
 _GROWTH = 1.6
 
 
-@dataclass(frozen=True)
+@frozen
 class Half:
     """What is walked for one half of the sheet: a link to the begin, then turns between the loops."""
 
@@ -42,10 +42,10 @@ class Half:
 
     @property
     def pieces(self) -> int:
-        return sum(path.pieces for path in self.paths) + sum(len(loop.points) - 1 for loop in self.loops)
+        return sum(path.pieces for path in self.paths) + sum(loop.pieces for loop in self.loops)
 
 
-@dataclass(frozen=True)
+@frozen
 class SheetCount:
     """The proved number of roots, with all that the proof rests on (points are z in scaled units).
 
@@ -62,6 +62,11 @@ class SheetCount:
     upper: Half
     far: FarLine | None
     evaluations: int
+
+    @property
+    def begins(self) -> Fraction:
+        """Where Δ̂ begins to be followed, exactly: between `begin` and the first branch point at the latest."""
+        return self.lower.loops[0].begin if self.begin else Fraction(0)
 
     @property
     def region(self) -> Sheet:

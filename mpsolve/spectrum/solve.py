@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
@@ -22,6 +23,7 @@ from mpsolve.spectrum.candidates import Area, Weight, both, find_roots
 from mpsolve.spectrum.count import Count, count_roots, scaled_height
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
+from mpsolve.spectrum.near_roots import near_branch_points
 from mpsolve.spectrum.partial import Partial
 from mpsolve.spectrum.reasons import reason_of, sheet_reason
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
@@ -32,7 +34,7 @@ MOST_DIGITS = 10_000
 Tell = Callable[[str, float], None]
 
 
-@dataclass(frozen=True)
+@frozen
 class Found:
     """A count, or None and what is `known`; the balls that explain it, and the reason where they do not."""
 
@@ -157,7 +159,7 @@ def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
     """Points at which Δ̂ turns fast."""
     if isinstance(count, SheetCount):
         halves = (count.lower, count.upper)
-        rings = [loop.points for half in halves for loop in half.loops]
+        rings = [loop.places for half in halves for loop in half.loops]
         turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
         points = np.concatenate([*turns, *rings, [count.begin + 0j]])
         near = points[np.abs(points) < max(16.0, 4 * count.end)]
@@ -176,8 +178,15 @@ def _enclosed(
     """The roots; `balls` holds those that are enclosed on the way."""
     hints = _hints(reduced, count)
     weight = _weight(reduced, count.region)
-    seeds = find_roots(reduced, _areas(reduced, count), count.total, hints, weight, lambda: tell("roots", 0.5))
     proved = Proved(reduced)
+    for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
+        tell("roots", 0.5)
+        for ball in _balls(proved, sigma, digits):
+            _add(balls, ball, count.region, proved.lossless)
+    left = count.total - sum(ball.multiplicity for ball in balls)
+    if not left:
+        return tuple(balls)
+    seeds = find_roots(reduced, _areas(reduced, count), left, hints, weight, lambda: tell("roots", 0.5))
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)
@@ -210,14 +219,14 @@ def _add(balls: list[RootBall], ball: RootBall, region: Answered, lossless: bool
             balls[:] = [other for other in balls if not one.q.overlaps(other.q)] + [one]
 
 
-def _balls(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
+def _balls(proved: Proved, sigma: Any, digits: int) -> list[RootBall]:
     try:
         return [enclose(proved, sigma, digits)]
     except PrecisionError:
         return _separated(proved, sigma, digits)
 
 
-def _separated(proved: Proved, sigma: complex, digits: int) -> list[RootBall]:
+def _separated(proved: Proved, sigma: Any, digits: int) -> list[RootBall]:
     try:
         return separate(proved, sigma, digits)
     except PrecisionError:

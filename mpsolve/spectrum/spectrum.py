@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
 from mpsolve.display import card
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.result import Result
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 _GUARD = 32
 
 
-@dataclass(frozen=True)
+@frozen
 class Root(Portable):
     """One induced frequency q, or a cluster, in the problem's units: e^{iqt} grows where Im q < 0.
 
@@ -65,7 +66,7 @@ class Root(Portable):
         return int(max(self.q.bits(), 53)) + _GUARD
 
 
-@dataclass(frozen=True)
+@frozen
 class Cost:
     """What an answer took: processor seconds of the proof and of its check, evaluations of Δ, pieces of paths."""
 
@@ -75,7 +76,7 @@ class Cost:
     pieces: int = 0
 
 
-@dataclass(frozen=True)
+@frozen
 class Spectrum(Result):
     """The induced frequencies of a problem in `region`; a region may be smaller than the one that was asked for.
 

@@ -13,10 +13,9 @@ from zipfile import ZipFile, ZipInfo
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.studies.blocks import STATUSES, Result
+from mpsolve.studies.blocks import STATUSES, Result, checked
 from mpsolve.studies.columns import parameter_titles
 from mpsolve.studies.design import Value
-from mpsolve.studies.results import stored_results
 from mpsolve.studies.spec import Spec
 from mpsolve.studies.store import Store
 
@@ -121,3 +120,17 @@ def _row(row: _Row, spec: Spec, certified: bool) -> dict[str, Any]:
     if certified:
         content |= {"re_text": [root.re for root in roots], "im_text": [root.im for root in roots]}
     return content
+
+
+def stored_results(store: Store, start: int = 0) -> Iterator[tuple[int, dict[str, Value], Result]]:
+    """(index, exact parameters, result) of each finished entry from the index `start` on.
+
+    Raises StudyError if the file is damaged.
+    """
+    spec = store.spec
+    for block in store.blocks(start // spec.block):
+        for index, (values, result) in zip(
+            spec.indices(block.number), zip(*checked(spec, block, store.path), strict=True), strict=True
+        ):
+            if index >= start:
+                yield index, values, result

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import astuple, dataclass, replace
 from threading import Lock
 from typing import Any
@@ -110,7 +110,7 @@ def work(text: str, number: int, place: int | None = None) -> Block:
     indices = spec.indices(number if place is None else place)
     with _alone:
         one = {"certified": _certify, "stable": _stable}.get(spec.kind)
-        results = _float64(spec, indices) if one is None else [one(spec, index) for index in indices]
+        results = _float64(spec, indices) if one is None else [_told(one, spec, index) for index in indices]
     return block_of(spec, number, [spec.values(index) for index in indices], results)
 
 
@@ -149,16 +149,21 @@ def unpack(data: bytes) -> Iterator[Result]:
         yield Result(status, reason, count, unstable, tuple(Root(*root) for root in roots), certificate)
 
 
-def _certify(spec: Spec, index: int) -> Result:
-    from mpsolve.certificate.certify import certify
-
+def _told(one: Callable[[Spec, int], Result], spec: Spec, index: int) -> Result:
+    """The result of one entry; an error is a result, too."""
     try:
-        given = spec.given if not spec.axes else spec.problem(index)
-        found = certify(given, digits=spec.digits, region=spec.region)
+        return one(spec, index)
     except InputError as error:
         return Result("refused", str(error), None, None, ())
     except MpsolveError as error:
         return Result("undecided", str(error), None, None, ())
+
+
+def _certify(spec: Spec, index: int) -> Result:
+    from mpsolve.certificate.certify import certify
+
+    given = spec.given if not spec.axes else spec.problem(index)
+    found = certify(given, digits=spec.digits, region=spec.region)
     roots = tuple(_root(root, spec.digits) for root in found.roots)
     certificate = found.certificate if spec.certificates else None
     reason = "" if found.reason is None else str(found.reason)
@@ -170,12 +175,7 @@ def _stable(spec: Spec, index: int) -> Result:
     from mpsolve.ranges.robust import prove_box
 
     effort = Effort(evaluations=spec.boxes)
-    try:
-        found = prove_box(spec.problem(index), over=spec.part(index), effort=effort, check=spec.certificates)
-    except InputError as error:
-        return Result("refused", str(error), None, None, ())
-    except MpsolveError as error:
-        return Result("undecided", str(error), None, None, ())
+    found = prove_box(spec.problem(index), over=spec.part(index), effort=effort, check=spec.certificates)
     if found.reason is not None and found.reason.code == "interrupted":
         raise KeyboardInterrupt
     grow = {True: 0, False: getattr(found.spectrum, "unstable", None), None: None}[found.stable]

@@ -17,10 +17,10 @@ from typing import Any, BinaryIO
 
 from mpsolve.errors import StudyError
 from mpsolve.files import checked_suffix, whole_file
+from mpsolve.studies.arrays import stored_results
 from mpsolve.studies.blocks import ENGINE, Result, Root
 from mpsolve.studies.columns import frequency_units, parameter_titles, root_titles, unit_of
 from mpsolve.studies.design import Value
-from mpsolve.studies.results import stored_results
 from mpsolve.studies.spec import Spec
 from mpsolve.studies.store import Store, store_path
 

@@ -13,10 +13,10 @@ from typing import Any
 from mpsolve.errors import InputError, StudyError
 from mpsolve.parallel.pool import WORKER_ENDED, checked_workers, process_pool
 from mpsolve.problem.problem import Problem
+from mpsolve.studies.arrays import stored_results
 from mpsolve.studies.blocks import GOOD, Block, Result, work
 from mpsolve.studies.design import Value
 from mpsolve.studies.export import export
-from mpsolve.studies.results import stored_results
 from mpsolve.studies.spec import Spec, read_spec
 from mpsolve.studies.store import Store, store_path
 

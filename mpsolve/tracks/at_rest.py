@@ -7,7 +7,6 @@ are decided. Im Ω = −Re s, so that the lowest cut is at the height h_c = inf 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
@@ -17,6 +16,7 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point, positive_roots, samples, sign_at
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide
 
@@ -34,7 +34,7 @@ class Status(Enum):
     UNSTABLE = "some vibration grows without any vehicle"
 
 
-@dataclass(frozen=True)
+@frozen
 class AtRest:
     """The decision about a track at rest.
 

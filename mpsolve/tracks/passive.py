@@ -7,12 +7,12 @@ coefficients the zeros z neither meet nor pass 0, so that one rational y in each
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.realroots import as_fmpq, negative_point, samples
 from mpsolve.tracks.at_rest import Row, in_squares, rows_of, wavenumber
 from mpsolve.tracks.waveguide import Track, Waveguide
@@ -20,7 +20,7 @@ from mpsolve.tracks.waveguide import Track, Waveguide
 _CONTEXT = fmpq_mpoly_ctx.get(("z", "y"), "lex")
 
 
-@dataclass(frozen=True)
+@frozen
 class Passivity:
     """passive: the track gives no energy. lossless: it takes none either. witness: (p, Ω) where it gives some."""
 

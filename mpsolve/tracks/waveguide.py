@@ -9,13 +9,13 @@ with D = det A and N the cofactor of that row.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, ClassVar
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model
 
 Polynomial = dict[tuple[int, int], Fraction]
@@ -77,7 +77,7 @@ def _exact(entry: fmpq_mpoly, values: dict[str, fmpq]) -> Polynomial:
     return {key: value for key, value in out.items() if value}
 
 
-@dataclass(frozen=True)
+@frozen
 class Waveguide:
     """The equations of a track as data: `matrix` of polynomials in P and s, and the row that carries the contacts."""
 

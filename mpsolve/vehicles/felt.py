@@ -7,17 +7,17 @@ their row of [S, −B] has the factor σ, which is divided out.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import NamedTuple
 
+from mpsolve.frozen import frozen
 from mpsolve.vehicles.vehicle import Pencil, Rows
 
 Vector = list[Fraction]
 
 
-@dataclass(frozen=True)
+@frozen
 class Parts:
     """Felt part (neutral coordinates last) and unfelt part of a pencil, in the coordinates of `basis` (columns).
 

@@ -7,11 +7,11 @@ x ahead.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model, rational
 
 Rows = tuple[tuple[Fraction, ...], ...]
@@ -19,7 +19,7 @@ Link = tuple[dict[int, Fraction], Fraction, Fraction]
 """A spring and damper side by side: how its lengthening depends on the coordinates, k, c."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Pencil:
     """Exact matrices of a vehicle: M, C, K (n × n, symmetric), B (n × contacts), places and compliances h."""
 
@@ -40,7 +40,7 @@ class Pencil:
         return len(self.places)
 
 
-@dataclass(frozen=True)
+@frozen
 class Placed:
     """A vehicle whose middle is at `position`, in metres ahead of the origin of the moving frame."""
 

@@ -16,15 +16,13 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.outcome import Reason
-from mpsolve.vibration.arrivals import reach_of_waves
-from mpsolve.vibration.forcing import Tone, transform
+from mpsolve.vibration.forcing import Tone, forced, transform
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.integral import CLEAR, Line, extended, sampled_line
-from mpsolve.vibration.path import Path, above_growth, below_axis
+from mpsolve.vibration.integral import CLEAR, extended, sampled_line
+from mpsolve.vibration.path import Path, above_growth, below_axis, reach_of_waves
 from mpsolve.vibration.poles import Poles, natural
-from mpsolve.vibration.residues import Mode, modes
-from mpsolve.vibration.steady import Forced, forced
+from mpsolve.vibration.residues import modes
+from mpsolve.vibration.solution import Solution
 from mpsolve.waves.speeds import wave_speeds
 
 GOOD = 1e-8
@@ -46,67 +44,6 @@ _HIGH = (1e12, 1e10, 1e8, 1e6, 1e4)
 _FARTHEST = 2.0**17
 _JUDGED = 80
 _BEFORE = -CLEAR * np.array([1.0, 1.7, 3.1])
-
-
-@dataclass(frozen=True)
-class Parts:
-    """(channels, times) each: what constant loads keep up, what harmonic ones do, the modes, and the rest."""
-
-    static: Any
-    forced: Any
-    free: Any
-    transient: Any
-
-    @property
-    def total(self) -> Any:
-        return self.static + self.forced + self.free + self.transient
-
-
-@dataclass(frozen=True)
-class Solution:
-    """A motion at any time: forced parts, modes, and the line; held: a constant motion that was there before.
-
-    first: what acts at once after t = 0, as on a wheel without mass. error: by channels, what panels, fading and
-    causality leave open. reason: why no better one was worked for, where effort ran out.
-    """
-
-    image: Image
-    held: Any
-    steady: tuple[Forced, ...]
-    modes: tuple[Mode, ...]
-    line: Line
-    first: Any
-    error: Any
-    reason: Reason | None = None
-
-    def parts(self, times: Any) -> Parts:
-        """At times t̂ > 0."""
-        zero = np.zeros((self.image.channels, len(times)))
-        static = sum((one.motion(times) for one in self.steady if not one.frequency), zero)
-        waves = sum((one.motion(times) for one in self.steady if one.frequency), zero)
-        free = sum((mode.motion(times) for mode in self.modes), zero)
-        rest = self.line.motion(times)
-        if not self.line.path.below:
-            rest = rest - static - waves
-        _, left = self.line.path.parted(self.modes)
-        rest = rest - sum((mode.motion(times) for mode in left), zero)
-        return Parts(static + self.held[:, None], waves, free, rest)
-
-    def rates(self, times: Any) -> Any:
-        """The rate of the sum at times t̂ ≥ 0, per unit of t̂, (channels, times); 0 at 0, where all is at rest."""
-        zero = np.zeros((self.image.channels, len(times)))
-        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in self.right), zero))
-
-    def early(self, times: Any) -> Any:
-        """The sum at times < 0, which is 0 but for errors, (channels, times)."""
-        zero = np.zeros((self.image.channels, len(times)))
-        return self.line.motion(times) + sum((one.motion(times) for one in self.right), zero)
-
-    @property
-    def right(self) -> list[Any]:
-        """What comes as residues: all that lies to the right of the path."""
-        path = self.line.path
-        return path.parted(self.modes)[0] + (list(self.steady) if path.below else [])
 
 
 @dataclass(frozen=True)

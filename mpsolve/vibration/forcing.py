@@ -1,15 +1,24 @@
-"""What acts on a problem, as tones: Re(column · e^{iωt}) on the right of the transformed equations."""
+"""What acts on a problem, as tones Re(column · e^{iωt}), irregularities of rail and wheels too; what they keep up."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import comb, pi
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.model import rational, whole
+from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.image import Image
+
+_STEP = 1e-3
+"""Scaled: from where limits at 0 are extrapolated."""
+_SAME = 1e-9
+_SINGULAR = 1e-13
+"""The least singular value, of a matrix with rows and columns of size 1, that is told from 0."""
 
 
 @dataclass(frozen=True)
@@ -87,3 +96,97 @@ def transform(acting: tuple[Tone, ...], sigma: Any, rows: int) -> Any:
         else:
             total = total + (1 / sigma)[:, None] * D.real
     return total
+
+
+@dataclass(frozen=True)
+class Forced:
+    """Re(amplitude e^{iωt}); amplitude (channels,)."""
+
+    frequency: float
+    amplitude: Any
+
+    def motion(self, times: Any) -> Any:
+        """(channels, times)."""
+        return (self.amplitude[:, None] * np.exp(1j * self.frequency * times)).real
+
+    def rate(self, times: Any) -> Any:
+        """d/dt of it."""
+        return (1j * self.frequency * self.amplitude[:, None] * np.exp(1j * self.frequency * times)).real
+
+
+def forced(image: Image, tone: Tone) -> Forced:
+    """InputError where the frequency is an induced one, so that the motion has no bound."""
+    at = np.array([1j * tone.frequency])
+    amplitude, clear = np.full(1, np.nan), False
+    with np.errstate(all="ignore"):
+        A = image.matrices(at)[0][0]
+        if np.isfinite(A).all():
+            clear = float(np.linalg.svd(_even(A), compute_uv=False)[-1]) > _SINGULAR
+            amplitude = image.solve(at, tone.column[None])[0] if clear else amplitude
+        elif not tone.frequency:
+            amplitude, clear = _limit(image, tone)
+    if not clear or not np.isfinite(amplitude).all():
+        said = f"act at {tone.frequency * image.rate:.6g} rad/s" if tone.frequency else "are constant"
+        stated = f"{said}, a frequency at which vehicle and track move by themselves: the motion grows without end"
+        raise InputError("loads", f"{stated}; change the frequency, or hold what moves by itself")
+    return Forced(tone.frequency, amplitude if tone.frequency else amplitude.real + 0j)
+
+
+def _limit(image: Image, tone: Tone) -> tuple[Any, bool]:
+    """The amplitude as σ → 0 from the right, where p-roots meet common zeros of N and D; and whether there is one."""
+    values = image.solve(_STEP * np.arange(1.0, 9.0), np.broadcast_to(tone.column, (8, len(tone.column)))).real
+    best, fewer = (_extrapolated(values[:n]) for n in (8, 7))
+    return best, bool(np.abs(best - fewer).max() <= _SAME * np.abs(best).max())
+
+
+def _extrapolated(values: Any) -> Any:
+    """To 0 from 1, 2, …: the polynomial through all."""
+    n = len(values)
+    weights = np.array([(-1.0) ** k * comb(n, k + 1) for k in range(n)])
+    return weights @ values
+
+
+def _even(A: Any) -> Any:
+    """Rows and columns brought to the size 1."""
+    A = A / np.maximum(np.abs(A).max(1, keepdims=True), 1e-300)
+    return A / np.maximum(np.abs(A).max(0, keepdims=True), 1e-300)
+
+
+def rail_roughness(problem: Problem, amplitude: Any, wavelength: Any, phase: float = 0.0) -> tuple[Irregularity, ...]:
+    """A wave on the rail, amplitude · sin(2πx/wavelength + phase) upwards, as every contact runs over it.
+
+    Contacts meet it one after the other: that at ξ sees 2π(vt + ξ)/wavelength + phase. amplitude, wavelength in m.
+
+    >>> from mpsolve import tracks, vehicles
+    >>> pair = Problem(tracks.String(T=1, m=1, k=1, c=1), vehicles.train(vehicles.Mass(1), 2, "0.5"), v=3)
+    >>> [round(one.phase, 3) for one in rail_roughness(pair, "1e-5", 2)]
+    [0.0, 1.571]
+    """
+    size, length = rational(amplitude, "amplitude"), _positive(wavelength, "wavelength")
+    turn = 2 * pi / length
+    omega = turn * float(problem.v)
+    return tuple(Irregularity(float(size), omega, turn * float(x) + phase) for x in problem.pencil.places)
+
+
+def out_of_round(
+    problem: Problem, amplitude: Any, radius: Any, order: int = 1, contact: int | None = None
+) -> tuple[Irregularity, ...]:
+    """Wheels of this radius whose tread swells and shrinks `order` times a turn, amplitude · sin(order · v t/radius).
+
+    contact: the only one whose wheel is so, counted from 1 at the rear; without it all are. amplitude, radius in m.
+    """
+    size, length = float(rational(amplitude, "amplitude")), _positive(radius, "radius")
+    count = problem.pencil.contacts
+    if isinstance(order, bool) or not isinstance(order, int) or order < 1:
+        raise InputError("order", f"is {order!r}: give a whole number from 1 on")
+    if contact is not None:
+        contact = whole(contact, "contact", 1, count)
+    omega = order * float(problem.v) / length
+    return tuple(Irregularity(size if contact in (None, j) else 0.0, omega) for j in range(1, count + 1))
+
+
+def _positive(value: Any, key: str) -> float:
+    number = float(rational(value, key))
+    if number <= 0:
+        raise InputError(key, f"is {number:g}, not above 0: give a length in m")
+    return number

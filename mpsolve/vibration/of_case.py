@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.exact import Number
-from mpsolve.numbers.grid import checked_places, checked_times
+from mpsolve.numbers.float_list import checked_places, checked_times
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
@@ -21,9 +21,10 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.load import Load
 from mpsolve.vibration.case_motion import HarmonicPair, Response
 from mpsolve.vibration.case_units import CaseUnits, units_of
-from mpsolve.vibration.contact_loss import applied, contact_loss
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.vibrate import vibrate
+
+_NOISE = 1e-6  # of the largest force: what float64 leaves of a contact force that is 0
 
 
 def motion_of_case(
@@ -74,8 +75,7 @@ def _moved(units: CaseUnits, loads: Any, tau: Any, x: Any, spectrum: Spectrum | 
     try:
         return vibrate(units.problem, loads, times=units.times(tau), places=x, spectrum=spectrum, **work)
     except InputError as error:
-        key = {"times": "tau", "places": "xi"}.get(error.key, error.key)
-        raise InputError(key, str(error).removeprefix(f"{error.key}: ")) from None
+        raise error.under({"times": "tau", "places": "xi"}.get(error.key, error.key)) from None
 
 
 def certified_of(units: CaseUnits, spectrum: Any, digits: int = 30, **work: Any) -> Spectrum:
@@ -156,3 +156,40 @@ def _forces(case: Case, loads: tuple[Load, ...], force: Any, tau: Any) -> tuple[
         acceleration[own] = 2 * (outer[own].sum(0) - whole) / eta[own].sum()
         contact[own] = whole if len(own) == 1 else outer[own] - eta[own, None] / 2 * acceleration[own]
     return contact, acceleration
+
+
+def applied(load: Load, tau: Any) -> Any:
+    """The force of the load at the times τ, P_j(τ) of (2); float64."""
+    constant, amplitude, omega, phase = map(float, (load.constant, load.amplitude, load.frequency, load.phase))
+    return constant + amplitude * np.sin(omega * tau + phase)
+
+
+def contact_loss(loads: Sequence[Load], force: Any, tau: Any) -> tuple[tuple[float | None, str], ...]:
+    """For each mass the first time at which its contact force falls below zero, and what is to be said of it.
+
+    The time is linear between the given ones; None where the force never falls, or cannot be judged.
+    """
+    size = sum(abs(float(load.constant)) + abs(float(load.amplitude)) for load in loads)
+    order = np.argsort(tau)
+    return tuple(
+        _first_loss(load, row[order], tau[order], _NOISE * size) for load, row in zip(loads, force, strict=True)
+    )
+
+
+def _first_loss(load: Load, force: Any, tau: Any, noise: float) -> tuple[float | None, str]:
+    pressing = float(load.constant) if load.frequency else float(applied(load, 0.0))
+    if pressing <= 0:
+        return None, "no constant force presses this mass on the beam, so its contact cannot be judged"
+    lifted = np.flatnonzero(force < -noise)
+    if not len(lifted):
+        return None, ""
+    k = int(lifted[0])
+    pressed = np.flatnonzero(force[:k] > noise)
+    if len(pressed):
+        j = int(pressed[-1])
+        return float(tau[j] + (tau[k] - tau[j]) * force[j] / (force[j] - force[k])), ""
+    if tau[k] == 0:
+        return 0.0, ""
+    return float(
+        tau[k]
+    ), f"contact is lost before τ = {tau[k]:.6g}, the first given time that tells: give earlier ones"

@@ -1,9 +1,10 @@
-"""Which roots lie to the right of a line below the cuts: what was certified, or what a search in floats finds."""
+"""Which roots lie to the right of a line below the cuts: certified, or by a search in floats; how far cuts are."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,6 @@ from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.residues import Pole
-from mpsolve.vibration.rooms import room
 from mpsolve.vibration.search import count_zeros, find_zeros
 
 _TOUCHING = 1e-9
@@ -30,6 +30,8 @@ _LONG = 4000
 """Points of a path on which waves turn so often that it is followed no further."""
 _AXIS = 1e-3
 """Scaled: only what grows faster is looked for where the cuts begin at the axis."""
+_POINTS, _ROUNDS, _CLOSER = 600, 4, 30.0
+_FURTHEST = 4096.0
 
 
 @dataclass(frozen=True)
@@ -129,3 +131,45 @@ def _unfelt(reduced: Reduced, rate: float) -> list[Pole]:
 
 def _right_of(poles: list[Pole], floor: float) -> tuple[Pole, ...]:
     return tuple(pole for pole in poles if pole.sigma.real > floor and pole.sigma)
+
+
+def room(image: Image, sigma: complex) -> float:
+    """The distance of σ from the nearest cut, scaled; nothing is proved by it."""
+    guide = image.guide
+    rows = np.zeros((max(i for i, _ in guide.D) + 1, max(j for _, j in guide.D) + 1))
+    for (i, j), c in guide.D.items():
+        rows[i, j] = float(c)
+    low, high, best, at = 1e-9, 2.0, np.inf, 0.0
+    while high < _FURTHEST:  # as far as waves of some branch are as slow as σ
+        p = _grid(low, high)
+        found = _distances(rows, p, sigma)
+        if found.min() < best:
+            best, at = float(found.min()), float(p[int(np.argmin(found))])
+        low, high = high, 2 * high
+    width = max(abs(at), 1.0) * 0.05
+    for _ in range(_ROUNDS):
+        p = at + np.linspace(-width, width, _POINTS)
+        found = _distances(rows, p, sigma)
+        best, at, width = min(best, float(found.min())), float(p[int(np.argmin(found))]), width / _CLOSER
+    return best
+
+
+def _grid(low: float, high: float) -> Any:
+    positive = np.linspace(low, high, _POINTS)
+    return np.concatenate([-positive[::-1], positive])
+
+
+def _distances(rows: Any, p: Any, sigma: complex) -> Any:
+    """From σ to the nearest root of D(ip, ·) at each p."""
+    powers = (1j * p[:, None]) ** np.arange(len(rows))
+    D = powers @ rows
+    lead = np.abs(D).max(1)
+    degree = D.shape[1] - 1
+    while degree and (np.abs(D[:, degree]) < 1e-14 * lead).all():
+        degree -= 1
+    companion = np.zeros((len(p), degree, degree), complex)
+    companion[:, range(degree - 1), range(1, degree)] = 1
+    with np.errstate(all="ignore"):
+        companion[:, -1] = -D[:, :degree] / D[:, degree : degree + 1]
+    companion[~np.isfinite(companion).all((1, 2))] = np.nan_to_num(np.inf)
+    return np.abs(np.linalg.eigvals(companion) - sigma).min(1)

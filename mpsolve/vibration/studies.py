@@ -5,23 +5,26 @@ Each takes a Problem, or a Case or PhysicalCase of the paper, which keep their o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.exact import Number
 from mpsolve.problem.case import Case
+from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.vehicle import Placed
-from mpsolve.vibration import case_studies as paper
+from mpsolve.vibration.case_motion import Response
 from mpsolve.vibration.case_units import units_of
 from mpsolve.vibration.motion import Vibration
-from mpsolve.vibration.of_case import vibration_of_case
+from mpsolve.vibration.of_case import motion_of_case, vibration_of_case
 from mpsolve.vibration.vibrate import vibrate
 
 _REAL = 1e-12
@@ -36,7 +39,7 @@ def superposition(problem: Any, loads: Any = None, *arguments: Any, **options: A
     rail is watched under all contacts.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        return paper.superposition(problem, loads, *arguments, **options)
+        return superposition_of_case(problem, loads, *arguments, **options)
     options.setdefault("places", problem.pencil.places)
     return tuple(
         vibrate(Problem(problem.track, [placed], problem.v), own, **options)
@@ -50,7 +53,7 @@ def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> 
     Without `places` the rail is watched under all contacts. InputError for vehicles that are no masses.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        return paper.merged(problem, loads, *arguments, **options)
+        return merged_case(problem, loads, *arguments, **options)
     masses = [placed.vehicle.M for placed in problem.vehicles if isinstance(placed.vehicle, Mass)]
     if len(masses) < len(problem.vehicles):
         raise InputError("problem", f"holds other vehicles than masses, and one merged mass {_MASSES}")
@@ -170,3 +173,65 @@ def _named(loads: Mapping[str, Any], k: int, placed: Placed, count: int) -> dict
     ending = "" if count == 1 else f" of vehicle {k}"
     names = placed.vehicle.pencil.names
     return {name: loads[name + ending] for name in names if name + ending in loads}
+
+
+def superposition_of_case(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+) -> tuple[Response, ...]:
+    """The response to each mass alone, with its own load, at the same ξ and τ: their sum is the superposition.
+
+    One response for each position with its masses together; add their `w`. Errors as for `motion_of_case`.
+    """
+    forces = loads_of(case, loads)
+    whole, places = _placed(case, xi)
+    found = []
+    for place in dict.fromkeys(whole.positions):
+        chosen = [j for j, other in enumerate(whole.positions) if other == place]
+        alone = replace(whole, eta_m=tuple(whole.eta_m[j] for j in chosen), positions=(place,) * len(chosen))
+        found.append(motion_of_case(alone, [forces[j] for j in chosen], places, tau))
+    return tuple(found)
+
+
+def merged_case(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | Number | None = None,
+    tau: Iterable[Number] | Number = (0,),
+) -> Response:
+    """The response to one mass with the sum of all masses and loads, at the position of the rear mass (the first).
+
+    This is the paper's "one doubled mass" for two equal ones. Errors as for `motion_of_case`.
+    """
+    forces = loads_of(case, loads)
+    whole, places = _placed(case, xi)
+    return motion_of_case(replace(whole, positions=(whole.positions[0],) * whole.count), forces, places, tau)
+
+
+def deflection_shape(
+    case: Case | PhysicalCase,
+    loads: Iterable[Load] | None = None,
+    xi: Iterable[Number] | None = None,
+    tau: Iterable[Number] | Number = (0,),
+    spectrum: Spectrum | None = None,
+) -> Response:
+    """The whole shape of the beam at the given times: the motion on a grid of ξ around the masses.
+
+    Without xi: 401 points from 10 behind the rear mass to 10 before the front mass. For pictures
+    mpsolve/report/figures_motion.py has draw_shape(found, ax, time) at one time, and animation(found) as it moves.
+    Errors as for `motion_of_case`.
+    """
+    whole, _ = _placed(case, None)
+    if xi is None:
+        xi = np.linspace(float(whole.positions[0]) - 10, float(whole.positions[-1]) + 10, 401)
+    found = motion_of_case(case, loads, xi, tau, spectrum)
+    if len(found.xi) < 2:
+        raise InputError("xi", "has less than two positions, which make no shape: give more")
+    return found
+
+
+def _placed(case: Case | PhysicalCase, xi: Any) -> tuple[Case, Any]:
+    whole = case.dimensionless if isinstance(case, PhysicalCase) else case
+    return whole, [float(x) for x in dict.fromkeys(whole.positions)] if xi is None else xi

@@ -1,17 +1,19 @@
-"""A motion as a table: CSV for people and spreadsheets, NPZ for programs; headers with units."""
+"""Motions as tables: columns with units for CSV, arrays for programs; of a problem in SI, of a case of the paper."""
 
 from __future__ import annotations
 
-import io
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from mpsolve.files import save_columns, write_whole
+from mpsolve.vibration.case_motion import Response
+from mpsolve.vibration.case_units import Scale
 from mpsolve.vibration.motion import Vibration
 
+_ARRAYS = "times places rail steady steady_harmonic harmonic transient contact_force within"
 _PARTS = {"w": "rail", "steady": "steady", "harmonic": "harmonic", "transient": "transient"}
+_CASE_ARRAYS = "xi tau w steady steady_harmonic harmonic transient velocity acceleration contact_forces within"
+_CASE_PARTS = ("w", "steady", "harmonic", "transient")
 
 
 def unit_of(name: str) -> str:
@@ -37,28 +39,48 @@ def columns(found: Vibration) -> dict[str, Any]:
     return table
 
 
-def save_table(found: Vibration, path: Path) -> Path:
-    """CSV, each number with all its digits; CertificateError if it cannot be written."""
-    return save_columns(columns(found), path)
+def arrays(found: Vibration) -> dict[str, Any]:
+    """The arrays of the motion under their names, in SI; vehicle (coordinates, times), `names` of these."""
+    out: dict[str, Any] = {name: getattr(found, name) for name in _ARRAYS.split()}
+    out["vehicle"] = np.array(list(found.vehicle.values()))
+    out["names"] = np.array(list(found.vehicle))
+    out["q"] = np.array([part.q for part in found.induced], complex)
+    return out
 
 
-def save_arrays(found: Vibration, path: Path) -> Path:
-    """NPZ with the arrays of the motion under their names, in SI; vehicle (coordinates, times), `names` of these."""
-    stream = io.BytesIO()
-    names = (
-        "times",
-        "places",
-        "rail",
-        "steady",
-        "steady_harmonic",
-        "harmonic",
-        "transient",
-        "contact_force",
-        "within",
-    )
-    arrays: dict[str, Any] = {name: getattr(found, name) for name in names}
-    arrays["vehicle"] = np.array(list(found.vehicle.values()))
-    arrays["names"] = np.array(list(found.vehicle))
-    arrays["q"] = np.array([part.q for part in found.induced], complex)
-    np.savez(stream, **arrays)
-    return write_whole(path, stream.getvalue())
+def case_columns(found: Response, scale: Scale) -> dict[str, Any]:
+    """Name and values of each column, by time: the four displacements at each ξ, the contact force of each mass.
+
+    The last one is 1 up to the first lift-off and 0 beyond it. In the units of `scale`, which the names tell where
+    they are physical.
+    """
+    table = time_columns(found.tau, scale)
+    for k, place in enumerate(found.xi):
+        at = repr(float(place)).removesuffix(".0")  # all its digits: two places are two case_columns
+        for part in _CASE_PARTS:
+            table[named(f"{part}[xi={at}]", scale.length_name, scale)] = getattr(found, part)[k] * scale.length
+    for j, row in enumerate(found.contact_forces, 1):
+        table[named(f"contact_force[{j}]", scale.force_name, scale)] = row * scale.force
+    table[named("within the model", "1", scale)] = found.within.astype(float)
+    return table
+
+
+def time_columns(tau: Any, scale: Scale) -> dict[str, Any]:
+    """τ, and t where there is a unit of time."""
+    return {"tau": tau} | ({"t [s]": tau * scale.time} if scale.physical else {})
+
+
+def named(name: str, unit: str, scale: Scale) -> str:
+    """The name of a column with its unit, if it has one."""
+    return f"{name} [{unit}]" if scale.physical else name
+
+
+def case_arrays(found: Response, scale: Scale) -> dict[str, Any]:
+    """The case_arrays of the response under their names, dimensionless; `units` tells what one of them is.
+
+    units: of τ in `unit_names[0]`, of displacements in [1], of forces in [2].
+    """
+    out: dict[str, Any] = {name: getattr(found, name) for name in _CASE_ARRAYS.split()}
+    out["units"] = np.array([scale.time, scale.length, scale.force])
+    out["unit_names"] = np.array([scale.time_name, scale.length_name, scale.force_name])
+    return out | {"q": np.array([pair.q for pair in found.harmonic_pairs], complex)}

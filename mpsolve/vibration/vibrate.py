@@ -20,12 +20,12 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.vehicles.loads import Outer, outer_forces
-from mpsolve.vibration.engine import Engine, Parts, Solution
+from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import Irregularity, Tone, checked_irregularities, tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import Vibration, vibration
 from mpsolve.vibration.poles import certified, searched
-from mpsolve.vibration.unknown import unknown_parts, unknown_solution
+from mpsolve.vibration.solution import Parts, Solution, unknown_parts, unknown_solution
 
 STARTS = ("rest", "steady")
 _CHUNK = 4096

@@ -17,7 +17,7 @@ from flint import acb, acb_series, arb, fmpq
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import bits_now, terms
-from mpsolve.zeros.program import CUT, LEAVES, WITH_ORDER, Step, taken
+from mpsolve.zeros.program import CUT, LEAVES, WITH_ORDER, Step, dependent
 
 
 class CutError(PrecisionError):
@@ -38,9 +38,7 @@ class Evaluator:
 
     def __init__(self, steps: Sequence[Step]) -> None:
         self.steps = tuple(steps)
-        self.depends: list[bool] = []
-        for step in self.steps:
-            self.depends.append(step[0] == "z" or any(self.depends[k] for k in taken(step)))
+        self.depends = dependent(self.steps)
         self._ready: dict[int, list[Any]] = {}
 
     def _constants(self) -> list[Any]:

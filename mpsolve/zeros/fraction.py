@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mpsolve.zeros.program import LEAVES, OPERATIONS, Expression, Program, Step, reduced, taken
+from mpsolve.zeros.program import CUT, LEAVES, OPERATIONS, Expression, Program, Step, dependent, reduced
 
 Factors = dict[int, int]
 
@@ -24,7 +24,7 @@ class _Part:
 
 def as_fraction(program: Program, output: int) -> Expression:
     """The expression of a step as one fraction; without a denominator where nothing is divided by z."""
-    depends = dependent(program)
+    depends = dependent(program.steps)
     parts: list[_Part] = []
     for k in range(output + 1):
         parts.append(_part(program, k, parts, depends))
@@ -34,14 +34,6 @@ def as_fraction(program: Program, output: int) -> Expression:
 def quotient(program: Program, numerator: int, denominator: int) -> Expression:
     """f = numerator/denominator as a user gives them, as one fraction."""
     return as_fraction(program, program.div(numerator, denominator))
-
-
-def dependent(program: Program) -> list[bool]:
-    """Which steps depend on z."""
-    out: list[bool] = []
-    for step in program.steps:
-        out.append(step[0] == "z" or any(out[k] for k in taken(step)))
-    return out
 
 
 def _part(program: Program, k: int, parts: list[_Part], depends: list[bool]) -> _Part:
@@ -102,7 +94,7 @@ def factors(steps: Sequence[Step], output: int) -> dict[int, int]:
 def product_of(steps: Sequence[Step], output: int) -> tuple[dict[int, int], list[int]]:
     """The factors of an output that depend on z, with their powers, and the constant ones."""
     program = Program(list(steps))
-    depends, found = dependent(program), Factors()
+    depends, found = dependent(steps), Factors()
     constants: list[int] = []
     stack = [(output, 1)]
     while stack:
@@ -121,3 +113,13 @@ def product_of(steps: Sequence[Step], output: int) -> tuple[dict[int, int], list
         else:
             found[k] = found.get(k, 0) + power
     return found, constants
+
+
+def guards(steps: Sequence[Step]) -> list[int]:
+    """The steps that are not analytic everywhere, so that they need a proof of it."""
+    depends = dependent(steps)
+    return [
+        k
+        for k, step in enumerate(steps)
+        if depends[k] and (step[0] in (*CUT, "atan") or (step[0] == "div" and depends[step[2]]))
+    ]

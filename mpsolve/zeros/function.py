@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from math import comb
 from typing import Any, Protocol
 
 from flint import acb, acb_series
@@ -13,10 +14,10 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, bits_now, square, terms
 from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
 from mpsolve.zeros.evaluate import Evaluator, coefficients
-from mpsolve.zeros.fraction import factors
-from mpsolve.zeros.guards import guards
+from mpsolve.zeros.fraction import factors, guards
 from mpsolve.zeros.program import Expression, reduced
 
+_NEAR = 6
 Side = tuple[Any, Any]
 """A line (a ball of its points) and the direction away from it."""
 
@@ -59,8 +60,22 @@ def _finite(values: list[Any]) -> list[Any]:
     return values
 
 
+class _Slopes:
+    """What `series` gives besides."""
+
+    def series(self, z: Any, n: int, side: Side | None = None) -> list[Any]:
+        raise NotImplementedError
+
+    def slope(self, z: Any) -> Any:
+        return self.series(acb(z), 2)[1]
+
+    def both(self, z: Any) -> tuple[Any, Any]:
+        a, b = self.series(acb(z), 2)
+        return a, b
+
+
 @dataclass(frozen=True)
-class ExpressionFunction:
+class ExpressionFunction(_Slopes):
     """One output of an expression: its numerator or its denominator."""
 
     expression: Expression
@@ -116,20 +131,13 @@ class ExpressionFunction:
     def value(self, z: Any) -> Any:
         return self.series(acb(z), 1)[0]
 
-    def slope(self, z: Any) -> Any:
-        return self.series(acb(z), 2)[1]
-
-    def both(self, z: Any) -> tuple[Any, Any]:
-        a, b = self.series(acb(z), 2)
-        return a, b
-
     def taylor(self, centre: Any, outer: Any, bits: int) -> Taylor:  # noqa: ARG002 — exact at any precision
         bound = arb(self.value(centre + square(outer)).abs_upper())
         return Taylor(centre, tuple(self.series(centre, SAMPLES)), bound, outer)
 
 
 @dataclass(frozen=True)
-class CallableFunction:
+class CallableFunction(_Slopes):
     """A Python function that takes and gives flint.acb, as the user vouches for: not finite where not analytic.
 
     derivative: the user's f′, or None; then acb_series is tried, and at last the values on a circle.
@@ -202,15 +210,9 @@ class CallableFunction:
         for k in range(n):
             total = acb(0)
             for j in range(SAMPLES - 1, k - 1, -1):
-                total = total * offset + one.coefficients[j] * _binomial(j, k)
+                total = total * offset + one.coefficients[j] * comb(j, k)
             # Σ_{j ≥ S} C(j, k) M r^{j−k} / R^j ≤ M R^{−k} ρ^{S−k} C(S, k)/(1 − ρ)^{k+1}
-            tail = (
-                rest
-                * outer ** (SAMPLES - k)
-                * ratio ** (SAMPLES - k)
-                * _binomial(SAMPLES, k)
-                / (1 - ratio) ** (k + 1)
-            )
+            tail = rest * (outer * ratio) ** (SAMPLES - k) * comb(SAMPLES, k) / (1 - ratio) ** (k + 1)
             out.append(total + square(arb(tail.upper())))
         return out
 
@@ -219,24 +221,8 @@ class CallableFunction:
             raise PrecisionError("a Python function cannot be continued to a branch cut")
         self.value(z)
 
-    def slope(self, z: Any) -> Any:
-        return self.series(acb(z), 2)[1]
-
-    def both(self, z: Any) -> tuple[Any, Any]:
-        a, b = self.series(acb(z), 2)
-        return a, b
-
     def taylor(self, centre: Any, outer: Any, bits: int) -> Taylor:
         bound = arb(self.value(centre + square(outer)).abs_upper())
         if self._takes_series:
             return Taylor(centre, tuple(self.series(centre, SAMPLES)), bound, outer)
         return taylor(self.value, centre, outer, bound, max(4, bits // 8))
-
-
-_NEAR = 6
-
-
-def _binomial(n: int, k: int) -> int:
-    from math import comb
-
-    return comb(n, k)

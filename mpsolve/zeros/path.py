@@ -33,7 +33,7 @@ def legs_round(vertices: Vertices, cuts: Sequence[Cut]) -> tuple[Leg, ...]:
     for k, (a, b) in enumerate(edges(vertices)):
         here = a
         for t, tip in sorted(inner.get(k, [])):
-            point = (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
+            point = Leg(a, b).at(t)
             out += [Leg(here, point), Leg(point, tip), Leg(tip, point)]
             here = point
         out.append(Leg(here, b))
@@ -93,7 +93,7 @@ def _crossing(cut: Cut, a: Point, b: Point) -> tuple[Fraction, Fraction] | None:
     if p == q or (p > 0 and q > 0) or (p < 0 and q < 0):
         return None
     t = p / (p - q)
-    point = (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
+    point = Leg(a, b).at(t)
     place = cut.place_of(point)
     if place is None or place < 0 or (cut.length is not None and place > cut.length):
         return None

@@ -185,17 +185,20 @@ class Expression:
             return top
         return f"({top})/({shown(self.steps, self.denominator)})"
 
-    @property
-    def real(self) -> bool:
-        """Whether f(z̄) is the conjugate of f(z): all numbers are real, and principal branches are symmetric."""
-        return not any(step[0] == "i" for step in self.steps)
-
 
 def taken(step: Step) -> tuple[int, ...]:
     """The earlier steps that a step takes."""
     if step[0] in LEAVES:
         return ()
     return (step[1], step[2]) if step[0] in OPERATIONS else (step[1],)
+
+
+def dependent(steps: Sequence[Step]) -> list[bool]:
+    """Which steps depend on z."""
+    out: list[bool] = []
+    for step in steps:
+        out.append(step[0] == "z" or any(out[k] for k in taken(step)))
+    return out
 
 
 def reduced(steps: Sequence[Step], outputs: Sequence[int]) -> tuple[tuple[Step, ...], tuple[int, ...]]:

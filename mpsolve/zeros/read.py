@@ -11,10 +11,10 @@ from flint import acb
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision
 from mpsolve.zeros.evaluate import Evaluator
-from mpsolve.zeros.fraction import as_fraction, dependent, product_of
+from mpsolve.zeros.fraction import as_fraction, product_of
 from mpsolve.zeros.function import CallableFunction, ExpressionFunction, Function
 from mpsolve.zeros.parse import from_sympy, parse
-from mpsolve.zeros.program import Expression, Program, reduced, shown
+from mpsolve.zeros.program import Expression, Program, dependent, reduced, shown
 from mpsolve.zeros.trace import UnreadableError, takes_flag, trace
 
 VOUCHED = "f gives balls that are not finite wherever it may not be analytic"
@@ -50,8 +50,7 @@ def read_function(f: object, derivative: Callable[[Any], Any] | None, assume_ana
 
 def of_expression(expression: Expression) -> Given:
     """What is known of an expression."""
-    program = Program(list(expression.steps))
-    if not dependent(program)[expression.numerator]:
+    if not dependent(expression.steps)[expression.numerator]:
         raise InputError("f", f"is {expression}, which vanishes nowhere or everywhere: give a function of z")
     for output in (expression.numerator, expression.denominator):
         if output is not None:

@@ -33,6 +33,18 @@ def _refused(what: str) -> InputError:
     return InputError("f", f"takes {what}, so it is not analytic: give a function of z alone")
 
 
+def _operator(name: str) -> tuple[Callable[[Symbol, Any], Symbol], Callable[[Symbol, Any], Symbol]]:
+    """A method of a program as an operator of symbols: from the left, from the right."""
+
+    def left(one: Symbol, x: Any) -> Symbol:
+        return one._new(getattr(one.program, name)(one.place, one._other(x)))
+
+    def right(one: Symbol, x: Any) -> Symbol:
+        return one._new(getattr(one.program, name)(one._other(x), one.place))
+
+    return left, right
+
+
 class Symbol:
     """Stands for a ball; its operators and methods write steps."""
 
@@ -45,35 +57,11 @@ class Symbol:
     def _other(self, x: Any) -> int:
         return x.place if isinstance(x, Symbol) else constant(self.program, x)
 
-    def __add__(self, x: Any) -> Symbol:
-        return self._new(self.program.add(self.place, self._other(x)))
-
-    def __radd__(self, x: Any) -> Symbol:
-        return self._new(self.program.add(self._other(x), self.place))
-
-    def __sub__(self, x: Any) -> Symbol:
-        return self._new(self.program.sub(self.place, self._other(x)))
-
-    def __rsub__(self, x: Any) -> Symbol:
-        return self._new(self.program.sub(self._other(x), self.place))
-
-    def __mul__(self, x: Any) -> Symbol:
-        return self._new(self.program.mul(self.place, self._other(x)))
-
-    def __rmul__(self, x: Any) -> Symbol:
-        return self._new(self.program.mul(self._other(x), self.place))
-
-    def __truediv__(self, x: Any) -> Symbol:
-        return self._new(self.program.div(self.place, self._other(x)))
-
-    def __rtruediv__(self, x: Any) -> Symbol:
-        return self._new(self.program.div(self._other(x), self.place))
-
-    def __pow__(self, x: Any) -> Symbol:
-        return self._new(self.program.power(self.place, self._other(x)))
-
-    def __rpow__(self, x: Any) -> Symbol:
-        return self._new(self.program.power(self._other(x), self.place))
+    __add__, __radd__ = _operator("add")
+    __sub__, __rsub__ = _operator("sub")
+    __mul__, __rmul__ = _operator("mul")
+    __truediv__, __rtruediv__ = _operator("div")
+    __pow__, __rpow__ = _operator("power")
 
     def __neg__(self) -> Symbol:
         return self._new(self.program.neg(self.place))

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 import pytest
 from measure import median, seconds
+from newmark import newmark
 
 from mpsolve.finite.beam.march import Loading, march
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.finite.beam.newmark import newmark
 
 NEEDS = "the comparison needs scipy: pip install scipy"
 LENGTH, START, MODES, TAU = 200.0, 40.0, 600, 100.0

@@ -238,9 +238,15 @@ def test_the_sheet_must_be_known_on_a_cut() -> None:
             Proved(reduced).delta(cut)
 
 
-def test_distances_in_a_row_are_those_one_by_one() -> None:
+EQUAL = [Fraction(3 * k, 4) for k in range(-5, 6)]
+PLACES = [Fraction(k, 2) for k in (0, 1, 5, 6, 10, 11)]
+BOGIES = [x - y for x in PLACES for y in PLACES[::-1]]  # in no order, some of them twice
+
+
+@pytest.mark.parametrize("row", [EQUAL, BOGIES])
+def test_distances_in_a_row_are_those_one_by_one(row: list[Fraction]) -> None:
     guide = track_guide(EulerBernoulli(EI="0.25", m=1, k=1, c="0.1"), Fraction(1, 2))
-    symbols, row = Symbols.of(guide), [Fraction(3 * k, 4) for k in range(-5, 6)]
+    symbols = Symbols.of(guide)
     with precision(128):
         split = split_ball(symbols, exact_ball(SIGMA[0]), upper_count(symbols.D))
         together, slopes = split.receptances(row)

@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from mpsolve.claims import Paper
-from mpsolve.claims.load import load
+from mpsolve.claims.load import audit, load
 from mpsolve.claims.report import Report
-from mpsolve.claims.run import audit
 
 TOY = Path(__file__).parent / "toy"
 

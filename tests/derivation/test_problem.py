@@ -11,8 +11,8 @@ from track_models import DAMPED
 from vehicle_models import TYPICAL
 
 from mpsolve.cli import cli
-from mpsolve.derivation.paper import render
 from mpsolve.derivation.problem import derivation_of
+from mpsolve.derivation.rendered import render
 from mpsolve.derivation.tracks import derived, symbols_of
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem

@@ -11,6 +11,7 @@ import pytest
 FOLDER = Path(__file__).parents[2] / "examples" / "findings"
 FINDINGS = sorted(path.stem for path in FOLDER.glob("*.py"))
 WRONG: dict[str, dict[str, Any]] = {
+    "decomposition_planes": {"ONSET": "367.129179177"},
     "passivity_over_damping": {"VELOCITIES": {"0.05": "1.0201285772"}},
     "rail_damping": {"ONSETS": {"0": "191.183147740035"}},
     "rows_of_masses": {"ROWS": {2: "0.737876937094"}},
@@ -28,7 +29,7 @@ def load(monkeypatch: pytest.MonkeyPatch) -> Any:
     return importlib.import_module
 
 
-SLOW = {"rows_of_masses"}  # rows and the endless train are proved in test_examples.py, too
+SLOW = {"rows_of_masses", "decomposition_planes"}  # rows are proved in test_examples.py, too, charts in test_chart.py
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in FINDINGS])

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from mpsolve import InputError, Problem, read_problem, response, tracks, vehicles
-from mpsolve.explorer.moving import PLACES, POINTS, motion_pictures
+from mpsolve.batch.view import look
+from mpsolve.explorer.moving import PLACES, POINTS, motion_pictures, root_picture, stretch
 from mpsolve.explorer.session import Session
-from mpsolve.explorer.shaping import stretch
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=100)
@@ -61,3 +61,17 @@ def test_a_session_draws_it_and_says_what_cannot_be() -> None:
     for wrong in ("0", "-1", "a while", "3 kg"):
         with pytest.raises(InputError):
             session.draw_motion(wrong)
+
+
+PROBLEM = read_problem("examples/two_layer_bogie.toml").problem
+
+
+def test_it_reaches_beyond_the_contacts() -> None:
+    x = stretch(PROBLEM, 81)
+    assert len(x) == 81
+    assert x[0] < min(PROBLEM.pencil.places) < max(PROBLEM.pencil.places) < x[-1]
+
+
+def test_a_root_moves_rail_and_bodies() -> None:
+    drawn = root_picture(PROBLEM, complex(look(PROBLEM).roots[-1]))
+    assert drawn.count("<animate") >= 1 + 2 + len(PROBLEM.pencil.names)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 
-from mpsolve.explorer.player import player
+from mpsolve.explorer.player import CSS, player
 
 
 def test_a_player_has_controls_and_says_where_the_model_ends() -> None:
@@ -15,3 +16,12 @@ def test_a_player_has_controls_and_says_where_the_model_ends() -> None:
     (slider,) = tree.iter("input")
     assert (slider.get("max"), slider.get("aria-label")) == ("2", "Time, s")
     assert ET.fromstring(player("<svg/>", 2.0, 8.0, None)).get("data-end") is None
+
+
+def test_the_same_colours_in_light_and_in_dark() -> None:
+    light, dark = (set(re.findall(r"(--\w+):", part)) for part in re.findall(r"(?::root|body--dark) {([^}]*)}", CSS))
+    assert light == dark
+
+
+def test_every_picture_has_its_size() -> None:
+    assert {"#plane", "#shape", "#chart", "#motion", "#moving"} <= set(re.findall(r"(#\w+) svg", CSS))

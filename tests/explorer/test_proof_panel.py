@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-pytest.importorskip("nicegui", reason="the extra `explore` is not installed")
+from mpsolve import certify, read_problem
+from mpsolve.explorer.proof_panel import ProofPanel, region_told, told, vibration
+from mpsolve.explorer.proving import Proving
 
-from mpsolve.explorer.proof_panel import ProofPanel
+pytest.importorskip("nicegui", reason="the extra `explore` is not installed")
 
 
 class Widget:
@@ -64,3 +67,22 @@ def test_a_report_under_way_and_refused(panel: ProofPanel) -> None:
     panel.watch()
     assert panel.writing.text == "The report ended: no room"
     assert panel.session.reporting is None
+
+
+PROBLEM = read_problem("examples/two_layer_bogie.toml").problem
+
+
+def test_a_vibration_grows_or_decays() -> None:
+    assert vibration(62.831853 - 0.1j) == "10 Hz, doubles every 6.93 s"
+    assert vibration(62.831853 + 0.1j) == "10 Hz, decays at 0.1 1/s"
+
+
+def test_a_proof_and_its_region() -> None:
+    answer = certify(PROBLEM, region="unstable", digits=15)
+    assert told(answer).startswith("STABLE")
+    assert "verifier confirms" in told(answer)
+    assert len(told(answer).splitlines()) < 8  # no equations
+    proving = Proving(PROBLEM)
+    assert region_told(proving) == ""
+    proving.region = {"v": (Fraction(50), Fraction(150)), "vehicles[0].wheel": (Fraction(1, 3), Fraction(2))}
+    assert "v from 50 to 150 and vehicles[0].wheel from 0.33333 to 2: proved" in region_told(proving)

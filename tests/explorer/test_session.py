@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 
 from mpsolve import InputError, Problem, read_problem, tracks, vehicles
-from mpsolve.explorer.begin import problem_of
 from mpsolve.explorer.session import Session
-from mpsolve.presets.catalogue import names
+from mpsolve.presets.written import names, problem_of
 
 PROBLEM = read_problem("examples/two_layer_bogie.toml").problem
 

@@ -9,7 +9,7 @@ import pytest
 from track_models import DAMPED
 
 from mpsolve import InputError, Load, Problem, vehicles
-from mpsolve.finite.case import Answer, Case
+from mpsolve.finite.case import Answer, Case, hermite
 
 PROBLEM = Problem(DAMPED["two-layer"], [vehicles.Mass(900), vehicles.Mass(900).at(3)], v=10)
 
@@ -78,3 +78,9 @@ def test_few_times_are_watched_with_some_before_the_last() -> None:
     assert case.watched[case.asked] == pytest.approx(case.times)
     assert len(case.watched) == 11
     assert np.array_equal(_case(times=np.linspace(0, 1, 16)).watched, np.linspace(0, 1, 16))
+
+
+def test_cubics_are_kept_as_they_are():
+    nodes, times = np.array([0.0, 0.5, 2.0]), np.linspace(0, 2, 9)
+    cubic, slope = (lambda t: t**3 - 2 * t + 1), (lambda t: 3 * t**2 - 2)
+    assert hermite(nodes, cubic(nodes)[None], slope(nodes)[None], times)[0] == pytest.approx(cubic(times), abs=1e-14)

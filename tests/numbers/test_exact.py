@@ -17,7 +17,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.exact import MAX_DIGITS, MAX_RADICAND_DIGITS, MAX_TEXT, Exact
+from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.written import MAX_DIGITS, MAX_RADICAND_DIGITS, MAX_TEXT
 
 fractions = st.fractions(min_value=-(10**9), max_value=10**9, max_denominator=10**9)
 radicands = st.fractions(min_value=0, max_value=10**12, max_denominator=10**6)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.float_list import float_list
+from mpsolve.numbers.float_list import checked_places, checked_times, float_list
 
 
 @pytest.mark.parametrize("given", ["0.5", 0.5, Fraction(1, 2), np.float64(0.5), np.array(0.5), [0.5], (0.5,)])
@@ -19,3 +19,11 @@ def test_one_number_may_come_in_any_form(given):
 def test_what_is_no_finite_number_is_named(given, word):
     with pytest.raises(InputError, match=word):
         float_list(given, "times")
+
+
+def test_places_and_times_are_lists_of_floats():
+    assert checked_places(None, [1, 2]).tolist() == [1.0, 2.0]
+    assert checked_places("0.5", [1]).tolist() == [0.5]
+    assert checked_times([3, 1]).tolist() == [3.0, 1.0]
+    with pytest.raises(InputError, match="tau"):
+        checked_times([-1])

@@ -6,6 +6,7 @@ import pickle
 from fractions import Fraction
 from typing import Annotated, Any
 
+import numpy as np
 import pytest
 
 from mpsolve.errors import InputError
@@ -16,12 +17,14 @@ from mpsolve.numbers.model import (
     Quantity,
     Rational,
     Texts,
+    checked_range,
     defaults,
     nonnegative,
     positive,
     quantities,
     rational,
     real,
+    whole,
 )
 
 
@@ -93,3 +96,35 @@ def test_mistakes_are_named(make: Any, key: str, said: str) -> None:
     with pytest.raises(InputError, match=said) as caught:
         make()
     assert caught.value.key == key
+
+
+def test_ends_are_exact() -> None:
+    low, high = checked_range(("0.1", Fraction(1, 3)), "alpha")
+    assert (low.as_fraction(), high.as_fraction()) == (Fraction(1, 10), Fraction(1, 3))
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (3, "alpha: is 3: give a range"),
+        ((1, 2, 3), r"alpha: is \(1, 2, 3\): give a range"),
+        ((0, "root4(2)"), "alpha: has an irrational end"),
+        ((1, 1), "alpha: ends at 1, not above its start 1"),
+        ((2, 1), "alpha: ends at 1, not above its start 2"),
+    ],
+)
+def test_what_is_no_range_is_refused(given: object, said: str) -> None:
+    with pytest.raises(InputError, match=f"^{said}"):
+        checked_range(given, "alpha")
+
+
+@pytest.mark.parametrize("value", [1, 7, np.int64(3)])
+def test_a_whole_number_within_its_bounds(value: object) -> None:
+    found = whole(value, "count", 1, 7)
+    assert (found, type(found)) == (value, int)
+
+
+@pytest.mark.parametrize("value", [0, 8, True, 2.0, "3", None])
+def test_what_is_no_whole_number_or_out_of_bounds(value: object) -> None:
+    with pytest.raises(InputError, match=r"count: is .*: give a whole number from 1 to 7"):
+        whole(value, "count", 1, 7)

@@ -1,9 +1,28 @@
 import numpy as np
 import pytest
 
-from mpsolve.numbers.wave_tables import Waves, wave_tables
+from mpsolve.numbers.wave_tables import Waves, gauss, legendre_powers, moments, nested_moments, wave_tables
 
 
 def test_a_wave_decays_over_a_step_as_it_must():
     waves = Waves(np.array([1.3]), np.array([-0.2 + 3j]), np.array([1.0 + 0j]), 10.0, 2.0)
     assert wave_tables(waves, np.array([0.0]), 0.1, 1, 1).decay.ravel() == pytest.approx(np.exp(0.1 * (-0.2 + 3j)))
+
+
+def test_moments_are_what_quadrature_has():
+    nodes, weights = gauss(40)
+    for z in (0.0, 0.3 - 2j, -5 + 1j):
+        known = [(weights * np.exp(z * nodes) * nodes**k).sum() for k in range(3)]
+        assert moments(np.array([z]), 2).ravel() == pytest.approx(known, rel=1e-10)
+
+
+def test_nested_moments_by_quadrature():
+    nodes, weights = gauss(40)
+    p, q = -0.4 + 1j, 0.2 - 3j
+    inner = [(weights * t * np.exp(q * nodes * t)).sum() for t in nodes]
+    known = (weights * np.exp(p * nodes) * inner).sum()
+    assert nested_moments(np.array([p]), np.array([q]), 0, 0)[0, 0, 0] == pytest.approx(known, rel=1e-10)
+
+
+def test_legendre_polynomials_on_the_unit_interval():
+    assert legendre_powers(2).tolist() == [[1, 0, 0], [-1, 2, 0], [1, -6, 6]]

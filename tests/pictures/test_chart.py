@@ -66,3 +66,18 @@ def test_proved_curves_take_the_place_of_lines_between_cells() -> None:
     assert second.get("class") == "boundary zero"
     said = {(e.text or "").split(":")[0] for e in tree.iter("text")}
     assert {"line", "dashed line"} <= said
+
+
+def test_points_and_numbers_stand_where_they_belong() -> None:
+    counts = np.array([[0, 0], [2, 2]])
+    picture = chart_picture(
+        [0, 1, 2], [0, 1, 2], counts, "v", "m", "C", meetings=[(1.0, 1.0, "two pairs")], numbers=[(1.5, 1.0, 2)]
+    )
+    tree = ET.fromstring(picture)
+    marks = [e for e in tree.iter("circle") if e.get("class") == "point"]
+    middle = LEFT + (WIDE - LEFT - RIGHT) / 2
+    assert float(marks[0].attrib["cx"]) == pytest.approx(middle, abs=0.1)
+    assert len(marks) == 2  # and one in the legend
+    (number,) = [e for e in tree.iter("text") if e.text == "2" and e.get("class") == "halo"]
+    assert float(number.attrib["x"]) > middle
+    assert "circle" in {(e.text or "").split(":")[0] for e in tree.iter("text")}

@@ -9,8 +9,7 @@ import pytest
 
 from mpsolve import Problem, read_problem, tracks, vehicles
 from mpsolve.errors import InputError
-from mpsolve.presets.catalogue import names
-from mpsolve.presets.written import input_file
+from mpsolve.presets.written import input_file, names
 from mpsolve.problem.plausible import implausible
 from mpsolve.problem.warned import warned
 from mpsolve.report.ranges_asked import asked

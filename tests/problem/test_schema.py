@@ -12,8 +12,7 @@ from schema_check import errors
 from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import quantities
-from mpsolve.presets.catalogue import names
-from mpsolve.presets.written import input_file
+from mpsolve.presets.written import input_file, names
 from mpsolve.problem.inputfile import read_problem
 from mpsolve.problem.schema import input_schema
 

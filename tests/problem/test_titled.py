@@ -11,8 +11,7 @@ from click.testing import CliRunner
 
 from mpsolve import Case, Problem, read_problem, tracks, vehicles
 from mpsolve.cli import cli
-from mpsolve.presets.catalogue import names
-from mpsolve.presets.written import input_file
+from mpsolve.presets.written import input_file, names
 from mpsolve.problem.inputfile import read_source
 from mpsolve.problem.titled import Title, titled
 

@@ -9,8 +9,7 @@ from typing import Any
 import pytest
 
 from mpsolve import Case, Problem, read_problem, tracks, vehicles
-from mpsolve.presets.catalogue import names
-from mpsolve.presets.written import input_file
+from mpsolve.presets.written import input_file, names
 from mpsolve.problem.warned import warned
 
 RAIL: dict[str, Any] = {"EI": "6.4e6", "m": 60, "k": "1e6", "c": 770}

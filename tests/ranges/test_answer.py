@@ -19,7 +19,7 @@ from mpsolve.problem.cases import as_problem
 from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import within
 from mpsolve.ranges.chart import Chart
-from mpsolve.ranges.crossings import Crossing, Crossings
+from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.entry import Entry
 from mpsolve.ranges.onset import Kind, Onset, Unstable, UnstableRanges
 from mpsolve.ranges.robust import Robust

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mpsolve.ranges.cells import BOUNDARY, finer, inmost, marked, met, parts_of
+from mpsolve.ranges.cells import BOUNDARY, finer, grown, inmost, marked, met, next_to, parts_of
 
 
 @dataclass
@@ -50,7 +50,16 @@ def test_the_inmost_cell() -> None:
 
 
 def test_what_a_curve_meets_and_what_is_next_to_it() -> None:
-    found = met((8, 8), ((0, 1), (0, 1)), [Curve((0.55, 0.55), (0.0, 1.0))])
-    assert found[3:6].all()
-    assert not found[:3].any()
-    assert not found[6:].any()
+    curve = ((8, 8), ((0, 1), (0, 1)), [Curve((0.55, 0.55), (0.0, 1.0))])
+    assert (np.flatnonzero(met(*curve).any(1)) == [4]).all()
+    found = next_to(*curve)
+    assert found[2:7].all()
+    assert not found[:2].any()
+    assert not found[7:].any()
+
+
+def test_neighbours() -> None:
+    cells = np.zeros((4, 4), bool)
+    cells[0, 1] = True
+    assert np.argwhere(grown(cells, 0, 1)).tolist() == [[0, 0], [0, 1], [0, 2], [1, 1]]
+    assert np.argwhere(grown(cells, 1)).tolist() == [[0, 0], [0, 1], [0, 2]]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,8 +11,7 @@ import pytest
 from mpsolve import Effort, InputError, Problem, certify, tracks, vehicles
 from mpsolve.outcome import Status
 from mpsolve.ranges.cells import BOUNDARY, OPEN
-from mpsolve.ranges.chart import Chart, _free, stability_chart
-from mpsolve.ranges.strips import Strips
+from mpsolve.ranges.chart import Chart, stability_chart
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=150)
@@ -75,20 +73,6 @@ def test_the_boundary_is_one_proved_curve_with_a_fold(chart: Chart) -> None:
             point = PAIR.changed("v", v).changed("scale.mass", factor)
             counts.add(certify(point, region="unstable", digits=15, check=False).unstable)
         assert counts == {0, 2}
-
-
-def test_the_cells_of_a_narrow_range_are_marked_as_far_as_its_ends_are_rounded() -> None:
-    """A box of floats that ends a tenth of a cell before the edge of a cell may reach into it."""
-    low, cells = np.array([1.0, 1.0]), 64
-    high = low + 2.0**-40
-    scope: Any = SimpleNamespace(low=low, high=high)
-    nothing = np.zeros((3, 0))
-    tree: Any = SimpleNamespace(open=(), boxes=lambda _: (nothing, nothing))
-    for far, free in ((1e-3, False), (0.4, True)):
-        ends = np.array([[30 + far], [7.5]]) / cells, np.array([[31 - far], [7.5]]) / cells
-        found = _free(scope, tree, Strips(*ends, nothing), cells)
-        assert found[29, 7] == found[31, 7] == free
-        assert not found[30, 7]
 
 
 def test_what_cannot_be() -> None:

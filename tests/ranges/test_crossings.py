@@ -18,7 +18,8 @@ from mpsolve.numbers.balls import precision
 from mpsolve.outcome import Status
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.crossings import Crossings, crossings
+from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.crossings import crossings
 from mpsolve.ranges.glance import count_seen
 from mpsolve.spectrum.regions import HalfPlane
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
-from mpsolve import Case, Effort, onset
+from mpsolve import Case, Effort, frequencies, onset, read_problem
+from mpsolve.presets.written import input_file
 from mpsolve.problem.cases import as_problem
 from mpsolve.ranges.first import BEYOND, Shorter, quarter, up_to_first
 from mpsolve.ranges.onset import Kind
@@ -57,3 +60,13 @@ def test_what_floats_see_decides_nothing(end: str, near: Any, monkeypatch: pytes
     answer = onset(case, over={"v": ("0.01", "0.95")}, check=False)
     assert answer.kind is Kind.CROSSES
     assert float(answer.value) == pytest.approx(0.66691895728454, rel=1e-12)
+
+
+def test_bogies_far_apart_have_crossings_close_together(tmp_path: Path) -> None:
+    """The first two of a coach differ by 7e-5, in a range ten thousand times as wide; floats count beside them."""
+    (tmp_path / "coach.toml").write_text(input_file("ballasted"), "utf-8")
+    problem = read_problem(tmp_path / "coach.toml").problem
+    found = onset(problem, over={"v": (140, 1600)}, check=False)
+    assert found.kind is Kind.CROSSES, found.reason
+    assert found.lower == pytest.approx(683.653465209185, rel=1e-14)
+    assert frequencies(problem, over={"v": np.array([600, 683.65, 683.66, 683.71])}).count.tolist() == [0, 0, 2, 4]

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from track_models import DAMPED
 
 from mpsolve import Case, Problem
 from mpsolve.characteristic.boxes import Boxes
@@ -16,7 +17,7 @@ from mpsolve.problem.cases import as_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.heavy import Heavy, SeenError, charts, off_axis
 from mpsolve.ranges.scope import scope_of
-from mpsolve.tracks import EulerBernoulli
+from mpsolve.tracks import EulerBernoulli, Track
 from mpsolve.vehicles import Mass, Oscillator
 
 TRACK = EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
@@ -72,6 +73,14 @@ def test_what_vanishes_next_to_zero(k: list[complex], e: float, none: bool) -> N
 def test_none_is_real_for_pairs_that_stay_stable() -> None:
     one = heavy(pair("0.5"))
     assert all(part.reason is None for part in one.cover(Fraction(1), Effort(evaluations=5000)))
+
+
+@pytest.mark.parametrize("track", [DAMPED["timoshenko"], DAMPED["rayleigh"]])
+def test_tracks_with_quick_waves_need_no_more_boxes(track: Track) -> None:
+    """Their unit of frequency is that of short waves, beside which y is tiny: boxes are measured by their own y."""
+    one = heavy(Problem(track, (Mass(900).at(0), Mass(900).at(3)), v=165))
+    found = one.cover(2 / one.scope.family.units[0], Effort(evaluations=3000))
+    assert all(part.reason is None for part in found)
 
 
 def test_a_mass_at_which_a_root_is_real_is_seen() -> None:

@@ -56,3 +56,14 @@ def test_known_boxes_are_known(crossing: np.ndarray) -> None:
     inside, across = (crossing - 1e-4)[:, None], (crossing + 2e-3)[:, None]
     assert judge(inside, inside + 2e-4)[0][0] == KNOWN
     assert judge(inside, across)[0][0] != KNOWN
+
+
+def test_a_room_far_smaller_than_what_it_is_looked_for_in(crossing: np.ndarray) -> None:
+    judge = over_velocity().judge()
+    wide, tiny = (judge.room(crossing, np.array([size, size])) for size in (2.0**-4, 2.0**24))
+    assert wide is not None
+    assert tiny is not None
+    for low, high in (wide, tiny):
+        assert (low < crossing).all()
+        assert (crossing < high).all()
+    assert (tiny[1] - tiny[0] < wide[1] - wide[0]).any()

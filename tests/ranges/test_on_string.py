@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import Problem, certify, prove_stable, tracks, vehicles
+from mpsolve import Problem, certify, crossings, prove_stable, tracks, vehicles
 from mpsolve.ranges.on_string import FASTER, SLOWER, quiet
+from mpsolve.ranges.parted import COMPLETE
 
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)  # waves run at 158.85
 SPRUNG = vehicles.Oscillator(wheel=9, body=15, k=7000, c=30)
@@ -122,3 +123,16 @@ def test_certified_points_agree(problem: Problem, v: int) -> None:
 def test_robust_in_the_whole_track() -> None:
     found = prove_stable(TWO, over={"v": (170, 300), "track.k": (400, 600), "gap[0]": (5, 50)})
     assert (found.stable, found.proved, found.note) == (True, True, FASTER)
+
+
+def test_faster_crossings_are_listed_up_to_a_frequency() -> None:
+    """The whole stays open, as nothing bounds the frequencies; floats count the same up to 300 rad/s."""
+    found = crossings(BOGIE, over={"v": (222, 233)}, check=False)
+    assert found.reason is not None
+    assert found.reason.code == "passivity"
+    assert found.counts is None
+    assert found.known[COMPLETE] > 100
+    (one,) = found.crossings
+    assert one.direction == -2
+    v = float(one.value)
+    assert (growing(BOGIE, v - 20), growing(BOGIE, v + 40)) == (2, 0)

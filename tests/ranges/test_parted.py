@@ -13,7 +13,8 @@ import pytest
 
 from mpsolve import Effort, Problem, tracks, vehicles
 from mpsolve.outcome import Reason, Status
-from mpsolve.ranges.crossings import Crossings, crossings
+from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.crossings import crossings
 from mpsolve.ranges.onset import Kind, Onset, _read, _shared, onset, unstable_ranges
 from mpsolve.ranges.parted import parted, speeds_above, speeds_within
 

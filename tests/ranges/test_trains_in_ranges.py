@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -19,6 +20,7 @@ from mpsolve import (
     unstable_ranges,
     vehicles,
 )
+from mpsolve.ranges.margin import margin_in
 
 SOFT = tracks.EulerBernoulli(EI="6.4e6", m=60, k="5e6", c="5e3")
 BOGIE = vehicles.Bogie(wheel=1000, frame=1500, inertia=800, wheelbase="2.5", k="1.2e6", c="4e3")
@@ -41,6 +43,10 @@ def test_one_parameter(name: str) -> None:
     assert every.counts is not None
     assert first.lower is not None
     assert parts.intervals[0].lower == first.lower
+    left = margin_in(parts, Fraction(200))
+    assert left.stable is True
+    assert left.below is None
+    assert left.above is parts.intervals[0].start
     for k, v in enumerate((150, *(round(float(c.upper), 1) + 0.1 for c in every.crossings))):
         assert certify(problem.changed("v", v), region="unstable", check=False).unstable == every.counts[k]
 

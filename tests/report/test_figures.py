@@ -10,32 +10,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from figure_parts import MOTIONS, SPECTRUM
 
-from mpsolve import Case, PhysicalCase, certify
 from mpsolve.errors import CertificateError, InputError
-from mpsolve.report import figures_plane, figures_response
-from mpsolve.report.figures import GREY, figure_of, save_figure
-from mpsolve.report.figures_svg import inline_svg
-from mpsolve.report.vibration import vibrations
-from mpsolve.vibration.of_case import motion_of_case as response
+from mpsolve.report import figures_motion, figures_plane
+from mpsolve.report.figures import GREY, figure_of, inline_svg, save_figure
 
-CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
-SPECTRUM = certify(CASE)
-MOTIONS = vibrations(SPECTRUM)
 SVG = "{http://www.w3.org/2000/svg}"
 HREF = "{http://www.w3.org/1999/xlink}href"
-
-
-@pytest.fixture(scope="module")
-def motion() -> Any:
-    return response(CASE, tau=np.linspace(0, 200, 801))
-
-
-def placed(ax: Any, gid: str) -> tuple[float, float]:
-    """Where the mark of this id stands, in the units of the axes."""
-    (line,) = [line for line in ax.lines if line.get_gid() == gid]
-    (x,), (y,) = line.get_data()
-    return float(x), float(y)
 
 
 def read_back(root: ET.Element, name: str, gid: str) -> list[tuple[float, float]]:
@@ -58,91 +40,11 @@ def read_back(root: ET.Element, name: str, gid: str) -> list[tuple[float, float]
     ]
 
 
-def test_the_plane_shows_roots_branch_points_and_halves() -> None:
-    figure = figure_of(lambda ax: figures_plane.q_plane(SPECTRUM, ax))
-    (ax,) = figure.axes
-    for k, root in enumerate(SPECTRUM.roots, 1):
-        x, y = placed(ax, f"root-{k}")
-        assert abs(complex(x, y) - complex(root.q.mid())) < 1e-15
-        (line,) = [line for line in ax.lines if line.get_gid() == f"root-{k}"]
-        assert line.get_marker() == ("D" if y < 0 else "o")
-    # q_lm is the least of ½√(p⁴ − 4Np² + 4β²) − αp over real p; here N = 0
-    p = np.linspace(0, 4, 400_001)
-    least = (np.sqrt(p**4 + 4 * (1 - 0.05**2)) / 2 - 0.67 * p).min()
-    for side, name in ((-1, "left"), (1, "right")):
-        x, y = placed(ax, f"branch-point-{name}")
-        assert (abs(side * x - least) < 1e-9, y) == (True, 0.05)
-    low, high = ax.get_ylim()
-    assert low < min(float(root.q.imag) for root in SPECTRUM.roots) < 0.05 < high
-
-
-@pytest.mark.parametrize(("alpha", "said"), [("0.67", ["−", ""]), ("0.99", ["±"])])
-def test_branch_points_that_are_close_share_a_label(alpha: str, said: list[str]) -> None:
-    close = certify(Case(alpha=alpha, eta_b="0.1", eta_m=(70, 70), positions=(0, "1.2")))
-    figure = figure_of(lambda ax: figures_plane.q_plane(close, ax))
-    labels = [text.get_text() for text in figure.axes[0].texts if "q_{lm}" in text.get_text()]
-    assert labels == [f"{sign}$q_{{lm}}$ + i$η_b$" for sign in said]
-
-
-def test_joined_cuts_have_no_branch_point() -> None:
-    spectrum = certify(Case(alpha="1.2", eta_b="0.05", eta_m=10))
-    (ax,) = figure_of(lambda ax: figures_plane.q_plane(spectrum, ax)).axes
-    names = {line.get_gid() for line in ax.lines}
-    assert {"cut-left", "cut-right"} < names
-    assert "branch-point-left" not in names
-
-
-def test_the_zoom_tells_frequency_and_time() -> None:
-    (ax,) = figure_of(lambda ax: figures_plane.roots_zoom(MOTIONS, False, ax)).axes
-    texts = [text.get_text() for text in ax.texts]
-    growing = [motion for motion in MOTIONS if motion.root.q.imag < 0]
-    assert len(texts) == len(MOTIONS) == 2
-    assert len([text for text in texts if "doubles" in text]) == len(growing) == 1
-    period = 2 * np.pi / float(growing[0].root.q.real)
-    assert any(text.startswith(f"{1 / period:.4g}/τ\ndoubles") for text in texts)
-
-
-def test_the_envelope_bounds_the_harmonic_part_and_is_reached(motion: Any) -> None:
-    bound = motion.envelope
-    assert np.all(abs(motion.harmonic) <= bound * (1 + 1e-12))
-    for row, edge in zip(motion.harmonic, bound, strict=True):
-        assert np.max(abs(row) / edge) > 0.99
-    ax: Any = figure_of(lambda ax: figures_response.displacements(motion, ax)).axes[0]
-    (line,) = [one for one in ax.lines if one.get_gid() == "w-2"]
-    assert np.array_equal(line.get_ydata(), motion.w[1])
-    assert ax.yaxis_inverted()
-
-
-def test_displacements_in_millimetres_are_those_of_a_load_at_rest() -> None:
-    """A constant force P at rest on a Winkler beam sinks by Pχ/(2k), with χ⁴ = k/(4EI)."""
-    from mpsolve.vehicles.load import Load
-
-    beam = PhysicalCase(EI="6.4e6", m=60, k="1e6", v=0, c=7750, masses=[(100, 0)])
-    found = response(beam, [Load(constant=50_000)], tau=[0, 400])
-    ax: Any = figure_of(lambda ax: figures_response.displacements(found, ax, figures_response.Scale.of(beam))).axes[0]
-    (line,) = [one for one in ax.lines if one.get_gid() == "w-1"]
-    chi = (1e6 / (4 * 6.4e6)) ** 0.25
-    assert abs(line.get_ydata()[-1] - 1e3 * 50_000 * chi / 2e6) < 1e-6
-    assert abs(line.get_xdata()[-1] - 400 / np.sqrt(1e6 / 60)) < 1e-9
-
-
-def test_contact_forces_and_where_they_vanish(motion: Any) -> None:
-    ax: Any = figure_of(lambda ax: figures_response.contact_forces(motion, ax)).axes[0]
-    for k, loss in enumerate(motion.contact_loss, 1):
-        (line,) = [one for one in ax.lines if one.get_gid() == f"force-{k}"]
-        below = 1 + np.flatnonzero(line.get_ydata()[1:] <= 0)  # at τ = 0 the mass alone takes the load
-        assert (loss is None) == (len(below) == 0)
-        if loss is not None:
-            x, y = placed(ax, f"loss-{k}")
-            assert motion.tau[below[0] - 1] <= x <= motion.tau[below[0]]
-            assert y == 0
-
-
 DRAWN: dict[str, Callable[[Any, Any], Any]] = {
     "plane": lambda ax, _motion: figures_plane.q_plane(SPECTRUM, ax, GREY),
     "zoom": lambda ax, _motion: figures_plane.roots_zoom(MOTIONS, True, ax, GREY),
-    "displacement": lambda ax, motion: figures_response.displacements(motion, ax, None, GREY),
-    "contact": lambda ax, motion: figures_response.contact_forces(motion, ax, None, GREY),
+    "displacement": lambda ax, motion: figures_motion.displacements(motion, ax, None, GREY),
+    "contact": lambda ax, motion: figures_motion.contact_forces(motion, ax, None, GREY),
 }
 
 
@@ -165,7 +67,7 @@ def test_every_figure_returns_its_axes_and_can_be_grey(name: str, motion: Any, t
 def test_a_page_can_hold_several_figures_and_their_places_can_be_read_back(motion: Any) -> None:
     pictures = {
         "plane": figure_of(lambda ax: figures_plane.q_plane(SPECTRUM, ax)),
-        "w": figure_of(lambda ax: figures_response.displacements(motion, ax)),
+        "w": figure_of(lambda ax: figures_motion.displacements(motion, ax)),
     }
     roots = {name: ET.fromstring(inline_svg(one, name, "A & B", "1 < 2")) for name, one in pictures.items()}
     ids = [element.get("id") for root in roots.values() for element in root.iter() if element.get("id")]

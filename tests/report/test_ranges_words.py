@@ -9,7 +9,7 @@ import pytest
 
 from mpsolve import Problem, crossings, onset, tracks, unstable_ranges, vehicles
 from mpsolve.numbers.balls import arb
-from mpsolve.ranges.crossings import Crossings
+from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.onset import Kind, Onset, _read, _shared
 from mpsolve.report.ranges_asked import asked
 from mpsolve.report.ranges_words import said_of_crossings, said_of_onset, said_of_ranges

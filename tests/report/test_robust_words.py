@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
+from types import SimpleNamespace
 
 import numpy as np
 
+from mpsolve.numbers.balls import arb
 from mpsolve.outcome import Status
+from mpsolve.problem.over import Over
 from mpsolve.ranges.boundary import Boundary
 from mpsolve.ranges.chart import Chart, Part
+from mpsolve.ranges.meeting import Meeting
 from mpsolve.report.robust_words import _chart, _chart_verdict
 
 
@@ -40,3 +45,14 @@ def test_each_region_and_each_curve_has_a_line() -> None:
     assert said.count("a boundary, proved through 3 points") == 2
     assert "divergence); it could not be followed further" in said
     assert said.endswith("strips round the boundaries: 25 % of the chart")
+
+
+def test_each_point_where_curves_meet_has_a_line() -> None:
+    asked = SimpleNamespace(
+        overs=(Over("v", Fraction(0), Fraction(9), "m/s", "km/h"), Over("track.c", Fraction(0), Fraction(9), "", ""))
+    )
+    points = tuple(Meeting(arb(5), arb("0.5"), tuple(map(arb, q))) for q in ((1, 2), (1, 0), (0,)))
+    crossed, at_zero, ended = _chart(replace(chart(True), parts=(), boundaries=(), meetings=points), asked)[1:4]
+    assert crossed == "  two boundaries cross, with two pairs of roots real, at v = 18 km/h and track.c = 0.5"
+    assert "one of divergence" in at_zero
+    assert "as q comes to 0" in ended

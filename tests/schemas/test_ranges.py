@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from pathlib import Path
 from typing import Any
 
 import pytest
 from schema_check import errors
-from schema_outputs import checked, refused_mutants, run
+from schema_outputs import EXAMPLES, checked, refused_mutants, run
 
 from mpsolve import Case, cut_points, sensitivity
 from mpsolve.schemas.catalogue import schema_of
@@ -45,3 +46,17 @@ def test_answers_of_the_library_fit(name: str, answer: Any) -> None:
     refused_mutants(found, schema_of(name))
     (first, *_) = found["roots" if name == "sensitivity" else "points"]
     assert name != "sensitivity" or "v" in first["by"]
+
+
+def test_outputs_fit_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    checked("table")
+
+
+@pytest.mark.parametrize(("pattern", "name"), [("rail_table.toml", "table-file"), ("onset_table.toml", "table-file")])
+def test_files_that_ask_fit(pattern: str, name: str) -> None:
+    for file in sorted(EXAMPLES.glob(pattern)):
+        content = tomllib.loads(file.read_text("utf-8"))
+        assert errors(content, schema_of(name)) == [], file
+        assert errors(content | {"colour": "blue"}, schema_of(name))
+        assert errors({key: value for key, value in content.items() if key in ("title", "problem")}, schema_of(name))

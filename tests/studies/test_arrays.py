@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 from mpsolve import InputError, Study
+from mpsolve.studies.arrays import stored_results
 from mpsolve.studies.blocks import STATUSES
 from mpsolve.studies.columns import parameter_titles
 from mpsolve.studies.spec import read_spec
+from mpsolve.studies.store import Store
 
 
 def test_npz(made: Study) -> None:
@@ -49,3 +51,12 @@ def test_without_pyarrow(made: Study, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputError, match=r"pip install 'mpsolve\[parquet\]'"):
         made.save(made.path.with_name("other.parquet"))
     assert not made.path.with_name("other.parquet").exists()
+
+
+def test_from_any_index_on(made: Study) -> None:
+    with Store.create(made.path, made.spec) as store:
+        whole = list(stored_results(store))
+        assert [index for index, _, _ in whole] == list(range(made.total))
+        assert [values for _, values, _ in whole] == [made.spec.values(k) for k in range(made.total)]
+        for start in (1, made.total - 1, made.total):
+            assert list(stored_results(store, start)) == whole[start:]

@@ -11,8 +11,10 @@ from typing import Any
 import pytest
 
 from mpsolve.errors import InputError
+from mpsolve.problem.inputfile import problem_of, read_problem
+from mpsolve.problem.toml import parsed
 from mpsolve.spectrum.regions import Below, Rectangle
-from mpsolve.studies.spec import differences, read_spec, spec_of
+from mpsolve.studies.spec import differences, problem_tables, read_spec, spec_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PAIR = {"alpha": "0.5", "eta_b": "0.05", "eta_m": [70, 70], "positions": [0, 1]}
@@ -186,3 +188,15 @@ def test_differences_are_named(change: Callable[[], Any], expected: tuple[str, A
 def test_the_title_and_the_way_of_writing_make_no_difference() -> None:
     other = changed("parameters", v=["1/10", "0.20"], track_c="1/10") | {"title": "the same"}
     assert not list(differences(read_spec(PLAIN).canonical, read_spec(other).canonical))
+
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "two_layer_bogie.toml"
+
+
+def test_tables_are_plain_and_make_the_problem_of_the_file() -> None:
+    named = problem_tables({"problem": EXAMPLE.name}, EXAMPLE.parent)
+    own = problem_tables(parsed(EXAMPLE.read_text("utf-8"), "here"), Path())
+    assert named == own
+    assert named["track"]["EI"] == "6380430"
+    assert "title" not in named
+    assert problem_of(named, Path("x")).given == read_problem(EXAMPLE).given

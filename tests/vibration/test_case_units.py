@@ -9,7 +9,7 @@ from mpsolve import Case, InputError, PhysicalCase, certify, response
 from mpsolve.numbers.exact import Exact
 from mpsolve.vehicles.load import Load
 from mpsolve.vibration.case_balls import balls_of_case
-from mpsolve.vibration.case_units import rounded, units_of
+from mpsolve.vibration.case_units import Scale, rounded, units_of
 
 RAIL = PhysicalCase(EI="6.4e6", m=60, k="1e6", c=800, v=100, masses=[(900, 0)])
 
@@ -46,3 +46,12 @@ def test_what_is_irrational_without_units_is_rounded_or_refused() -> None:
     assert rounded(Exact("0.3")) * 10 == 3
     with pytest.raises(InputError, match="irrational"):
         units_of(lost, exact=True)
+
+
+def test_units_of_a_physical_case():
+    scale = Scale.of(PhysicalCase(EI="6.4e6", m=60, k="1e6", c=0, kp=0, N=0, v=50, masses=[(1000, 0)]))
+    assert scale.physical
+    assert scale.time == pytest.approx((60 / 1e6) ** 0.5)
+    assert scale.force == 1e-3
+    assert not Scale().physical
+    assert "w_st" in Scale().said

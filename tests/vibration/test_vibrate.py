@@ -30,8 +30,7 @@ from mpsolve import (
     vehicles,
 )
 from mpsolve.errors import PrecisionError
-from mpsolve.presets.catalogue import names, preset
-from mpsolve.presets.written import input_file
+from mpsolve.presets.written import input_file, names, preset
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.reduced import scale_guide, track_guide
 from mpsolve.vehicles.bounce import rigid_bounce

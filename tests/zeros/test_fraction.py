@@ -6,8 +6,7 @@ import pytest
 from flint import acb
 
 from mpsolve.zeros.evaluate import Evaluator
-from mpsolve.zeros.fraction import as_fraction, factors
-from mpsolve.zeros.guards import guards
+from mpsolve.zeros.fraction import as_fraction, factors, guards
 from mpsolve.zeros.parse import parse
 from mpsolve.zeros.program import Program, reduced, shown
 
@@ -53,3 +52,19 @@ def test_a_product_of_a_thousand_factors_is_no_recursion() -> None:
         k = p.mul(k, p.sub(p.z, p.number(j)))
     assert len(factors(p.steps, k)) == 1500  # z − 0 is z, and so twice
     assert sum(factors(p.steps, k).values()) == 1501
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("sin(z)*exp(z**2) + rgamma(z)/pi + sqrt(2)", []),
+        ("sqrt(z) + log(z + 1)", ["sqrt", "log"]),
+        ("1/z + atan(z)", ["div", "atan"]),
+        ("z/sqrt(2) + log(3)*z", []),
+        ("bessel_j(3, z) + cos_sqrt(z)", []),
+    ],
+)
+def test_roots_logarithms_and_quotients_of_z_are_watched(text: str, names: list[str]) -> None:
+    program = Program()
+    parse(program, text)
+    assert [program.steps[k][0] for k in guards(program.steps)] == names

@@ -11,9 +11,8 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.finite.beam.march import UNKNOWN, Loading, Motion, march
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.numbers.float_list import float_list
-from mpsolve.numbers.grid import checked_times
-from mpsolve.numbers.hermite import hermite
+from mpsolve.finite.case import hermite, positive
+from mpsolve.numbers.float_list import checked_times, float_list
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.case import Case
 from mpsolve.vehicles.load import Load
@@ -63,7 +62,7 @@ class Problem:
         self.tau, self.xi = checked_times(tau), float_list(xi, "xi")
         if not self.tau.size or self.tau[-1] <= 0 or np.any(np.diff(self.tau) <= 0):
             raise InputError("tau", "is not an ascending list of times from 0 on: give at least one time above 0")
-        self.tolerance = _positive(tolerance, "tolerance")
+        self.tolerance = positive(tolerance, "tolerance")
         if self.tolerance >= 1:
             raise InputError("tolerance", f"is {self.tolerance:g}, not below 1: give the error accepted, in w_st")
         self.alpha, self.axial, self.eta_b = float(case.alpha), float(case.axial), float(case.eta_b)
@@ -94,13 +93,13 @@ class Problem:
         """Figures to begin with; InputError where the load would not stay on the beam."""
         margin = self._static_margin()
         if start is not None:
-            start = _positive(start, "start")
+            start = positive(start, "start")
             margin = start + self.lowest
             if margin <= 0:
                 raise InputError("start", f"is {start:g}, and xi = {np.min(self.xi):g} is not on the beam: raise it")
-            length = start - self.lowest + self.reach + margin if length is None else _positive(length, "length")
+            length = start - self.lowest + self.reach + margin if length is None else positive(length, "length")
         elif length is not None:
-            length = _positive(length, "length")
+            length = positive(length, "length")
             margin = (length - self.reach) / 2
         else:
             length = self.reach + 2 * margin
@@ -182,13 +181,6 @@ class Problem:
         acceleration = hermite(nodes, values, np.gradient(values, nodes, axis=1), self.tau)
         force = (self.applied(self.tau) - self.eta_m[:, None] * acceleration) / 2
         return Answer(hermite(times, motion.deflection, motion.velocity, self.tau), force)
-
-
-def _positive(value: float, key: str) -> float:
-    number = float(float_list([value], key)[0])
-    if number <= 0:
-        raise InputError(key, f"is {number:g}, not above 0: give a positive one")
-    return number
 
 
 def _count(value: int, key: str, least: int, why: str) -> int:

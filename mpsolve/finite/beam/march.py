@@ -20,8 +20,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.numbers.wave_integrals import gauss, legendre_powers, moments
-from mpsolve.numbers.wave_tables import Waves, mirrored, nested, wave_tables
+from mpsolve.numbers.wave_tables import Waves, gauss, legendre_powers, mirrored, moments, nested, wave_tables
 
 UNKNOWN = 1
 """Degree of the acceleration in a step."""

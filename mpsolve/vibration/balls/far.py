@@ -20,8 +20,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision, rational_ball
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.polygon import FarRoot, far_roots, power_of, turn
-from mpsolve.vibration.balls.scatter import Waves
-from mpsolve.vibration.balls.solved import Disc, solved
+from mpsolve.vibration.balls.solved import Disc, Waves, solved
 from mpsolve.vibration.path import Path
 
 _FIRST, _TIMES, _TRIES = 32.0, 2.0, 22

@@ -224,7 +224,8 @@ def _about(terms: Mapping[tuple[int, int], Fraction], z0: Any) -> dict[tuple[int
     """a_kj, the coefficients of ζ^k (z − z₀)^j."""
     a = {}
     for k in sorted({k for _, k in terms}):
-        part = _in_z({(i, 0): c for (i, j), c in terms.items() if j == k}, acb(0))(acb_poly([z0, 1]))
+        row = {i: c for (i, j), c in terms.items() if j == k}
+        part = acb_poly([acb(rational_ball(row.get(i, Fraction(0)))) for i in range(max(row) + 1)])(acb_poly([z0, 1]))
         a.update({(k, j): c for j, c in enumerate(part.coeffs())})
     return a
 
@@ -244,10 +245,3 @@ def _kept(a: Mapping[tuple[int, int], Any], zeta: Any) -> tuple[Any, Any]:
             return z1, Y
         Y = moved * arb(1.1) + arb(2) ** -_FINEST
     raise PrecisionError(_TOGETHER)
-
-
-def _in_z(terms: Mapping[tuple[int, int], Fraction], zeta: Any) -> Any:
-    rows = [acb(0)] * (1 + max((i for i, _ in terms), default=0))
-    for (i, k), c in terms.items():
-        rows[i] = rows[i] + rational_ball(c) * (zeta**k if k else acb(1))
-    return acb_poly(rows)

@@ -1,15 +1,24 @@
-"""Bounds of the solution of linear equations with whole discs of coefficients, by an approximate inverse."""
+"""Bounds of the solution of linear equations with whole discs of coefficients, by an approximate inverse.
+
+Contacts far out: waves that run to and fro between obstacles, each bounded by what it reflects at most.
+N_ij = α_i e^{P(x_i − x_j)} ahead of contact j and β_i e^{P'(x_i − x_j)} behind it. What the contacts from i on
+reflect of a wave is Γ_i = ((1 − α_i − β_i) Z − α_i)/(1 + β_i Z), where Z is Γ_{i+1} with the way to and fro, and
+det(I + N) = Π (1 + β_i Z_i). Phases are unknown, so that Z runs through a disc round 0; its image is a disc too, with
+the radius |1 − α||1 − β| |Z|/(1 − |βZ|²).
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb_mat, arb, arb_mat
-from mpsolve.vibration.balls.scatter import Waves
 
 Disc = tuple[Any, Any]
 """A middle and a radius."""
+_UNDER = "what the contacts reflect far out is not under control: lower the path, or give fewer contacts"
 
 
 def solved(rows: list[list[Disc]], right: list[Any], waves: Waves | None = None) -> list[Any]:
@@ -44,3 +53,42 @@ def solved(rows: list[list[Disc]], right: list[Any], waves: Waves | None = None)
             "the equations may be singular over a cell, or far out: split it, or go further"
         ) from None
     return [abs(row[0]) for row in x.tolist()]
+
+
+@dataclass(frozen=True)
+class Waves:
+    """The travelling waves between contacts, −T of the equations.
+
+    chain: the rows of these contacts from rear to front. ahead, behind: balls of the receptance's wave. to_and_fro:
+    bounds of what a wave grows by over each gap, both ways. sizes: bounds of all entries of T.
+    """
+
+    chain: tuple[int, ...]
+    ahead: Any
+    behind: Any
+    to_and_fro: tuple[Any, ...]
+    sizes: Any
+
+    def inverse(self, inverse: Any) -> Any:
+        """Bounds of the entries of (I + diag(inverse) T)⁻¹."""
+        size = self.sizes.nrows()
+        own = [-inverse[k, k] for k in self.chain]
+        largest = max((abs(g) * self.sizes[i, j] for g, i in zip(own, self.chain, strict=True) for j in range(size)),
+                      key=lambda x: float(x.upper()))  # fmt: skip
+        bound = entries([g * self.ahead for g in own], [g * self.behind for g in own], self.to_and_fro, largest)
+        chained = set(self.chain)
+        return arb_mat([[bound if {i, j} <= chained else arb(int(i == j)) for j in range(size)] for i in range(size)])
+
+
+def entries(alpha: Sequence[Any], beta: Sequence[Any], to_and_fro: Sequence[Any], largest: Any) -> Any:
+    """A bound of every entry of (I + N)⁻¹, |N_ij| ≤ largest, by Hadamard's inequality; PrecisionError without one."""
+    n, Z, floor = len(alpha), arb(0), arb(1)
+    for a, b, grown in zip(reversed(alpha), reversed(beta), (*reversed(to_and_fro), arb(0)), strict=True):
+        turn = abs(b) * Z
+        if not turn < 1:
+            raise PrecisionError(_UNDER)
+        floor = floor * (1 - turn)
+        middle = abs(-a - (1 - a - b) * b.conjugate() * Z**2) / (1 - turn**2)
+        Z = arb(((middle + abs(1 - a) * abs(1 - b) * Z / (1 - turn**2)) * grown).upper())
+    row = (1 + (n - 1) * largest**2).sqrt()
+    return arb((row ** (n - 1) / floor).upper())

@@ -18,8 +18,7 @@ from mpsolve.vibration.balls.integral import panels
 from mpsolve.vibration.balls.residues import radius_round, residues
 from mpsolve.vibration.balls.strip import prove_strip
 from mpsolve.vibration.path import Path, bent
-from mpsolve.vibration.poles import lowest, natural
-from mpsolve.vibration.rooms import room
+from mpsolve.vibration.poles import lowest, natural, room
 
 _MOST_TURNS = 3e5
 """ωt at most on the line."""

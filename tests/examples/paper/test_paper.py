@@ -8,11 +8,9 @@ from pathlib import Path
 import pytest
 
 from mpsolve import verify
-from mpsolve.claims.load import load
-from mpsolve.claims.page import page
-from mpsolve.claims.run import audit
-from mpsolve.claims.tables import as_data, document
-from mpsolve.report.layout import plain
+from mpsolve.claims.load import audit, load
+from mpsolve.claims.report import as_data, document, page
+from mpsolve.report.blocks import plain
 
 ROOT = Path(__file__).parents[3]
 STORED = ROOT / "certs" / "paper"

@@ -10,9 +10,8 @@ import pytest
 
 from mpsolve import Problem, certify, tracks, vehicles, verify
 from mpsolve.claims import Paper, Verdict
-from mpsolve.claims.load import load
+from mpsolve.claims.load import audit, checked, load
 from mpsolve.claims.report import Report
-from mpsolve.claims.run import audit, checked
 
 FOLDER = Path(__file__).parents[3] / "examples" / "papers"
 

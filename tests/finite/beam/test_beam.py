@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from beam_loads import FORCES, TAU, constant, pair
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from infinite import kernels, response
@@ -9,23 +10,10 @@ from oracle import grid
 
 from mpsolve import Case
 from mpsolve.finite.beam.beam import finite_beam
-from mpsolve.finite.beam.march import Loading, march
+from mpsolve.finite.beam.march import march
 from mpsolve.finite.beam.modes import Beam
-from mpsolve.numbers.wave_integrals import gauss, moments, nested_moments
+from mpsolve.numbers.wave_tables import gauss, moments, nested_moments
 from mpsolve.vehicles.load import Load
-
-TAU = np.linspace(0, 60, 121)
-FORCES = (Load(1, "0.4", "0.3", "0.5"), Load("0.5", "0.3", "1.2", "-1"), Load("-0.2"))
-
-
-def pair(alpha: str, eta_m: int, eta_b: str, distance: str) -> Case:
-    return Case(alpha=alpha, eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, distance))
-
-
-def constant(values: list[float], places: list[float], eta_m: list[float]) -> Loading:
-    force = np.array(values)
-    return Loading(np.array(eta_m), np.array(places), lambda _tau: force)
-
 
 # --- against the infinite beam ------------------------------------------------------------------------------
 

@@ -1,0 +1,74 @@
+"""Where roots are that lie close to a branch point, in float64 about that point: heuristic, nothing is proved here.
+
+With ζ² = t, t = z − z_b, the function ζ Δ̂ has no singularity at ζ = 0, so that Newton's method converges from afar.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from flint import acb, arb, fmpq
+
+from mpsolve.characteristic.local import LocalArrays
+from mpsolve.numbers.balls import precision
+from mpsolve.problem.line import Line
+from mpsolve.spectrum.branch_loops import Loop
+from mpsolve.spectrum.sheet import SheetCount
+
+_PER_OCTAVE, _ANGLES = 3, (-0.49, -0.4, -0.25, -0.1, -0.01)  # of |ζ|; of the angle of ζ in its quadrant, times π
+_CLOSE = 2.0**-16  # of z_b: others are found without coordinates of their own
+_STEP, _STEPS, _SAME, _BEST = 1e-5, 12, 1e-6, 60
+_BITS = 256
+
+
+def near_branch_points(count: SheetCount) -> list[Any]:
+    """Approximate roots σ̂ with Re q ≥ 0 next to branch points with small loops, as exact numbers."""
+    out = []
+    for half, sign in ((count.lower, 1), (count.upper, -1)):
+        for loop in half.loops:
+            if loop.ways is not None:
+                found = _found(loop.ways.near, loop, count.start.up)
+                out += [_sigma(count.line, loop, t, sign) for t in found.tolist()]
+    return out
+
+
+def _sigma(line: Line, loop: Loop, t: complex, sign: int) -> Any:
+    """i q̂ with q̂ = z_b + t + iη below the line of the cuts, and its mirror above it."""
+    with precision(_BITS):
+        z, height = (arb(fmpq(x.numerator, x.denominator)) for x in (loop.about, line.height))
+        return acb(-height - sign * arb(t.imag), z + arb(t.real)).mid()
+
+
+def _found(near: LocalArrays, loop: Loop, up: int) -> Any:
+    """The t of roots on the lower half of the sheet, or on the real axis before the cut."""
+    least, most = loop.radius / 4, _CLOSE * float(near.z)
+    if most <= least:
+        return np.zeros(0, complex)
+    sizes = np.geomspace(np.sqrt(least), np.sqrt(most), 2 + int(np.log2(most / least) / 2 * _PER_OCTAVE))
+    zeta = (sizes[:, None] * np.exp(1j * np.pi * np.array(_ANGLES))).ravel()
+    step = _newton(near, zeta, up)
+    order = np.argsort(np.abs(step / zeta))[:_BEST]
+    zeta = (zeta + step)[order]
+    for _ in range(_STEPS):
+        step = _newton(near, zeta, up)
+        size = np.maximum(np.abs(step), 1e-300)
+        zeta = zeta + step * np.minimum(1, 0.7 * np.abs(zeta) / size)
+    settled = np.abs(step) < _SAME * np.abs(zeta)
+    kept: list[complex] = []
+    for t in (zeta**2)[settled & np.isfinite(zeta)].tolist():
+        below = t.imag < 0 or (abs(t.imag) < _SAME * abs(t) and t.real < 0)
+        if below and least < abs(t) < most and all(abs(t - other) > _SAME * abs(t) for other in kept):
+            kept.append(t)
+    return np.array(kept, complex)
+
+
+def _newton(near: LocalArrays, zeta: Any, up: int) -> Any:
+    """Newton's step for ζ Δ̂; what is not finite does not move."""
+    points = np.concatenate([zeta, zeta * (1 + _STEP), zeta * (1 - _STEP)])
+    m = 1j * points**2
+    with np.errstate(all="ignore"):
+        _, G, _ = near.evaluate(m, np.zeros(len(m)), up)
+        value, ahead, behind = (points * np.linalg.det(near.matrix(G, m).a)).reshape(3, -1)
+        step = -value * (2 * _STEP * zeta) / (ahead - behind)
+    return np.where(np.isfinite(step), step, 0)

@@ -1,0 +1,50 @@
+"""What is said of a train, in words and for machines, agrees with the answers it is said of."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from fractions import Fraction
+
+from endless_rows import masses
+
+from mpsolve import Effort, infinite_train
+from mpsolve.endless.amplification import Amplification, Peak
+from mpsolve.outcome import Reason, Status
+from mpsolve.report.trains import train_json, train_text
+
+ROW = masses("0.195").problem
+FOUND = infinite_train(ROW, "1.5")
+BAND = (Fraction(0), Fraction(2))
+RATIOS = Amplification(ROW, BAND, Status.UNVERIFIED, True, Peak(1.23456789, 1.2345999, 0.5), Peak(2.0, math.inf, 1.5))
+
+
+def test_bounds_are_rounded_outward_and_an_open_one_is_named() -> None:
+    text = train_text("Row", FOUND, RATIOS, 16)
+    assert text.startswith("Row\nendless train, v = 39/200, spacing 3/2: ")
+    assert FOUND.words in text
+    assert "last force over first, ahead: at most between 1.23456 and 1.2346, near 0.5" in text
+    assert "back: 2 or more, near 1.5; no upper bound is known yet" in text
+    assert "train of 16: stable" in text
+    assert FOUND.motion is not None
+    assert f"q = {complex(FOUND.motion.q).real:.10g}" in text
+
+
+def test_machines_get_the_same() -> None:
+    content = json.loads(train_json("Row", FOUND, RATIOS, 16))
+    assert (content["status"], content["stable"]) == (FOUND.status.value, FOUND.stable)
+    assert content["computed"]["back"] == {"factor": FOUND.back.factor, "frequency": FOUND.back.q}
+    assert content["train"]["ahead"] == {"low": 1.23456789, "high": 1.2345999, "frequency": 0.5}
+    assert content["train"]["back"]["high"] is None
+    assert "train" not in json.loads(train_json("", FOUND, None, 1))
+
+
+def test_a_reason_stands_in_both() -> None:
+    why = Reason("effort", "the effort is spent", {}, "allow more")
+    open_ = replace(RATIOS, status=Status.UNDECIDED, stable=None, ahead=None, back=None, reason=why)
+    early = infinite_train(masses("0.18").problem, "1.5", effort=Effort(evaluations=1000))
+    text, content = train_text("", early, open_, 3), json.loads(train_json("", early, open_, 3))
+    assert "train of 3: not decided" in text
+    assert "the effort is spent" in text
+    assert content["train"]["reason"]["code"] == content["reason"]["code"] == "effort"
