@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,6 +22,8 @@ from mpsolve import (
     tracks,
 )
 from mpsolve import vehicles as bodies
+from mpsolve.cuts.reached import all_reached
+from mpsolve.loci import on_sheet
 from mpsolve.outcome import Status
 from mpsolve.spectrum.regions import Sheet
 
@@ -114,6 +117,21 @@ def test_what_is_left_open_is_said() -> None:
     assert found.status is Status.UNDECIDED
     assert found.reason is not None
     assert found.reason.code == "effort"
+
+
+def test_a_cut_point_that_is_lost_leaves_the_answer_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if the list along the cuts were wrong: the line is then followed to where nothing is proved of it."""
+
+    def without(*args: Any) -> Any:
+        found = all_reached(*args)
+        return replace(found, points=found.points[1:])
+
+    monkeypatch.setattr(on_sheet, "all_reached", without)
+    found = frequency_lines(
+        twins(70, "1.5", "0.05"), over={"v": ("0.97", "0.985")}, points=["0.971", "0.984"], check=False
+    )
+    assert found.status is Status.UNDECIDED
+    assert found.counts is None
 
 
 def test_other_tracks_have_no_sheet() -> None:
