@@ -39,7 +39,6 @@ Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of free parameters: c}; of a number {(): c}
 Box = tuple[tuple[Any, Any], ...]  # exact ends of free parameters; () where there are none
 Point = tuple[Any, Any]  # of q: real and imaginary part, exact
-Terms = Free  # of two variables: {(i, j): c}, Σ c x^i y^j
 
 
 class Refused(Exception):  # noqa: N818
@@ -734,27 +733,28 @@ class Form:
     def __init__(self, k: Rows, e: list[Any], m: int) -> None:
         self.k, self.e, self.m = k, e, m
         self.second = pairs(m) if len(k) > 1 + m else ()  # the coefficients of second order
-        self._sizes: tuple[list[Any], list[Any], list[Any]] | None = None
+        self._sizes: tuple[list[Any], ...] | None = None
         self._size: list[Any] | None = None
 
     @property
-    def sizes(self) -> tuple[list[Any], list[Any], list[Any]]:
-        """Bounds: of the constants, of the linear, of the quadratic parts."""
+    def sizes(self) -> tuple[list[Any], ...]:
+        """Bounds: of the constants, of the linear, of the quadratic parts, and of all three."""
         if self._sizes is None:
             size, n = [[abs(x) for x in row] for row in self.k], len(self.e)
-            self._sizes = (size[0], sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n))
+            first, second = sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n)
+            self._sizes = (size[0], first, second, sums(size, n))
         return self._sizes
 
     @property
     def spread(self) -> list[Any]:
         """Bounds of what changes."""
-        _, first, second = self.sizes
+        _, first, second, _ = self.sizes
         return [x + y + z for x, y, z in zip(first, second, self.e, strict=True)]
 
     @property
     def size(self) -> list[Any]:
         if self._size is None:
-            self._size = [w + x + y + z for w, x, y, z in zip(*self.sizes, self.e, strict=True)]
+            self._size = [x + y for x, y in zip(self.sizes[3], self.e, strict=True)]
         return self._size
 
     def __add__(self, other: Form) -> Form:
@@ -780,12 +780,17 @@ class Form:
 
     def take(self, which: Sequence[int]) -> Form:
         """The functions of these numbers."""
-        out = Form([[row[i] for i in which] for row in self.k], [self.e[i] for i in which], self.m)
+        return self.picked(lambda row: [row[i] for i in which])
+
+    def part(self, start: int, end: int) -> Form:
+        return self.picked(lambda row: row[start:end])
+
+    def picked(self, some: Callable[[list[Any]], list[Any]]) -> Form:
+        out = Form([some(row) for row in self.k], some(self.e), self.m)
         if self._sizes is not None:
-            a, b, c = ([row[i] for i in which] for row in self._sizes)
-            out._sizes = a, b, c
+            out._sizes = tuple(map(some, self._sizes))
         if self._size is not None:
-            out._size = [self._size[i] for i in which]
+            out._size = some(self._size)
         return out
 
     def __mul__(self, other: Form) -> Form:
@@ -799,11 +804,12 @@ class Form:
             row = [x * q + p * y for x, y, p, q in zip(a[0], b[0], a[n], b[n], strict=True)]
             row = [z + p * q for z, p, q in zip(row, a[i], b[j], strict=True)]
             k.append([z + p * q for z, p, q in zip(row, a[j], b[i], strict=True)] if i != j else row)
-        e = []
-        order = bool(self.second)
-        for x0, x1, x2, f, y0, y1, y2, g in zip(*self.sizes, self.e, *other.sizes, other.e, strict=True):
-            beyond = x1 * y2 + x2 * (y1 + y2) if order else x1 * y1
-            e.append(beyond + (x0 + x1 + x2) * g + f * (y0 + y1 + y2 + g))
+        (_, x1, x2, _), (_, y1, y2, y) = self.sizes, other.sizes
+        if self.second:
+            beyond = [p * r + q * (v + r) for p, q, v, r in zip(x1, x2, y1, y2, strict=True)]
+        else:
+            beyond = [p * q for p, q in zip(x1, y1, strict=True)]
+        e = [z + p * g + f * q for z, p, f, q, g in zip(beyond, self.size, self.e, y, other.e, strict=True)]
         return Form(k, e, self.m)
 
     def inverse(self) -> Form:
@@ -818,7 +824,7 @@ class Form:
             twice = 1 if i == j else 2
             k.append([(p * q * twice - x) * y for p, q, x, y in zip(w[i], w[j], w[n], c, strict=True)])
         e = []
-        for x, p, q, f in zip(c, *self.sizes[1:], self.e, strict=True):
+        for x, p, q, f in zip(c, *self.sizes[1:3], self.e, strict=True):
             size = abs(x)
             p, q, f = p * size, q * size, f * size
             y = p + q + f
@@ -838,7 +844,7 @@ class Form:
             k.append(
                 [(x + p * q * half) * y for x, p, q, y in zip(*(self.k[r] for r in (n, i, j)), value, strict=True)]
             )
-        for n, (p, q, f) in enumerate(zip(*self.sizes[1:], self.e, strict=True)):
+        for n, (p, q, f) in enumerate(zip(*self.sizes[1:3], self.e, strict=True)):
             y = p + q + f
             if y < 2:
                 left = y.expm1() - y
@@ -1039,9 +1045,7 @@ class Local:
         rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
         f = self.place.form(acb_mat(rows) * table)
         sizes, few = f.size, min(size, self.place.order + 2)
-        return [f.take(range(i * n, (i + 1) * n)) for i in range(few)], [
-            sizes[i * n : (i + 1) * n] for i in range(size)
-        ]
+        return [f.part(i * n, (i + 1) * n) for i in range(few)], [sizes[i * n : (i + 1) * n] for i in range(size)]
 
 
 @lru_cache(maxsize=64)
@@ -1312,21 +1316,21 @@ def summed(
         ride = ride.plus([acb(-1)] * len(pairs_))
     ride = ride * weight.take(roots)
     ahead = len(sides[0]) * len(chosen[0])
-    parts = [folded(ride.take(range(ahead)), len(chosen[0]))]
+    G = folded(ride.part(0, ahead), len(chosen[0]))
     if chosen[1]:
-        parts.append(-folded(ride.take(range(ahead, len(pairs_))), len(chosen[1])))
-    order = [g for gaps in chosen for g in gaps]
-    G = joined(parts).take([order.index(g) for g in range(len(order))])
+        order = [*chosen[0], *chosen[1]]
+        both = joined([G, -folded(ride.part(ahead, len(pairs_)), len(chosen[1]))])
+        G = both.take([order.index(g) for g in range(len(order))])
     if pole is not None:
         G = G.scaled([(pole * x).exp() for x in xi])
     fine = all(x.is_finite() for row in (*G.k, G.e) for x in row)
     require(fine, "a kernel is not bounded on a piece")
-    return G, folded(weight.take(sides[0]), 1)
+    return G, folded(weight.take(sides[0]), 1) if pole is not None else G
 
 
 def folded(f: Form, n: int) -> Form:
     """The sum of the parts of a row, each of n functions; 0 where it has none."""
-    parts = [f.take(range(k, k + n)) for k in range(0, len(f.e), n)]
+    parts = [f.part(k, k + n) for k in range(0, len(f.e), n)]
     return sum(parts[1:], parts[0]) if parts else Form([[NONE] * n for _ in f.k], [ZERO] * n, f.m)
 
 

@@ -146,8 +146,8 @@ def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
     h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
     small = max(2 * high, 1.5)
     sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
-    below = [Area(0.0, size, h - size, h) for size in sizes]
-    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small)]) + below[1:])
+    below = [Area(0.0, size, h - size, h, h) for size in sizes]
+    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small, h)]) + below[1:])
 
 
 def _none_above(count: SheetCount) -> bool:
