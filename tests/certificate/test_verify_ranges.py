@@ -1,6 +1,7 @@
 """The verifier of ranges: files that hold, and files in which one thing was changed."""
 
 import copy
+import itertools
 import json
 import subprocess
 import sys
@@ -480,6 +481,51 @@ def test_receptances_hold_at_complex_points(
                 u = (complex(a), complex(b))
                 away = abs(_model(forms, u, n) - acb(continued(q, v, u, xi)))
                 assert not away > forms.e[n] + abs(forms.k[0][n]) * 1e-9
+
+
+def _bodies(theta: str | list[Any], soft: str | list[Any], box: Any) -> Any:
+    """A wheel without mass of its own spring, a sprung mass on it, and a soft contact of a third body."""
+    value = {
+        "M": [["0", "0", "0"], ["0", "3", "0"], ["0", "0", "2"]],
+        "C": [["1", "-1", "0"], ["-1", "1", "0"], ["0", "0", "0"]],
+        "K": [[theta, "0", "0"], ["0", "4", "-4"], ["0", "-4", "4"]],
+        "B": [["2", "0"], ["0", "0"], ["0", "1"]], "places": ["0", "1"], "compliances": ["0", soft],
+    }  # fmt: skip
+    return checker.spectra.read_bodies(value, None, box, 24, 12)
+
+
+def test_the_matrix_over_parameters_holds_those_at_points() -> None:
+    """Springs and a compliance 1/θ that vary, direct and soft contacts, at corners, inside and complex."""
+    track = checker.spectra.read_track(
+        {"matrix": [[[[4, 0, "1"], [0, 2, "1"], [0, 1, "1"], [0, 0, "1"]]]], "loaded": 0}, "1"
+    )
+    box, spectra = ((fmpq(2), fmpq(3)),), checker.spectra
+    moving = spectra.Track(*(getattr(track, name) for name in ("ring", "rows", "loaded", "velocity", "D", "N")),
+                           *({(*e, 0): c for e, c in part.items()} for part in (track.d, track.n)))  # fmt: skip
+    with precision(64):
+        wide = _bodies([[1, "1"]], [[-1, "1"]], box)
+        waves = spectra.Waves(moving, wide.places, [fmpq(5, 2)])
+        place = place_over([arb("0.7"), arb("2.5")], [arb("0.1"), arb("0.5")])
+        G = [[acb(k + 1, 2 - k) for k in range(len(waves.gaps))]]
+        row = Form(G + [[acb(0)] * len(waves.gaps)] * 5, [arb(0)] * len(waves.gaps), 2)
+        A, rest = spectra.Bordered(wide, waves)(place, row)
+        for u in ((1, 1), (-1, 1), (1j, -1), (0.3, 0.6 - 0.8j), (0, 0)):
+            theta = 2.5 + 0.5 * u[1]
+            q = 0.7 + 0.1 * u[0]
+            S = 1j * q * np.array([[1, -1, 0], [-1, 1, 0], [0, 0, 0]]) + np.array(
+                [[theta, 0, 0], [0, 4, -4], [0, -4, 4]]
+            )
+            S = S - q * q * np.diag([0, 3, 2])
+            own, cross, back = (complex(G[0][waves.index[i][j]]) for i, j in ((0, 0), (0, 1), (1, 0)))
+            low = complex(G[0][waves.index[1][1]])
+            exact = np.zeros((4, 4), complex)
+            exact[:3, :2] = S[:, 1:]
+            exact[:3, 2:] = -np.array([[2, 0], [0, 0], [0, 1]]) - np.outer(S[:, 0] / 2, [own, cross])
+            exact[3] = [0, 1, back, low + 1 / theta]
+            for i, j in itertools.product(range(4), repeat=2):
+                found = _model(Form([[a[i, j]] for a in A], [rest[i, j]], 2), u)
+                assert abs(found - acb(complex(exact[i, j]))) <= rest[i, j] + arb("1e-12")
+                assert rest[i, j] < 0.2
 
 
 def test_trees_are_read_to_their_last_leaf() -> None:
