@@ -2467,11 +2467,13 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     """F = F₀ + F₁t to within a bound, an m × m matrix that is singular exactly where A = A₀ + A₁t is, |t| ≤ r.
 
     F is the last block of the inverse of B = [[A, X], [Y, 0]]: det A = ± det B · det F, and B is proved regular.
-    X and Y are any numbers, in the units of rows and columns.
+    X and Y are any numbers, in the units of rows and columns: those of A₁ count too, as a diagonal may be 0 at a root.
     """
-    n = A[0].nrows()
+    n, (whole, slope) = A[0].nrows(), (moduli(a) for a in A[:2])
+    most = [max(float(x) for x in a.entries()) for a in (whole, slope)]
+    sizes = whole + slope * arb(most[0] / most[1] if most[1] else 0)
     none = [[0] * m] * n, [[0] * n] * m
-    B0, B1, Q = acb_mat(framed(A[0], *frame(A[0], m))), acb_mat(framed(A[1], *none)), arb_mat(framed(A[2], *none))
+    B0, B1, Q = acb_mat(framed(A[0], *frame(sizes, m))), acb_mat(framed(A[1], *none)), arb_mat(framed(A[2], *none))
     R = near_inverse(B0)
     N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
     N = moduli(N0) + moduli(N1) * r + Q * size  # BR = 1 + (a matrix with these moduli at most)
