@@ -2467,7 +2467,7 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     """F = F₀ + F₁t to within a bound, an m × m matrix that is singular exactly where A = A₀ + A₁t is, |t| ≤ r.
 
     F is the last block of the inverse of B = [[A, X], [Y, 0]]: det A = ± det B · det F, and B is proved regular.
-    X and Y are any numbers, in the units of rows and columns: those of A₁ count too, as a diagonal may be 0 at a root.
+    X and Y are any numbers, in the units of rows and columns: A₁ counts too, as a diagonal may be 0 at a root.
     """
     n, (whole, slope) = A[0].nrows(), (moduli(a) for a in A[:2])
     most = [max(float(x) for x in a.entries()) for a in (whole, slope)]
