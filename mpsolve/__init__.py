@@ -82,9 +82,9 @@ if TYPE_CHECKING:
     from mpsolve.vibration.forcing import out_of_round as out_of_round
     from mpsolve.vibration.forcing import rail_roughness as rail_roughness
     from mpsolve.vibration.liftoff import Event as Event
+    from mpsolve.vibration.motion import PreciseVibration as PreciseVibration
     from mpsolve.vibration.motion import Vibration as Vibration
     from mpsolve.vibration.precise import response_mp as response_mp
-    from mpsolve.vibration.precise_motion import PreciseVibration as PreciseVibration
     from mpsolve.vibration.response import response as response
     from mpsolve.vibration.studies import deflection_shape as deflection_shape
     from mpsolve.vibration.studies import envelope as envelope
@@ -148,9 +148,8 @@ _NAMES = {
     "vehicles.load": "Load",
     "vibration.response": "response",
     "vibration.case_motion": "Response",
-    "vibration.motion": "Vibration",
+    "vibration.motion": "Vibration PreciseVibration",
     "vibration.precise": "response_mp",
-    "vibration.precise_motion": "PreciseVibration",
     "vibration.balls.enclosure": "response_balls ProvedVibration",
     "vibration.forcing": "Irregularity rail_roughness out_of_round",
     "vibration.liftoff": "Event",

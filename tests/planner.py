@@ -169,11 +169,10 @@ class Floats:
                 a[i, j] = c
             self.tables.append(a)
         self.M, self.C, self.K, self.B = (
-            np.array([[float(arb(x)) for x in r] for r in a.tolist()])
-            for a in (self.car.M, self.car.C, self.car.K, self.car.B)
+            np.array([[float(arb(x)) for x in r] for r in a.tolist()]) for a in (*self.car.numbers, self.car.B)
         )
-        self.h = np.diag([float(arb(x)) for x in self.car.h])
-        self.x = np.array([float(arb(x)) for x in self.car.places])
+        self.h = np.diag([float(arb(v2.at(x, ()))) for x in self.car.h])
+        self.x = np.array([float(arb(v2.at(x, ()))) for x in self.car.places])
         self.sites = np.array([float(arb(x)) for x in self.car.sites])
         self.upper = self.up(-1j * (1 + abs(self.v)))
 
@@ -424,7 +423,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
     track, car = floats.track, floats.car
     reg = v2.read_region(region)
     with v2.precision(bits):
-        waves = v2.Waves(track, car.sites)
+        waves = v2.Waves(track, car.places)
         walker = v2.Walker(waves, v2.Bordered(car, waves))
         passive = reg.kind in ("unstable", "below")
         theorem, X = None, None
@@ -593,16 +592,14 @@ def refine(content, digits):
     for value in content["roots"]:
         root = v2.read_root(value)
         with v2.precision(bits + 64):
-            waves = v2.Waves(track, car.sites)
+            waves = v2.Waves(track, car.places)
             bordered = v2.Bordered(car, waves)
             sigma = v2.at_q(root.z)
             for _ in range(bits.bit_length()):
-                local = waves.near(sigma)
-                z = sorted(v2.roots_near(local), key=lambda p: bool(p.real > 0))
-                thin = v2.Nodes(z, sum(bool(p.real < 0) for p in z), local).split(arb(0))
-                G = v2.kernels(waves, thin, arb(0))
-                first, slope, _ = v2.block(bordered.over(sigma, arb(0), G), arb(0), 1)
-                sigma = (sigma - first[0, 0] / slope[0, 0]).mid()
+                place = v2.Place.disc(sigma, r := abs(sigma) * arb(2) ** -(bits // 2))
+                disc = v2.nodes_near(waves.near(place)).split()
+                (first, slope), _ = v2.block(bordered(place, v2.kernels(waves, disc)[0]), 1)
+                sigma = (sigma - first[0, 0] / slope[0, 0] * r).mid()
                 if not root.pair and root.z[0] == 0:
                     sigma = acb(sigma.real)
             q = sigma / acb(0, 1)

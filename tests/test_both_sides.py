@@ -16,6 +16,7 @@ from vehicle_models import TYPICAL
 from mpsolve import Effort, Problem, frequencies, vehicles
 from mpsolve.batch.count import MAX_STEP
 from mpsolve.ranges.crossings import crossings
+from mpsolve.ranges.onset import Kind, onset, unstable_ranges
 
 # m/s up to which is asked, and kg of a typical mass; floating ice is left open by the proof
 MODELS = {
@@ -61,6 +62,47 @@ def test_counts_on_both_sides_of_each_boundary(name: str, seed: int, path: str) 
     problem = problem_of(name, np.random.default_rng([seed, *name.encode()]))
     top = MODELS[name][0]
     assert_counts(problem, path, (Fraction(top, 5), top) if path == "v" else ("0.2", 3))
+
+
+@pytest.mark.parametrize(("name", "seed", "path"), [
+    pytest.param(name, seed, path, marks=() if (k + seed) % 4 == 0 and path == "v" else pytest.mark.slow)
+    for k, name in enumerate(MODELS) for seed in (2, 3, 4, 5) for path in ("v", "scale.mass")
+])  # fmt: skip
+def test_the_first_onset_and_every_unstable_range(name: str, seed: int, path: str) -> None:
+    problem = problem_of(name, np.random.default_rng([seed, *name.encode()]))
+    top = MODELS[name][0]
+    assert_ranges(problem, path, (Fraction(top, 5), top) if path == "v" else ("0.2", 3))
+
+
+@pytest.mark.parametrize(("kind", "path"), [
+    pytest.param(kind, path, marks=() if (kind, path) == ("oscillator", "v") else pytest.mark.slow)
+    for kind in TYPICAL if kind != "matrices" for path in ("v", "scale.mass")
+])  # fmt: skip
+def test_the_same_of_every_vehicle(kind: str, path: str) -> None:
+    problem = vehicle_of(kind, np.random.default_rng([8, *kind.encode()]), path)
+    assert_ranges(problem, path, (60, 400) if path == "v" else ("0.2", 5))
+
+
+def assert_ranges(problem: Problem, path: str, over: tuple[object, object]) -> None:
+    """Floats see roots grow inside of the unstable ranges and nowhere else, and none before the onset."""
+    effort = Effort(seconds=60)
+    found = unstable_ranges(problem, over={path: over}, check=False, effort=effort)
+    assert found.proved
+    low, high = (float(end) for end in found.over[path])
+    ends = [low, *(float(end) for one in found.intervals for end in (one.start, one.end)), high]
+    told = [
+        (a + share * (b - a), bool(k % 2)) for k, (a, b) in enumerate(pairwise(ends)) for share in OFFSETS if a < b
+    ]
+    seen = frequencies(problem, {path: [Fraction(at) for at, _ in told]}, roots=False)
+    known = seen.status == "ok"
+    assert known.mean() > 0.6
+    assert ((seen.count > 0) == np.array([grows for _, grows in told]))[known].all()
+    first = onset(problem, over={path: over}, check=False, effort=effort)
+    assert first.proved
+    if first.kind is Kind.CROSSES:
+        assert first.value.overlaps(found.intervals[0].start)
+    else:
+        assert (first.kind is Kind.STABLE) == (not found.intervals)
 
 
 def assert_counts(problem: Problem, path: str, over: tuple[object, object]) -> None:

@@ -12,7 +12,6 @@ import numpy as np
 from mpsolve.batch.count import count_group
 from mpsolve.batch.entries import Entries, entries_of
 from mpsolve.batch.groups import Group, groups_of
-from mpsolve.batch.order import alike
 from mpsolve.batch.passive import first_passive, outrun
 from mpsolve.batch.premises import OVERTAKES, premises
 from mpsolve.batch.result import STATUSES, Frequencies
@@ -226,3 +225,21 @@ def _count(group: Group, height: Fraction, roots: bool, answer: _Answer) -> None
     for row in np.flatnonzero(solved & some).tolist():
         answer.roots[int(group.index[row])] = q[row, : counted.count[row]]
     answer.width = max(answer.width, int(counted.count[solved & some].max(initial=0)))
+
+
+def alike(over: Mapping[str, Any], size: int) -> Any:
+    """The permutation that sorts the entries. Parameters with few values change least often."""
+    ranks = []
+    for column in over.values():
+        values, rank = np.unique(column, return_inverse=True)
+        if len(values) > 1:
+            ranks.append(rank.reshape(-1) / (len(values) - 1))
+    if not ranks:
+        return np.arange(size)
+    bits = max(1, min(31, 62 // len(ranks)))  # of each rank
+    key = np.zeros(size, np.uint64)
+    levels = [np.minimum((share * 2**bits).astype(np.uint64), np.uint64(2**bits - 1)) for share in ranks]
+    for bit in range(bits - 1, -1, -1):
+        for level in levels:
+            key = (key << np.uint64(1)) | ((level >> np.uint64(bit)) & np.uint64(1))
+    return np.argsort(key, kind="stable")

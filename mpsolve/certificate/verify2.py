@@ -39,7 +39,6 @@ Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of free parameters: c}; of a number {(): c}
 Box = tuple[tuple[Any, Any], ...]  # exact ends of free parameters; () where there are none
 Point = tuple[Any, Any]  # of q: real and imaginary part, exact
-Terms = Free  # of two variables: {(i, j): c}, Σ c x^i y^j
 
 
 class Refused(Exception):  # noqa: N818
@@ -594,30 +593,9 @@ def absorption(ring: Any, D: Any, N: Any) -> tuple[Any, Any]:
     return c * b - d * a, a * a + b * b
 
 
-@dataclass(frozen=True)
-class Vehicle:
-    """M, C, K, B of the bodies that the contacts feel (the last `neutral` ones neutral), and the unfelt rest."""
-
-    M: Any
-    C: Any
-    K: Any
-    B: Any
-    h: list[Any]
-    places: list[Any]
-    neutral: int
-    unfelt: int
-
-    @property
-    def sites(self) -> list[Any]:
-        return sorted(set(self.places))
-
-
-def read_vehicle(value: Any, basis: Any) -> Vehicle:
-    bodies = read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
-    felt = bodies.B.nrows()
-    M, C, K = (part.get((), fmpq_mat(felt, felt)) for part in bodies.parts)
-    h, places = ([at(x, ()) for x in row] for row in (bodies.h, bodies.places))
-    return Vehicle(M, C, K, bodies.B, h, places, bodies.neutral, bodies.unfelt)
+def read_vehicle(value: Any, basis: Any) -> Bodies:
+    """Without parameters."""
+    return read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
 
 
 @dataclass(frozen=True)
@@ -632,8 +610,20 @@ class Bodies:
     neutral: int
     unfelt: int
 
+    @property
+    def numbers(self) -> tuple[Any, Any, Any]:
+        """M, C, K without parameters."""
+        none = fmpq_mat(self.B.nrows(), self.B.nrows())
+        M, C, K = (part.get((), none) for part in self.parts)
+        return M, C, K
+
+    @property
+    def sites(self) -> list[Any]:
+        """The different places, ascending, without parameters."""
+        return sorted({at(x, ()) for x in self.places})
+
     @cached_property
-    def sites(self) -> list[int]:
+    def where(self) -> list[int]:
         """For each contact the number of its place."""
         kept: list[Free] = []
         for place in self.places:
@@ -672,7 +662,7 @@ def read_bodies(value: Any, basis: Any, box: Box, most: int, contacts: int) -> B
         fine = c > 0 and all(e == 0 or box[k][0] > 0 for k, e in enumerate(powers))
         require(fine, "a compliance may be negative, or infinite")
     bodies = Bodies(parts, corner(B, felt, nc), h, places, neutral, unfelt)
-    check_forces(bodies.B, bodies.sites, h)
+    check_forces(bodies.B, bodies.where, h)
     return bodies
 
 
@@ -718,34 +708,305 @@ def check_forces(B: Any, sites: Sequence[int], soft: Sequence[Any]) -> None:
     require(fmpq_mat(rows).rank() == nc, "two rigid contacts at one place share a force that nothing determines")
 
 
-Bent = tuple[Any, Any, Any]
+# --- Taylor forms -----------------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=16)
+def pairs(m: int) -> tuple[tuple[int, int, int], ...]:
+    """(number of the coefficient, i, j) for i ≤ j, variables counted from 1."""
+    both = [(i, j) for i in range(1, m + 1) for j in range(i, m + 1)]
+    return tuple((1 + m + n, i, j) for n, (i, j) in enumerate(both))
+
+
 Rows = list[list[Any]]
-NOTHING: Bent = (acb(0), acb(0), arb(0))
 
 
-# --- waves in balls: D and N moved to a point, the splitting D = lead·U·L ---------------------------------
+class Form:
+    """A row of functions f(u) = k_0 + Σ k_i u_i + Σ_{i≤j} k_ij u_i u_j + rest, |rest| ≤ e, for all complex |u_i| ≤ 1.
+
+    k: the coefficients, each a list of balls, one for each function of the row; without the k_ij the form is of first
+    order. e: a list. m: the number of variables; 0 for numbers, which are balls without a rest.
+    """
+
+    __slots__ = ("_size", "_sizes", "e", "k", "m", "second")
+
+    def __init__(self, k: Rows, e: list[Any], m: int) -> None:
+        self.k, self.e, self.m = k, e, m
+        self.second = pairs(m) if len(k) > 1 + m else ()  # the coefficients of second order
+        self._sizes: tuple[list[Any], ...] | None = None
+        self._size: list[Any] | None = None
+
+    @property
+    def sizes(self) -> tuple[list[Any], ...]:
+        """Bounds: of the constants, of the linear, of the quadratic parts, and of all three."""
+        if self._sizes is None:
+            size, n = [[abs(x) for x in row] for row in self.k], len(self.e)
+            first, second = sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n)
+            self._sizes = (size[0], first, second, sums(size, n))
+        return self._sizes
+
+    @property
+    def spread(self) -> list[Any]:
+        """Bounds of what changes."""
+        _, first, second, _ = self.sizes
+        return [x + y + z for x, y, z in zip(first, second, self.e, strict=True)]
+
+    @property
+    def size(self) -> list[Any]:
+        if self._size is None:
+            self._size = [x + y for x, y in zip(self.sizes[3], self.e, strict=True)]
+        return self._size
+
+    def __add__(self, other: Form) -> Form:
+        k = [[x + y for x, y in zip(a, b, strict=True)] for a, b in zip(self.k, other.k, strict=True)]
+        return Form(k, [x + y for x, y in zip(self.e, other.e, strict=True)], self.m)
+
+    def __neg__(self) -> Form:
+        return Form([[-x for x in row] for row in self.k], self.e, self.m)
+
+    def scaled(self, c: Sequence[Any]) -> Form:
+        """Times numbers."""
+        k = [[x * y for x, y in zip(row, c, strict=True)] for row in self.k]
+        return Form(k, [x * abs(y) for x, y in zip(self.e, c, strict=True)], self.m)
+
+    def plus(self, c: Sequence[Any]) -> Form:
+        return Form([[x + y for x, y in zip(self.k[0], c, strict=True)], *self.k[1:]], self.e, self.m)
+
+    def rested(self, more: Sequence[Any]) -> Form:
+        """The same with more in the rest, or in the numbers where nothing varies."""
+        if not self.m:
+            return self.plus([box(x) for x in more])
+        return Form(self.k, [x + y for x, y in zip(self.e, more, strict=True)], self.m)
+
+    def take(self, which: Sequence[int]) -> Form:
+        """The functions of these numbers."""
+        return self.picked(lambda row: [row[i] for i in which])
+
+    def part(self, start: int, end: int) -> Form:
+        return self.picked(lambda row: row[start:end])
+
+    def picked(self, some: Callable[[list[Any]], list[Any]]) -> Form:
+        out = Form([some(row) for row in self.k], some(self.e), self.m)
+        if self._sizes is not None:
+            out._sizes = tuple(map(some, self._sizes))
+        if self._size is not None:
+            out._size = some(self._size)
+        return out
+
+    def __mul__(self, other: Form) -> Form:
+        """One by one."""
+        a, b, first = self.k, other.k, range(1, 1 + self.m)
+        k = [[x * y for x, y in zip(a[0], b[0], strict=True)]]
+        if not self.m:
+            return Form(k, self.e, 0)
+        k += [[x * q + p * y for x, y, p, q in zip(a[0], b[0], a[i], b[i], strict=True)] for i in first]
+        for n, i, j in self.second:
+            row = [x * q + p * y for x, y, p, q in zip(a[0], b[0], a[n], b[n], strict=True)]
+            row = [z + p * q for z, p, q in zip(row, a[i], b[j], strict=True)]
+            k.append([z + p * q for z, p, q in zip(row, a[j], b[i], strict=True)] if i != j else row)
+        (_, x1, x2, _), (_, y1, y2, y) = self.sizes, other.sizes
+        if self.second:
+            beyond = [p * r + q * (v + r) for p, q, v, r in zip(x1, x2, y1, y2, strict=True)]
+        else:
+            beyond = [p * q for p, q in zip(x1, y1, strict=True)]
+        e = [z + p * g + f * q for z, p, f, q, g in zip(beyond, self.size, self.e, y, other.e, strict=True)]
+        return Form(k, e, self.m)
+
+    def inverse(self) -> Form:
+        """1/f = (1 − w + w² − …)/k_0 with f = k_0 (1 + w), |w| ≤ y < 1: the rest of the series is y^n/(1 − y)."""
+        require(not any(x.contains(0) for x in self.k[0]), "a quantity may be infinite")
+        c, second = [1 / x for x in self.k[0]], self.second
+        if not self.m:
+            return Form([c], self.e, 0)
+        w = [[x * y for x, y in zip(row, c, strict=True)] for row in self.k]
+        k = [c] + [[-x * y for x, y in zip(row, c, strict=True)] for row in w[1 : 1 + self.m]]
+        for n, i, j in second:
+            twice = 1 if i == j else 2
+            k.append([(p * q * twice - x) * y for p, q, x, y in zip(w[i], w[j], w[n], c, strict=True)])
+        e = []
+        for x, p, q, f in zip(c, *self.sizes[1:3], self.e, strict=True):
+            size = abs(x)
+            p, q, f = p * size, q * size, f * size
+            y = p + q + f
+            require(y < 0.95, "a quantity may be infinite")
+            e.append(size * (f + ((q + f) * (p + y) + y**3 / (1 - y) if second else y * y / (1 - y))))
+        return Form(k, e, self.m)
+
+    def exp(self) -> Form:
+        """e^f = e^{k_0}(1 + w + …): what is left out of its series is that of e^y, |w| ≤ y; but where y is large
+        |e^f| ≤ e^{Re k_0 + y} says more."""
+        value, second, e = [x.exp() for x in self.k[0]], self.second, []
+        if not self.m:
+            return Form([value], self.e, 0)
+        k = [value] + [[x * y for x, y in zip(row, value, strict=True)] for row in self.k[1 : 1 + self.m]]
+        for n, i, j in second:
+            half = fmpq(1, 2) if i == j else 1
+            k.append(
+                [(x + p * q * half) * y for x, p, q, y in zip(*(self.k[r] for r in (n, i, j)), value, strict=True)]
+            )
+        for n, (p, q, f) in enumerate(zip(*self.sizes[1:3], self.e, strict=True)):
+            y = p + q + f
+            if y < 2:
+                left = y.expm1() - y
+                left = left - y * y / 2 + (q + f) * (p + y) / 2 if second else left
+                e.append(abs(value[n]) * (f + left))
+            else:
+                e.append((self.k[0][n].real + y).exp())
+                for row in k:
+                    row[n] = NONE
+        return Form(k, e, self.m)
 
 
-def shift(z: Any, size: int, rows: int) -> Any:
-    """The matrix that takes the coefficients of a polynomial (ascending, `size` of them) to the first ones at z."""
-    powers = [acb(1)]
-    for _ in range(size - 1):
-        powers.append(powers[-1] * z)
-    return acb_mat(rows, size, [powers[d] * c if c else 0 for d, c in binomials(size, rows)])
+ZERO, NONE = arb(0), acb(0)
 
 
-def moved(a: Any, z: Any) -> Rows:
-    """The rows of coefficients at z of polynomials whose coefficients stand in the columns, by Horner's scheme."""
-    rows: Rows = a.tolist()
-    for k in range(len(rows) - 1):
-        for i in range(len(rows) - 2, k - 1, -1):
-            rows[i] = [x + z * y for x, y in zip(rows[i], rows[i + 1], strict=True)]
-    return rows
+def sums(rows: Sequence[Sequence[Any]], length: int) -> list[Any]:
+    """Of rows, one by one."""
+    if len(rows) < 2:
+        return list(rows[0]) if rows else [ZERO] * length
+    return [sum(column[1:], column[0]) for column in zip(*rows, strict=True)]
+
+
+def joined(forms: Sequence[Form]) -> Form:
+    """All their functions in one row."""
+    k = [[x for row in rows for x in row] for rows in zip(*(f.k for f in forms), strict=True)]
+    return Form(k, [x for f in forms for x in f.e], forms[0].m)
+
+
+def along(
+    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
+) -> Form:
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
+    n, start = len(h.e), int(slope)
+    last = start + (2 if h.second else 1)
+    total = E[start]
+    for i, power in enumerate((h, h * h) if h.second else (h,), start + 1):
+        if i < len(E):
+            term = E[i] * power
+            total = total + (term.scaled([i] * n) if slope else term)
+    rest = [ZERO] * n
+    for i in range(len(sizes) - 1, last, -1):
+        rest = [(x + (y * i if slope else y)) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
+    return total.rested([x * y ** (last - start) for x, y in zip(rest, most, strict=True)])
+
+
+@dataclass(frozen=True)
+class Sums:
+    """Polynomials in σ and the parameters, in balls: for each row the coefficients of these exponents."""
+
+    exponents: tuple[Exponents, ...]
+    matrix: Any
+
+    @classmethod
+    def of(cls, rows: Sequence[Free]) -> Sums:
+        exponents = tuple(sorted({e for f in rows for e in f})) or ((),)
+        return cls(exponents, acb_mat(len(rows), len(exponents), [acb(f.get(e, 0)) for f in rows for e in exponents]))
 
 
 @lru_cache(maxsize=64)
-def binomials(size: int, rows: int) -> list[tuple[int, int]]:
-    return [(k - i, comb(k, i)) for i in range(rows) for k in range(size)]
+def expansion(exponents: tuple[Exponents, ...], m: int, order: int) -> tuple[int, list[tuple[int, int, int, Any]]]:
+    """(how many powers of u, [(number of an exponent, of a power of u, factor, ((i, power of x_i, of r_i), …)), …])
+    of Π (x_i + r_i u_i)^{e_i}; the powers of the lowest orders stand first, as in a form."""
+    parts = [
+        [(f, tuple((i, k - (f[i] if i < m else 0), f[i] if i < m else 0) for i, k in enumerate(e) if k))
+         for f in product(*(range(k + 1) for k in (*e, *[0] * m)[:m]))]
+        for e in exponents
+    ]  # fmt: skip
+    unit = [tuple(int(i == j) for i in range(m)) for j in range(m)]
+    first = [(0,) * m, *unit]
+    if order == 2:
+        first += [tuple(a + b for a, b in zip(unit[i - 1], unit[j - 1], strict=True)) for _, i, j in pairs(m)]
+    number = {f: n for n, f in enumerate(dict.fromkeys([*first, *(f for row in parts for f, _ in row)]))}
+    return len(number), [
+        (n, number[f], prod(comb(a + b, b) for _, a, b in factors), factors)
+        for n, row in enumerate(parts) for f, factors in row
+    ]  # fmt: skip
+
+
+class Place:
+    """Where σ and the parameters vary: each is middle + half·u, or the middle alone; forms of their monomials."""
+
+    def __init__(self, middle: Sequence[Any], half: Sequence[Any], order: int) -> None:
+        self.middle, self.half, self.order, self.m = list(middle), list(half), order, len(half)
+        self.known: dict[Exponents, Form] = {}
+
+    @cached_property
+    def powers(self) -> list[list[Form]]:
+        """For each variable those that are known."""
+        out = []
+        for i, x in enumerate(self.middle):
+            f = self.number(x)
+            if i < self.m:
+                f.k[1 + i] = [acb(self.half[i])]
+            out.append([self.number(1), f])
+        return out
+
+    @classmethod
+    def disc(cls, sigma: Any, r: Any) -> Place:
+        """|σ − middle| ≤ r, for forms of first order; the point alone for r = 0."""
+        return cls([sigma], [] if r.is_zero() else [r], 1)
+
+    def number(self, c: Any) -> Form:
+        return Form([[acb(c)], *([NONE] for _ in range(self.width - 1))], [ZERO], self.m)
+
+    @cached_property
+    def width(self) -> int:
+        """How many coefficients a form has."""
+        return 1 + self.m + (len(pairs(self.m)) if self.order == 2 else 0)
+
+    def power(self, i: int, e: int) -> Form:
+        if e < 0:
+            return self.power(i, -e).inverse()
+        row = self.powers[i]
+        while len(row) <= e:
+            row.append(row[-1] * row[1])
+        return row[e]
+
+    def monomial(self, e: Exponents) -> Form:
+        """Of exponents of (σ, θ)."""
+        found = self.known.get(e)
+        if found is None:
+            used = [(i, k) for i, k in enumerate(e) if k]
+            found = self.power(*used[0]) if used else self.number(1)
+            for i, k in used[1:]:
+                found = found * self.power(i, k)
+            self.known[e] = found
+        return found
+
+    def taylor(self, polynomials: Sums) -> Any:
+        """Taylor's coefficients in u, all of them: a matrix with a row for each polynomial, those of a form first."""
+        exponents = polynomials.exponents
+        width, terms_ = expansion(exponents, self.m, self.order)
+        most = [max((e[i] for e in exponents if e), default=0) for i in range(len(self.middle))]
+        x = [powers(acb(y), n) for y, n in zip(self.middle, most, strict=True)]
+        r = [powers(acb(y), n) for y, n in zip(self.half, most, strict=False)]
+        matrix = acb_mat(len(exponents), width)
+        for n, k, c, factors in terms_:
+            value = acb(c)
+            for i, a, b in factors:
+                value = value * x[i][a] * r[i][b] if b else value * x[i][a]
+            matrix[n, k] = value
+        return polynomials.matrix * matrix
+
+    def form(self, table: Any) -> Form:
+        """From Taylor's coefficients."""
+        columns = [list(x) for x in zip(*table.tolist(), strict=True)]
+        e = sums([[abs(x) for x in column] for column in columns[self.width :]], table.nrows())
+        return Form(columns[: self.width], e, self.m)
+
+    def value(self, polynomials: Sums) -> Form:
+        return self.form(self.taylor(polynomials))
+
+
+def powers(x: Any, n: int) -> list[Any]:
+    """x^0 … x^n."""
+    out = [acb(1)]
+    for _ in range(n):
+        out.append(out[-1] * x)
+    return out
+
+
+# --- waves in balls: D and N over a place, the splitting D = lead·U·L -------------------------------------
 
 
 def box(radius: Any) -> Any:
@@ -754,56 +1015,66 @@ def box(radius: Any) -> Any:
     return acb(r, r)
 
 
-def table(t: Terms) -> Any:
-    height, width = (max(k[x] for k in t) + 1 for x in (0, 1))
-    return acb_mat(height, width, [t.get((i, j), 0) for i in range(height) for j in range(width)])
+def by_power(f: Free) -> list[Free]:
+    """For each power of the first variable, what stands with it."""
+    out: list[Free] = [{} for _ in range(max(e[0] for e in f) + 1)]
+    for (i, *e), c in f.items():
+        out[i][tuple(e)] = c
+    return out
 
 
-@dataclass
 class Local:
-    """D and N as polynomials in P and t = σ − m: row i, column j belongs to P^i t^j; thin: at t = 0 only."""
+    """D and N over a place: for each power of P Taylor's coefficients, those of a form first."""
 
-    m: Any
-    d: Any
-    n: Any
-    thin: bool = False
+    def __init__(self, place: Place, d: Sums, n: Sums) -> None:
+        self.place, self._n = place, n
+        self.D = place.taylor(d)
 
     @property
     def degree(self) -> int:
-        return int(self.d.nrows()) - 1
+        return int(self.D.nrows()) - 1
 
     @cached_property
-    def polynomials(self) -> tuple[Any, Any, Any]:
-        """D, D_P and N at t = 0."""
-        D, N = (acb_poly([a[i, 0] for i in range(a.nrows())]) for a in (self.d, self.n))
-        return D, D.derivative(), N
+    def N(self) -> Any:
+        return self.place.taylor(self._n)
 
-    def lead(self) -> list[Any]:
-        return [self.d[self.degree, j] for j in range(self.d.ncols())]
+    def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
+        """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all."""
+        n, size = len(z), table.nrows()
+        known = [powers(x, size - 1) for x in z]
+        rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
+        f = self.place.form(acb_mat(rows) * table)
+        sizes, few = f.size, min(size, self.place.order + 2)
+        return [f.part(i * n, (i + 1) * n) for i in range(few)], [sizes[i * n : (i + 1) * n] for i in range(size)]
+
+
+@lru_cache(maxsize=64)
+def binomials(size: int, rows: int) -> list[list[tuple[int, int]]]:
+    """(power, factor) of z in the coefficient of h^i in (z + h)^j."""
+    return [[(j - i, comb(j, i)) for j in range(size)] for i in range(rows)]
 
 
 class Waves:
     """The track in balls at the present precision, and the gaps between places that its kernels are needed for."""
 
-    def __init__(self, track: Track, sites: Sequence[Any]) -> None:
-        self.track, self.sites = track, list(sites)
-        self.d, self.n = table(track.d), table(track.n)
-        self.gaps = sorted({a - b for a in sites for b in sites})
-        self.xi = [arb(gap) for gap in self.gaps]
-        # the gaps ahead from 0 on and those behind, each with the number of its distance from the one before it
-        ahead = [g for g, gap in enumerate(self.gaps) if gap >= 0]
-        behind = [g for g, gap in enumerate(self.gaps) if gap < 0]
-        leaps: dict[Any, int] = {}
-        self.ways = []
-        for way in (ahead, behind[::-1]):
-            steps = [self.gaps[g] - (self.gaps[way[k - 1]] if k else 0) for k, g in enumerate(way)]
-            self.ways.append([(g, leaps.setdefault(abs(x), len(leaps))) for g, x in zip(way, steps, strict=True)])
-        self.leaps = [arb(x) for x in leaps]
+    def __init__(self, track: Track, places: Sequence[Free], at_: Sequence[Any] = ()) -> None:
+        """places: of the contacts; at_: any parameters of the range, at which gaps are told from those behind."""
+        self.track, self.d, self.n = track, Sums.of(by_power(track.d)), Sums.of(by_power(track.n))
+        self.gaps: list[Free] = []
+        self.index = []
+        for a in places:
+            row = [minus(a, b) for b in places]
+            self.gaps += [gap for k, gap in enumerate(row) if gap not in self.gaps and gap not in row[:k]]
+            self.index.append([self.gaps.index(gap) for gap in row])
+        first = [k for k, place in enumerate(places) if place not in places[:k]]
+        self.between = [[self.index[i][j] for j in first] for i in first]  # of the different places
+        self.ahead = [at(gap, at_) >= 0 for gap in self.gaps]
+        self.xi = Sums.of([{(0, *e): c for e, c in gap.items()} for gap in self.gaps])
+        self.fixed = not any(any(e) for e in self.xi.exponents)  # no gap varies
+        self.distances = [row[0] for row in self.xi.matrix.tolist()]
 
-    def near(self, m: Any, thin: bool = False) -> Local:
-        """About σ = m; thin: at t = 0 only."""
-        d, n = (a * shift(m, a.ncols(), 1 if thin else a.ncols()).transpose() for a in (self.d, self.n))
-        return Local(m, d, n, thin)
+    def near(self, place: Place) -> Local:
+        return Local(place, self.d, self.n)
 
 
 class Nodes:
@@ -830,28 +1101,20 @@ class Nodes:
             self.own.append(same)
             self.all.append(same * other)
         self.inverse = arb_mat(n, n, inverse)
-        vander = []
-        for x in z:
-            power = acb(1)
-            for _ in range(n + 1):
-                vander.append(power)
-                power *= x
-        self.values = (acb_mat(n, n + 1, vander) * local.d).tolist()  # D(z_k, m + t), ascending in t
+        self.values = local.place.form(acb_mat([powers(x, n) for x in z]) * local.D)
 
-    def split(self, r: Any) -> Split:
-        """The pair on |σ − m| ≤ r, or Refused."""
-        require(r.is_zero() or not self.local.thin, "a splitting at one point is not one on a disc")
-        sizes = [arb(1)]
-        for _ in range(self.local.d.ncols() - 1):
-            sizes.append(sizes[-1] * r)
+    @property
+    def least(self) -> Any:
+        """A lower bound of |lead| over the place."""
+        first, *change = [abs(x) for x in self.local.D.tolist()[-1]]
+        return first - sum(change, ZERO)
 
-        def bound(row: Sequence[Any]) -> Any:
-            return sum((abs(x) * s for x, s in zip(row, sizes, strict=True)), arb(0))
-
-        lead = self.local.lead()
-        low = 2 * abs(lead[0]) - bound(lead)
+    def split(self, thin: bool = False) -> Split:
+        """The pair over the place, or Refused; thin: at its middle, where the constants are the values of D."""
+        low = abs(self.local.D[len(self.z), 0]) if thin else self.least
         require(low > 0, "the highest coefficient may vanish on a piece")
-        w = [(bound(row) / (size * low)).upper() for row, size in zip(self.values, self.all, strict=True)]
+        sizes = self.values.sizes[0] if thin else self.values.size
+        w = [(x / (size * low)).upper() for x, size in zip(sizes, self.all, strict=True)]
         found = contraction(w, self.inverse, tiny(self.z))
         require(found, "the p-roots of both sides are not kept apart on a piece: it is too long")
         return Split(self, *(found or ([], [])))
@@ -924,7 +1187,7 @@ class Split:
 
 def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
     """Roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
-    c = [complex(local.d[i, 0]) for i in range(local.degree, -1, -1)]
+    c = [complex(local.D[i, 0]) for i in range(local.degree, -1, -1)]
     z = []  # off the real axis, where roots may meet, but not past each other
     for k, p in enumerate(start):
         gap = min((abs(p - other) for i, other in enumerate(start) if i != k), default=1.0)
@@ -953,7 +1216,7 @@ def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
 
 def roots_near(local: Local, start: Sequence[complex] | None = None) -> list[Any]:
     """Approximate roots of D(·, m) to the present precision, from those of a neighbour or by FLINT's finder."""
-    D = acb_poly([local.d[i, 0].mid() for i in range(local.degree + 1)])
+    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     z = [acb(x) for x in float_roots(local, [complex(x) for x in D.roots()] if start is None else start)]
     return z if flint.ctx.prec <= 64 else sharp_roots(local, z)
 
@@ -968,7 +1231,7 @@ def following(local: Local, start: Sequence[Any]) -> list[Any]:
 
 def sharp_roots(local: Local, start: Sequence[Any]) -> list[Any]:
     """The same iteration in balls' middles, to more than half of the precision."""
-    D = acb_poly([local.d[i, 0].mid() for i in range(local.degree + 1)])
+    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     slope, z, goal = D.derivative(), [acb(x) for x in start], arb(2) ** (-flint.ctx.prec // 2)
     for _ in range(40):
         small = True
@@ -982,123 +1245,93 @@ def sharp_roots(local: Local, start: Sequence[Any]) -> list[Any]:
     raise Refused("p-roots meet on a path")
 
 
+def sided(split: Split) -> bool:
+    """Each root of U lies within (their number)·τ_k of some node, so all have Re P < 0, and those of L Re P > 0."""
+    pairs_ = zip(split.nodes.side, (-1, 1), strict=True)
+    return all(sign * split.nodes.z[k].real > len(side) * split.tight[k] for side, sign in pairs_ for k in side)
+
+
 def check_sides(split: Split) -> None:
-    """U has the roots with Re P < 0, L those with Re P > 0, over the whole disc."""
-    for side, sign in zip(split.nodes.side, (-1, 1), strict=True):
-        for k, radius in zip(side, split.isolated(side), strict=True):
-            require(split.nodes.z[k].real * sign > radius, "a p-root may be real there")
+    """U has the roots with Re P < 0, L those with Re P > 0, over the whole place."""
+    require(sided(split), "a p-root may be real there")
 
 
-# --- kernels: G(ξ) over a disc of σ ------------------------------------------------------------------------
+def nodes_near(local: Local, start: Sequence[complex] | None = None) -> Nodes:
+    """Nodes at the p-roots of a middle, those with Re P < 0 for U."""
+    z = sorted(roots_near(local, start), key=lambda x: float(x.real))
+    return Nodes(z, sum(bool(x.real < 0) for x in z), local)
 
 
-def kernels(waves: Waves, split: Split, r: Any) -> list[Bent]:
-    """G = ± Σ N e^{Pξ}/D_P for each gap over |t| ≤ r, over the roots of its side, each alone in a disc."""
-    nodes, roots = split.nodes, []
-    for side, here in enumerate(nodes.side):
-        if any((gap < 0) == (side == 1) for gap in waves.gaps):
-            found = zip(here, split.isolated(here), strict=True)
-            roots += [(side, *bent_root(nodes.local, nodes.z[k], e, r)) for k, e in found]
-    return summed(waves, roots, r)
+# --- kernels: G(ξ) over a place ---------------------------------------------------------------------------
 
 
-def summed(waves: Waves, roots: Sequence[tuple[int, Bent, Bent]], r: Any) -> list[Bent]:
-    """For each gap ± Σ weight·e^{Pξ} over the roots (side, P, weight) of its side.
+def residues(local: Local, z: Sequence[Any], e: Sequence[Any]) -> tuple[Form, Form]:
+    """The one root in each disc of radius e round z, and N/D_P there.
 
-    Products of `bent_product` and `bent_wave`; e^{Pξ} from one gap to the next.
+    With D(z + h) = Σ E_i h^i the root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself.
     """
-    out: list[Bent] = [NOTHING] * len(waves.xi)
-    for side, (p, b, e), (c, d, f) in roots:
-        if side:
-            p, b, c, d = -p, -b, -c, -d  # of |ξ|
-        y1, c_, d_, moves = abs(b) * r + e, abs(c), abs(d) * r, abs(b) * r
-        slope, whole = c * b, c_ + d_
-        each = [((p * x).exp(), (p.real * x).exp(), (y1 * x).exp()) for x in waves.leaps]
-        value, size, power = acb(1), arb(1), arb(1)
-        for g, k in waves.ways[side]:
-            leap = each[k]
-            value, size, power, xi = value * leap[0], size * leap[1], power * leap[2], abs(waves.xi[g])
-            x, rest = moves * xi, e * xi + (power - 1 - y1 * xi)
-            rest = (d_ * x + whole * rest + (1 + x + rest) * f) * size
-            u, v, lost = out[g]
-            out[g] = u + value * c, v + value * (d + slope * xi), lost + rest
-    require(all(x.is_finite() for one in out for x in one), "a kernel is not bounded on a piece")
-    return out
+    (D, sizes), (N, above) = local.about(z, local.D), local.about(z, local.N)
+    require(not any(x.contains(0) for x in D[1].k[0]), "a p-root may be double on a piece")
+    c = [-1 / x for x in D[1].k[0]]
+    turn = Form([[NONE] * len(z), *D[1].k[1:]], D[1].e, D[1].m)
+    rest = [ZERO] * len(z)
+    for size in (*reversed(sizes[2:]), turn.size):
+        rest = [(x + y) * r for x, y, r in zip(rest, size, e, strict=True)]
+    h = D[0].rested(rest).scaled(c)
+    e = [min_bound(x, y) for x, y in zip(e, h.size, strict=True)]
+    for _ in range(2 if h.second else 0):
+        h = along([D[0], turn, *D[2:]], sizes, h, e).scaled(c)
+        e = [min_bound(x, y) for x, y in zip(e, h.size, strict=True)]
+    return h.plus(z), along(N, above, h, e) * along(D, sizes, h, e, True).inverse()
 
 
-def kernel_balls(waves: Waves, split: Split) -> list[Any]:
-    """G for each gap at one point, from a thin splitting."""
-    return [a + box(e) for a, _, e in kernels(waves, split, arb(0))]
+def kernels(waves: Waves, split: Split, pole: Any = None) -> tuple[Form, Form]:
+    """G = ± Σ N e^{Pξ}/D_P for each gap, over the roots of its side, each alone in a disc; and Σ N/D_P over U.
+
+    With a pole that is e^{pole·ξ}·H(ξ) for each gap, and g, with G = e^{pole·ξ}(g + H): only g is large where
+    P = pole is double.
+    """
+    nodes = split.nodes
+    used = [side for side in (0, 1) if pole is not None or any(ahead == (side == 0) for ahead in waves.ahead)]
+    here = [k for side in used for k in nodes.side[side]]
+    radii = [e for side in used for e in split.isolated(nodes.side[side])]
+    none = nodes.local.place.number(0).take([])
+    P, weight = residues(nodes.local, [nodes.z[k] for k in here], radii) if here else (none, none)
+    sides = [[n for n, k in enumerate(here) if k in side] for side in nodes.side]
+    return summed(waves, nodes.local.place, P, weight, sides, pole)
 
 
-# (a, b, rest): a function of t with |f(t) − a − b t| ≤ rest for |t| ≤ r; a and b thin balls, rest ≥ 0 real
-def bent_product(x: Bent, y: Bent, r: Any) -> Bent:
-    (a, b, e), (c, d, f) = x, y
-    rest = abs(b) * abs(d) * r * r + (abs(a) + abs(b) * r) * f + (abs(c) + abs(d) * r + f) * e
-    return a * c, a * d + b * c, rest
+def summed(
+    waves: Waves, place: Place, P: Form, weight: Form, sides: Sequence[Sequence[int]], pole: Any = None
+) -> tuple[Form, Form]:
+    """For each gap ± Σ weight·e^{Pξ} over the roots of its side; and Σ weight over those of U."""
+    chosen = [[g for g, ahead in enumerate(waves.ahead) if ahead == (side == 0)] for side in (0, 1)]
+    pairs_ = [(k, g) for mine, gaps in zip(sides, chosen, strict=True) for k in mine for g in gaps]
+    roots, gaps = [k for k, _ in pairs_], [g for _, g in pairs_]
+    ride, xi = P.take(roots), waves.distances if waves.fixed else []
+    if pole is not None:
+        ride = ride.plus([-pole] * len(pairs_))
+    ride = (ride.scaled([xi[g] for g in gaps]) if waves.fixed else ride * place.value(waves.xi).take(gaps)).exp()
+    if pole is not None:
+        ride = ride.plus([acb(-1)] * len(pairs_))
+    ride = ride * weight.take(roots)
+    ahead = len(sides[0]) * len(chosen[0])
+    G = folded(ride.part(0, ahead), len(chosen[0]))
+    if chosen[1]:
+        order = [*chosen[0], *chosen[1]]
+        both = joined([G, -folded(ride.part(ahead, len(pairs_)), len(chosen[1]))])
+        G = both.take([order.index(g) for g in range(len(order))])
+    if pole is not None:
+        G = G.scaled([(pole * x).exp() for x in xi])
+    fine = all(x.is_finite() for row in (*G.k, G.e) for x in row)
+    require(fine, "a kernel is not bounded on a piece")
+    return G, folded(weight.take(sides[0]), 1) if pole is not None else G
 
 
-def bent_inverse(x: Bent, r: Any) -> Bent:
-    """1/f: with f = a(1 + u), |u| ≤ y < 1, the rest of 1/(1 + u) after 1 − u is at most y²/(1 − y)."""
-    a, b, e = x
-    c = 1 / a
-    y = (abs(b) * r + e) * abs(c)
-    require(y < 0.9, "a weight may be infinite on a piece: it is too long")
-    return c, -b * c * c, abs(c) * (y * y / (1 - y) + e * abs(c))
-
-
-def bent_wave(x: Bent, factor: Any, r: Any) -> Bent:
-    """e^{f·factor}, factor real: |e^u − 1 − u| ≤ e^y − 1 − y for |u| ≤ y."""
-    a, b, e = x[0] * factor, x[1] * factor, x[2] * abs(factor)
-    y, value = abs(b) * r + e, a.exp()
-    return value, value * b, abs(value) * (e + y.expm1() - y)
-
-
-def tails(row: Sequence[Any], r: Any) -> tuple[Any, Any, Any]:
-    """Σ |c_j| r^j over j ≥ 0, over j ≥ 1 and over j ≥ 2."""
-    rest = arb(0)
-    for x in row[:1:-1]:
-        rest = (rest + abs(x)) * r
-    rest = rest * r
-    first = rest + abs(row[1]) * r if len(row) > 1 else rest
-    return first + abs(row[0]), first, rest
-
-
-def bent_polynomial(c: Rows, sizes: Sequence[Sequence[Any]], root: Bent, e: Any) -> Bent:
-    """Σ c_ij u^i t^j at u = root, |u| ≤ e: linear in u and t, the rest by the `tails` of the rows."""
-    slope, rest = c[1][0] if len(c) > 1 else acb(0), arb(0)
-    for whole, _, _ in sizes[:1:-1]:
-        rest = (rest + whole) * e
-    rest = (rest + sizes[1][1]) * e if len(sizes) > 1 else rest
-    time = c[0][1] if len(c[0]) > 1 else acb(0)
-    return c[0][0] + slope * root[0], slope * root[1] + time, rest + sizes[0][2] + abs(slope) * root[2]
-
-
-def bent_root(local: Local, z: Any, e: Any, r: Any) -> tuple[Bent, Bent]:
-    """The one root in the disc of radius e round z, and N/D_P there."""
-    if local.thin:
-        return thin_root(local, z, e)
-    c, above = moved(local.d, z), moved(local.n, z)
-    sizes, sizes_above = ([tails(row, r) for row in part] for part in (c, above))
-    require(not c[1][0].contains(0), "a p-root may be double on a piece")
-    # the root is z + u with |u| ≤ e and D(z + u, m + t) = 0: u = −(c₀₀ + c₀₁ t + rest)/c₁₀
-    higher = bent_polynomial(c, sizes, NOTHING, e)[2]
-    first = c[0][1] if len(c[0]) > 1 else acb(0)
-    root = (-c[0][0] / c[1][0], -first / c[1][0], higher / abs(c[1][0]))
-    e = min_bound(e, abs(root[0]) + abs(root[1]) * r + root[2])
-    slopes, steep = ([[x * i for x in row] for i, row in enumerate(part)][1:] for part in (c[:3], sizes))
-    slope = bent_inverse(bent_polynomial(slopes, steep, root, e), r)
-    weight = bent_product(bent_polynomial(above, sizes_above, root, e), slope, r)
-    return (z + root[0], root[1], root[2]), weight
-
-
-def thin_root(local: Local, z: Any, e: Any) -> tuple[Bent, Bent]:
-    """The same at one σ: 0 = D(z) + u·(a mean of D_P over the way to the root z + u), |u| ≤ e."""
-    D, slope, N = local.polynomials
-    steep = slope(z + box(e))
-    require(not steep.contains(0), "a p-root may be double")
-    root = z - D(z) / steep
-    return (root, acb(0), arb(0)), (N(root) / slope(root), acb(0), arb(0))
+def folded(f: Form, n: int) -> Form:
+    """The sum of the parts of a row, each of n functions; 0 where it has none."""
+    parts = [f.part(k, k + n) for k in range(0, len(f.e), n)]
+    return sum(parts[1:], parts[0]) if parts else Form([[NONE] * n for _ in f.k], [ZERO] * n, f.m)
 
 
 class Origin:
@@ -1109,42 +1342,51 @@ class Origin:
         self.waves, self.power = waves, low + 1 - k
         stated = "waves come to P = 0 at q = 0, where the receptance is not bounded"
         require((k, 0) in waves.track.d and self.power >= 0, stated)
-        lowered = [table({(i, i + j - f): c for (i, j), c in t.items()})
+        lowered = [Sums.of(by_power({(i, i + j - f): c for (i, j), c in t.items()}))
                    for t, f in ((waves.track.d, k), (waves.track.n, low))]  # fmt: skip
-        at = waves.near(acb(0))
-        slow = acb_poly([lowered[0][i, 0].mid() for i in range(k + 1)])
-        fast = acb_poly([at.d[i, 0].mid() for i in range(k, at.degree + 1)])
-        self.kinds = [(Local(acb(0), *lowered), slow.roots()), (at, fast.roots())]
+        self.kinds = [(lowered, 0, k), ([waves.d, waves.n], k, waves.track.degree)]
+
+    def locals(self, r: Any) -> list[Local]:
+        """In ζ and in P, over |σ| ≤ r."""
+        place = Place.disc(acb(0), r)
+        return [Local(place, *both) for both, _, _ in self.kinds]
 
     def roots(self, r: Any) -> list[tuple[int, int, Any, Any]]:
         """(kind, side, z, e): over |σ| ≤ r each ζ, or P, alone in a disc |ζ − z| ≤ e off the imaginary axis."""
         out: list[tuple[int, int, Any, Any]] = []
-        for kind, (local, roots) in enumerate(self.kinds):
+        for kind, (local, (_, first, last)) in enumerate(zip(self.locals(r), self.kinds, strict=True)):
+            z = [x.mid() for x in acb_poly([local.D[i, 0].mid() for i in range(first, last + 1)]).roots()]
+            E, sizes = local.about(z, local.D)
+            sizes[1] = E[1].spread
             found = []
-            for z in (x.mid() for x in roots):
-                e = alone(moved(local.d, z), r)
-                require(abs(z.real) > e, "a p-root may be real next to q = 0")
-                found.append((kind, int(z.real > 0), z, e))
+            for one, slope, *row in zip(z, E[1].sizes[0], *sizes, strict=True):
+                e = alone(row, slope)
+                require(abs(one.real) > e, "a p-root may be real next to q = 0")
+                found.append((kind, int(one.real > 0), one, e))
             apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
             require(apart, "p-roots are not told apart next to q = 0")
             out += found
-        require(len(out) == self.kinds[1][0].degree, "a p-root is at infinity next to q = 0")
+        require(len(out) == self.waves.track.degree, "a p-root is at infinity next to q = 0")
         reach = [(abs(z) + e) * r for kind, _, z, e in out if not kind]
         away = all(abs(z) - e > x for kind, _, z, e in out if kind for x in reach)
         require(away, "p-roots are not told apart next to q = 0")
         return out
 
-    def kernels(self, r: Any) -> list[Bent]:
+    def kernels(self, r: Any) -> Form:
         """For each gap G over |σ| ≤ r."""
-        out, sigma = [], (acb(0), acb(1), arb(0))
-        for kind, side, z, e in self.roots(r):
-            wave, weight = bent_root(self.kinds[kind][0], z, e, r)
+        found, parts = self.roots(r), []
+        for kind, local in enumerate(self.locals(r)):
+            mine = [(z, e) for k, _, z, e in found if k == kind]
+            P, weight = residues(local, *map(list, zip(*mine, strict=True)))
             if not kind:
-                wave = bent_product(sigma, wave, r)
+                sigma = local.place.power(0, 1).take([0] * len(mine))
+                P = P * sigma
                 for _ in range(self.power):
-                    weight = bent_product(sigma, weight, r)
-            out.append((side, wave, weight))
-        return summed(self.waves, out, r)
+                    weight = weight * sigma
+            parts.append((P, weight))
+        P, weight = map(joined, zip(*parts, strict=True))
+        sides = [[n for n, one in enumerate(found) if one[1] == side] for side in (0, 1)]
+        return summed(self.waves, local.place, P, weight, sides)[0]
 
     def nodes(self, sigma: complex) -> list[complex]:
         """Floats near the p-roots, those of U first."""
@@ -1153,7 +1395,7 @@ class Origin:
 
     def links(self, thin: Split, r: Any) -> bool:
         """Whether the pair of a thin splitting, at a σ with |σ| ≤ r, has the roots of both sides here."""
-        nodes, sigma, found = thin.nodes, thin.nodes.local.m, self.roots(r)
+        nodes, sigma, found = thin.nodes, thin.nodes.local.place.middle[0], self.roots(r)
         if sum(not side for _, side, _, _ in found) != nodes.up:
             return False
         for other, side in enumerate(nodes.side):
@@ -1164,12 +1406,9 @@ class Origin:
         return True
 
 
-def alone(c: list[list[Any]], r: Any) -> Any:
-    """A radius e: for |t| ≤ r exactly one u with |u| < e solves Σ c_ij u^i t^j = 0, by Rouché against c₁₀u."""
-    sizes, slope = [], abs(c[1][0])
-    for i, row in enumerate(c):
-        powers = [abs(x) * r**j for j, x in enumerate(row) if (i, j) != (1, 0)]
-        sizes.append(sum(powers, arb(0)))
+def alone(sizes: Sequence[Any], slope: Any) -> Any:
+    """A radius e: exactly one |u| < e solves Σ E_i u^i = 0 where |E_i| ≤ sizes_i, but E_1 = slope + (at most its
+    size); by Rouché."""
     require(slope > 0, "p-roots meet next to q = 0")
     e = (sizes[0] / slope * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
     for _ in range(12):
@@ -1180,23 +1419,6 @@ def alone(c: list[list[Any]], r: Any) -> Any:
     raise Refused("p-roots are not told apart next to q = 0: the piece is too long")
 
 
-def kernels_beside(split: Split, r: Any, waves: Waves, pole: Any) -> tuple[list[Bent], Bent]:
-    """For each gap e^{pole·ξ}·H(ξ), and g, with G = e^{pole·ξ}(g + H): only g is large where P = pole is double."""
-    out, g = [NOTHING] * len(waves.xi), NOTHING
-    for side, here in enumerate(split.nodes.side):
-        nodes = split.nodes
-        each = [bent_root(nodes.local, nodes.z[k], e, r) for k, e in zip(here, split.isolated(here), strict=True)]
-        for (p, b, e), weight in each:
-            g = bent_sum(g, weight) if not side else g
-            for i, xi in enumerate(waves.xi):
-                if (waves.gaps[i] < 0) == (side == 1) and xi != 0:
-                    a, slope, rest = bent_wave((p - pole, b, e), xi, r)
-                    one = bent_product(weight, (a - 1, slope, rest), r)
-                    out[i] = bent_sum(out[i], one if not side else (-one[0], -one[1], one[2]))
-    turned = [(pole * xi).exp() for xi in waves.xi]
-    return [(a * c, b * c, e * abs(c)) for (a, b, e), c in zip(out, turned, strict=True)], g
-
-
 def min_bound(x: Any, y: Any) -> Any:
     """The smaller of two upper bounds, whichever balls decide; x where they do not."""
     return y.upper() if y < x else x
@@ -1204,115 +1426,92 @@ def min_bound(x: Any, y: Any) -> Any:
 
 # --- the characteristic function --------------------------------------------------------------------------
 
+Forms = tuple[list[Any], Any]  # a matrix of forms: the matrices of their coefficients, and that of their rests
+
 
 class Bordered:
-    """Δ̂ = det [[S, −B], [Bᵀ, G + h]] with the rows of neutral coordinates divided by σ, in balls, up to a constant.
+    """Δ̂ = det [[S, −B], [Bᵀ, G + h]] with the rows of neutral coordinates divided by σ, up to a constant.
 
     Contacts that are tight and alone on a body with no other contact are direct: their bodies y = −(Gλ)/b are
     eliminated. Rows: all bodies, then the contacts that are not direct; columns: the bodies that are left, then λ.
     """
 
-    def __init__(self, vehicle: Vehicle, waves: Waves) -> None:
+    def __init__(self, vehicle: Bodies, waves: Waves) -> None:
         nb, nc = vehicle.B.nrows(), len(vehicle.h)
-        self.vehicle, self.nb, self.nc = vehicle, nb, nc
+        self.vehicle, self.waves, self.nb, self.nc = vehicle, waves, nb, nc
         direct = direct_contacts(vehicle)
         kept = [i for i in range(nb) if i not in direct.values()]
-        self.indirect = [j for j in range(nc) if j not in direct]
-        self.size = nb + len(self.indirect)
-        entry = [[self.powers(i, j) for j in range(nb)] for i in range(nb)]
-        full = []
-        for power in range(3):
-            rows = [[entry[i][j][power] for j in kept] + [fmpq(0)] * nc for i in range(nb)]
-            rows += [[fmpq(0)] * self.size for _ in self.indirect]
-            if power == 0:
-                for i, j in product(range(nb), range(nc)):
-                    rows[i][len(kept) + j] = -vehicle.B[i, j]
-                for i, j in enumerate(self.indirect):
-                    rows[nb + i][: len(kept)] = [vehicle.B[k, j] for k in kept]
-                    rows[nb + i][len(kept) + j] = vehicle.h[j]
-            full.append(acb_mat(fmpq_mat(rows)))
-        self.K, self.C, self.M = full
-        # what takes part in the columns of λ: for each body (contact, its number among `factors`)
-        factors: dict[tuple[Any, ...], int] = {}
+        indirect = [j for j in range(nc) if j not in direct]
+        self.size, left = nb + len(indirect), len(kept)
+        zero = (0,) * len(waves.d.exponents[0])
+        entries: dict[Exponents, Any] = {zero: fmpq_mat(self.size, self.size)}
+        own = [[self.entry(i, j) for j in range(nb)] for i in range(nb)]
+        put = [(i, k, e, c) for i in range(nb) for k, j in enumerate(kept) for e, c in own[i][j].items()]
+        put += [(i, left + j, zero, -vehicle.B[i, j]) for i in range(nb) for j in range(nc)]
+        for i, j in enumerate(indirect, nb):
+            put += [(i, k, zero, vehicle.B[body, j]) for k, body in enumerate(kept)]
+            put += [(i, left + j, (0, *e), c) for e, c in vehicle.h[j].items()]
+        for i, k, e, c in put:
+            entries.setdefault(e, fmpq_mat(self.size, self.size))[i, k] = c
+        self.constant = [(e, acb_mat(a), moduli(acb_mat(a))) for e, a in entries.items()]
+        # the columns of λ: in each row the sum of (factor, number of a contact): factor·G(x_contact − x_j) at j
+        factors: list[Free] = []
         self.links: list[list[tuple[int, int]]] = []
-        for i in range(nb):
-            row = [(j, tuple(-x / vehicle.B[body, j] for x in entry[i][body])) for j, body in direct.items()]
-            self.links.append([(j, factors.setdefault(key, len(factors))) for j, key in row if any(key)])
-        self.factors = [tuple(arb(x) for x in key) for key in factors]
-        where = {gap: g for g, gap in enumerate(waves.gaps)}
-        self.index = [[where[a - b] for b in vehicle.places] for a in vehicle.places]
-        self.sites = [[where[a - b] for b in vehicle.sites] for a in vehicle.sites]
+        for i in range(self.size):
+            row: list[tuple[int, Free]] = [(indirect[i - nb], {zero: fmpq(1)})] if i >= nb else []
+            for j, body in direct.items() if i < nb else ():
+                row.append((j, {e: -c / vehicle.B[body, j] for e, c in own[i][body].items()}))
+            for _, f in row:
+                factors += [f] if f and f not in factors else []
+            self.links.append([(factors.index(f), j) for j, f in row if f])
+        self.factors = Sums.of(factors)
+        used = sorted({(f, g) for row in self.links for f, j in row for g in waves.index[j]})
+        self.used, number = list(zip(*used, strict=True)), {pair: n for n, pair in enumerate(used)}
+        # each layer: for every entry of the matrix the number of one product of a factor and a G that it has, or none
+        self.layers = [[len(used)] * self.size**2 for _ in range(max(map(len, self.links)))]
+        for i, link in enumerate(self.links):
+            for layer, (n, j) in zip(self.layers, link, strict=False):
+                layer[i * self.size + left : (i + 1) * self.size] = [number[n, g] for g in waves.index[j]]
 
-    def powers(self, i: int, j: int) -> list[Any]:
-        """The coefficients of S_ij in σ."""
+    def entry(self, i: int, j: int) -> Free:
+        """S_ij in σ and the parameters."""
         v = self.vehicle
-        parts = [v.K[i, j], v.C[i, j], v.M[i, j]][i >= self.nb - v.neutral :]
-        return parts + [fmpq(0)] * (3 - len(parts))
+        less = int(i >= self.nb - v.neutral)
+        parts = [(power - less, e, a[i, j]) for power, part in enumerate(reversed(v.parts)) for e, a in part.items()]
+        return {(power, *e): c for power, e, c in parts if c != 0}
 
-    def filled(self, lines: Sequence[Sequence[Any]], zero: Any) -> list[Any]:
-        """The entries of a matrix that has these lines in the columns of λ."""
-        left = [zero] * (self.size - self.nc)
-        return [x for line in lines for x in (*left, *line)]
+    def __call__(self, place: Place, G: Form) -> Forms:
+        """The matrix over a place."""
+        some, gaps = self.used
+        products = joined([place.value(self.factors).take(some) * G.take(gaps), place.number(0)])
+        total = sum(map(products.take, self.layers[1:]), products.take(self.layers[0]))
+        A, E = [acb_mat(self.size, self.size, row) for row in total.k], arb_mat(self.size, self.size, total.e)
+        for e, a, size in self.constant:
+            f = place.monomial(e)
+            A = [x if y[0].is_zero() else x + a * y[0] for x, y in zip(A, f.k, strict=True)]
+            E = E + size * f.e[0]
+        return A, E
 
-    def lines(
-        self, of: Sequence[Sequence[Any]], own: Sequence[Any], add: Callable[[Any, Any], Any], zero: Any
-    ) -> Any:
-        """For each row what the kernels contribute: of[factor][gap] for direct contacts, own[gap] for the others."""
-        out = []
-        for row in self.links:
-            line: list[Any] = [zero] * self.nc
-            for k, (j, f) in enumerate(row):
-                here = of[f]
-                line = [add(x, here[g]) if k else here[g] for x, g in zip(line, self.index[j], strict=True)]
-            out.append(line)
-        return out + [[own[g] for g in self.index[j]] for j in self.indirect]
-
-    def factors_at(self, sigma: Any, r: Any) -> list[Bent]:
-        """c + bσ + aσ² over |t| ≤ r."""
-        return [(c + b * sigma + a * (sigma * sigma), b + 2 * a * sigma, abs(a) * r * r) for c, b, a in self.factors]
-
-    def value(self, sigma: Any, G: Sequence[Any]) -> Any:
-        """The matrix at σ, from balls of G."""
-        of = [[s * g for g in G] for s, _, _ in self.factors_at(sigma, arb(0))]
-        lines = self.lines(of, G, lambda x, y: x + y, acb(0))
-        waves = acb_mat(self.size, self.size, self.filled(lines, acb(0)))
-        return self.K + self.C * sigma + self.M * (sigma * sigma) + waves
-
-    def over(self, sigma: Any, r: Any, G: Sequence[Bent]) -> list[Any]:
-        """[A₀, A₁, Q]: the matrix at σ + t, |t| ≤ r, is A₀ + A₁ t to within Q entry by entry."""
-        of = [[bent_product(s, g, r) for g in G] for s in self.factors_at(sigma, r)]
-        lines = self.lines(of, G, bent_sum, NOTHING)
-        n = self.size
-        parts = [self.filled([[x[k] for x in line] for line in lines], 0) for k in range(3)]
-        bent = arb_mat(n, n, [abs(x) * r * r for x in self.M.entries()])
-        return [
-            self.K + self.C * sigma + self.M * (sigma * sigma) + acb_mat(n, n, parts[0]),
-            self.C + self.M * (2 * sigma) + acb_mat(n, n, parts[1]),
-            bent + arb_mat(n, n, parts[2]),
-        ]
-
-    def beside_pole(self, sigma: Any, r: Any, H: list[Bent], g: Bent, pole: Any) -> list[Any]:
-        """A matrix with the determinant Δ̂/g up to a constant: its first Taylor coefficients and a bound of the rest.
+    def beside_pole(self, place: Place, H: Form, g: Form, pole: Any) -> Forms:
+        """A matrix with the determinant Δ̂/g up to a constant.
 
         With μ = g Σ e^{−pole·x_j} λ_j as one more unknown, Gλ = e^{pole·x} μ + (the part of H).
         """
-        places = [arb(x) for x in self.vehicle.places]
-        back, corner = [-(-pole * x).exp() for x in places], bent_inverse(g, r)
-        columns, of = [], self.factors_at(sigma, r)
-        ahead = [(pole * x).exp() for x in places]
-        for k in range(3):
-            side = [abs(x) for x in ahead] if k == 2 else ahead
-            rows = [sum((of[f][k] * side[j] for j, f in row), acb(0)) for row in self.links]
-            columns.append(rows + [side[j] if k == 0 else acb(0) for j in self.indirect])
-        row = [acb(0)] * (self.size - self.nc) + back
-        parts = [x.tolist() for x in self.over(sigma, r, H)]
-        columns[2] = [abs(x) for x in columns[2]]
-        rows = [row, [acb(0)] * self.size, [arb(0)] * self.size]
+        (A, E), corner = self(place, H), g.inverse()
+        ahead = [(pole * arb(at(x, ()))).exp() for x in self.vehicle.places]
+        mixed = acb_mat(self.size, self.factors.matrix.nrows())
+        for i, row in enumerate(self.links):
+            for f, j in row:
+                mixed[i, f] += ahead[j]
+        column = place.form(mixed * place.taylor(self.factors))
+        low = [acb(0)] * (self.size - self.nc) + [-1 / x for x in ahead]
         full = [
-            [[*line, x] for line, x in zip(part, column, strict=True)] + [[*low, end]]
-            for part, column, low, end in zip(parts, columns, rows, corner, strict=True)
+            [[*line, x] for line, x in zip(a.tolist(), more, strict=True)]
+            + [[*(low if not k else [0] * self.size), *end]]
+            for k, (a, more, end) in enumerate(zip(A, column.k, corner.k, strict=True))
         ]
-        return [acb_mat(full[0]), acb_mat(full[1]), arb_mat(full[2])]
+        rest = [[*line, x] for line, x in zip(E.tolist(), column.e, strict=True)] + [[*[0] * self.size, *corner.e]]
+        return [acb_mat(a) for a in full], arb_mat(rest)
 
 
 def direct_contacts(vehicle: Any) -> dict[int, int]:
@@ -1465,23 +1664,21 @@ class Walker:
 
     def begin(self, depth: Any) -> None:
         """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
-        local = self.waves.near(acb(arb(depth)), True)
-        z = [complex(x) for x in roots_near(local)]
-        z.sort(key=lambda x: x.real)
-        self.up = sum(x.real < 0 for x in z)
-        split = Nodes([acb(x) for x in z], self.up, local).split(arb(0))
+        nodes = nodes_near(self.waves.near(Place.disc(acb(arb(depth)), ZERO)))
+        self.up, split = nodes.up, nodes.split()
         check_sides(split)
         at = (fmpq(0), -depth)
-        self.marks[at] = Mark(at, z, split)
+        self.marks[at] = Mark(at, [complex(x) for x in nodes.z], split)
 
     def mark(self, q: Point, near: Sequence[complex]) -> Mark:
-        local = self.waves.near(at_q(q), True)
+        local = self.waves.near(Place.disc(at_q(q), ZERO))
         z = following(local, near)
-        return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split(arb(0)))
+        return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split())
 
     def matrix(self, mark: Mark) -> Any:
         if mark.matrix is None:
-            mark.matrix = self.bordered.value(mark.split.nodes.local.m, kernel_balls(self.waves, mark.split))
+            G = kernels(self.waves, mark.split)[0]
+            ((mark.matrix,), _) = self.bordered(mark.split.nodes.local.place, G)
         return mark.matrix
 
     def path(self, path: Path) -> Any:
@@ -1540,9 +1737,9 @@ class Walker:
                 raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
             if k == back:
                 self.marks[b], part = mark, total
-        local = self.waves.near(at_q(first.q))  # a disc round the point, small beside the way to the branch point
-        small = abs(local.m) * arb(loop.radius / loop.centre) / 64
-        about = Nodes([acb(x) for x in first.z], self.up, local).split(small)
+        m = at_q(first.q)  # a disc round the point, small beside the way to the branch point
+        local = self.waves.near(Place.disc(m, (abs(m) * arb(loop.radius / loop.centre) / 64).upper()))
+        about = Nodes([acb(x) for x in first.z], self.up, local).split()
         same = about.links(first.split) and about.links(mark.split)
         require(same, "a loop does not come back to the splitting that it began with")
         return total, part
@@ -1562,21 +1759,21 @@ class Walker:
         m = at_q(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
         half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
-        local = self.waves.near(m)
+        local = self.waves.near(Place.disc(m, r))
         z = following(local, mark.z)
-        disc = Nodes([acb(x) for x in z], self.up, local).split(r)
+        disc = Nodes([acb(x) for x in z], self.up, local).split()
         end = self.mark(b, z)
         for side in (mark, end):
             require(disc.links(side.split), "the splitting does not join on to its neighbour's")
         if kind == "link":
             return end, None
         if pole is not None:
-            return end, self.turn_beside(mark, end, m, r, disc, pole)
-        G = kernels(self.waves, disc, r)
+            return end, self.turn_beside(mark, end, disc, pole)
+        G = kernels(self.waves, disc)[0]
         if kind == "passive":
-            self.passive(m, half, r, G)
+            self.passive(local.place, half / r, G)
             return end, None
-        return end, Turn.over(self.bordered.over(m, r, G), m, r)
+        return end, Turn.over(self.bordered(local.place, G), local.place)
 
     @cached_property
     def origin(self) -> Origin | None:
@@ -1594,54 +1791,57 @@ class Walker:
             return end, None
         for one in (mark, end):
             if one.split is None and one.matrix is None:
-                one.matrix = self.bordered.value(acb(0), [a + box(e) for a, _, e in origin.kernels(arb(0))])
-        return end, Turn.over(self.bordered.over(acb(0), r, origin.kernels(r)), acb(0), r)
+                ((one.matrix,), _) = self.bordered(Place.disc(acb(0), ZERO), origin.kernels(ZERO))
+        place = Place.disc(acb(0), r)
+        return end, Turn.over(self.bordered(place, origin.kernels(r)), place)
 
-    def turn_beside(self, mark: Mark, end: Mark, m: Any, r: Any, disc: Split, pole: Any) -> Any:
+    def turn_beside(self, mark: Mark, end: Mark, disc: Split, pole: Any) -> Any:
         """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
-        H, g = kernels_beside(disc, r, self.waves, pole)
-        parts = [self.bordered.beside_pole(m, r, H, g, pole)]
-        parts.append([acb_mat([[g[0]]]), acb_mat([[g[1]]]), arb_mat([[g[2]]])])
-        total = arb(0)
-        for part, start, stop in zip(parts, self.beside(mark, pole), self.beside(end, pole), strict=True):
-            turn = Turn.over(part, m, r)
-            total += turn.sharp(stop) - turn.sharp(start)
-        return total
+        turns = [Turn.over(part, disc.nodes.local.place) for part in self.both(disc, pole)]
+        ends = zip(turns, self.beside(mark, pole), self.beside(end, pole), strict=True)
+        return sum((turn.sharp(stop) - turn.sharp(start) for turn, start, stop in ends), arb(0))
+
+    def both(self, split: Split, pole: Any) -> list[Forms]:
+        """The two matrices."""
+        H, g = kernels(self.waves, split, pole)
+        alone_ = [acb_mat([row]) for row in g.k], arb_mat([g.e])
+        return [self.bordered.beside_pole(split.nodes.local.place, H, g, pole), alone_]
 
     def beside(self, mark: Mark, pole: Any) -> list[Any]:
         """The two matrices at a mark."""
         if mark.beside[0] is not pole:
-            H, g = kernels_beside(mark.split, arb(0), self.waves, pole)
-            a, _, e = self.bordered.beside_pole(mark.split.nodes.local.m, arb(0), H, g, pole)
-            lost = acb_mat(a.nrows(), a.nrows(), [box(x) for x in e.entries()])
-            mark.beside = pole, [a + lost, acb_mat([[g[0] + box(g[2])]])]
+            mark.beside = pole, [a for (a,), _ in self.both(mark.split, pole)]
         return mark.beside[1]
 
-    def passive(self, m: Any, half: Any, r: Any, G: list[Bent]) -> None:
-        """The Hermitian part of V = σ(G_ij), over the places, is positive definite on the whole segment."""
-        where = self.bordered.sites
-        n = len(where)
-        V = [bent_product((m, acb(1), arb(0)), g, r) for g in G]
-        H = []
-        for rows in ([[V[g][0] for g in row] for row in where], [[half * V[g][1] for g in row] for row in where]):
-            a = acb_mat(rows)
-            H.append((a + a.conjugate().transpose()) * acb(0.5))
-        lost = [[(V[where[i][j]][2] + V[where[j][i]][2]) / 2 for j in range(n)] for i in range(n)]
-        fine = definite(H, lost)
+    def passive(self, place: Place, direction: Any, G: Form) -> None:
+        """The Hermitian part of V = σ(G_ij), over the places, is positive definite on u = direction·(−1 … 1)."""
+        V = place.power(0, 1).take([0] * len(G.e)) * G
+        fine = definite(*hermitian(V, self.waves.between, [acb(1), direction]))
         require(fine, "the receptance is not proved passive on it: it is too long, or not passive")
 
 
-def definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> bool:
+def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> Forms:
+    """The Hermitian parts of the matrices F_index, each coefficient times its number, and bounds of their rests."""
+    H = []
+    for row, turn in zip(F.k, turns, strict=True):
+        a = acb_mat([[row[g] * turn for g in line] for line in index])
+        H.append((a + a.conjugate().transpose()) * acb(0.5))
+    E = arb_mat([[F.e[g] for g in line] for line in index])
+    return H, (E + E.transpose()) * arb(0.5)
+
+
+def definite(H: Sequence[Any], E: Any) -> bool:
     """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry."""
-    if len(E) == 1:
+    n = E.nrows()
+    if n == 1:
         first, *others = [a[0, 0].real for a in H]
-        return bool(first - sum((abs(x) for x in others), arb(0)) - E[0][0] > 0)
+        return bool(first - sum((abs(x) for x in others), arb(0)) - E[0, 0] > 0)
     X = inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()])
     if X is None:
         return False
     left = acb_mat(X)
     right, size = left.conjugate().transpose(), moduli(left)
-    F = small(left * H[0] * right - identity(len(E))) + size * arb_mat(list(E)) * size.transpose()
+    F = small(left * H[0] * right - identity(n)) + size * E * size.transpose()
     for a in H[1:]:
         F = F + moduli(left * a * right)
     return contracting(F)
@@ -1654,21 +1854,22 @@ class Turn:
     It is `near`(σ) to within `lost` (SPEC2, 4.6; nan if that is not bounded).
     """
 
-    m: Any
+    place: Place
     R: Any
     slope: Any
     lost: Any
 
     @classmethod
-    def over(cls, A: Sequence[Any], m: Any, r: Any) -> Turn:
-        """From A = A₀ + A₁t + rest on the disc."""
-        R = near_inverse(A[0])
+    def over(cls, matrix: Forms, place: Place) -> Turn:
+        """From A over a disc."""
+        (A, slope), rest = matrix
+        R = near_inverse(A)
         one = identity(R.nrows())
-        near, along, rest = R * A[0] - one, R * A[1], moduli(R) * A[2]
-        E = small(near) + moduli(along) * r + rest
+        near, ahead, rest = R * A - one, R * slope, moduli(R) * rest
+        E = small(near) + moduli(ahead) + rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
         lost = abs(near.trace()) + rest.trace() - (one.real - E).det().log() - E.trace()
-        return cls(m, R, along.trace(), lost)
+        return cls(place, R, ahead.trace(), lost)
 
     def sharp(self, a: Any) -> Any:
         """arg det R A at one point of the disc, from A there."""
@@ -1686,7 +1887,7 @@ class Turn:
         return self.R.det() if out.contains(0) else out
 
     def near(self, sigma: Any) -> Any:
-        return (self.slope * (sigma - self.m)).imag
+        return (self.slope * (sigma - self.place.middle[0]) / self.place.half[0]).imag
 
 
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
@@ -2039,15 +2240,14 @@ def check_paths(region: Region, paths: Sequence[Path], start: Any) -> None:
 def accretive(b: Bordered, sigma: Any, G: Sequence[Any]) -> list[list[Any]]:
     """[[S/σ, −B], [Bᵀ, σ(G + h)]], the rows of neutral coordinates undivided."""
     v, nb, size = b.vehicle, b.nb, b.nb + b.nc
-    a = [[acb(0)] * size for _ in range(size)]
-    for i in range(nb):
-        for j in range(nb):
-            a[i][j] = acb(arb(v.K[i, j])) / sigma + arb(v.C[i, j]) + arb(v.M[i, j]) * sigma
-        for j in range(b.nc):
-            a[i][nb + j], a[nb + j][i] = acb(-arb(v.B[i, j])), acb(arb(v.B[i, j]))
-    for i, row in enumerate(b.index):
+    M, C, K = map(acb_mat, v.numbers)
+    S = (K * (1 / sigma) + C + M * sigma).tolist()
+    a = [[*row, *[acb(0)] * b.nc] for row in S] + [[acb(0)] * size for _ in range(b.nc)]
+    for i, j in product(range(nb), range(b.nc)):
+        a[i][nb + j], a[nb + j][i] = acb(-arb(v.B[i, j])), acb(arb(v.B[i, j]))
+    for i, row in enumerate(b.waves.index):
         for j, g in enumerate(row):
-            a[nb + i][nb + j] = sigma * (G[g] + (arb(v.h[i]) if i == j else 0))
+            a[nb + i][nb + j] = sigma * (G[g] + (arb(at(v.h[i], ())) if i == j else 0))
     return a
 
 
@@ -2060,10 +2260,10 @@ def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
     split, bits, order = mark.split, flint.ctx.prec, None
     for more in (1, 2, 4, 8, 16):
         with precision(bits * more):
-            waves = Waves(waves.track, waves.sites)
+            waves = Waves(waves.track, b.vehicle.places)
             try:
                 split = mark.split if more == 1 else sharper(waves, mark)
-                a = accretive(b, acb(0, arb(rho)), kernel_balls(waves, split))
+                a = accretive(b, acb(0, arb(rho)), kernels(waves, split)[0].k[0])
                 order = order or greatest_first(a)
                 total = pivots(acb_mat([[a[i][j] for j in order] for i in order]))
             except Refused:
@@ -2075,8 +2275,8 @@ def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
 
 def sharper(waves: Waves, mark: Mark) -> Split:
     """The pair of a mark from nodes with as many digits as are computed with."""
-    local = waves.near(at_q(mark.q), True)
-    split = Nodes(roots_near(local, mark.z), mark.split.nodes.up, local).split(arb(0))
+    local = waves.near(Place.disc(at_q(mark.q), ZERO))
+    split = Nodes(roots_near(local, mark.z), mark.split.nodes.up, local).split()
     require(mark.split.links(split), "sharper p-roots are not those of the mark")
     return split
 
@@ -2114,11 +2314,11 @@ class Sheet:
 
     height: Any
     track: Track
-    lower: Vehicle
-    upper: Vehicle
+    lower: Bodies
+    upper: Bodies
 
     @classmethod
-    def of(cls, track: Track, vehicle: Vehicle) -> Sheet:
+    def of(cls, track: Track, vehicle: Bodies) -> Sheet:
         t = terms(track.D)
         known = set(t) <= {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)} and set(terms(track.N)) == {(0, 0)}
         sizes = [t.get((4, 0), 0), t.get((0, 2), 0), terms(track.N).get((0, 0), 0)]
@@ -2129,9 +2329,10 @@ class Sheet:
         static = in_y(undamped.D.subs({"s": 0}))
         require(height >= 0 and positive(static, (), True), "the cuts do not lie on one line")
         require(vehicle.neutral == 0, "neutral coordinates are not known on this sheet")
-        M, C, K = vehicle.M, vehicle.C, vehicle.K
+        M, C, K = vehicle.numbers
         C, K = C - 2 * height * M, K - height * C + height * height * M
-        return cls(height, undamped, replace(vehicle, C=C, K=K), replace(vehicle, C=-1 * C, K=K))
+        lower, upper = (replace(vehicle, parts=[{(): a} for a in (M, sign * C, K)]) for sign in (1, -1))
+        return cls(height, undamped, lower, upper)
 
     def along(self, square: Any) -> list[Any]:
         """EI y² + (T − m v²) y + k + m·square, ascending: D for real p = √y, or with −m z² for `square` at v = 0."""
@@ -2200,11 +2401,11 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> Any:
     pole = None
     if times == 1:  # where the pair meets: any number would do, a near one serves
         require(loop.points[0] in walker.marks, "a loop does not begin on its path")
-        local = walker.waves.near(acb(0, 1) * z.mid())
+        local = walker.waves.near(Place.disc(acb(0, 1) * z.mid(), ZERO))
         p = float_roots(local, [complex(x) for x in walker.marks[loop.points[0]].z])
         near = min(combinations(p, 2), key=lambda two: abs(two[0] - two[1]))
         pole = acb(0, (near[0] + near[1]).imag / 2)
-        slope = acb_poly([local.d[i, 0] for i in range(local.degree + 1)]).derivative()
+        slope = acb_poly([local.D[i, 0] for i in range(local.degree + 1)]).derivative()
         for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
             pole = acb(0, (pole - slope(pole) / slope.derivative()(pole)).imag).mid()
     whole, part = walker.around(loop, pole)
@@ -2228,8 +2429,9 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
         sum(B[i, j] != 0 for j in range(n)) == 1 and sum(B[j, i] != 0 for j in range(B.nrows())) == 1
         for i in range(n)
     )
-    diagonal = all(i == j or masses.M[i, j] == 0 for i in range(n) for j in range(n)) and B.nrows() == n and single
-    at_rest = (masses.C + 2 * sheet.height * masses.M, masses.K - sheet.height**2 * masses.M)
+    M, C, K = masses.numbers
+    diagonal = B.nrows() == n and all(i == j or M[i, j] == 0 for i in range(n) for j in range(n)) and single
+    at_rest = (C + 2 * sheet.height * M, K - sheet.height**2 * M)
     rigid = all(a == a * 0 for a in at_rest)
     require(diagonal and rigid and not any(masses.h), "the theorem far out is known for tight masses only")
     EI, T, k, m = t[4, 0], t.get((2, 0), fmpq(0)), t[0, 0], t[0, 2]
@@ -2238,10 +2440,14 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
     meet = [abs(z) for square, _ in meeting(sheet.track) for z in [square.sqrt()]]
     require(all(z < c0 * arb(W) ** 2 for z in meet), "p-roots may meet beyond where the theorem begins")
     # D(λP̂, c₀λ²)/(EI λ⁴) in P̂ and u = 1/λ
-    rows = [[arb(0)] * 5 for _ in range(5)]
-    rows[4][0] = rows[0][0] = arb(1)
-    rows[1][1], rows[2][2], rows[0][4] = -2 * arb(v) / c0, arb((T + m * v * v) / EI), arb(k / EI)
-    at_contact, square, skewed, decay, size = far_waves(Local(acb(0), acb_mat(rows), acb_mat([[1]])), 1 / arb(W))
+    c: Free = {
+        (4, 0): arb(1),
+        (1, 1): -2 * arb(v) / c0,
+        (2, 2): arb((T + m * v * v) / EI),
+        (0, 0): arb(1),
+        (0, 4): arb(k / EI),
+    }
+    at_contact, square, skewed, decay, size = far_waves(Sums.of(by_power(c)), 1 / arb(W))
     half, one = arb(fmpq(1, 2)).sqrt(), arb(1)
     active = arb(sheet.height) / (c0 * arb(W) ** 2)
     require(active < 0.5, "damping is not small far out")
@@ -2269,7 +2475,7 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
         )
 
 
-def far_waves(local: Local, r: Any) -> list[Any]:
+def far_waves(d: Sums, r: Any) -> list[Any]:
     """How G(0), the product and sum of the travelling waves, and the evanescent P̂, depart from u = 0; the weights.
 
     On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside; a quarter of
@@ -2277,15 +2483,15 @@ def far_waves(local: Local, r: Any) -> list[Any]:
     touch are one.
     """
     corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
-    table_, before, bounds = local.d, [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
+    before, bounds = [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
     steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
     size = r * (arb(fmpq(1, ARCS)).sin_pi() * 1.001)
     arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), size) for i in range(ARCS // 4 + 1)]
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
-        here = Local(center, table_ * shift(center, 5, 5).transpose(), local.n)
+        here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
         z = float_roots(here, [complex(x) for x, _ in before])
-        split = Nodes([acb(x) for x in z], 2, here).split(arb(e))
+        split = Nodes([acb(x) for x in z], 2, here).split()
         radii = [x for side in split.nodes.side for x in (split.isolated(side))]
         now = list(zip(split.nodes.z, radii, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
@@ -2293,30 +2499,24 @@ def far_waves(local: Local, r: Any) -> list[Any]:
         before = now
         if i < len(steps):
             continue
-        waves, weights = zip(
-            *(bent_root(here, z, d, arb(e)) for z, d in zip(split.nodes.z, radii, strict=True)), strict=True
-        )
-        ahead, near, other, behind = weights[:2] + tuple((-x, -y, lost) for x, y, lost in weights[2:])
-        r_, quarter = arb(e), arb(fmpq(1, 8)).sqrt()
-        pairs = (ahead, behind, corner[3]), (near, other, corner[2])
+        waves, weight = residues(here, split.nodes.z, radii)
+        weight = weight.scaled([acb(1), acb(1), acb(-1), acb(-1)])
+        ahead, near, other, behind = (weight.take([j]) for j in range(4))
+        pairs_, quarter = ((ahead, behind, corner[3]), (near, other, corner[2])), arb(fmpq(1, 8)).sqrt()
         found = [
-            max_bound(*(departs(bent_sum(x, y), quarter, r_) for x, y in ((ahead, near), (behind, other)))),
-            16 * max_bound(*(departs(bent_product(x, y, r_), u * u / 16, r_) for x, y, u in pairs)),
-            4 * max_bound(*(departs(bent_sum(x, y), u / 2, r_) for x, y, u in pairs)),
-            max_bound(*(departs(x, z, r_) for x, z in zip(waves, corner, strict=True))),
-            max_bound(*(departs(x, acb(0), r_) for x in (ahead, near, other, behind))),
+            max_bound(*(departs(x + y, quarter) for x, y in ((ahead, near), (behind, other)))),
+            16 * max_bound(*(departs(x * y, u * u / 16) for x, y, u in pairs_)),
+            4 * max_bound(*(departs(x + y, u / 2) for x, y, u in pairs_)),
+            max_bound(*(departs(waves.take([j]), z) for j, z in enumerate(corner))),
+            max_bound(*weight.size),
         ]
         bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
     return bounds
 
 
-def departs(x: Bent, value: Any, r: Any) -> Any:
-    """A bound of |f − value| on the disc."""
-    return abs(x[0] - value) + abs(x[1]) * r + x[2]
-
-
-def bent_sum(x: Bent, y: Bent) -> Bent:
-    return x[0] + y[0], x[1] + y[1], x[2] + y[2]
+def departs(f: Form, value: Any) -> Any:
+    """A bound of |f − value| over the place."""
+    return f.plus([-value]).size[0]
 
 
 def max_bound(*values: Any) -> Any:
@@ -2336,14 +2536,14 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     damped, one = sheet.height > 0, 2 + len(loops)
     two = damped and end > begin
     paths = read_paths(values, "link" + " turn" * (one - 1) + (" link turn" + " turn" * len(above) if two else ""))
-    passive = semidefinite(sheet.upper.C) and semidefinite(sheet.upper.K)
+    passive = all(map(semidefinite, sheet.upper.numbers[1:]))
     require(passive, "above the cuts the vehicle is not passive")
     require(0 <= begin <= end, "the count begins or ends elsewhere")
     require(begin == 0 or in_gap(sheet, begin), "the count does not begin in the gap of the cuts")
     require(nonnegative(fmpq_poly(sheet.along(end**2)), False), "the track is not passive beyond the end")
     require(damped or not in_gap(sheet, end), "without damping the path ends on the cut, for both halves")
     require(two or not above, "loops without a path")
-    waves = Waves(sheet.track, sheet.upper.sites)
+    waves = Waves(sheet.track, sheet.upper.places)
     below, up = Walker(waves, Bordered(sheet.lower, waves)), Walker(waves, Bordered(sheet.upper, waves))
     turned = arb(0)
     for walker, chain, rounds in [(below, paths[:one], loops), (up, paths[one:], above)]:
@@ -2369,7 +2569,7 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
             turned += walker.path(path)
             if k < len(rounds):
                 require(edge[-1] == rounds[k].points[0], "a path does not end where its loop begins")
-                turned += check_loop(rounds[k], sheet.track, len(waves.sites), walker)
+                turned += check_loop(rounds[k], sheet.track, len(sheet.upper.sites), walker)
                 at = rounds[k].points[rounds[k].back]
         spent.pieces += walker.pieces
     marks = (up if two else below).marks
@@ -2385,7 +2585,7 @@ def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, star
     """The number of roots in a rectangle on one half of the sheet, or across its gap; points are z, or z̄ above."""
     keys(content["theorem"], "half")
     (a, b), (c, d) = region.re or (0, 0), region.im or (0, 0)
-    c, d, waves = c - sheet.height, d - sheet.height, Waves(sheet.track, sheet.lower.sites)
+    c, d, waves = c - sheet.height, d - sheet.height, Waves(sheet.track, sheet.lower.places)
     lower = content["theorem"]["half"] == "lower"
     if lower:
         require(d < 0 or (c <= 0 and in_gap(sheet, a) and in_gap(sheet, b)), "the rectangle meets a cut")
@@ -2439,44 +2639,42 @@ def read_root(value: Any) -> Root:
     return Root((x, y), radius, multiplicity, value["pair"], bits)
 
 
-def check_root(track: Track, vehicle: Vehicle, root: Root, walker: Walker) -> None:
+def check_root(track: Track, vehicle: Bodies, root: Root, walker: Walker) -> None:
     """Exactly `multiplicity` roots in the disc: those of a small block, proved by Rouché's theorem (section 7)."""
     m, bits, size = root.multiplicity, root.bits + 128, walker.bordered.size + root.multiplicity
     walker.spend((8 * size**3 + 2000) * (1 + bits / 512) ** 1.5)
     with precision(bits):
-        waves = Waves(track, vehicle.sites)
-        center, e = at_q(root.z), arb(root.radius).upper()
-        local = waves.near(center)
-        z = sorted(roots_near(local), key=lambda p: bool(p.real > 0))
-        disc = Nodes(z, sum(bool(p.real < 0) for p in z), local).split(e)
+        waves = Waves(track, vehicle.places)
+        place = Place.disc(at_q(root.z), arb(root.radius).upper())
+        disc = nodes_near(waves.near(place)).split()
         check_sides(disc)
-        A = Bordered(vehicle, waves).over(center, e, kernels(waves, disc, e))
-        check_zeros(A, e, m)
+        check_zeros(Bordered(vehicle, waves)(place, kernels(waves, disc)[0]), m)
 
 
-def check_zeros(A: Sequence[Any], e: Any, m: int) -> None:
-    """det A has exactly m zeros |t| < e, for any A(t) = A₀ + A₁t + rest that is analytic."""
-    F0, F1, rest = block(A, e, m)
+def check_zeros(A: Forms, m: int) -> None:
+    """det A has exactly m zeros |u| < 1, for any A of forms of first order in one variable."""
+    (F0, F1), rest = block(A, m)
     V = (near_inverse(F1) * F0).mid().eig(right=True, algorithm="approx")[1].mid()  # any numbers
     L = near_inverse(F1 * V)
-    E = moduli(L * F1 * V - identity(m)) + (moduli(L * F0 * V) + moduli(L) * rest * moduli(V)) * (1 / e)
+    E = moduli(L * F1 * V - identity(m)) + moduli(L * F0 * V) + moduli(L) * rest * moduli(V)
     require(contracting(E), "the disc is not proved to hold as many roots as claimed")
 
 
-def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
-    """F = F₀ + F₁t to within a bound, an m × m matrix that is singular exactly where A = A₀ + A₁t is, |t| ≤ r.
+def block(matrix: Forms, m: int) -> Forms:
+    """F, an m × m matrix that is singular exactly where A = A₀ + A₁u + rest is, |u| ≤ 1.
 
     F is the last block of the inverse of B = [[A, X], [Y, 0]]: det A = ± det B · det F, and B is proved regular.
     X and Y are any numbers, in the units of rows and columns: A₁ counts too, as a diagonal may be 0 at a root.
     """
-    n, (whole, slope) = A[0].nrows(), (moduli(a) for a in A[:2])
+    A, rest = matrix
+    n, (whole, slope) = rest.nrows(), (moduli(a) for a in A)
     most = [max(float(x) for x in a.entries()) for a in (whole, slope)]
     sizes = whole + slope * arb(most[0] / most[1] if most[1] else 0)
     none = [[0] * m] * n, [[0] * n] * m
-    B0, B1, Q = acb_mat(framed(A[0], *frame(sizes, m))), acb_mat(framed(A[1], *none)), arb_mat(framed(A[2], *none))
+    B0, B1, Q = acb_mat(framed(A[0], *frame(sizes, m))), acb_mat(framed(A[1], *none)), arb_mat(framed(rest, *none))
     R = near_inverse(B0)
     N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
-    N = moduli(N0) + moduli(N1) * r + Q * size  # BR = 1 + (a matrix with these moduli at most)
+    N = moduli(N0) + moduli(N1) + Q * size  # BR = 1 + (a matrix with these moduli at most)
     x, eta = near_weights(N, 0.9)
     require(eta < 0.9, "the matrix without its kernel may be singular on the disc")
     first = [R * N0, R * N1, size * Q * size]
@@ -2485,7 +2683,7 @@ def block(A: Sequence[Any], r: Any, m: int) -> list[Any]:
     twice = (N * N).tolist()
     worst = [max_bound(*(row[n + j] / y for row, y in zip(twice, x, strict=True))) / (1 - eta) for j in range(m)]
     lost = arb_mat([[y + tail[n + i] * worst[j] for j, y in enumerate(row)] for i, row in enumerate(F[3])])
-    return [acb_mat(F[0]) - acb_mat(F[1]), -acb_mat(F[2]), lost]
+    return [acb_mat(F[0]) - acb_mat(F[1]), -acb_mat(F[2])], lost
 
 
 def units(a: Any) -> tuple[list[float], list[float]]:
@@ -2514,7 +2712,7 @@ def framed(a: Any, right: Rows, low: Rows) -> Rows:
     return rows + [[*row, *[0] * len(low)] for row in low]
 
 
-def check_roots(values: Any, region: Region, track: Track, vehicle: Vehicle, walker: Walker) -> list[Root]:
+def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walker: Walker) -> list[Root]:
     """The claimed roots: inside the region, apart from each other, each proved."""
     roots = [read_root(value) for value in items(values, MAX_ROOTS, "roots")]
     balls: list[tuple[Point, Any]] = []
@@ -2559,7 +2757,7 @@ def spectrum(content: dict[str, Any]) -> str:
     require(start > 0, "the start is not below the real axis")
     at_rest = region.kind == "unstable" and track.v == 0
     with precision(bits):
-        walker = Walker(waves := Waves(track, vehicle.sites), Bordered(vehicle, waves))
+        walker = Walker(waves := Waves(track, vehicle.places), Bordered(vehicle, waves))
         if region.kind == "sheet":
             number = count_sheet(Sheet.of(track, vehicle), walker, content, start)
         elif region.re and content["theorem"] is not None:
@@ -2588,7 +2786,9 @@ def spectrum(content: dict[str, Any]) -> str:
     require(found == number, f"the file names {found} of {number} roots")
     below = sum(root.number for root in roots if root.z[1] + root.radius < 0)
     even = all(j % 2 == 0 for p in (track.D, track.N) for _, j in terms(p))
-    lossless = even and vehicle.C == vehicle.C * 0 and vehicle.neutral == 0  # q and q̄ are roots together
+    lossless = (
+        even and vehicle.numbers[1] == vehicle.numbers[1] * 0 and vehicle.neutral == 0
+    )  # q and q̄ are roots together
     real = [lossless and root.z[1] == 0 and root.multiplicity == 1 for root in roots]  # its ball is its own mirror
     require(
         all(x or abs(root.z[1]) > root.radius for x, root in zip(real, roots, strict=True)),
@@ -2604,7 +2804,7 @@ def polynomial_words(p: Any) -> str:
     return str(p).replace("*", " ") if p else "0"
 
 
-def words(content: Any, track: Track, vehicle: Vehicle, region: Region, roots: Sequence[Root], pieces: int) -> str:
+def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Sequence[Root], pieces: int) -> str:
     """What has been verified, of which equations."""
     number, below = sum(r.number for r in roots), sum(r.number for r in roots if r.z[1] < 0)
     said = [

@@ -17,13 +17,12 @@ import json
 import re
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations, pairwise, product
-from math import asinh, comb, sinh
+from math import asinh, sinh
 from typing import Any
 
-import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq
 
 if __package__:
@@ -32,6 +31,11 @@ else:
     import verify2 as spectra  # type: ignore[import-not-found,no-redef]
 
 Refused, Verdict = spectra.Refused, spectra.Verdict
+Form = spectra.Form
+Place = spectra.Place
+Split = spectra.Split
+Sums = spectra.Sums
+by_power, ZERO, NONE = spectra.by_power, spectra.ZERO, spectra.NONE
 require, keys, items, integer, rational, dyadic, listed = (
     spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic, spectra.listed,
 )  # fmt: skip
@@ -47,7 +51,7 @@ TOGETHER, WIDER, NARROWER = (
     16,
     fmpq(1, 1 << 20),
 )  # p-roots closer than this share of other distances share a circle
-SIDE, REACH = 10, 12.0  # cells of wavenumber on each side of a wave, and how far they go
+SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of the parameters: c}
@@ -67,14 +71,6 @@ def verify_bytes(raw: bytes, most: int | None = None) -> spectra.Verdict:
 
 
 # --- the equations ----------------------------------------------------------------------------------------
-
-
-def by_power(f: Free) -> list[Free]:
-    """For each power of P, or p, what stands with it."""
-    out: list[Free] = [{} for _ in range(max(e[0] for e in f) + 1)]
-    for (i, *e), c in f.items():
-        out[i][tuple(e)] = c
-    return out
 
 
 def check_track(track: spectra.Track, box: Box) -> None:
@@ -117,178 +113,6 @@ def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
     return kept
 
 
-# --- Taylor forms of second order -------------------------------------------------------------------------
-
-
-@lru_cache(maxsize=16)
-def pairs(m: int) -> tuple[tuple[int, int, int], ...]:
-    """(number of the coefficient, i, j) for i ≤ j, variables counted from 1."""
-    both = [(i, j) for i in range(1, m + 1) for j in range(i, m + 1)]
-    return tuple((1 + m + n, i, j) for n, (i, j) in enumerate(both))
-
-
-def product_of(a: Sequence[Any], b: Sequence[Any], m: int) -> list[Any]:
-    """The coefficients of a product, up to the second order."""
-    a0, b0 = a[0], b[0]
-    k = [a0 * b0]
-    k += [a0 * b[i] + a[i] * b0 for i in range(1, m + 1)]
-    for n, i, j in pairs(m):
-        term = a0 * b[n] + a[n] * b0 + a[i] * b[j]
-        k.append(term + a[j] * b[i] if i != j else term)
-    return k
-
-
-def inverse_of(a: Sequence[Any], m: int) -> list[Any]:
-    c = 1 / a[0]
-    w = [x * c for x in a]
-    k = [c, *(-x * c for x in w[1 : m + 1])]
-    for n, i, j in pairs(m):
-        k.append((w[i] * w[j] * (1 if i == j else 2) - w[n]) * c)
-    return k
-
-
-def exponential_of(a: Sequence[Any], m: int) -> list[Any]:
-    value = a[0].exp()
-    k = [value, *(x * value for x in a[1 : m + 1])]
-    for n, i, j in pairs(m):
-        k.append((a[n] + (a[i] * a[i] / 2 if i == j else a[i] * a[j])) * value)
-    return k
-
-
-class Form:
-    """f(u) = k_0 + Σ k_i u_i + Σ_{i≤j} k_ij u_i u_j + rest, |rest| ≤ e, for all complex |u_i| ≤ 1.
-
-    The k are numbers in balls; k_0 … are those of f up to what the rest holds.
-    """
-
-    __slots__ = ("_sizes", "e", "k", "m")
-
-    def __init__(self, k: list[Any], e: Any, m: int) -> None:
-        self.k, self.e, self.m = k, e, m
-        self._sizes: tuple[Any, Any, Any] | None = None
-
-    @property
-    def sizes(self) -> tuple[Any, Any, Any]:
-        """Moduli: of the first, the linear, the quadratic part."""
-        if self._sizes is None:
-            size = [abs(x) for x in self.k]
-            self._sizes = (size[0], sum(size[1 : 1 + self.m], ZERO), sum(size[1 + self.m :], ZERO))
-        return self._sizes
-
-    @property
-    def spread(self) -> Any:
-        _, first, second = self.sizes
-        return first + second + self.e
-
-    @property
-    def size(self) -> Any:
-        return self.sizes[0] + self.spread
-
-    def __add__(self, other: Form) -> Form:
-        return Form([a + b for a, b in zip(self.k, other.k, strict=True)], self.e + other.e, self.m)
-
-    def __neg__(self) -> Form:
-        return Form([-a for a in self.k], self.e, self.m)
-
-    def scaled(self, c: Any) -> Form:
-        return Form([a * c for a in self.k], self.e * abs(c), self.m)
-
-    def plus(self, c: Any) -> Form:
-        return Form([self.k[0] + c, *self.k[1:]], self.e, self.m)
-
-    def __mul__(self, other: Form) -> Form:
-        x0, x1, x2 = self.sizes
-        y0, y1, y2 = other.sizes
-        e = x1 * y2 + x2 * (y1 + y2) + (x0 + x1 + x2) * other.e + self.e * (y0 + y1 + y2 + other.e)
-        return Form(product_of(self.k, other.k, self.m), e, self.m)
-
-    def inverse(self) -> Form:
-        """1/f = (1 − w + w² − w³/(1 + w))/k_0 with f = k_0 (1 + w)."""
-        require(not self.k[0].contains(0), "a quantity may be infinite over a box")
-        size = 1 / abs(self.k[0])
-        p, q, eps = self.sizes[1] * size, self.sizes[2] * size, self.e * size
-        y = p + q + eps
-        require(y < 0.95, "a quantity may be infinite over a box")
-        rest = size * (eps + (q + eps) * (2 * p + q + eps) + y**3 / (1 - y))
-        return Form(inverse_of(self.k, self.m), rest, self.m)
-
-    def exp(self) -> Form:
-        """e^f: |e^w − 1 − w − w²/2| ≤ e^y y³/6 for |w| ≤ y; where y is large |e^f| ≤ e^{Re k_0 + y} says more."""
-        _, p, q = self.sizes
-        y = p + q + self.e
-        if not y < 2:
-            return Form(number(0, self.m).k, (self.k[0].real + y).exp(), self.m)
-        rest = self.e + (q + self.e) * (2 * p + q + self.e) / 2 + y.exp() * y**3 / 6
-        k = exponential_of(self.k, self.m)
-        return Form(k, abs(self.k[0].exp()) * rest, self.m)
-
-    def rested(self, more: Any) -> Form:
-        """The same with more in the rest."""
-        return Form(self.k, self.e + more, self.m)
-
-
-ZERO, NONE = arb(0), acb(0)
-
-
-def number(c: Any, m: int) -> Form:
-    return Form([acb(c)] + [NONE] * (m + len(pairs(m))), ZERO, m)
-
-
-def total(forms: Sequence[Form], m: int) -> Form:
-    out = forms[0] if forms else number(0, m)
-    for f in forms[1:]:
-        out = out + f
-    return out
-
-
-class Place:
-    """A box of (q, θ): the variables (σ, θ) as forms, and their monomials. first: of σ by q."""
-
-    def __init__(self, middle: Sequence[Any], half: Sequence[Any], first: complex = 1j) -> None:
-        self.m, self.middle, self.half, self.first = len(middle), middle, half, first
-        self._known: dict[Exponents, Form] = {}
-        self._powers: list[list[Form]] = []
-        for i, (x, r) in enumerate(zip(middle, half, strict=True)):
-            k = [NONE] * (1 + self.m + len(pairs(self.m)))
-            unit = acb(first) if i == 0 else acb(1)
-            k[0], k[1 + i] = unit * x, unit * r
-            self._powers.append([number(1, self.m), Form(k, ZERO, self.m)])
-
-    @classmethod
-    def of(cls, box: Box, first: complex = 1j) -> Place:
-        return cls([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box], first)
-
-    def resized(self, factor: Any) -> Place:
-        return Place(self.middle, [r * factor for r in self.half], self.first)
-
-    def power(self, i: int, e: int) -> Form:
-        if e < 0:
-            return self.power(i, -e).inverse()
-        row = self._powers[i]
-        while len(row) <= e:
-            row.append(row[-1] * row[1])
-        return row[e]
-
-    def monomial(self, e: Exponents) -> Form:
-        """Of exponents of (σ, θ)."""
-        found = self._known.get(e)
-        if found is None:
-            used = [(i, k) for i, k in enumerate(e) if k]
-            found = self.power(*used[0]) if used else self._powers[0][0]
-            for i, k in used[1:]:
-                found = found * self.power(i, k)
-            self._known[e] = found
-        return found
-
-    def value(self, f: Sequence[tuple[Exponents, Any]]) -> Form:
-        """Σ c·monomial, coefficients in balls."""
-        return total([self.monomial(e).scaled(c) for e, c in f], self.m)
-
-
-def balls(f: Free) -> list[tuple[Exponents, Any]]:
-    return [(e, arb(c)) for e, c in f.items()]
-
-
 # --- the splitting over a box, p-roots and G --------------------------------------------------------------
 
 
@@ -300,295 +124,140 @@ class Wide(spectra.Refused):
         self.weights = list(weights)
 
 
-class Waves:
-    """D and N in balls at the present precision, and the distances that G is needed for."""
+class Waves(spectra.Waves):
+    """What the track needs over boxes, and what it absorbs."""
 
-    def __init__(self, track: spectra.Track, vehicle: spectra.Bodies) -> None:
-        self.degree, ring = track.degree, track.ring
-        self.D, self.N = ([balls(f) for f in by_power(part)] for part in (track.d, track.n))
-        P, s, *x = ring.gens()
-        W = spectra.absorption(ring, track.D, track.N)[0]  # at Ω = q − vp
-        W = W.compose(P, s - spectra.speed(ring, track.velocity) * P, *x, ctx=ring)
+    def __init__(self, track: spectra.Track, vehicle: spectra.Bodies, box: Box) -> None:
+        super().__init__(track, vehicle.places, [(a + b) / 2 for a, b in box])
+        P, s, *x = track.ring.gens()
+        W = spectra.absorption(track.ring, track.D, track.N)[0]  # at Ω = q − vp
+        W = W.compose(P, s - spectra.speed(track.ring, track.velocity) * P, *x, ctx=track.ring)
         turn = [acb(1), acb(0, -1), acb(-1), acb(0, 1)]  # q = −iσ
-        self.W = [[(e, turn[e[0] % 4] * c) for e, c in balls(f)] for f in by_power(spectra.terms(W))]
-        places = [{(0, *e): c for e, c in place.items()} for place in vehicle.places]
-        self.distances: list[tuple[bool, list[tuple[Exponents, Any]]]] = []
-        kept: list[Free] = []
-        self.index = []
-        for a in places:
-            row = []
-            for b in places:
-                gap = spectra.minus(a, b)
-                if gap not in kept:
-                    kept.append(gap)
-                row.append(kept.index(gap))
-            self.index.append(row)
-        self._kept = kept
-
-    def ordered(self, x: Sequence[Any]) -> list[tuple[bool, list[tuple[Exponents, Any]]]]:
-        """(whether it is ≥ 0, in balls) of each distance; x: any parameters of the range."""
-        if not self.distances:
-            for gap in self._kept:
-                value = spectra.at(gap, [fmpq(0), *x])
-                self.distances.append((value >= 0, balls(gap)))
-        return self.distances
+        self.W = Sums.of([{e: turn[e[0] % 4] * arb(c) for e, c in f.items()} for f in by_power(spectra.terms(W))])
 
 
-class Split:
-    """D = lead·U·L over a box: nodes z, the first `up` of U, |a_k| ≤ tight_k, and D about each node."""
-
-    def __init__(self, waves: Waves, place: Place, throughout: bool) -> None:
-        self.place, self.m = place, place.m
-        self.D = [place.value(f) for f in waves.D]
-        n = self.n = waves.degree
-        thin = [f.k[0].mid() for f in self.D]
-        try:
-            z = [x.mid() for x in acb_poly(thin).roots()]
-        except ValueError:
-            raise Wide("p-roots meet in the middle of a box") from None
-        for _ in range(max(flint.ctx.prec.bit_length() - 4, 0)):  # FLINT isolates; Newton sharpens
-            D = acb_poly(thin)
-            slope = D.derivative()
-            z = [(x - D(x) / slope(x)).mid() for x in z]
-        z.sort(key=lambda x: float(x.real))
-        self.z, self.up = z, sum(bool(x.real < 0) for x in z)
-        self.sides = [range(self.up), range(self.up, n)]
-        self.gap = [[abs(z[i] - z[k]) if i != k else arb(1) for k in range(n)] for i in range(n)]
-        apart = [1 / self.gap[k][i] if (i < self.up) != (k < self.up) else ZERO for k in range(n) for i in range(n)]
-        self.inverse = arb_mat(n, n, apart)
-        self.values = [self.about(z_, 0) for z_ in z]
-        self.box, self.tight = self.contraction(throughout)
-
-    def about(self, z: Any, i: int) -> Form:
-        """E_i in D(z + h) = Σ E_i h^i."""
-        power, out = acb(1), []
-        for j in range(i, self.n + 1):
-            out.append(self.D[j].scaled(power * comb(j, i)))
-            power = power * z
-        return total(out, self.m)
-
-    def contraction(self, throughout: bool) -> tuple[list[Any], list[Any]]:
-        """The pair of Lemma 1 over the box, proved to be (roots with Re P < 0, the others) at its middle.
-
-        throughout: at every point of the box, inside the range or not.
-        """
-        n = self.n
-        lead = self.D[n]
-        low = abs(lead.k[0]) - lead.spread
-        require(low > 0, "the highest coefficient of D may vanish")
-        self.scale = []
-        for k in range(n):
-            size = low
-            for x in self.gap[k]:
-                size = size * x
-            self.scale.append(size)
-        wide = self.solved([f.size / size for f, size in zip(self.values, self.scale, strict=True)])
-        if wide is None:
-            raise Wide("the p-roots of both sides are not kept apart over a box", self.strain())
-        if not self.apart(wide[1]):
-            thin = self.solved([abs(f.k[0]) / size for f, size in zip(self.values, self.scale, strict=True)])
-            fine = thin is not None and self.apart(thin[1]) and all(
-                x < y for x, y in zip(thin[1], wide[0], strict=True)
-            )  # fmt: skip
-            if throughout or not fine:
-                raise Wide("a p-root may be real in a box", self.strain())
-        return wide
-
-    def solved(self, w: list[Any]) -> tuple[list[Any], list[Any]] | None:
-        """(β, τ) of Lemma 1 for |W_k| ≤ w_k."""
-        return spectra.contraction(w, self.inverse, spectra.tiny(self.z))
-
-    def apart(self, tau: list[Any]) -> bool:
-        """Each root of U lies within (their number)·τ_k of some node: all have Re P < 0, those of L Re P > 0."""
-        for side, sign in zip(self.sides, (-1, 1), strict=True):
-            if not all(sign * self.z[k].real > len(side) * tau[k] for k in side):
-                return False
-        return True
-
-    def strain(self) -> list[float]:
-        """How far each variable moves p-roots, relative to the distance of the next one of the other side."""
-        out = [0.0] * self.m
-        for side, other in ((0, 1), (1, 0)):
-            for k in self.sides[side]:
-                near = min((float(self.gap[k][j]) for j in self.sides[other]), default=1.0)
-                for i in range(self.m):
-                    moved = float(abs(self.values[k].k[1 + i]))
-                    out[i] = max(out[i], moved / (float(self.scale[k]) * near))
-        return out
-
-    def isolated(self, side: range) -> list[Any]:
-        """Radii of disjoint discs round the nodes of one side, each with exactly one root of its factor."""
-        try:
-            return spectra.isolated(self.tight, self.gap, side)
-        except Refused as error:
-            raise Wide(str(error), self.strain()) from None
-
-    def sharp(self, k: int, e: Any, N: list[Form]) -> tuple[Form, Form]:
-        """The root in the disc of radius e round node k, and N/D_P there, as forms: with D(z + h) = Σ E_i h^i,
-        h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself twice."""
-        E = [self.about(self.z[k], i) for i in range(self.n + 1)]
-        require(not E[1].k[0].contains(0), "two p-roots of one side meet over a box")
-        c = -1 / E[1].k[0]
-        turn = Form([NONE, *E[1].k[1:]], E[1].e, self.m)
-        h = number(0, self.m).rested(e)
-        for _ in range(3):
-            e = h.size
-            more = sum((f.size * e**i for i, f in enumerate(E[3:], 3)), ZERO)
-            above = E[0] + turn * h + (E[2] * (h * h) if self.n > 1 else number(0, self.m))
-            h = above.rested(more).scaled(c)
-        e = h.size
-        slope = E[1]
-        if self.n > 1:
-            slope = slope + (E[2] * h).scaled(2)
-        if self.n > 2:
-            slope = slope + (E[3] * (h * h)).scaled(3)
-        slope = slope.rested(sum((i * E[i].size * e ** (i - 1) for i in range(4, self.n + 1)), ZERO))
-        point, value = h.plus(self.z[k]), N[-1]
-        for f in reversed(N[:-1]):
-            value = value * point + f
-        try:
-            return point, value * slope.inverse()
-        except Refused as error:
-            raise Wide(str(error), self.strain()) from None
-
-    def circles(self, side: int) -> list[tuple[Any, Any, list[int]]]:
-        """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
-        own, z = list(self.sides[side]), [complex(x) for x in self.z]
-        others = [k for k in range(self.n) if k not in own]
-        far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
-        groups: list[list[int]] = []
-        for k in own:
-            near = [g for g in groups if any(abs(z[k] - z[j]) <= TOGETHER * min(far[k], far[j]) for j in g)]
-            groups = [g for g in groups if g not in near] + [[k, *(j for g in near for j in g)]]
-        out = []
-        for g in groups:
-            middle = sum(z[k] for k in g) / len(g)
-            size = max(abs(z[k] - middle) for k in g)
-            outer = min([abs(z[k] - middle) for k in range(self.n) if k not in g] + [4 * (abs(middle) + size)])
-            size += len(g) * max(float(self.tight[k]) for k in g)
-            out.append((acb(middle), arb(max(0.4 * outer, (size * outer) ** 0.5)), g))
-        return out
-
-    def bounds(self, side: int, N: list[Form], distances: Sequence[Form]) -> list[Any]:
-        """Bounds of |Σ N e^{Pξ}/D_P| over the p-roots of one side, at each distance: by one circle round each group.
-
-        On a circle |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0, and as many zeros of D in it as nodes.
-        """
-        out = [ZERO] * len(distances)
-        for middle, radius, inside in self.circles(side):
-            gaps = [abs(middle - z) - radius for z in self.z]
-            fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
-            low, far = abs(self.D[-1].k[0]) - self.D[-1].spread, abs(middle) + radius
-            for gap in gaps:
-                low = low * abs(gap)
-            for here in self.sides:
-                share = 1 - sum((self.tight[k] / abs(gaps[k]) for k in here), ZERO)
-                fine, low = fine and bool(share > 0), low * share
-            if not (fine and low > 0):
-                raise Wide("p-roots come too near to others over a box", self.strain())
-            most = sum((f.size * far**i for i, f in enumerate(N)), ZERO) / low * radius
-            for n, f in enumerate(distances):
-                out[n] += most * ((middle * f.k[0]).real + radius * abs(f.k[0]) + far * f.spread).exp()
-        return out
+def place_over(middle: Sequence[Any], half: Sequence[Any]) -> Place:
+    """Where q and the parameters are middle ± half, σ = iq."""
+    turn = [acb(0, 1), *[acb(1)] * (len(half) - 1)]
+    x, r = ([t * y for t, y in zip(turn, row, strict=True)] for row in (middle, half))
+    return Place(x, r, 2)
 
 
-def receptances(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+def place_of(box: Box) -> Place:
+    return place_over([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box])
+
+
+def resized(place: Place, factor: Any) -> Place:
+    return Place(place.middle, [r * factor for r in place.half], place.order)
+
+
+def split_over(waves: spectra.Waves, place: Place, throughout: bool) -> Split:
+    """The pair of Lemma 1 over the box, proved to be (roots with Re P < 0, the others) at its middle.
+
+    throughout: at every point of the box, inside the range or not.
+    """
+    try:
+        nodes = spectra.nodes_near(waves.near(place))
+    except ValueError:
+        raise Wide("p-roots meet in the middle of a box") from None
+    try:
+        split = nodes.split()
+    except Refused as error:
+        raise Wide(str(error), strain(nodes)) from None
+    if not spectra.sided(split):
+        thin = nodes.split(thin=True)
+        fine = spectra.sided(thin) and all(x < y for x, y in zip(thin.tight, split.box, strict=True))
+        if throughout or not fine:
+            raise Wide("a p-root may be real in a box", strain(nodes))
+    return split
+
+
+def strain(nodes: spectra.Nodes) -> list[float]:
+    """How far each variable moves p-roots, relative to the distance of the next one of the other side."""
+    out, lead = [0.0] * nodes.values.m, float(abs(nodes.local.D[nodes.local.degree, 0]))
+    for side, other in (nodes.side, reversed(nodes.side)):
+        for k in side:
+            near = min((float(nodes.distance[k][j]) for j in other), default=1.0)
+            for i, row in enumerate(nodes.values.k[1 : 1 + len(out)]):
+                out[i] = max(out[i], float(abs(row[k])) / (lead * float(nodes.all[k]) * near))
+    return out
+
+
+def circles(split: Split, side: int) -> list[tuple[Any, Any, list[int]]]:
+    """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
+    own, z = list(split.nodes.side[side]), [complex(x) for x in split.nodes.z]
+    others = [k for k in range(len(z)) if k not in own]
+    far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
+    groups: list[list[int]] = []
+    for k in own:
+        near = [g for g in groups if any(abs(z[k] - z[j]) <= TOGETHER * min(far[k], far[j]) for j in g)]
+        groups = [g for g in groups if g not in near] + [[k, *(j for g in near for j in g)]]
+    out = []
+    for g in groups:
+        middle = sum(z[k] for k in g) / len(g)
+        size = max(abs(z[k] - middle) for k in g)
+        outer = min([abs(z[k] - middle) for k in range(len(z)) if k not in g] + [4 * (abs(middle) + size)])
+        size += len(g) * max(float(split.tight[k]) for k in g)
+        out.append((acb(middle), arb(max(0.4 * outer, (size * outer) ** 0.5)), g))
+    return out
+
+
+def bounds(split: Split, side: int, N: Form, distances: Form) -> list[Any]:
+    """Bounds of |Σ N e^{Pξ}/D_P| over the p-roots of one side, at each distance: by one circle round each group.
+
+    On a circle |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0, and as many zeros of D in it as nodes.
+    """
+    nodes, out = split.nodes, [ZERO] * len(distances.e)
+    for middle, radius, inside in circles(split, side):
+        gaps = [abs(middle - z) - radius for z in nodes.z]
+        fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
+        low, far = nodes.least, abs(middle) + radius
+        for gap in gaps:
+            low = low * abs(gap)
+        for here in nodes.side:
+            share = 1 - sum((split.tight[k] / abs(gaps[k]) for k in here), ZERO)
+            fine, low = fine and bool(share > 0), low * share
+        if not (fine and low > 0):
+            raise Wide("p-roots come too near to others over a box", strain(nodes))
+        most = sum((x * far**i for i, x in enumerate(N.size)), ZERO) / low * radius
+        for n, (x, change) in enumerate(zip(distances.k[0], distances.spread, strict=True)):
+            out[n] += most * ((middle * x).real + radius * abs(x) + far * change).exp()
+    return out
+
+
+def receptances(waves: spectra.Waves, split: Split) -> Form:
     """G at each distance over the box: from its p-roots, each alone, or where some of one side meet."""
     try:
-        isolated = [split.isolated(side) for side in split.sides]
-    except Wide:
-        if any(y > 0.5 / WIDER for y in (split.inverse * arb_mat(split.n, 1, split.tight)).entries()):
-            raise  # it would not split over the wider box
-        out = beside_meeting(waves, split, x)
-    else:
-        out = from_roots(waves, split, isolated, x)
-    finite = all(f.e.is_finite() and all(y.is_finite() for y in f.k) for f in out)
-    require(finite, "G is not bounded over a box")
-    return out
+        for side in split.nodes.side:
+            split.isolated(side)
+    except Refused as error:
+        reach = split.nodes.inverse * arb_mat(len(split.tight), 1, split.tight)
+        if any(y > 0.5 / WIDER for y in reach.entries()):  # it would not split over the wider box
+            raise Wide(str(error), strain(split.nodes)) from None
+        return beside_meeting(waves, split)
+    try:
+        return spectra.kernels(waves, split)[0]
+    except Refused as error:
+        raise Wide(str(error), strain(split.nodes)) from None
 
 
-def from_roots(waves: Waves, split: Split, isolated: Sequence[list[Any]], x: Sequence[Any]) -> list[Form]:
-    """G as ± Σ N e^{Pξ}/D_P of forms: their rests fall with the box to any precision."""
-    place, m = split.place, split.m
-    N, distances = [place.value(f) for f in waves.N], waves.ordered(x)
-    out = [number(0, m)] * len(distances)
-    for side, here in enumerate(split.sides):
-        chosen = [n for n, (ahead, _) in enumerate(distances) if ahead == (side == 0)]
-        roots = [split.sharp(k, e, N) for k, e in zip(here, isolated[side], strict=True)] if chosen else []
-        for n in chosen:
-            gap = place.value(distances[n][1])
-            one = total([w * (P * gap).exp() if distances[n][1] else w for P, w in roots], m)
-            out[n] = -one if side else one
-    return out
-
-
-def beside_meeting(waves: Waves, split: Split, x: Sequence[Any]) -> list[Form]:
+def beside_meeting(waves: spectra.Waves, split: Split) -> Form:
     """G where p-roots of one side may meet: its Taylor polynomial from a much smaller box, the rest by a bound of |G|
     over a wider one. It is analytic there, with or without the range: |g_k| ≤ M/w^k for its terms of order k."""
-    small = Split(waves, split.place.resized(NARROWER), False)
-    isolated = [small.isolated(side) for side in small.sides]
-    wide = Split(waves, split.place.resized(WIDER), False)
-    N, distances = [wide.place.value(f) for f in waves.N], waves.ordered(x)
-    gaps = [wide.place.value(f) for _, f in distances]
-    most, m = [wide.bounds(side, N, gaps) for side in (0, 1)], split.m
-    out = []
-    for n, f in enumerate(from_roots(waves, small, isolated, x)):
-        k = [y + spectra.box(f.e) for y in f.k]  # the coefficients themselves, by Cauchy
-        order = [0] + [1] * m + [2] * len(pairs(m))
-        rest = most[0 if distances[n][0] else 1][n] / (WIDER**2 * (WIDER - 1))
-        out.append(Form([y / NARROWER**i for y, i in zip(k, order, strict=True)], rest, m))
-    return out
+    place = split.nodes.local.place
+    small, wide = (split_over(waves, resized(place, factor), False) for factor in (NARROWER, WIDER))
+    local = wide.nodes.local
+    N, gaps = local.place.form(local.N), local.place.value(waves.xi)
+    most = [bounds(wide, side, N, gaps) for side in (0, 1)]
+    G = spectra.kernels(waves, small)[0]
+    lost = [spectra.box(e) for e in G.e]  # in the coefficients themselves, by Cauchy
+    order = [0, *[1] * G.m, *[2] * len(G.second)]
+    k = [[(y + e) / NARROWER**i for y, e in zip(row, lost, strict=True)] for i, row in zip(order, G.k, strict=True)]
+    e = [most[0 if ahead else 1][n] / (WIDER**2 * (WIDER - 1)) for n, ahead in enumerate(waves.ahead)]
+    return Form(k, e, G.m)
 
 
 # --- the characteristic matrix over a box -----------------------------------------------------------------
-
-
-class Matrix:
-    """A with det A = Δ̂ up to a constant (section 4.6): direct contacts and their bodies eliminated."""
-
-    def __init__(self, vehicle: spectra.Bodies, waves: Waves) -> None:
-        nb, nc = vehicle.B.nrows(), len(vehicle.h)
-        self.vehicle, self.waves, self.nc = vehicle, waves, nc
-        contacts = spectra.direct_contacts(vehicle).items()
-        self.direct = [(body, j, arb(-1 / vehicle.B[body, j])) for j, body in contacts]
-        gone = [i for i, _, _ in self.direct]
-        self.kept = [i for i in range(nb) if i not in gone]
-        self.indirect = [j for j in range(nc) if j not in [k for _, k, _ in self.direct]]
-        self.S = [[self.entry(i, j) for j in range(nb)] for i in range(nb)]
-        self.h = [[((0, *e), arb(c)) for e, c in f.items()] for f in vehicle.h]
-
-    def entry(self, i: int, j: int) -> list[tuple[Exponents, Any]]:
-        """S_ij in (σ, θ); the rows of neutral coordinates divided by σ."""
-        v = self.vehicle
-        less = 1 if i >= v.B.nrows() - v.neutral else 0
-        out = []
-        for power, part in enumerate(reversed(v.parts)):
-            for e, a in part.items():
-                if a[i, j] != 0:
-                    out.append(((power - less, *e), arb(a[i, j])))
-        return out
-
-    def __call__(self, place: Place, G: list[Form]) -> list[list[Form]]:
-        B, index, m = self.vehicle.B, self.waves.index, place.m
-        S = [[place.value(f) if f else None for f in row] for row in self.S]
-        rows = []
-        for i in range(B.nrows()):
-            row = [S[i][j] or number(0, m) for j in self.kept]
-            for j in range(self.nc):
-                f = number(-arb(B[i, j]), m)
-                for body, contact, factor in self.direct:
-                    s = S[i][body]
-                    if s is not None:
-                        f = f + (s * G[index[contact][j]]).scaled(factor)
-                row.append(f)
-            rows.append(row)
-        for k in self.indirect:
-            row = [number(arb(B[i, k]), m) for i in self.kept]
-            for j in range(self.nc):
-                f = G[index[k][j]]
-                row.append(f + place.value(self.h[k]) if j == k and self.h[k] else f)
-            rows.append(row)
-        return rows
 
 
 def cleared(A: Any) -> tuple[Any, Any]:
@@ -624,43 +293,39 @@ def reflection(v: list[complex]) -> list[list[complex]]:
     return [[(i == j) - x * y.conjugate() / whole for j, y in enumerate(u)] for i, x in enumerate(u)]
 
 
-def scalar(A: list[list[Form]]) -> Form:
+def scalar(matrix: spectra.Forms, m: int) -> Form:
     """s with det A = 0 exactly where s = 0: XAY = [[1 + E, e], [f, g]], s = g − f(1 + E)⁻¹e."""
-    n, m = len(A), A[0][0].m
+    A, lost = matrix
+    n, last = lost.nrows(), lost.nrows() - 1
     if n == 1:
-        return A[0][0]
-    left, right = cleared(acb_mat([[f.k[0] for f in row] for row in A]))
-    parts = [(left * acb_mat([[f.k[p] for f in row] for row in A]) * right).tolist() for p in range(len(A[0][0].k))]
-    rest = (spectra.moduli(left) * arb_mat([[f.e for f in row] for row in A]) * spectra.moduli(right)).tolist()
-    last = n - 1
-    E = []
-    for i in range(last):
-        row = []
-        for j in range(last):
-            x = abs(parts[0][i][j] - (1 if i == j else 0)) + rest[i][j]
-            row.append(sum((abs(part[i][j]) for part in parts[1:]), x))
-        E.append(row)
-    x, eta = spectra.near_weights(arb_mat(E), 0.05)
+        return Form([[a[0, 0]] for a in A], [lost[0, 0]], m)
+    left, right = cleared(A[0])
+    parts = [left * a * right for a in A]
+    rest = spectra.moduli(left) * lost * spectra.moduli(right)
+    E = arb_mat(last, last, [
+        sum((abs(a[i, j]) for a in parts[1:]), abs(parts[0][i, j] - (1 if i == j else 0)) + rest[i, j])
+        for i, j in product(range(last), repeat=2)
+    ])  # fmt: skip
+    x, eta = spectra.near_weights(E, 0.05)
     if not eta < 0.9:
-        moved = [float(max(sum((abs(y) for y in row), ZERO) for row in parts[1 + i])) for i in range(m)]
+        moved = [float(max(sum((abs(y) for y in row), ZERO) for row in a.tolist())) for a in parts[1 : 1 + m]]
         raise Wide("the matrix changes too much over a box", moved)
-    column = [Form([part[i][last] for part in parts], rest[i][last], m) for i in range(last)]
-    row_ = [Form([part[last][i] for part in parts], rest[last][i], m) for i in range(last)]
-    s = Form([part[last][last] for part in parts], rest[last][last], m)
-    for f, e in zip(row_, column, strict=True):
-        s = s + -(f * e)
-    size_row = sum((f.size * y for f, y in zip(row_, x, strict=True)), ZERO)
-    size_column = ZERO
-    for f, y in zip(column, x, strict=True):
-        size_column = size_column.max((f.size / y).upper())
-    return s.rested(size_row * size_column * eta / (1 - eta))
+
+    def picked(where: Sequence[tuple[int, int]]) -> Form:
+        return Form([[a[i, j] for i, j in where] for a in parts], [rest[i, j] for i, j in where], m)
+
+    column, row = picked([(i, last) for i in range(last)]), picked([(last, i) for i in range(last)])
+    s = picked([(last, last)]) + -spectra.folded(row * column, 1)
+    size_row = sum((f * y for f, y in zip(row.size, x, strict=True)), ZERO)
+    size_column = spectra.max_bound(*(f / y for f, y in zip(column.size, x, strict=True)))
+    return s.rested([size_row * size_column * eta / (1 - eta)])
 
 
 def check_nonzero(s: Form) -> None:
     """Re(d s) > 0 for one direction d and all real u, or Wide."""
-    m = s.m
-    b = s.k[1 : 1 + m]
-    directions = [s.k[0].conjugate()] + [x.conjugate() * acb(0, 1) for x in b]
+    m, rest, coefficients = s.m, s.e[0], [row[0] for row in s.k]
+    b = coefficients[1 : 1 + m]
+    directions = [coefficients[0].conjugate()] + [x.conjugate() * acb(0, 1) for x in b]
     if m > 1:
         directions.append(sum(b, NONE).conjugate() * acb(0, 1))
     best, found = -1e300, [0.0] * m
@@ -670,12 +335,12 @@ def check_nonzero(s: Form) -> None:
         if not 1e-300 < size < 1e300:
             continue
         d = acb(near / size)
-        k = [(x * d).real for x in s.k]
+        k = [(x * d).real for x in coefficients]
         if k[0] < 0:
             k = [-x for x in k]
-        low = k[0] - s.e * abs(d)
+        low = k[0] - rest * abs(d)
         taken = [float(abs(x)) for x in k[1 : 1 + m]]
-        for n, i, j in pairs(m):
+        for n, i, j in s.second:
             if i != j:
                 low -= abs(k[n])
                 taken[i - 1] += float(abs(k[n]))
@@ -689,14 +354,14 @@ def check_nonzero(s: Form) -> None:
             taken[i - 1] += float(abs(bend))
         if low > 0:
             return
-        share = float(low) / (abs(complex(s.k[0])) or 1e-300)
+        share = float(low) / (abs(complex(coefficients[0])) or 1e-300)
         if share > best:
             best, found = share, taken
-    rest = float(s.e)
     moved = [float(abs(x)) for x in b]
     whole = sum(moved) or 1.0
     raise Wide(
-        "the determinant may vanish in a box", [t + rest * x / whole for t, x in zip(found, moved, strict=True)]
+        "the determinant may vanish in a box",
+        [t + float(rest) * x / whole for t, x in zip(found, moved, strict=True)],
     )
 
 
@@ -765,7 +430,7 @@ def mesh(roots: Sequence[complex], turn: float, spread: float) -> list[float]:
 def cells(waves: Waves, place: Place, low: Any, speed: Any, ends: Sequence[float]) -> list[Cell]:
     """Lower bounds of Φ = W/|D|²; low: the least q; speed: the greatest v. Ends before a cell without a bound."""
     m = place.m
-    parts = [by_wavenumber([place.value(x) for x in terms_], m) for terms_ in (waves.D, waves.W)]
+    parts = [by_wavenumber(place.value(x), m) for x in (waves.d, waves.W)]
     out = []
     for p0, p1 in pairwise(ends):
         a, b = arb(p0), arb(p1)
@@ -803,13 +468,12 @@ def cells(waves: Waves, place: Place, low: Any, speed: Any, ends: Sequence[float
     return out
 
 
-def by_wavenumber(f: Sequence[Form], m: int) -> tuple[Any, ...]:
+def by_wavenumber(f: Form, m: int) -> tuple[Any, ...]:
     """Σ f_i P^i in parts: polynomials of its coefficients, the slope in P, and polynomials that bound the rest."""
-    k = [acb_poly([g.k[i] for g in f]) for i in range(1 + m)]
-    sizes = [g.sizes for g in f]
-    second = arb_poly([s[2] + g.e for s, g in zip(sizes, f, strict=True)])
-    mixed = arb_poly([i * s[1] for i, s in enumerate(sizes)][1:])
-    bent = arb_poly([i * (i - 1) * s[0] / 2 for i, s in enumerate(sizes)][2:])
+    k, sizes = [acb_poly(row) for row in f.k[: 1 + m]], f.sizes
+    second = arb_poly([x + e for x, e in zip(sizes[2], f.e, strict=True)])
+    mixed = arb_poly([i * x for i, x in enumerate(sizes[1])][1:])
+    bent = arb_poly([i * (i - 1) * x / 2 for i, x in enumerate(sizes[0])][2:])
     return k, k[0].derivative(), second, mixed, bent
 
 
@@ -836,7 +500,7 @@ def bend(x: Any) -> Any:
 
 def check_passive_box(problem: Family, box: Box) -> None:
     """−Im G(q; θ) is positive definite for all q > 0 and θ of the box, or Wide: by p-roots, or by cells."""
-    place = Place.of(box)
+    place = place_of(box)
     try:
         by_roots(problem, place)
     except Refused:
@@ -845,20 +509,11 @@ def check_passive_box(problem: Family, box: Box) -> None:
 
 def by_roots(problem: Family, place: Place) -> None:
     """From G over the box."""
-    G = receptances(problem.waves, Split(problem.waves, place, False), problem.middle)
-    sites, index = problem.vehicle.sites, problem.waves.index
-    first = [sites.index(k) for k in range(len(set(sites)))]
-    rows = [[G[index[i][j]] for j in first] for i in first]
-    n, half = len(first), acb(0, 0.5)
-    H = []
-    for k in range(len(rows[0][0].k)):
-        a = acb_mat([[f.k[k] for f in row] for row in rows])
-        H.append((a - a.conjugate().transpose()) * half)
-    E = [[(rows[i][j].e + rows[j][i].e) / 2 for j in range(n)] for i in range(n)]
-    require_definite(H, E)
+    G = receptances(problem.waves, split_over(problem.waves, place, False))
+    require_definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k)))
 
 
-def require_definite(H: Sequence[Any], E: Sequence[Sequence[Any]]) -> None:
+def require_definite(H: Sequence[Any], E: Any) -> None:
     if not spectra.definite(H, E):
         raise Wide("the receptance is not proved passive on a box")
 
@@ -867,19 +522,17 @@ def by_cells(problem: Family, box: Box, place: Place) -> None:
     """From cells of wavenumber (section 6.5)."""
     low, high = box[0]
     waves, m = problem.waves, len(box)
-    speed = place.value(problem.speed)
-    fastest = speed.k[0].real + speed.spread
-    middle = [place.value(f).k[0].mid() for f in waves.D]
+    speed, D = place.value(problem.speed), waves.near(place).D
+    fastest, slow = speed.k[0][0].real + speed.spread[0], float(speed.k[0][0].real)
     try:
-        roots = [complex(x) * -1j for x in acb_poly(middle).roots()]
+        roots = [complex(x) * -1j for x in acb_poly([D[i, 0].mid() for i in range(D.nrows())]).roots()]
     except ValueError:
         raise Wide("p-roots meet in the middle of a box") from None
     spread = max(float((b - a) / (abs(b + a) or 1)) for a, b in box)
-    slow = float(speed.k[0].real)
     ends = mesh(roots, float(arb((low + high) / 2)) / slow if slow > 0 else 1e300, spread)
     q = arb(low)
     found = cells(waves, place, q, fastest, ends)
-    sites = len(problem.sites)
+    sites = len(waves.between)
     # the cells up to one end: the end is chosen in floats
     best, chosen = None, 0
     sums, off = 0.0, [0.0] * m
@@ -908,39 +561,39 @@ def by_cells(problem: Family, box: Box, place: Place) -> None:
         for cell in found[:chosen]:
             error.weights = [x + y for x, y in zip(error.weights, cell.costs(), strict=True)]
         weight = sum(abs(float(cell.a) * float(cell.middle)) * 2 * float(cell.half) for cell in found[:chosen])
-        for one, other in pairwise(problem.sites):
-            gap = place.value([((0, *e), arb(c)) for e, c in spectra.minus(other, one).items()])
-            steps = [weight * float(abs(x)) for x in gap.k[1 : 1 + m]]
+        xi = place.value(waves.xi)
+        for i in range(1, sites):
+            steps = [weight * float(abs(x[waves.between[i][i - 1]])) for x in xi.k[1 : 1 + m]]
             error.weights = [x + y for x, y in zip(error.weights, steps, strict=True)]
         raise
 
 
 def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -> None:
     """∫|U|²Φ is positive definite, or Wide."""
-    m, n = place.m, len(problem.sites)
+    m, between, xi = place.m, problem.waves.between, place.value(problem.waves.xi)
+    n = len(between)
     length = [2 * c.half for c in found]
     rows = [[c.a for c in found], *([c.b[v] for c in found] for v in range(m))]
     whole = [sum((x * y for x, y in zip(row, length, strict=True)), ZERO) for row in rows]
     H = [[[acb(x - given if v == 0 else x) if i == j else NONE for j in range(n)] for i in range(n)]
          for v, x in enumerate(whole)]  # fmt: skip
     E = [[ZERO] * n for _ in range(n)]
-    known: dict[Any, tuple[list[Any], Any]] = {}
+    known: dict[int, tuple[list[Any], Any]] = {}
     for i, j in combinations(range(n), 2):
-        gap = spectra.minus(problem.sites[j], problem.sites[i])
-        key = frozenset((e, str(c)) for e, c in gap.items())
-        if key not in known:
-            known[key] = integrals(place.value([((0, *e), arb(c)) for e, c in gap.items()]), found, m)
-        values, rest = known[key]
+        gap = between[j][i]
+        if gap not in known:
+            known[gap] = integrals(xi.take([gap]), found, m)
+        values, rest = known[gap]
         for v, x in enumerate(values):
             H[v][j][i], H[v][i][j] = x, x.conjugate()
         E[i][j] = E[j][i] = rest
-    require_definite([acb_mat(a) for a in H], E)
+    require_definite([acb_mat(a) for a in H], arb_mat(E))
 
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
     """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
-    D, moves, second = distance.k[0].real, distance.spread, distance.sizes[2] + distance.e
-    steps = [x.real for x in distance.k[1 : 1 + m]]
+    D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes[2][0] + distance.e[0]
+    steps = [x[0].real for x in distance.k[1 : 1 + m]]
     out, rest = [NONE] * (1 + m), ZERO
     for c in found:
         x, twice = c.half * D, 2 * c.half
@@ -992,24 +645,19 @@ class Family:
     box: Box
     envelope: Envelope
     waves: Waves
-    matrix: Matrix
-    sites: list[Free]
+    matrix: spectra.Bordered
     left: int = 0
     pieces: int = 0
     one: int = 1 << 30  # boxes that one leaf may take
 
     @cached_property
-    def speed(self) -> list[tuple[Exponents, Any]]:
-        return [((0, *e), arb(c)) for e, c in self.track.velocity.items()]
-
-    @cached_property
-    def middle(self) -> list[Any]:
-        return [(a + b) / 2 for a, b in self.box]
+    def speed(self) -> Sums:
+        return Sums.of([{(0, *e): c for e, c in self.track.velocity.items()}])
 
     def scalar(self, place: Place, throughout: bool = False) -> Form:
         """s over a box: 0 exactly where Δ̂ is. throughout: also outside the ranges."""
-        split = Split(self.waves, place, throughout)
-        return scalar(self.matrix(place, receptances(self.waves, split, self.middle)))
+        split = split_over(self.waves, place, throughout)
+        return scalar(self.matrix(place, receptances(self.waves, split)), place.m)
 
     def nonzero(self, place: Place) -> None:
         """Δ̂ ≠ 0 over a box, or Wide."""
@@ -1024,7 +672,7 @@ class Family:
             require(self.pieces < most, "the certificate asks for more work than this verifier does")
             try:
                 if kind == "n":
-                    self.nonzero(Place.of(here))
+                    self.nonzero(place_of(here))
                 else:
                     check_passive_box(self, here)
             except Refused as error:
@@ -1090,12 +738,12 @@ def read_zero(value: Any, family: Family) -> Zero:
     family.pieces += bits // 100
     require(family.pieces < family.left, "the certificate asks for more work than this verifier does")
     with spectra.precision(bits + 128):
-        waves = Waves(family.track, family.vehicle)
-        sharp = replaced(family, waves)
+        waves = Waves(family.track, family.vehicle, family.box)
+        sharp = replace(family, waves=waves, matrix=spectra.Bordered(family.vehicle, waves))
         twice = [(m, 2 * r) for m, r in (q, x)]
-        g, vary, s = slopes(sharp, twice)
+        g, vary, (first, *_, a, mixed, b), e = slopes(sharp, twice)
         turn = (g[0].conjugate() * g[1]).imag
-        rest = abs(s.k[0]) + sum((abs(y) for y in s.k[3:]), ZERO) / 4 + s.e
+        rest = abs(first) + (abs(a) + abs(mixed) + abs(b)) / 4 + e
         require(not turn.contains(0), "a crossing is not proved transversal")
         for y in (g[1], g[0]):
             require(abs(y) * rest / abs(turn) < 0.5, "a crossing is not proved to lie in its balls")
@@ -1112,7 +760,7 @@ def check_alone(family: Family, room: Box, at_: Sequence[Any], radius: Sequence[
         inside = all(a < m - r and m + r < b for m, r, (a, b) in zip(at_, radius, core, strict=True))
         require(inside, "a room may hold two crossings")
         try:
-            g, vary, _ = slopes(family, [((a + b) / 2, b - a) for a, b in core])  # over a box of twice the size
+            g, vary, *_ = slopes(family, [((a + b) / 2, b - a) for a, b in core])  # over a box of twice the size
             turn = abs((g[0].conjugate() * g[1]).imag)
             if abs(g[1]) * vary[0] + abs(g[0]) * vary[1] < turn:
                 break
@@ -1130,17 +778,11 @@ def check_alone(family: Family, room: Box, at_: Sequence[Any], radius: Sequence[
             family.prove("n", part)
 
 
-def replaced(family: Family, waves: Waves) -> Family:
-    matrix = Matrix(family.vehicle, waves)
-    return Family(family.track, family.vehicle, family.box, family.envelope, waves, matrix, family.sites)
-
-
-def slopes(family: Family, sides: Sequence[tuple[Any, Any]]) -> tuple[list[Any], list[Any], Form]:
-    """Of s over boxes (middle, half): its slopes in u at 0, by how much they vary for |u_i| ≤ 1/2, and s."""
-    place = Place([arb(m) for m, _ in sides], [arb(r) for _, r in sides])
-    s = family.scalar(place, throughout=True)
-    a, mixed, b = (abs(x) for x in s.k[3:])
-    return s.k[1:3], [a + mixed / 2 + 2 * s.e, b + mixed / 2 + 2 * s.e], s
+def slopes(family: Family, sides: Sequence[tuple[Any, Any]]) -> tuple[list[Any], list[Any], list[Any], Any]:
+    """Of s over boxes (middle, half): its slopes in u at 0, by how much they vary for |u_i| ≤ 1/2, and its form."""
+    s = family.scalar(place_over([arb(m) for m, _ in sides], [arb(r) for _, r in sides]), throughout=True)
+    (k, e), (a, mixed, b) = ([row[0] for row in s.k], s.e[0]), (abs(row[0]) for row in s.k[3:])
+    return k[1:3], [a + mixed / 2 + 2 * e, b + mixed / 2 + 2 * e], k, e
 
 
 # --- the certificate --------------------------------------------------------------------------------------
@@ -1169,8 +811,8 @@ def checked(content: dict[str, Any], most: int | None) -> str:
     spectra.check_decay(track.ring, track.D, track.N, spectra.speed(track.ring, track.velocity))
     at_, unstable = check_base(content, count, box)
     envelope, Q = read_tail(content["tail"], track, sites, box)
-    waves = Waves(track, vehicle)
-    family = Family(track, vehicle, box, envelope, waves, Matrix(vehicle, waves), sites)
+    waves = Waves(track, vehicle, box)
+    family = Family(track, vehicle, box, envelope, waves, spectra.Bordered(vehicle, waves))
     values = items(content["zeros"], MAX_ZEROS, "zeros")
     require(crossing or not values, "a root is real in a range that is to be stable")
     X, ends = dyadic(content["X"], "X"), [dyadic(x, "beyond") for x in items(content["beyond"], MAX_CELLS, "beyond")]

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, bits_now
 
 _K = Balls()
 
 
-@dataclass(frozen=True)
+@frozen
 class Side:
     """Distances of one sign (1: ξ ≥ 0), by their numbers, and from 0 on (its place, that of the leap to it)."""
 
@@ -47,7 +47,7 @@ class Side:
         return out
 
 
-@dataclass(frozen=True, eq=False)
+@frozen
 class Spread:
     """Exact distances, once for many frequencies."""
 

@@ -1,4 +1,4 @@
-"""What a claim of a paper is."""
+"""What a claim of a paper is, what a check of it finds, and a paper as data."""
 
 from __future__ import annotations
 

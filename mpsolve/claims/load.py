@@ -1,4 +1,4 @@
-"""A paper from its folder or module: the same in every process, whatever its search path for modules is."""
+"""A paper from its folder or module, the same in every process; and its audit: every claim checked."""
 
 from __future__ import annotations
 

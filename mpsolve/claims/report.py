@@ -1,4 +1,4 @@
-"""What an audit found, with one certificate file for each distinct content."""
+"""What an audit found, with one certificate file for each distinct content: on a terminal, as JSON, as a page."""
 
 from __future__ import annotations
 

@@ -7,10 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from mpsolve.errors import EffortError, InputError
 from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, Answer, Case
+from mpsolve.numbers.model import whole
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
@@ -115,8 +114,8 @@ def finite_track(
     case = Case(
         problem, loads, length, times, places, start, tolerance, initial == "steady", bool(unilateral), irregularities
     )
-    count = _count(modes, "modes", FEWEST_MODES, MOST_MODES)
-    used = None if steps is None else _count(steps, "steps", FEWEST_STEPS, MOST_STEPS)
+    count = whole(modes, "modes", FEWEST_MODES, MOST_MODES)
+    used = None if steps is None else whole(steps, "steps", FEWEST_STEPS, MOST_STEPS)
     best = _best(case, count, used, begun(effort), progress or silent)
     found, late, cut, felt = best.found, best.late, best.cut, best.felt
     names, asked = case.pencil.names, case.asked
@@ -212,9 +211,3 @@ def _best(case: Case, modes: int, steps: int | None, work: Effort, said: Progres
     except EffortError as error:
         best.reason = error.reason
     return best
-
-
-def _count(value: Any, key: str, least: int, most: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not least <= value <= most:
-        raise InputError(key, f"is {value!r}: give a whole number from {least} to {most}")
-    return int(value)

@@ -1,4 +1,4 @@
-"""Numbers as they are given, as one float64 array of one dimension."""
+"""Numbers as they are given, positions and times among them, as one float64 array of one dimension."""
 
 from __future__ import annotations
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Set
 from fractions import Fraction
 from functools import cache
+from numbers import Integral
 from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
 
 import msgspec
@@ -170,6 +171,13 @@ def defaults(model: type[Any]) -> dict[str, Any]:
     """The values of the parameters that may be left out."""
     fields = msgspec.structs.fields(model)
     return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}
+
+
+def whole(value: object, key: str, least: int, most: int) -> int:
+    """The whole number; InputError under `key` where it is none, or out of its bounds."""
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= int(value) <= most:
+        raise InputError(key, f"is {value!r}: give a whole number from {least} to {most}")
+    return int(value)
 
 
 def rational(value: Number | object, key: str, unit: str | None = None, told: str = "") -> Fraction:

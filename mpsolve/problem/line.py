@@ -8,9 +8,11 @@ transposes G (SPEC2, the whole sheet).
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from math import comb
+from typing import Any, TypeVar, cast
 
 from flint import arb, fmpq_mpoly_ctx, fmpq_poly
 
@@ -21,6 +23,7 @@ from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, moving
 from mpsolve.vehicles.vehicle import Rows
 
+C = TypeVar("C")
 _TERMS = {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)}
 
 
@@ -100,19 +103,19 @@ def on_line(reduced: Reduced) -> Line | None:
         return None
     guide = reduced.guide
     height = guide.D_rest.get((0, 1), Fraction(0)) / (2 * guide.D_rest[0, 2])
-    rest = _moved(guide.D_rest, -height)
+    rest = moved_in_s(guide.D_rest, -height)
     undamped: Guide = replace(guide, D_rest=rest, D=moving(rest, guide.v))
     below = _pencil(reduced.S, height)
     above = (below[0], tuple(tuple(-x for x in row) for row in below[1]), below[2])
     return Line(height, replace(reduced, guide=undamped, S=below), replace(reduced, guide=undamped, S=above))
 
 
-def _moved(D: Polynomial, by: Fraction) -> Polynomial:
-    """D(P, s + by)."""
-    out: Polynomial = {}
+def moved_in_s(D: Mapping[tuple[int, int], C], by: Fraction) -> dict[tuple[int, int], C]:
+    """D(P, s + by), whatever its coefficients are: exact numbers, or polynomials in free parameters."""
+    out: dict[tuple[int, int], Any] = {}
     for (i, j), c in D.items():
         for k in range(j + 1):
-            out[i, k] = out.get((i, k), Fraction(0)) + c * comb(j, k) * by ** (j - k)
+            out[i, k] = cast(Any, c) * (comb(j, k) * by ** (j - k)) + out.get((i, k), 0)
     return {key: c for key, c in out.items() if c}
 
 

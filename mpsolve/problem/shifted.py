@@ -10,12 +10,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from math import comb
 from typing import Any, cast
 
-from mpsolve.numbers.several import Several
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_track import FreePolynomial
+from mpsolve.problem.line import moved_in_s
 from mpsolve.tracks.waveguide import moving
 
 
@@ -23,7 +22,7 @@ def shifted(family: Family, s: Fraction) -> Family:
     """The same family as a function of σ̂ − s; s is scaled."""
     if not s:
         return family
-    D_rest, N_rest = (_moved(a, s) for a in (family.D_rest, family.N_rest))
+    D_rest, N_rest = (moved_in_s(a, s) for a in (family.D_rest, family.N_rest))
     K, C, M = family.S
     n = range(len(M))
     S = (
@@ -34,13 +33,3 @@ def shifted(family: Family, s: Fraction) -> Family:
     speed: Any = family.v
     D, N = (cast(FreePolynomial, moving(cast(Any, a), speed)) for a in (D_rest, N_rest))
     return replace(family, D_rest=D_rest, N_rest=N_rest, D=D, N=N, S=S)
-
-
-def _moved(polynomial: FreePolynomial, s: Fraction) -> FreePolynomial:
-    """Σ c P^i (σ + s)^j by powers of σ."""
-    out: dict[tuple[int, int], Several] = {}
-    for (i, j), c in polynomial.items():
-        for k in range(j + 1):
-            term = c * (comb(j, k) * s ** (j - k))
-            out[i, k] = out[i, k] + term if (i, k) in out else term
-    return {key: c for key, c in out.items() if c}

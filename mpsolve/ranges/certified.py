@@ -17,6 +17,7 @@ from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
 from mpsolve.errors import CertificateError
 from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
+from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import FarNumbers, far_numbers
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
@@ -28,7 +29,8 @@ from mpsolve.ranges.scope import Scope
 _MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z"}
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
 _ROOM = 4  # by how much balls are wider in the file than they are known
-_POWERS = (1, 3)  # of 2: wavenumbers from which on short waves are bounded
+_POWERS = (0, 1, 3)  # of 2: wavenumbers from which on short waves may be bounded
+_SHARPER = 0.5  # of a bound from a smaller wavenumber on: what makes one worth its proof
 _OMEGA = 4.0  # where the charts of the envelope meet
 
 
@@ -139,7 +141,7 @@ def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
     envelope, p = Fraction(2) ** (order - L * far.alpha), Fraction(2) ** -L
     fastest = scope.envelope.fastest
     bounds = {far.X / fastest * (1 - 2.0**-20): far.constant}
-    bounds |= {2.0**k: C * 1.1 for k in _POWERS if np.isfinite(C := scope.envelope.constant(k))}
+    bounds |= _bounds(scope.envelope)
     return {
         "Q": dyadic(Q),
         "gamma": [far.gamma.numerator, far.gamma.denominator],
@@ -150,6 +152,16 @@ def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
         "omega": dyadic(Fraction(_OMEGA) * family.frequency_unit),
         "bounds": [[dyadic(_short(p0) * p), dyadic(_short(C) * envelope)] for p0, C in sorted(bounds.items())],
     }
+
+
+def _bounds(envelope: Envelope) -> dict[float, float]:
+    """{p₀: C}, from the least p₀ on with which there is one; others where they say more."""
+    out: dict[float, float] = {}
+    for k in _POWERS:
+        C = envelope.constant(k)
+        if np.isfinite(C) and _SHARPER * min(out.values(), default=np.inf) > C:
+            out[2.0**k] = C
+    return {p: C * 1.1 for p, C in out.items()}
 
 
 def _short(x: float) -> Fraction:

@@ -167,7 +167,8 @@ def _chart(
     verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
-    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": (proof,), "cost": cost}
+    proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
+    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": proofs, "cost": cost}
     status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()

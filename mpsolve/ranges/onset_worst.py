@@ -15,6 +15,7 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.least_onset import Least, Question
+from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 1_000_000
@@ -46,6 +47,8 @@ def at_worst(
     if len(second) != 1 or first.keys() & second.keys():
         stated = f"names {', '.join(second)}, and over {', '.join(first)}"
         raise InputError("worst", f"{stated}: give a range of one parameter each, of two different ones")
+    if never_unstable(problem, first | second):
+        return AtWorst(first | second, Least(None, None, None, "", ()), None, Spent(process_time() - started))
     both = from_above_rest(problem, first | second)
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
     reason, found = None, None

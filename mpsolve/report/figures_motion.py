@@ -1,4 +1,8 @@
-"""Pictures of a response, by matplotlib: each function draws on the Axes it is given."""
+"""Pictures of a response, by matplotlib: each function draws on the Axes it is given.
+
+Ids in `displacements` and `contact_forces`: w-K, envelope-K (of the K-th contact point from 1), force-K, loss-K (of
+the K-th mass).
+"""
 
 from __future__ import annotations
 

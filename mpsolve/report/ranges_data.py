@@ -1,4 +1,4 @@
-"""Answers about ranges for machines: plain values with keys that stay, decimals beside exact numbers."""
+"""Answers about ranges for machines: plain values with keys that stay; and as tables in CSV."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What goes to solvers: the motion, receptances, critical velocities, endless trains, zeros of functions."""
+"""What goes to solvers: the motion, receptances, critical velocities, endless trains, zeros, numbers of a page."""
 
 from __future__ import annotations
 

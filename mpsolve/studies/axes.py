@@ -7,7 +7,7 @@ from math import prod
 from typing import Any
 
 from mpsolve.errors import ContradictionError, InputError
-from mpsolve.numbers.model import Quantity, rational
+from mpsolve.numbers.model import Quantity, rational, whole
 from mpsolve.numbers.units import measured
 from mpsolve.problem import specs
 from mpsolve.problem.parameters import quantity_of
@@ -103,9 +103,7 @@ def _parts(given: Any, key: str) -> Axis:
         raise InputError(key, 'is several values, but kind = "stable" is about ranges: give {low, high, parts}')
     if not isinstance(given, Mapping):
         return Listed((rational(given, key),))
-    count = given.get("parts", 1)
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= _PARTS:
-        raise InputError(f"{key}.parts", f"is {count!r}: give a whole number from 1 to {_PARTS}")
+    count = whole(given.get("parts", 1), f"{key}.parts", 1, _PARTS)
     span = _span({name: value for name, value in given.items() if name != "parts"}, key)
     return Parts(span.low, span.high, count)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.model import whole
 from mpsolve.problem import specs
 from mpsolve.spectrum.regions import Below, Rectangle
 from mpsolve.studies.axes import MAX_CASES
@@ -118,10 +119,7 @@ def _named(table: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> str:
 
 
 def _whole(table: Mapping[str, Any], key: str, default: int, low: int, high: int) -> int:
-    number = table.get(key.rpartition(".")[2], default)
-    if isinstance(number, bool) or not isinstance(number, int) or not low <= number <= high:
-        raise InputError(f"study.{key}", f"is {number!r}: give a whole number from {low} to {high}")
-    return number
+    return whole(table.get(key.rpartition(".")[2], default), f"study.{key}", low, high)
 
 
 def _yes_or_no(table: Mapping[str, Any], key: str, default: bool) -> bool:

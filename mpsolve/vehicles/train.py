@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.model import rational, shown, whole
 from mpsolve.vehicles.vehicle import AnyVehicle, Placed
 
 _MOST = 1000
@@ -18,8 +18,7 @@ def train(vehicle: AnyVehicle, count: int, spacing: object) -> tuple[Placed, ...
     """
     if not isinstance(vehicle, AnyVehicle):
         raise InputError("vehicle", f"is of type {type(vehicle).__name__}: give one of mpsolve.vehicles, not placed")
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= _MOST:
-        raise InputError("count", f"is {count!r}: give a whole number from 1 to {_MOST}")
+    count = whole(count, "count", 1, _MOST)
     gap = rational(spacing, "spacing", "m", "distance of the vehicles")
     if gap <= 0:
         raise InputError("spacing", f"is {shown(gap)}, but must be above 0: give the distance in m")

@@ -13,6 +13,7 @@ import numpy as np
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb
 from mpsolve.numbers.exact import Exact, Number, exact_list
+from mpsolve.numbers.model import whole
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
@@ -22,7 +23,7 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.mass import Mass
-from mpsolve.vibration.balls.enclosure import MOST, Asked, checked_digits, proved_parts
+from mpsolve.vibration.balls.enclosure import MOST, Asked, proved_parts
 from mpsolve.vibration.case_units import rounded, units_of
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.of_case import certified_of
@@ -87,21 +88,21 @@ def balls_of_case(
     InputError for input that has no meaning, PrecisionError where a step of the proof fails, EffortError where the
     effort runs out; all say what helps.
     """
-    checked_digits(digits)
+    digits = whole(digits, "digits", 1, MOST)
     forces, units = loads_of(case, loads), units_of(case, exact=True)
-    whole, problem = units.case, _merged(units.problem)
-    places = tuple(dict.fromkeys(whole.positions)) if xi is None else tuple(exact_list(xi, "xi"))
+    ratios, problem = units.case, _merged(units.problem)
+    places = tuple(dict.fromkeys(ratios.positions)) if xi is None else tuple(exact_list(xi, "xi"))
     times = tuple(exact_list(tau, "tau"))
     if any(t.sign < 0 for t in times):
         raise InputError("tau", "holds a time before 0, where the motion starts: give no earlier time")
     work = begun(effort)
     if not places or not times:
         w, steady, harmonic, transient = np.full((4, len(places), len(times)), arb(0), object)
-        return ProvedMotion(whole, forces, places, times, w, steady, harmonic, transient, 0)
-    group = list(dict.fromkeys(whole.positions))
+        return ProvedMotion(ratios, forces, places, times, w, steady, harmonic, transient, 0)
+    group = list(dict.fromkeys(ratios.positions))
     terms = [
         (problem.pencil.B[group.index(place)], load)
-        for place, load in zip(whole.positions, units.loads(forces, 1 / units.w_st), strict=True)
+        for place, load in zip(ratios.positions, units.loads(forces, 1 / units.w_st), strict=True)
     ]
     at = tuple(x / units.chi for x in places)
     image = Image(problem, tuple(rounded(x) for x in at))
@@ -113,7 +114,7 @@ def balls_of_case(
     asked = Asked(image, terms, [t / units.rate for t in times], digits, at)
     parts = proved_parts(asked, known, work, progress or silent)
     w, steady, harmonic, transient = (part[image.channels - len(places) :] for part in parts)
-    return ProvedMotion(whole, forces, places, times, w, steady, harmonic, transient, work.spent)
+    return ProvedMotion(ratios, forces, places, times, w, steady, harmonic, transient, work.spent)
 
 
 def _merged(problem: Problem) -> Problem:
@@ -126,7 +127,7 @@ def _merged(problem: Problem) -> Problem:
 
 def numbers_of_case(*arguments: Any, digits: int = 15, **options: Any) -> PreciseMotion:
     """The middles of the balls of `balls_of_case`; PrecisionError if a ball is wider than 10^−digits."""
-    checked_digits(digits)
+    digits = whole(digits, "digits", 1, MOST)
     found = balls_of_case(*arguments, digits=min(digits + 3, MOST), **options)
     parts = found.w, found.steady, found.harmonic, found.transient
     limit = arb(10) ** -digits

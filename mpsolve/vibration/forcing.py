@@ -1,4 +1,4 @@
-"""What acts on a problem, as tones: Re(column · e^{iωt}) on the right of the transformed equations."""
+"""What acts on a problem, as tones Re(column · e^{iωt}), irregularities of rail and wheels too; what they keep up."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import rational
+from mpsolve.numbers.model import rational, whole
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.image import Image
@@ -179,10 +179,8 @@ def out_of_round(
     count = problem.pencil.contacts
     if isinstance(order, bool) or not isinstance(order, int) or order < 1:
         raise InputError("order", f"is {order!r}: give a whole number from 1 on")
-    if contact is not None and (
-        isinstance(contact, bool) or not isinstance(contact, int) or not 1 <= contact <= count
-    ):
-        raise InputError("contact", f"is {contact!r}: give a whole number from 1 to {count}")
+    if contact is not None:
+        contact = whole(contact, "contact", 1, count)
     omega = order * float(problem.v) / length
     return tuple(Irregularity(size if contact in (None, j) else 0.0, omega) for j in range(1, count + 1))
 

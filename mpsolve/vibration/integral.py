@@ -2,6 +2,10 @@
 
 Fading by erfc averages the motion over times about 1/Ω with a weight whose moments vanish, so that it is felt only
 where the motion has a corner: at the start of the loads, and where a wave front passes. Half of Ω tells how far.
+
+The function is kept as Legendre series on panels. ∫ over a panel of e^{σt} P_n is known in closed form (spherical
+Bessel functions), so that the number of panels follows the structure of the function and not the times: next to a
+pole at the distance δ there are log(1/δ) of them.
 """
 
 from __future__ import annotations

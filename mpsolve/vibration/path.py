@@ -4,6 +4,10 @@ Its numbers are chosen once, in floats, and are exact in every arithmetic. In fl
 along the line, which stays to the right of the cuts; balls follow the parabola σ(r) = α − δ(r − r₀) + ir², r ≥ r₀,
 that leaves the line at the height r₀²: there e^{σt} falls, and p-roots that are waves keep |Im p| bounded. What lies
 to the right of the path comes as residues.
+
+On a beam short waves run ahead, the shorter the faster. A wave P(σ) needs the time d = |ξ||dP/dσ| over the distance
+ξ. Where d falls with the frequency, the wave of the ω with d(ω) = t arrives at the time t: the path has to be
+followed beyond it, or nothing of it is seen.
 """
 
 from __future__ import annotations

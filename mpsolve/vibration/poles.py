@@ -1,4 +1,4 @@
-"""Which roots lie to the right of a line below the cuts: what was certified, or what a search in floats finds."""
+"""Which roots lie to the right of a line below the cuts: certified, or by a search in floats; how far cuts are."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError
-from mpsolve.numbers.model import rational
+from mpsolve.numbers.model import rational, whole
 from mpsolve.numbers.multiprecision import Multiprecision, Rule
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
@@ -24,14 +24,14 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.balls.equations import exact_terms
+from mpsolve.vibration.balls.image import PreciseImage, number
 from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.integral import sampled_line
+from mpsolve.vibration.motion import PreciseVibration, unknown_precise
 from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
-from mpsolve.vibration.precise_image import PreciseImage, number
-from mpsolve.vibration.precise_motion import PreciseVibration, unknown_precise
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 200
@@ -59,8 +59,7 @@ def response_mp(
     effort: where it is spent nothing is known, and `reason` says so; evaluations are those of the equations at one σ,
     those of `certify` are counted by themselves. progress hears of frequencies, residues and integral.
     """
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 15 <= digits <= MOST:
-        raise InputError("digits", f"is {digits!r}: give a whole number from 15 to {MOST}")
+    digits = whole(digits, "digits", 15, MOST)
     exact = [rational(t, "times") for t in times]
     if not exact or min(exact) <= 0:
         raise InputError("times", "hold none, or one that is not above 0: give times above 0")

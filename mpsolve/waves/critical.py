@@ -17,7 +17,7 @@ from flint import fmpq_poly
 from mpsolve.errors import ContradictionError, InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.model import checked_range, rational
+from mpsolve.numbers.model import checked_range, rational, whole
 from mpsolve.numbers.realroots import as_fmpq
 from mpsolve.outcome import Reason, Status
 from mpsolve.tracks.at_rest import Status as Rest
@@ -52,8 +52,7 @@ def critical_velocities(
         raise InputError("track", f"is of type {type(track).__name__}: give a track of mpsolve.tracks or a Waveguide")
     low, high = _range(over)
     frequency = abs(rational(omega, "omega"))
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:
-        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {_MOST_DIGITS}")
+    digits = whole(digits, "digits", 1, _MOST_DIGITS)
     guide = undamped(track)
     found = at_rest(guide)
     if found.status is Rest.UNSTABLE:

@@ -16,6 +16,7 @@ from oracle_general.package import as_problem, known
 from oracle_general.problems import problems, stands
 
 from mpsolve import Case, Problem, certify, frequencies, tracks, vehicles
+from mpsolve.batch.frequencies import alike
 from mpsolve.errors import InputError
 
 ROOT = Path(__file__).parents[1]
@@ -233,3 +234,21 @@ def test_two_masses_are_one_case() -> None:
     assert (found.count.shape, int(found.unstable)) == ((), 2)
     with pytest.raises(TypeError):
         frequencies(0.67, 0.05, [70, 70], [0, 1.5])  # type: ignore[arg-type,call-arg,misc]
+
+
+def test_one_parameter_is_sorted() -> None:
+    values = np.random.default_rng(1).permutation(20_000) / 20_000
+    assert (np.diff(values[alike({"v": values, "track.k": np.ones(20_000)}, 20_000)]) > 0).all()
+
+
+def test_two_parameters_leap_seldom() -> None:
+    x, y = (part.ravel() for part in np.meshgrid(np.arange(64), np.arange(64)))
+    order = alike({"x": x, "y": y}, 4096)
+    leaps = np.abs(np.diff(x[order])) + np.abs(np.diff(y[order]))
+    assert sorted(order.tolist()) == list(range(4096))
+    assert leaps.mean() < 2.5
+
+
+def test_nothing_to_sort() -> None:
+    assert alike({}, 1).tolist() == [0]
+    assert alike({"v": np.array([])}, 0).tolist() == []

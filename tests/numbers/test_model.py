@@ -6,6 +6,7 @@ import pickle
 from fractions import Fraction
 from typing import Annotated, Any
 
+import numpy as np
 import pytest
 
 from mpsolve.errors import InputError
@@ -23,6 +24,7 @@ from mpsolve.numbers.model import (
     quantities,
     rational,
     real,
+    whole,
 )
 
 
@@ -114,3 +116,15 @@ def test_ends_are_exact() -> None:
 def test_what_is_no_range_is_refused(given: object, said: str) -> None:
     with pytest.raises(InputError, match=f"^{said}"):
         checked_range(given, "alpha")
+
+
+@pytest.mark.parametrize("value", [1, 7, np.int64(3)])
+def test_a_whole_number_within_its_bounds(value: object) -> None:
+    found = whole(value, "count", 1, 7)
+    assert (found, type(found)) == (value, int)
+
+
+@pytest.mark.parametrize("value", [0, 8, True, 2.0, "3", None])
+def test_what_is_no_whole_number_or_out_of_bounds(value: object) -> None:
+    with pytest.raises(InputError, match=r"count: is .*: give a whole number from 1 to 7"):
+        whole(value, "count", 1, 7)

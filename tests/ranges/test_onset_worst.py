@@ -131,3 +131,8 @@ def test_a_rail_s_onset_velocity_at_the_worst_distance() -> None:
         there = onset(problem.changed("gap[0]", gap), over={"v": (50, 250)}, check=False)
         with precision(100):
             assert there.value > found.value  # type: ignore[operator]
+
+
+def test_nothing_grows_on_an_undamped_beam_whatever_the_second_is() -> None:
+    found = onset(pair("0.9", "0"), over=MASS, worst={"gap[0]": (1, 2)})
+    assert (found.kind, found.proved, found.value, found.where) == (Kind.STABLE, True, None, "")

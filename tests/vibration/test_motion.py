@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+import mpmath
 import numpy as np
 import pytest
 from track_models import DAMPED
 from vehicle_models import TYPICAL
 
 from mpsolve import Problem, certify, response
+from mpsolve.outcome import Reason
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.motion import unknown_precise
 
 PROBLEM = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
 FOUND = response(PROBLEM, times=np.linspace(0, 0.3, 31), places=[0, 2])
@@ -27,3 +33,17 @@ def test_shapes_and_errors() -> None:
     assert not FOUND.steady_harmonic.any()
     assert set(FOUND.error.vehicle) == set(FOUND.vehicle)
     assert FOUND.within.all()
+
+
+PROBLEM_precise_motion = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=20)
+IMAGE = Image(PROBLEM_precise_motion, (Fraction(1),))
+
+
+def test_every_number_is_nan_and_every_error_infinite() -> None:
+    why = Reason("effort", "it is spent")
+    found = unknown_precise(IMAGE, mpmath.MPContext(), [Fraction(1), Fraction(2)], why)
+    assert (found.reason, found.error) == (why, (mpmath.inf, mpmath.inf))
+    assert (found.rail.shape, found.contact_force.shape) == ((1, 2), (IMAGE.contacts, 2))
+    assert list(found.vehicle) == list(IMAGE.pencil.names)
+    tables = (found.rail, found.steady, found.harmonic, found.transient, found.contact_force, *found.vehicle.values())
+    assert all(mpmath.isnan(x) for table in tables for x in table.ravel())

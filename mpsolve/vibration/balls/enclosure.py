@@ -24,7 +24,7 @@ from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
 from mpsolve.numbers.exact import Exact
-from mpsolve.numbers.model import rational
+from mpsolve.numbers.model import rational, whole
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.problem import Problem
@@ -95,7 +95,7 @@ def response_balls(
     foundations. InputError for what cannot be used;
     where a step of the proof fails the answer is undecided, with the reason.
     """
-    checked_digits(digits)
+    digits = whole(digits, "digits", 1, MOST)
     if not isinstance(problem, Problem):
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
     if spectrum is not None and spectrum.problem != problem:
@@ -173,12 +173,6 @@ def _lost(asked: Asked, spectrum: Spectrum) -> float:
                     gap = abs(1 - abs(load.frequency).ball() / root.q)
                     nearest = min(nearest, max(float(gap.lower()), 0.0))
     return last * growth / log(10) - 2 * log10(nearest) if nearest else inf
-
-
-def checked_digits(digits: Any) -> None:
-    """InputError unless it is a number of digits that balls are worked for to."""
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST:
-        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {MOST}")
 
 
 def _reason(error: Exception) -> Reason:

@@ -2,6 +2,8 @@
 
 Over a cell, a ball of σ̂, each p-root has a disc of its own. Which of them are upper ones is proved at one point of
 the cell in the physical region, and then holds in the whole cell: no p-root changes its disc there.
+
+`PreciseImage` has the middles as mpmath numbers.
 """
 
 from __future__ import annotations
@@ -13,9 +15,10 @@ from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision
-from mpsolve.vibration.balls.equations import Equations
+from mpsolve.vibration.balls.equations import Equations, Term
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.balls.solved import Disc, Waves, solved
+from mpsolve.vibration.image import Image
 
 _TOGETHER = "p-roots of a cell cannot be told apart: split the cell"
 
@@ -202,3 +205,41 @@ def hull(*points: Any) -> Any:
     for other in points[1:]:
         total = acb(total.real.union(other.real), total.imag.union(other.imag))
     return total
+
+
+class PreciseImage(BallImage):
+    """û at one σ̂: coordinates, contact forces, rail at the places, in the problem's units."""
+
+    def __init__(self, mp: Any, image: Image, terms: list[Term], digits: int) -> None:
+        super().__init__(image, terms, digits)
+        self.mp = mp
+
+    @property
+    def rate(self) -> Any:
+        """σ = rate · σ̂."""
+        return self.mp.mpf(2) ** -self.image.guide.time
+
+    @property
+    def frequencies(self) -> list[Any]:
+        """ω̂ > 0 of the loads, each once."""
+        given = [(one.amplitude, one.frequency) for _, one in self.exact]
+        return sorted({abs(w.mpf(self.mp)) / self.rate for a, w in given if a and w})
+
+    def __call__(self, sigma: Any) -> list[Any]:
+        """û(σ̂)."""
+        with precision(self.bits):
+            ball = acb(*(self._ball(part) for part in (sigma.real, sigma.imag)))
+            return [number(self.mp, x) for x in self.values(self.start(ball))]
+
+    def _ball(self, x: Any) -> Any:
+        sign, mantissa, exponent, _ = x._mpf_
+        return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
+
+
+def number(mp: Any, ball: Any) -> Any:
+    """The middle of a ball as an mpmath number, exactly as far as the context's digits go."""
+    parts = []
+    for part in (ball.real, ball.imag):
+        mantissa, exponent = part.mid().man_exp()
+        parts.append(mp.ldexp(mp.mpf(int(mantissa)), int(exponent)))
+    return mp.mpc(*parts)

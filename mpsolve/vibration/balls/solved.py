@@ -1,4 +1,11 @@
-"""Bounds of the solution of linear equations with whole discs of coefficients, by an approximate inverse."""
+"""Bounds of the solution of linear equations with whole discs of coefficients, by an approximate inverse.
+
+Contacts far out: waves that run to and fro between obstacles, each bounded by what it reflects at most.
+N_ij = α_i e^{P(x_i − x_j)} ahead of contact j and β_i e^{P'(x_i − x_j)} behind it. What the contacts from i on
+reflect of a wave is Γ_i = ((1 − α_i − β_i) Z − α_i)/(1 + β_i Z), where Z is Γ_{i+1} with the way to and fro, and
+det(I + N) = Π (1 + β_i Z_i). Phases are unknown, so that Z runs through a disc round 0; its image is a disc too, with
+the radius |1 − α||1 − β| |Z|/(1 − |βZ|²).
+"""
 
 from __future__ import annotations
 
