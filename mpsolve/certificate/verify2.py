@@ -2672,12 +2672,14 @@ def block(matrix: Forms, m: int) -> Forms:
     """F, an m × m matrix that is singular exactly where A = A₀ + A₁u + rest is, |u| ≤ 1.
 
     F is the last block of the inverse of B = [[A, X], [Y, 0]]: det A = ± det B · det F, and B is proved regular.
-    X and Y are any numbers, in the units of rows and columns.
+    X and Y are any numbers, in the units of rows and columns: A₁ counts too, as a diagonal may be 0 at a root.
     """
     A, rest = matrix
-    n = rest.nrows()
+    n, (whole, slope) = rest.nrows(), (moduli(a) for a in A)
+    most = [max(float(x) for x in a.entries()) for a in (whole, slope)]
+    sizes = whole + slope * arb(most[0] / most[1] if most[1] else 0)
     none = [[0] * m] * n, [[0] * n] * m
-    B0, B1, Q = acb_mat(framed(A[0], *frame(A[0], m))), acb_mat(framed(A[1], *none)), arb_mat(framed(rest, *none))
+    B0, B1, Q = acb_mat(framed(A[0], *frame(sizes, m))), acb_mat(framed(A[1], *none)), arb_mat(framed(rest, *none))
     R = near_inverse(B0)
     N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
     N = moduli(N0) + moduli(N1) + Q * size  # BR = 1 + (a matrix with these moduli at most)
