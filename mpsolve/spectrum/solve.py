@@ -183,7 +183,8 @@ def _enclosed(
     proved = Proved(reduced)
     for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
         tell("roots", 0.5)
-        for ball in _balls(proved, sigma, digits):
+        # a ball of so many digits of |q| may meet the cut, where the root is next to it
+        for ball in _balls(proved, sigma, digits) or _balls(proved, sigma, 2 * digits):
             _add(balls, ball, count.region, proved.lossless)
     left = count.total - sum(ball.multiplicity for ball in balls)
     if not left:
