@@ -8,13 +8,8 @@ All masses are x̂ times given ones, S = K + iqC − q²x̂M. With y = q²x̂ th
 polynomials in q and in w or y. Both charts are covered with 0 < q ≤ X, where 1/x̂ = q²w = q²/y ≤ 1/x̂₁: a box on
 which that is nowhere so is left out.
 
-Next to q = 0 boxes are [−b, b] in q. The reduced determinant s (by real matrices) has s(−q) = conj s(q), so that Re s
-is even and Im s odd in q. Of a Taylor model on complex |u_i| ≤ 1 with the rest e, the odd part over u₀ has a rest of
-at most e too (maximum modulus), so
-
-    Re s = Re(k + Σ b_j u_j + …) ± e,    Im s/u₀ = Im(b₀ + Σ c_0j u_j) ± e       (j > 0),
-
-and no root q > 0 is real where one of them, or a sum of multiples, does not vanish: whatever happens at q = 0 itself.
+Next to q = 0 boxes are [−b, b] in q, and no root q > 0 is real where Re s and Im s/q do not vanish together (see
+`mirrored`): whatever happens at q = 0 itself.
 """
 
 from __future__ import annotations
@@ -28,14 +23,14 @@ import numpy as np
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError
-from mpsolve.numbers.jets import TINY, UP, U
-from mpsolve.numbers.quadratic import Quadratic, pairs
+from mpsolve.numbers.jets import TINY, UP
 from mpsolve.numbers.several import Several
 from mpsolve.problem.family import Family
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
-from mpsolve.proof.vanishing import scalar
+from mpsolve.proof.vanishing import nonzero, scalar
 from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.mirrored import beside_zero
 from mpsolve.ranges.scope import Scope
 
 OUTSIDE, CORNER = 4, 5
@@ -121,30 +116,7 @@ class HeavyJudge(Judge):
         s = scalar(A, G.good, real=True)
         # what is left out of s is of third order along y, by its own size, and Im s is of first order along q
         along, across = boxes.r[0] / self.width[0], boxes.r[1] / (m[1] + TINY)
-        return np.where(s.good & off_axis(s.s), CORNER, 0), np.where(across**2 > along, 1, 0)
-
-
-def off_axis(s: Quadratic) -> Any:
-    """Boxes on which Re s and Im s/u₀ do not vanish together, for s(−q) = conj s(q) on |u₀| ≤ 1."""
-    even, odd = [s.k[0].real], [s.k[1].imag]
-    for j in range(1, s.m):
-        even.append(s.k[1 + j].real)
-        odd.append(s.k[1 + s.m + j].imag)  # of u₀ u_j
-    for n, (i, j) in enumerate(pairs(s.m), 1 + s.m):
-        if i or not j:
-            even.append(s.k[n].real)
-            odd.append(0 * even[0])
-    p, r = np.stack(even), np.stack(odd)
-    found = np.zeros(s.e.shape, bool)
-    with np.errstate(all="ignore"):
-        ways = [(1.0, 0.0), (0.0, 1.0), (p[0], r[0])]
-        ways += [(r[j], -p[j]) for j in range(1, s.m)]
-        for a, b in ways:
-            k = np.abs(a * p + b * r)
-            sizes = np.abs(a) + np.abs(b)
-            lost = s.e + 16 * (len(k) + 4) * U * (np.abs(p).sum(0) + np.abs(r).sum(0))
-            found |= k[0] > (k[1:].sum(0) + sizes * lost) * UP * UP + TINY
-    return found
+        return np.where(s.good & nonzero(beside_zero(s.s)).nonzero, CORNER, 0), np.where(across**2 > along, 1, 0)
 
 
 @dataclass

@@ -36,6 +36,7 @@ def beside_zero(s: Quadratic) -> Quadratic:
         else:
             k[n] = s.k[n].real
     own, other = (np.abs(part[1 : 1 + s.m]).max(0) for part in (k.real, k.imag))
+    other = np.where(other > 0, other, np.abs(k[0].imag))
     with np.errstate(all="ignore"):
         ratio = np.where((own > 0) & (other > 0), own / other, 1.0)
         times = np.exp2(np.round(np.log2(np.where(np.isfinite(ratio), ratio, 1.0))))

@@ -23,12 +23,16 @@ _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for
 
 @frozen
 class Area:
-    """The right half of a symmetric region in scaled q̂: 0 ≤ Re q ≤ re_max, im_min ≤ Im q ≤ im_max."""
+    """The right half of a symmetric region in scaled q̂: 0 ≤ Re q ≤ re_max, im_min ≤ Im q ≤ im_max.
+
+    line: the Im q next to which most roots are.
+    """
 
     re_min: float
     re_max: float
     im_min: float
     im_max: float
+    line: float = 0.0
 
     def holds(self, q: Any, slack: float) -> Any:
         return (
@@ -132,14 +136,15 @@ def nearest_root(reduced: Reduced, q: complex) -> complex | None:
 
 
 def _starts(function: Floats, area: Area, level: int) -> Any:
-    """Grid points whose Newton step is of the size of the grid, shortest first; rows lie denser near Im q = 0."""
+    """Grid points whose Newton step is of the size of the grid, shortest first; rows lie denser near the line."""
     n, m = 24 * 2**level, 8 * 2**level
     x = np.linspace(area.re_min, area.re_max, n + 1)
-    depth = max(abs(area.im_min), abs(area.im_max))
-    spread = np.concatenate([-np.geomspace(1e-4, 1, m)[::-1], [0.0], np.geomspace(1e-4, 1, m)]) * depth
+    depth = max(abs(area.im_min - area.line), abs(area.im_max - area.line))
+    one_side = np.geomspace(1e-4, 1, m) * depth
+    spread = area.line + np.concatenate([-one_side[::-1], [0.0], one_side])
     y = spread[(spread >= area.im_min) & (spread <= area.im_max)]
     q = (x[:, None] + 1j * y[None, :]).ravel()
-    return _best(function, q, 3 * (area.re_max - area.re_min) / n + 0.5 * np.abs(q.imag), 60 * 2**level)
+    return _best(function, q, 3 * (area.re_max - area.re_min) / n + 0.5 * np.abs(q.imag - area.line), 60 * 2**level)
 
 
 def _best(function: Floats, q: Any, reach: Any, most: int) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import field
 from fractions import Fraction
 from typing import Any
@@ -51,7 +52,7 @@ def solve(
 
     Never raises for what stays undecided. Matrices are multiplied in one thread. in_strips: count parts first.
     """
-    with one_thread():
+    with one_thread() if reduced.contacts > _FEW else nullcontext():  # small products start no threads
         return _solve(reduced, region, digits, effort, tell, Partial(in_strips))
 
 
@@ -90,6 +91,7 @@ def _solve(
 _FEWER = "ask for a Rectangle round those that matter: where fewer are counted, all are found"
 _SHARPER = (2, 4)
 """Times the digits that were asked for, where a sign of Im q is open."""
+_FEW = 4
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
@@ -146,8 +148,8 @@ def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
     h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
     small = max(2 * high, 1.5)
     sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
-    below = [Area(0.0, size, h - size, h) for size in sizes]
-    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small)]) + below[1:])
+    below = [Area(0.0, size, h - size, h, h) for size in sizes]
+    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small, h)]) + below[1:])
 
 
 def _none_above(count: SheetCount) -> bool:

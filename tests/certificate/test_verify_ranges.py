@@ -292,6 +292,55 @@ def floats_of(q: float, v: float, xi: float) -> complex:
     return complex((1 if xi >= 0 else -1) * sum(np.exp(own * xi) / np.polyval(np.polyder(d), own)))
 
 
+def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Followed over a box: P, N/D_P and G at real points, the roots at complex ones; a radius that is less fails."""
+    m, r = (12.0, 180.0), (1.5, 4.0)
+    with precision(64):
+        place = place_over([arb(x) for x in m], [arb(x) for x in r])
+        nodes = checker.nodes_over(family.waves, place)
+        found = checker.alone(nodes, False)
+        assert found is not None
+        G = checker.kernels_over(family.waves, place, False)
+        for u in ((1, 1), (-1, 1), (0.3, -0.7), (1j, -1), (0.6 + 0.8j, 1j)):
+            q, v = (a + b * x for a, b, x in zip(m, r, u, strict=True))
+            s = 1j * q
+            d = np.array([6.4e6, 0, 60 * v * v, -(120 * s + 770) * v, 60 * s * s + 770 * s + 1e6])
+            for k in range(4):
+                P = min(np.roots(d), key=lambda x, k=k: abs(x - complex(_model(found[0], u, k).mid())))
+                assert float(abs(_model(found[0], u, k) - acb(P)).lower()) <= float(found[0].e[k].upper()) + 1e-9
+                away = abs(_model(found[1], u, k) - acb(1 / np.polyval(np.polyder(d), P)))
+                assert not away > found[1].e[k] + 1e-9 * abs(found[1].k[0][k])
+            if all(np.isreal(u)):
+                for n, gap in enumerate(family.waves.gaps):
+                    away = abs(_model(G, u, n) - acb(floats_of(q, v, float(gap.get((0,), 0)))))
+                    assert not away > G.e[n] + abs(G.k[0][n]) * 1e-9
+        few = checker.spectra.Nodes(nodes.z, nodes.up - 1, nodes.local)
+        assert checker.alone(few, False) is None  # a root on the other side than is told
+        monkeypatch.setattr(checker, "radius_of", lambda *_: None)
+        assert checker.alone(nodes, False) is None
+
+
+def test_no_root_is_alone_where_two_meet(content: dict[str, Any]) -> None:
+    family = family_of(content, 30, 40)
+    with precision(64):
+        for half in ((0.002, 0.001), (1e-6, 1e-7)):
+            place = place_over(
+                [arb(x) + arb(r) / 3 for x, r in zip(MEETING, half, strict=True)], [arb(r) for r in half]
+            )
+            assert checker.alone(checker.nodes_over(family.waves, place), False) is None
+
+
+def test_a_radius_holds_what_it_must() -> None:
+    """base + ε² ≤ ε has solutions up to base = 1/4."""
+    with precision(64):
+        square = checker.arb_poly([0, 0, 1])
+        for base in ("0.01", "0.1", "0.2"):
+            found = checker.radius_of(arb(base), square)
+            assert (1 - (1 - 4 * arb(base)).sqrt()) / 2 <= found
+            assert found < 2 * arb(base)
+        assert checker.radius_of(arb("0.3"), square) is None
+
+
 def test_where_p_roots_of_one_side_meet(content: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     """Their sum is bounded over a box round the point, and holds what numpy finds beside it; the box is proved."""
     family, used = family_of(content, 30, 40), []

@@ -138,9 +138,10 @@ def test_an_answer_is_handed_on(beam: FrequencyLines) -> None:
     assert all(one.value.contains(other.value) for one, other in zip(again.events, beam.events, strict=True))
     assert beam.to_dict()["lines"][0]["ends"][1]["kind"] == "region"
     rows = beam.rows()
-    assert len(rows) == sum(len(line.values) for line in beam.lines)
+    assert len(rows) == sum(len(line.values) for line in beam.lines) + len(beam.events)
+    assert sum(row["end"] == "region" for row in rows) == len(beam.events)
     assert rows[0] == {"line": 1, "value": 0.6, "re_q": float(beam.lines[0].q[0].real.mid()),
-                       "im_q": float(beam.lines[0].q[0].imag.mid())}  # fmt: skip
+                       "im_q": float(beam.lines[0].q[0].imag.mid()), "end": ""}  # fmt: skip
 
 
 def test_what_is_left_open_is_said() -> None:

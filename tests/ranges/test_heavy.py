@@ -15,7 +15,9 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.cases import as_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.heavy import Heavy, SeenError, charts, off_axis
+from mpsolve.proof.vanishing import nonzero
+from mpsolve.ranges.heavy import Heavy, SeenError, charts
+from mpsolve.ranges.mirrored import beside_zero
 from mpsolve.ranges.scope import scope_of
 from mpsolve.tracks import EulerBernoulli, Track
 from mpsolve.vehicles import Mass, Oscillator
@@ -63,11 +65,12 @@ def model(k: list[complex], e: float = 0.0) -> Quadratic:
         ([1, 0.1j, 1, 0, 0.1j, 0], 0.0, False),  # both vanish at u₁ = −1
         ([0, 0, 1, 0, 0, 0], 0.0, False),  # real all along
         ([0.5, 0, 0, 0.4, 0, 0], 0.05, True),
-        ([0.5, 0, 0, 0.4, 0, 0.2], 0.0, False),  # not told: the parts may add up to 0.6
+        ([0.5, 0, 0, 0.4, 0, 0.2], 0.0, True),  # Re is 0.5 at least
+        ([0.5, 0, 0, -0.4, 0, -0.2], 0.0, False),  # the parts add up to 0.6
     ],
 )
 def test_what_vanishes_next_to_zero(k: list[complex], e: float, none: bool) -> None:
-    assert bool(off_axis(model(k, e))[0]) is none
+    assert bool(nonzero(beside_zero(model(k, e))).nonzero[0]) is none
 
 
 def test_none_is_real_for_pairs_that_stay_stable() -> None:

@@ -48,6 +48,12 @@ def test_what_is_undecided_says_why() -> None:
     assert said.verdict == "UNDECIDED: the effort is spent: allow more."
 
 
+def test_where_nothing_is_lowest_it_is_stable_for_a_reason() -> None:
+    said = said_of_worst(Worst(PROBLEM, OVER, Status.UNVERIFIED, note="nothing grows on this beam"), QUESTION)
+    assert said.verdict == "STABLE: nothing grows on this beam."
+    assert not said.grows
+
+
 @pytest.mark.parametrize("kind", [Kind.CROSSES, Kind.STABLE])
 def test_an_onset_at_the_worst_value_names_both_ranges(kind: Kind) -> None:
     first = asked(PROBLEM, "", ["v=0..90 km/h"])

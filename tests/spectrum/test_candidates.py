@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from mpsolve import Problem, tracks, vehicles
+from mpsolve import Case, Problem, tracks, vehicles
+from mpsolve.problem.cases import as_problem
+from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import reduce_problem
+from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.candidates import Area, both, find_roots, nearest_root, search
+from mpsolve.spectrum.sheet import count_sheet
 
 WIRE = Problem(tracks.String(T=27_000, m="1.07", k=500, c=2), vehicles.Mass("8.5"), v=100)
 ROOT = 15.641876611743 + 0.715988110564j
@@ -44,3 +48,15 @@ def test_a_heavy_mass_is_found_next_to_zero() -> None:
 def test_pairs_count_twice() -> None:
     assert (both(1 + 1j), both(1e-12 + 1j)) == (2, 1)
     assert AREA.holds(np.array([1.0, 41.0]) / UNIT, 0.0).tolist() == [True, False]
+
+
+def test_roots_next_to_a_high_line_of_cuts_are_found() -> None:
+    """Strong damping, masses far apart: waves to and fro between them, just below and above Im q = η_b."""
+    case = Case(alpha="1.1", eta_b="0.9", eta_m=["18.3", "0.698", "0.64"], positions=[0, "8.91", "17.82"])
+    reduced = reduce_problem(as_problem(case))
+    line = on_line(reduced)
+    assert line is not None
+    count = count_sheet(line, Effort(evaluations=200_000))
+    areas = (Area(0.0, 2.3, -1.4, 0.9, 0.9), Area(0.0, 2.3, 0.9, 3.2, 0.9))
+    found = find_roots(reduced, areas, count.total, np.zeros(0, complex))
+    assert sum(map(both, found.tolist())) == count.total == 22
