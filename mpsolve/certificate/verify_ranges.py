@@ -46,11 +46,8 @@ MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
 BITS = 64
-TOGETHER, WIDER, NARROWER = (
-    0.3,
-    16,
-    fmpq(1, 1 << 20),
-)  # p-roots closer than this share of other distances share a circle
+TOGETHER = 0.3  # p-roots closer than this share of other distances share a circle
+WIDER, NARROWER = 16, fmpq(1, 1 << 20)  # boxes round the one where p-roots meet
 SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
