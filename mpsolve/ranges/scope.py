@@ -47,8 +47,8 @@ _NO_END: dict[bool, tuple[str, dict[str, str], str]] = {
 }
 """Why the frequencies of roots have no bound, by whether some short wave is slower than the contacts."""
 _LONG = (
-    "the longest waves run at v = {} and meet at q = 0, some ahead of the contacts and some behind: at slower velocities "
-    "no box of frequencies from 0 on is decided"
+    "the longest waves run at v = {} and meet at q = 0, some ahead of the contacts and some behind: at slower "
+    "velocities no box of frequencies from 0 on is decided"
 )
 _FASTER = "begin the range above that speed, or certify single velocities"
 LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
@@ -114,8 +114,8 @@ class Scope:
         long_waves = max((_speed_of_long_waves(self.family.guide(x)) for x in product(*self.family.box)), default=0.0)
         if long_waves:
             guide = self.family.base.guide
-            speed = math.ldexp(long_waves, guide.length - guide.time)
-            raise OpenError(Reason("long-waves", _LONG.format(f"{speed:.6g}"), {"speed": speed}, _FASTER))
+            speed = f"{math.ldexp(long_waves, guide.length - guide.time):.6g}"
+            raise OpenError(Reason("long-waves", _LONG.format(speed), {"speed": speed}, _FASTER))
         key = self._told_by
         if key not in _KNOWN:
             if len(_KNOWN) >= _MOST:
