@@ -124,11 +124,15 @@ def crossings(digits: int, effort: str | None, **asked: Any) -> None:
 @_command(
     _over(False, _VELOCITIES),
     click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced."),
+    click.option("--region", type=click.Choice(["sheet", "unstable"]), help="In place of what lies below the cuts."),
     *_ASKED,
     output("Draw FILE.svg, or write FILE.csv or .json, with points."),
 )
-def lines(points: int, digits: int, effort: str | None, **asked: Any) -> None:
+def lines(points: int, region: str | None, digits: int, effort: str | None, **asked: Any) -> None:
     """Follow every root below the branch cuts of the problem in FILE (TOML) along a parameter, with proof.
+
+    Of a case in the paper's ratios, and of masses on any such beam with --region sheet, every root of the whole
+    sheet, above the cuts too, to where it meets a cut.
 
     Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
     """
@@ -137,7 +141,7 @@ def lines(points: int, digits: int, effort: str | None, **asked: Any) -> None:
         from mpsolve.loci.lines import frequency_lines
         from mpsolve.report.lines_words import said_of_lines
 
-        options = _work(effort, tell, digits=digits, points=points)
+        options = _work(effort, tell, digits=digits, points=points, region=region)
         return said_of_lines(frequency_lines(question.given, over=question.over, **options), question)
 
     answered(answer, suffixes=_DRAWN, **asked)

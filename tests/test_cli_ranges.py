@@ -103,7 +103,7 @@ def test_lines_are_followed_and_written(run: Run) -> None:
     assert "lies on one of 2 lines" in result.stdout
     with Path("lines.csv").open(encoding="utf-8", newline="") as file:
         heading, *rows = csv.reader(file)
-    assert heading == ["line", "v", "Re q [√(k/m)]", "Im q [√(k/m)]"]
+    assert heading == ["line", "v", "Re q [√(k/m)]", "Im q [√(k/m)]", "end"]
     assert len(rows) == 6
     assert run("lines", PLAIN, "--over", "v=0.6..0.7", "--points", 3, "-o", "lines.svg").exit_code == 0
     assert ET.fromstring(Path("lines.svg").read_text("utf-8")).tag.endswith("svg")

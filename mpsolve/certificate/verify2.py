@@ -878,13 +878,21 @@ def joined(forms: Sequence[Form]) -> Form:
 
 
 def along(
-    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
+    E: Sequence[Form],
+    sizes: Sequence[Sequence[Any]],
+    h: Form,
+    most: Sequence[Any],
+    slope: bool = False,
+    square: Form | None = None,
 ) -> Form:
-    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all.
+
+    square: h², where it is known.
+    """
     n, start = len(h.e), int(slope)
     last = start + (2 if h.second else 1)
     total = E[start]
-    for i, power in enumerate((h, h * h) if h.second else (h,), start + 1):
+    for i, power in enumerate((h, square or h * h) if h.second else (h,), start + 1):
         if i < len(E):
             term = E[i] * power
             total = total + (term.scaled([i] * n) if slope else term)
@@ -2668,12 +2676,14 @@ def block(matrix: Forms, m: int) -> Forms:
     """F, an m × m matrix that is singular exactly where A = A₀ + A₁u + rest is, |u| ≤ 1.
 
     F is the last block of the inverse of B = [[A, X], [Y, 0]]: det A = ± det B · det F, and B is proved regular.
-    X and Y are any numbers, in the units of rows and columns.
+    X and Y are any numbers, in the units of rows and columns: A₁ counts too, as a diagonal may be 0 at a root.
     """
     A, rest = matrix
-    n = rest.nrows()
+    n, (whole, slope) = rest.nrows(), (moduli(a) for a in A)
+    most = [max(float(x) for x in a.entries()) for a in (whole, slope)]
+    sizes = whole + slope * arb(most[0] / most[1] if most[1] else 0)
     none = [[0] * m] * n, [[0] * n] * m
-    B0, B1, Q = acb_mat(framed(A[0], *frame(A[0], m))), acb_mat(framed(A[1], *none)), arb_mat(framed(rest, *none))
+    B0, B1, Q = acb_mat(framed(A[0], *frame(sizes, m))), acb_mat(framed(A[1], *none)), arb_mat(framed(rest, *none))
     R = near_inverse(B0)
     N0, N1, size = B0 * R - identity(n + m), B1 * R, moduli(R)
     N = moduli(N0) + moduli(N1) + Q * size  # BR = 1 + (a matrix with these moduli at most)

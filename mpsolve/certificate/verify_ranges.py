@@ -46,11 +46,8 @@ MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
 BITS = 64
-TOGETHER, WIDER, NARROWER = (
-    0.3,
-    16,
-    fmpq(1, 1 << 20),
-)  # p-roots closer than this share of other distances share a circle
+TOGETHER = 0.3  # p-roots closer than this share of other distances share a circle
+WIDER, NARROWER = 16, fmpq(1, 1 << 20)  # boxes round the one where p-roots meet
 SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
@@ -151,15 +148,20 @@ def resized(place: Place, factor: Any) -> Place:
     return Place(place.middle, [r * factor for r in place.half], place.order)
 
 
-def split_over(waves: spectra.Waves, place: Place, throughout: bool) -> Split:
-    """The pair of Lemma 1 over the box, proved to be (roots with Re P < 0, the others) at its middle.
-
-    throughout: at every point of the box, inside the range or not.
-    """
+def nodes_over(waves: spectra.Waves, place: Place) -> spectra.Nodes:
+    """Those of the middle of the box."""
     try:
-        nodes = spectra.nodes_near(waves.near(place))
+        return spectra.nodes_near(waves.near(place))
     except ValueError:
         raise Wide("p-roots meet in the middle of a box") from None
+
+
+def split_over(waves: spectra.Waves, place: Place, throughout: bool, nodes: spectra.Nodes | None = None) -> Split:
+    """The pair of Lemma 1 over the box, proved to be (roots with Re P < 0, the others) at its middle.
+
+    throughout: at every point of the box, inside the range or not. nodes: those of its middle, where they are known.
+    """
+    nodes = nodes or nodes_over(waves, place)
     try:
         split = nodes.split()
     except Refused as error:
@@ -181,6 +183,85 @@ def strain(nodes: spectra.Nodes) -> list[float]:
             for i, row in enumerate(nodes.values.k[1 : 1 + len(out)]):
                 out[i] = max(out[i], float(abs(row[k])) / (lead * float(nodes.all[k]) * near))
     return out
+
+
+def alone(nodes: spectra.Nodes, throughout: bool) -> tuple[Form, Form] | None:
+    """All p-roots over the box, each alone in a disc that follows it, and N/D_P there; None where that is not proved.
+
+    δ(u): any quadratics near the roots less the nodes, exact. With D(z + δ + h) = Σ c_j h^j there is exactly one root
+    in |h| < ε, for all complex |u_i| ≤ 1, where |c_0| + Σ_{j ≥ 2} |c_j| ε^j < |c_1| ε (Rouché), and there |h| is at
+    most the left side over |c_1|. throughout: as in `split_over`.
+    """
+    local, z = nodes.local, nodes.z
+    D, sizes = local.about(z, local.D)
+    if any(x.contains(0) for x in D[1].k[0]):
+        return None
+    delta = followed(D)
+    most, square = delta.size, delta * delta
+    if not nodes_apart(nodes, most):
+        return None
+    value, slope = (spectra.along(D, sizes, delta, most, way, square) for way in (False, True))
+    eps, lost = [], []
+    for k, first in enumerate(value.size):
+        above_ = arb_poly([size[k] for size in sizes])(arb_poly([most[k], 1])).coeffs()  # bounds of |c_j|
+        low, more = slope.sizes[0][k] - slope.spread[k], arb_poly([0, 0, *above_[2:]])
+        found = radius_of(first / low, more * (1 / low)) if low > 0 else None
+        if found is None:
+            return None
+        eps.append(found)
+        lost.append(more.derivative()(found))
+    off = [x + y for x, y in zip(most, eps, strict=True)]
+    own = off if throughout else [abs(x) + y for x, y in zip(delta.k[0], eps, strict=True)]
+    sided = all((-x.real if k < nodes.up else x.real) > own[k] for k, x in enumerate(nodes.z))
+    if not (sided and nodes_apart(nodes, off)):
+        return None
+    h, (N, above) = Form(delta.k, eps, delta.m), local.about(z, local.N)
+    return h.plus(z), spectra.along(N, above, h, off) * slope.rested(lost).inverse()
+
+
+def nodes_apart(nodes: spectra.Nodes, off: Sequence[Any]) -> bool:
+    """Whether the discs of radii `off` round the nodes are disjoint."""
+    return all(nodes.distance[i][k] > off[i] + off[k] for i, k in combinations(range(len(off)), 2))
+
+
+def followed(D: Sequence[Form]) -> Form:
+    """δ with E_0 + E_1δ + E_2δ² = 0 up to the second order, exact numbers near it. Nothing rests on them."""
+    zero, one = D[0].k, D[1].k
+    over = [-1 / x for x in one[0]]
+    k = [[x * c for x, c in zip(row, over, strict=True)] for row in zero[: 1 + D[0].m]]
+    for n, i, j in D[0].second:
+        bent = [x * y * (1 if i == j else 2) for x, y in zip(k[i], k[j], strict=True)]
+        term = [x + y * z for x, y, z in zip(zero[n], one[i], k[j], strict=True)]
+        if i != j:
+            term = [x + y * z for x, y, z in zip(term, one[j], k[i], strict=True)]
+        if len(D) > 2:
+            term = [x + y * z for x, y, z in zip(term, D[2].k[0], bent, strict=True)]
+        k.append([x * c for x, c in zip(term, over, strict=True)])
+    return Form([[x.mid() for x in row] for row in k], [ZERO] * len(over), D[0].m)
+
+
+def radius_of(base: Any, above: Any) -> Any:
+    """ε with base + above(ε) ≤ ε, above of second order with coefficients ≥ 0, and < in a larger disc; or None."""
+    eps = (base * 1.5).upper()
+    for _ in range(8):
+        image = base + above(eps)
+        if image < eps:
+            return image
+        eps = (image * 1.6).upper()
+    return None
+
+
+def kernels_over(waves: spectra.Waves, place: Place, throughout: bool) -> Form:
+    """G at each distance over the box. throughout: as in `split_over`."""
+    nodes = nodes_over(waves, place)
+    try:
+        # of one place half of the roots are used: to follow all costs more than the boxes that it saves
+        found = alone(nodes, throughout) if len(waves.gaps) > 1 else None
+        if found is not None:
+            return spectra.summed(waves, place, *found, [list(side) for side in nodes.side])[0]
+    except Refused:
+        pass
+    return receptances(waves, split_over(waves, place, throughout, nodes))
 
 
 def circles(split: Split, side: int) -> list[tuple[Any, Any, list[int]]]:
@@ -509,7 +590,7 @@ def check_passive_box(problem: Family, box: Box) -> None:
 
 def by_roots(problem: Family, place: Place) -> None:
     """From G over the box."""
-    G = receptances(problem.waves, split_over(problem.waves, place, False))
+    G = kernels_over(problem.waves, place, False)
     require_definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k)))
 
 
@@ -656,8 +737,7 @@ class Family:
 
     def scalar(self, place: Place, throughout: bool = False) -> Form:
         """s over a box: 0 exactly where Δ̂ is. throughout: also outside the ranges."""
-        split = split_over(self.waves, place, throughout)
-        return scalar(self.matrix(place, receptances(self.waves, split)), place.m)
+        return scalar(self.matrix(place, kernels_over(self.waves, place, throughout)), place.m)
 
     def nonzero(self, place: Place) -> None:
         """Δ̂ ≠ 0 over a box, or Wide."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_receptance import Receptances
-from mpsolve.characteristic.free_roots import roots_over
+from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.cuts.edge import Edge, beam, edge, sides
 from mpsolve.cuts.entries import Parts, entries, entries_of_two
 from mpsolve.cuts.model import ROUNDING, Model, model_of
@@ -19,6 +19,7 @@ from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, constant, lifted, pairs
 from mpsolve.problem.family import Family
 
+_NEWTON = 4
 _CLOSE = 0.25  # of |p|: two p-roots that may be about to meet
 
 
@@ -71,12 +72,8 @@ class EdgeMatrix:
         """(A of shape (boxes, n, n), where it is good)."""
         with np.errstate(all="ignore"):
             at, (p, EI, *_, v, N) = self.edge(boxes)
-            cubic = _stacked(list(at.cubic))
-            sane = np.isfinite(cubic.a).all(1) & np.isfinite(cubic.e).all(1)
-            floats = np.where(sane[:, None], cubic.a.real, [0.0, 1.0, 0.0, 1.0])
-            z, real = sides(floats, p.a.real, np.where(sane, at.z.a.real, 0.0), v.a.real, self.side)
+            cubic, sane, z, real, found = self._others(at, p, EI, v)
             one = constant(np.ones(1), boxes.count, 2)
-            found = roots_over(cubic, one, z, _least(EI), None)
             r = [model_of(found.P[:, n]) for n in range(3)]
             good = sane & found.good.all(1) & _told(at, r, v, real)
             y, rho = boxes.variables
@@ -96,6 +93,24 @@ class EdgeMatrix:
             strain = np.nan_to_num(found.strain) + np.abs(p.b) * (span + 1)
             scale = _scale(k[0])
             return Quadratic(k * scale, e * scale, 2), Receptances(one, good, strain)
+
+    def _others(self, at: Edge, p: Model, EI: Model, v: Model) -> tuple[Quadratic, Any, Any, Any, Roots]:
+        """(the cubic, where it is finite, floats near its roots b, a′, b′, whether they are real, the roots)."""
+        cubic = _stacked(list(at.cubic))
+        sane = np.isfinite(cubic.a).all(1) & np.isfinite(cubic.e).all(1)
+        floats = np.where(sane[:, None], cubic.a.real, [0.0, 1.0, 0.0, 1.0])
+        z, real = sides(floats, p.a.real, np.where(sane, at.z.a.real, 0.0), v.a.real, self.side)
+        for _ in range(_NEWTON if p.a.imag.any() else 0):  # from the roots next to the real axis
+            rise = sum(j * cubic.a[:, j : j + 1] * z ** (j - 1) for j in (1, 2, 3))
+            z = z - sum(cubic.a[:, j : j + 1] * z**j for j in range(4)) / rise
+        return cubic, sane, z, real, roots_over(cubic, constant(np.ones(1), len(sane), 2), z, _least(EI), None)
+
+    def apart(self, boxes: Boxes) -> Any:
+        """Where a′ is proved to lie above the real axis and b′ below it, for all complex p of a box too."""
+        with np.errstate(all="ignore"):
+            at, (p, EI, *_, v, _) = self.edge(boxes)
+            _, sane, _, _, found = self._others(at, p, EI, v)
+            return sane & found.good.all(1) & _off_axis([model_of(found.P[:, n]) for n in (1, 2)])
 
     @cached_property
     def _span(self) -> list[Any]:
@@ -138,6 +153,18 @@ class EdgeMatrix:
         a, b, a2, b2 = (x.times(1j) for x in r)
         return Parts(a, b, a2, b2, EI, N, sigma, S, B, h, places, one, zero)
 
+    def off_the_cut(self, boxes: Boxes, waves: list[Quadratic]) -> tuple[Any, Any]:
+        """(A's coefficients, its remainders) over boxes of (q̂, x̂), from models of a, b, a′ and b′ there."""
+        y, rho = boxes.variables
+        all_ = self._forms[0](y, rho)
+        EI, *_, N = (model_of(all_[:, n]) for n in range(all_.e.shape[1]))
+        sigma = Model(np.zeros(all_.k.shape[:2], complex), 4 * U * np.abs(y[0]), 2)
+        sigma.k[0], sigma.k[1] = y[0], rho[0]
+        r = tuple(model_of(wave).times(-1j) for wave in waves)
+        k, e = _filled(entries_of_two(self._parts(r, EI, N, sigma, self._forms[1](y, rho)), self.order))
+        scale = _scale(k[0])
+        return k * scale, e * scale
+
     def elsewhere(self, boxes: Boxes) -> Any:
         """Boxes all of whose points belong to the other side of the cut, or to mirror images."""
         with np.errstate(all="ignore"):
@@ -160,9 +187,10 @@ def _with_one_more(k: Any, e: Any) -> tuple[Any, Any]:
 
 
 def _root(f: Model, m: Model) -> Model:
-    s = np.sqrt(np.maximum((f.a / m.a).real, TINY))
+    ratio = f.a / m.a
+    s = np.sqrt(np.where(ratio.real > 0, ratio, TINY))
     D = _stacked([-f, f.times(0.0), m])
-    z = np.stack([-s, s], 1) + 0j
+    z = np.stack([-s, s], 1)
     found = roots_over(D, constant(np.ones(1), len(s), 2), z, _least(m), 1)
     P = model_of(found.P[:, 1])
     return Model(P.k, np.where(found.good.all(1), P.e, np.inf), 2)
@@ -178,9 +206,12 @@ def _stacked(parts: list[Model]) -> Quadratic:
 
 def _told(at: Edge, r: list[Model], v: Model, real: Any) -> Any:
     """Where a′ and b′ are not real, or real, on the other branch, and told by their order (they are apart)."""
-    pair = [(x.a.imag, x.spread) for x in r[1:]]
-    off = (pair[0][0] > pair[0][1] * UP) & (-pair[1][0] > pair[1][1] * UP)
-    return np.where(real, _behind(at, r[1], v) & _behind(at, r[2], v), off)
+    return np.where(real, _behind(at, r[1], v) & _behind(at, r[2], v), _off_axis(r[1:]))
+
+
+def _off_axis(pair: list[Model]) -> Any:
+    first, second = pair
+    return (first.a.imag > first.spread * UP) & (-second.a.imag > second.spread * UP)
 
 
 def _behind(at: Edge, r: Model, v: Model) -> Any:

@@ -40,7 +40,8 @@ def cut_points(
     The track is a beam whose cuts lie on the line Im q = c/2m (the paper's, with damping below critical damping).
     over: {path: (low, high)}, in the problem's units; on beams without tension velocities from 0 begin a little above
     it, as `.over` says. digits: of each value. The answer is proved where the list is complete; else
-    `Status.UNDECIDED` with a reason, and the points found, each of them proved. There are no certificates. Raises
+    `Status.UNDECIDED` with a reason, and the points found, each of them proved: so for one mass next to the velocity
+    at which the cuts join, and without damping at it. There are no certificates. Raises
     InputError for other tracks, for a path that there is not and for ranges that cannot be.
 
     >>> from mpsolve import Case

@@ -13,6 +13,7 @@ from mpsolve.loci.answer import FrequencyLine, LineEnd
 from mpsolve.loci.border import ON_AXIS, Border, Passing, border_of
 from mpsolve.loci.grow import Start, Strand, strands
 from mpsolve.loci.meeting import Meeting
+from mpsolve.loci.on_sheet import OnSheet
 from mpsolve.loci.points import roots_at
 from mpsolve.loci.region import Region
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball, square
@@ -25,7 +26,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Proof, within
 from mpsolve.ranges.crossed import Crossing
 from mpsolve.ranges.scope import Scope
-from mpsolve.spectrum.regions import Below, HalfPlane
+from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.zeros.regions import Rectangle
 
@@ -39,7 +40,7 @@ class Assembly:
 
     problem: Problem
     over: Mapping[str, Interval]
-    region: Region
+    region: Region | OnSheet
     digits: int
     budget: Effort
     progress: Progress
@@ -51,25 +52,25 @@ class Assembly:
         self.base: Spectrum | None = None
         self.counts: tuple[int, ...] | None = None
         self.borders: list[Border] = []
+        self.room = self.region.room
 
     @property
     def scope(self) -> Scope:
         return self.region.scope
 
-    @property
-    def answered(self) -> Any:
-        asked = self.region.asked
-        unit = self.scope.family.frequency_unit
-        return replace(asked, reach=self.region.reach * unit) if isinstance(asked, Below) else asked
-
     def lines(self, values: tuple[Fraction, ...]) -> tuple[FrequencyLine, ...]:
-        border = border_of(self.region, self.region.sides, self.digits, self.budget, self._stage(0.0, 0.4))
-        self._keep(border)
-        self.events = self._in_range(border.passings)
+        tell = self._stage(0.0, 0.4)
+        if isinstance(self.region, OnSheet):
+            self._keep(self.region.border(self.digits, self.budget, tell))
+        else:
+            self._keep(border_of(self.scope, self.region.sides, self.digits, self.budget, tell))
+        self.events = self._in_range(self.borders[0].passings)
         starts = self._starts()
         if starts is None:
             return ()
-        found, reason = strands(self.region, starts, tuple(self.events), self.budget, self._stage(0.5, 0.7))
+        found, reason = strands(
+            self.region.matrix, self.room, self.at, starts, tuple(self.events), self.budget, self._stage(0.5, 0.7)
+        )
         self._open(reason)
         self._count(found)
         self._cross(found)
@@ -117,7 +118,8 @@ class Assembly:
         family, low, high = self.scope.family, float(self.scope.low[0]), float(self.scope.high[0])
         width = (high - low) / 64
         shares = (low + share * (high - low) for share in _BASES)
-        free = (x for x in shares if all(abs(x - one.ends[0]) > width for one in self.events))
+        spans = [one.span for one in self.events]
+        free = (x for x in shares if all(x < a - width or x > b + width for a, b in spans))
         x = next(free, low + 0.5078125 * (high - low))
         self.progress("base", 0.45)
         at = self.problem.changed(self.scope.family.paths[0], Fraction(x) * family.units[0])
@@ -138,7 +140,9 @@ class Assembly:
 
     def _same_region(self, at: Problem, base: Spectrum) -> bool:
         """Whether the counted region holds the same roots as the one along whose border events were sought."""
-        mine, its = self.answered, base.region
+        mine, its = self.region.answered, base.region
+        if isinstance(mine, Sheet):
+            return isinstance(its, Sheet)
         if not isinstance(mine, Below):
             return isinstance(its, HalfPlane) and its.radius is None
         if not isinstance(its, Below) or its.reach is None or its.radius is not None or mine.reach is None:
@@ -181,7 +185,7 @@ class Assembly:
         if not self.region.height:
             return
         side = replace(ON_AXIS, high=float(self.scope.X))
-        border = border_of(self.region, (side,), self.digits, self.budget, self._stage(0.7, 0.8))
+        border = border_of(self.scope, (side,), self.digits, self.budget, self._stage(0.7, 0.8))
         self._keep(border)
         for one in self._in_range(border.passings):
             line = next((strand for strand in found if strand.holds(one)), None)
@@ -194,7 +198,7 @@ class Assembly:
     def _line(self, strand: Strand, values: tuple[Fraction, ...], done: float) -> FrequencyLine:
         self.progress("roots", 0.8 + 0.2 * done)
         at, balls = [], []
-        for value, q in roots_at(self.scope.family, strand, values, self.digits):
+        for value, q in roots_at(self.scope.family, self.region.matrix, self.room, strand, values, self.digits):
             if q is None:
                 remedy = "ask for more digits, or leave that value out"
                 self._open(Reason("point", "the root of a line is not enclosed at some value", {}, remedy))
@@ -207,7 +211,7 @@ class Assembly:
 
     def _end(self, end: Any) -> LineEnd:
         if isinstance(end, Passing):
-            return LineEnd("region", *self.in_units(end))
+            return LineEnd("cut" if end.side else "region", *self.in_units(end), end.side or None)
         if isinstance(end, Meeting):
             return LineEnd("collision", *self._met(end))
         return LineEnd("range" if end == "range" else "open")

@@ -11,7 +11,8 @@ import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import EffortError
-from mpsolve.loci.chain import Chain, Room, follow
+from mpsolve.loci.chain import Chain, follow
+from mpsolve.loci.room import Room
 from mpsolve.loci.tube import Tubes
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.numbers.plain import outward

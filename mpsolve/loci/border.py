@@ -5,7 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mpsolve.loci.region import Region, Side
+import numpy as np
+
+from mpsolve.loci.gate import Gate
+from mpsolve.loci.region import Side
+from mpsolve.loci.room import ABOVE, BELOW, GAP
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.numbers.plain import outward
 from mpsolve.outcome import Reason
@@ -14,6 +18,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered
 from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.scope import Scope
 from mpsolve.ranges.search import Search
 
 ON_AXIS = Side(REAL_AXIS, 0.0, 0.0, "the real axis")
@@ -21,16 +26,33 @@ ON_AXIS = Side(REAL_AXIS, 0.0, 0.0, "the real axis")
 
 @dataclass(frozen=True)
 class Passing:
-    """A root on an edge, scaled: balls q̂ and x̂; gained: by how much the number on the side Im y < 0 grows."""
+    """A root on an edge, scaled: balls q̂ and x̂; gained: by how much the number on the side Im y < 0 grows.
+
+    side: of a cut, on which the root is, "" for the border of a region. gate: near an end of the gap the point at
+    which a line to there is known by a disc; None where none is proved.
+    """
 
     q: Any
     x: Any
     gained: int | None
+    side: str = ""
+    gate: Gate | None = None
 
     @property
     def ends(self) -> tuple[float, float]:
         """Floats that hold x̂ between them."""
         return outward(self.x, up=False), outward(self.x, up=True)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From the gate to x̂, where no chain begins but from the gate."""
+        at = [self.gate.x] if self.gate is not None else []
+        return min(*self.ends, *at), max(*self.ends, *at)
+
+    @property
+    def kind(self) -> int:
+        """Of the tubes by which a line comes here."""
+        return {"above": ABOVE, "gap": GAP}.get(self.side, BELOW)
 
     @property
     def disc(self) -> tuple[complex, float]:
@@ -51,12 +73,12 @@ class Border:
     reason: Reason | None
 
 
-def border_of(region: Region, sides: tuple[Side, ...], digits: int, budget: Effort, tell: Progress) -> Border:
+def border_of(scope: Scope, sides: tuple[Side, ...], digits: int, budget: Effort, tell: Progress) -> Border:
     """The passings of these sides."""
     found: list[Passing] = []
     covers, known, reason = [], [], None
     for k, side in enumerate(sides):
-        search = Search(region.scope, digits, (side.edge, *region.corners(side)))
+        search = Search(scope, digits, (side.edge, *_corners(scope, side)))
 
         def share(stage: str, part: float, k: int = k) -> None:
             tell(stage, (k + part) / len(sides))
@@ -71,6 +93,11 @@ def border_of(region: Region, sides: tuple[Side, ...], digits: int, budget: Effo
         reason = Reason("direction", "a root touches the border as far as can be told", {}, remedy)
     found.sort(key=lambda one: float(one.x.mid()))
     return Border(tuple(found), tuple(covers), tuple(known), reason)
+
+
+def _corners(scope: Scope, side: Side) -> tuple[Any, Any]:
+    """Of the box in (y, x̂)."""
+    return np.concatenate([[side.low], scope.low]), np.concatenate([[side.high], scope.high])
 
 
 def _on_side(one: Scaled, side: Side) -> bool:

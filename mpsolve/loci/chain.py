@@ -7,12 +7,13 @@ the disc of the second there, which holds one root only.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.loci.room import BELOW, Room
 from mpsolve.loci.tube import Tubes, tubes
 from mpsolve.proof.effort import Effort
 
@@ -28,8 +29,8 @@ class Chain:
     """A root that is followed in the direction `way` (±1): it lies within `radius` of q; `tubes` in their order.
 
     That holds at x̂ = x, or before the first tube at some x̂ between x and `ahead`. on_axis: it is imaginary, and no
-    tube is taken in which it could leave the axis. end: why it ended ("range", "stuck", or what the caller said),
-    None while it goes on.
+    tube is taken in which it could leave the axis. kind: of its last tube, or of its beginning (see `Room`). end: why
+    it ended ("range", "stuck", or what the caller said), None while it goes on.
     """
 
     x: float
@@ -38,6 +39,7 @@ class Chain:
     way: int
     ahead: float | None = None
     on_axis: bool = False
+    kind: int = BELOW
     tubes: list[Tubes] = field(default_factory=list)
     end: Any = None
     step: float = 0.0
@@ -47,23 +49,6 @@ class Chain:
 
 Stop = Callable[[Chain], Any]
 """What is asked after each new tube: a reason to end the chain, or None."""
-
-
-@dataclass(frozen=True)
-class Room:
-    """From low to high in x̂; the middle of no tube has Im q̂ > top, which is below all cuts.
-
-    So what a tube holds next to its middle is the determinant below the cuts, continued where it reaches beyond.
-    """
-
-    low: float
-    high: float
-    top: float
-
-    @property
-    def width(self) -> float:
-        """Of the range."""
-        return self.high - self.low
 
 
 def follow(
@@ -80,7 +65,11 @@ def follow(
 
 def _advance(matrix: FreeMatrix, active: list[Chain], room: Room, stop: Stop) -> None:
     """One tube for each chain: the longest of those that are tried side by side and proved."""
-    tried, each = _candidates(active, room)
+    tried, each, kinds = _candidates(active, room)
+    if not len(each):
+        for chain in active:
+            _shorter(chain, room)
+        return
     found = tubes(matrix, *tried)
     linked = _linked(found, active, each)
     with np.errstate(all="ignore"):
@@ -88,16 +77,22 @@ def _advance(matrix: FreeMatrix, active: list[Chain], room: Room, stop: Stop) ->
     length = np.where(linked, (found.high - found.low) * share, 0.0)
     taken = []
     for k, chain in enumerate(active):
-        rows = np.flatnonzero(each == k)
-        best = rows[length[rows].argmax()]
-        if length[best]:
-            taken.append((chain, found.take(slice(best, best + 1)), tried[3][best]))
+        rows = np.flatnonzero((each == k) & (length > 0))
+        if len(rows):
+            best = rows[length[rows].argmax()]
+            chain.kind = int(kinds[best])
+            tube = replace(found.take(slice(best, best + 1)), kind=kinds[best : best + 1])
+            taken.append((chain, tube, tried[3][best]))
         else:
-            chain.step, chain.size = chain.step * 0.125, chain.size * 0.25
-            if chain.step < _SHORTEST * room.width:
-                chain.end = "stuck"
+            _shorter(chain, room)
     if taken:
         _taken(matrix, taken, room, stop)
+
+
+def _shorter(chain: Chain, room: Room) -> None:
+    chain.step, chain.size = chain.step * 0.125, chain.size * 0.25
+    if chain.step < _SHORTEST * room.width:
+        chain.end = "stuck"
 
 
 def _linked(found: Tubes, active: list[Chain], each: Any) -> Any:
@@ -110,21 +105,22 @@ def _linked(found: Tubes, active: list[Chain], each: Any) -> Any:
     return found.holds(q, radius, x) & found.holds(q, radius, ahead) & known & (found.mirrored | ~on_axis)
 
 
-def _candidates(active: list[Chain], room: Room) -> tuple[tuple[Any, Any, Any, Any], Any]:
-    """((low, high, middle, ρ) of the boxes, the number of the chain of each)."""
-    rows, each = [], []
+def _candidates(active: list[Chain], room: Room) -> tuple[tuple[Any, Any, Any, Any], Any, Any]:
+    """((low, high, middle, ρ) of the boxes, the number of the chain of each, their kinds)."""
+    rows, each, kinds = [], [], []
     for k, chain in enumerate(active):
         reached = (chain.x + chain.way * chain.step * share for share in _LENGTHS)
         for x in dict.fromkeys(min(max(x, room.low), room.high) for x in reached):
-            half = (x - chain.x) / 2
-            middle = chain.q + chain.speed * half
-            middle = complex(middle.real, min(middle.imag, room.top))
+            half, ends = (x - chain.x) / 2, (min(x, chain.x), max(x, chain.x))
             for share in _SIZES:
                 rho = _LEAN * abs(chain.speed * half) + chain.size * share * max(abs(chain.q), 0.01)
-                rows.append((min(x, chain.x), max(x, chain.x), middle, rho))
-                each.append(k)
-    columns = [np.array(column) for column in zip(*rows, strict=True)]
-    return (columns[0], columns[1], columns[2].astype(complex), columns[3]), np.array(each)
+                placed = room.placed(chain.q + chain.speed * half, rho, ends, chain.kind, not chain.tubes)
+                if placed is not None:
+                    rows.append((*ends, placed[0], rho))
+                    each.append(k)
+                    kinds.append(placed[1])
+    columns = [np.array(column) for column in zip(*rows, strict=True)] if rows else [np.zeros(0)] * 4
+    return (columns[0], columns[1], columns[2].astype(complex), columns[3]), np.array(each), np.array(kinds)
 
 
 def _taken(matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, Any]], room: Room, stop: Stop) -> None:
@@ -134,10 +130,16 @@ def _taken(matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, Any]], room: Room
     near = np.array([tube.near[up][0] for up, (_, tube, _) in zip(ahead, taken, strict=True)])
     centre = np.array([tube.centre(at)[0] for at, (_, tube, _) in zip(x, taken, strict=True)])
     radius = np.array([tube.inner[0] for _, tube, _ in taken])
-    near = near.real + 1j * np.minimum(near.imag, room.top)
+    near = np.array(
+        [room.kept(q, chain.kind, (y, y)) for q, y, (chain, *_) in zip(near.tolist(), x.tolist(), taken, strict=True)]
+    )
     whole = (np.abs(near - centre) + radius) * 1.01
     point = tubes(matrix, x, x, near, whole)
-    inside = point.holds(centre, radius, x) & (point.inner < radius)
+    fits = [
+        room.fits(q, rho, (y, y), chain.kind)
+        for q, rho, y, (chain, *_) in zip(near.tolist(), whole.tolist(), x.tolist(), taken, strict=True)
+    ]
+    inside = point.holds(centre, radius, x) & (point.inner < radius) & fits
     for k, (chain, tube, rho) in enumerate(taken):
         chain.step = float(tube.high[0] - tube.low[0])
         chain.size = min(float(rho - _LEAN * abs(chain.speed) * chain.step / 2) / max(abs(chain.q), 0.01) * 4, 1.0)

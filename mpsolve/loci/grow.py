@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -11,9 +10,10 @@ import numpy as np
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import EffortError
 from mpsolve.loci.border import Passing
-from mpsolve.loci.chain import Chain, Room, follow
+from mpsolve.loci.chain import Chain, follow
+from mpsolve.loci.gate import Gate
 from mpsolve.loci.meeting import Meeting, beyond, meeting_of
-from mpsolve.loci.region import Region
+from mpsolve.loci.room import GAP, Room
 from mpsolve.loci.tube import Tubes
 from mpsolve.outcome import Reason
 from mpsolve.progress import Progress
@@ -50,6 +50,12 @@ class Strand:
         """Floats between which it ends."""
         return _ends(self.last) or (float(self.tubes.high[-1]),) * 2
 
+    @property
+    def gates(self) -> tuple[Gate | None, Gate | None]:
+        """Those beyond which it goes on to its begin, and to its end."""
+        first, last = (end.gate if isinstance(end, Passing) else None for end in (self.first, self.last))
+        return first, last
+
     def holds(self, passing: Passing) -> bool:
         """Whether the root of the passing is the one of this line."""
         return bool(holding(self.tubes, passing).any())
@@ -68,6 +74,20 @@ def _ends(end: Any) -> tuple[float, float] | None:
 
 def holding(tubes: Tubes, passing: Passing) -> Any:
     """Which tubes hold the root of the passing."""
+    if passing.side:
+        rows = np.flatnonzero(tubes.kind == passing.kind)
+        out = np.zeros(len(tubes.low), bool)
+        out[rows] = _holding(tubes.take(rows), passing)
+        return out
+    return _holding(tubes, passing)
+
+
+def _holding(tubes: Tubes, passing: Passing) -> Any:
+    if passing.side == "gap":
+        gate = passing.gate
+        if gate is None:
+            return np.zeros(len(tubes.low), bool)
+        return (tubes.low <= gate.x) & (gate.x <= tubes.high) & tubes.holds(gate.q, gate.radius, gate.x)
     low, high = passing.ends
     q, radius = passing.disc
     inside = (tubes.low <= low) & (high <= tubes.high)
@@ -75,21 +95,26 @@ def holding(tubes: Tubes, passing: Passing) -> Any:
 
 
 def strands(
-    region: Region, starts: list[Start], passings: tuple[Passing, ...], budget: Effort, tell: Progress
+    matrix: FreeMatrix,
+    room: Room,
+    base: float,
+    starts: list[Start],
+    passings: tuple[Passing, ...],
+    budget: Effort,
+    tell: Progress,
 ) -> tuple[list[Strand], Reason | None]:
-    """(the lines that the starts, all at one x̂, and the passings make, why they were left as they are)."""
-    scope = region.scope
-    ends = float(scope.low[0]), float(scope.high[0])
-    base = starts[0].x if starts else sum(ends) / 2
+    """(the lines that the starts, all at x̂ = base, and the passings make, why they were left as they are)."""
+    ends = room.low, room.high
     chains: list[Chain] = []
     begun: list[Start | Passing | Meeting] = []
     for start in starts:
         for way in (1, -1):
-            chains.append(Chain(start.x, start.q, start.radius, way, on_axis=start.on_axis))
+            kind = room.kind_of(start.q, start.radius, start.x)
+            chains.append(Chain(start.x, start.q, start.radius, way, on_axis=start.on_axis, kind=kind))
             begun.append(start)
     for passing in passings:
         way = 1 if passing.ends[0] > base else -1
-        if (passing.gained or 0) * way > 0:
+        if (passing.gained or 0) * way > 0 and not (passing.side == "gap" and passing.gate is None):
             chains.append(_from(passing, way))
             begun.append(passing)
 
@@ -99,13 +124,12 @@ def strands(
     def share(x: float) -> None:
         tell("lines", min(max((x - ends[0]) / (ends[1] - ends[0]), 0.0), 1.0))
 
-    room = Room(*ends, math.nextafter(float(region.height), -1.0))
     meetings: list[tuple[Meeting, int]] = []
     reason, more = None, True
     try:
         while more:
-            follow(scope.matrix, chains, room, budget, stop, share)
-            new = _through(scope.matrix, chains, meetings, room)
+            follow(matrix, chains, room, budget, stop, share)
+            new = _through(matrix, chains, meetings, room)
             chains += [chain for chain, _ in new]
             begun += [begin for _, begin in new]
             more = bool(new)
@@ -125,7 +149,7 @@ def _through(
             chain.end = known
             continue
         meeting = meeting_of(matrix, chain, room)
-        ahead = [] if meeting is None else beyond(matrix, meeting, chain.way, not chain.on_axis)
+        ahead = [] if meeting is None else beyond(matrix, meeting, chain, room)
         if meeting is not None and ahead:
             chain.end = meeting
             meetings.append((meeting, chain.way))
@@ -134,10 +158,12 @@ def _through(
 
 
 def _from(passing: Passing, way: int) -> Chain:
+    if passing.gate is not None:
+        return Chain(passing.gate.x, passing.gate.q, passing.gate.radius, way, kind=GAP)
     low, high = passing.ends
     q, radius = passing.disc
     x, ahead = (low, high) if way > 0 else (high, low)
-    return Chain(x, q, radius, way, ahead=ahead, on_axis=bool(passing.q.real.is_zero()))
+    return Chain(x, q, radius, way, ahead=ahead, on_axis=bool(passing.q.real.is_zero()), kind=passing.kind)
 
 
 def _met(chain: Chain, passing: Passing) -> bool:
@@ -177,4 +203,4 @@ def _side_by_side(rows: list[Tubes]) -> Tubes:
 
     names = ("low", "high", "middle", "slope", "outer", "inner", "good")
     low, high, middle, slope, outer, inner, good = map(joined, names)
-    return Tubes(low, high, middle, slope, outer, inner, good, both("near"), both("speed"))
+    return Tubes(low, high, middle, slope, outer, inner, good, both("near"), both("speed"), joined("kind"))

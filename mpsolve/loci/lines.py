@@ -9,14 +9,19 @@ from time import process_time
 from typing import Any
 
 from mpsolve.certificate.solve import checked_digits
+from mpsolve.cuts.points import from_above_rest as above_rest
 from mpsolve.errors import InputError
 from mpsolve.loci.answer import Event, FrequencyLines
 from mpsolve.loci.assembly import Assembly
+from mpsolve.loci.on_sheet import on_sheet
 from mpsolve.loci.region import region_of
 from mpsolve.numbers.model import rational, shown
 from mpsolve.outcome import Status
 from mpsolve.parallel.threads import one_thread
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.line import line_height
+from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
@@ -42,20 +47,30 @@ def frequency_lines(
     """Every root of a region as a continuous function of one parameter over a closed range.
 
     over: {path: (low, high)}, in the problem's units. points: how many values, evenly spaced, or which ones: at them
-    the lines have their roots to `digits` digits. region: None, all below a height near the lowest cut; "unstable",
-    Im q < 0; ("below", h), Im q < h as far as the answer's region says. check: have the standalone verifier pass the
-    spectrum from which the roots are counted. `Status.UNDECIDED`, with a reason and the lines as far as they are
-    proved, where some root could not be followed. Raises InputError for a path that there is not, for ranges and
-    points that cannot be, and for heights at the cuts.
+    the lines have their roots to `digits` digits. region: "unstable", Im q < 0; ("below", h), Im q < h as far as the
+    answer's region says; "sheet", the whole sheet of masses on a beam, below its cuts and above: a line that comes to
+    a cut ends there, with a `LineEnd` that is one of `cut_points`; None, "sheet" for a `Case` with damping below the
+    critical one, else all below a height near the lowest cut. check: have the standalone verifier pass the spectrum
+    from which the roots are counted. `Status.UNDECIDED`, with a reason and the lines as far as they are proved, where
+    some root could not be followed. Raises InputError for a path that there is not, for ranges and points that cannot
+    be, for heights at the cuts, and for "sheet" on other tracks.
     """
     given = as_problem(problem)
     ranges = checked_over(given, over)
     path = one_path(ranges)
     values = _values(points, path, ranges[path])
     tell = progress or silent
+    asked = "sheet" if region is None and _on_paper(problem, given, path, ranges[path]) else region
     with one_thread():
-        found = _find(given, ranges, values, region, checked_digits(digits), effort, tell, check)
+        found = _find(given, ranges, values, asked, checked_digits(digits), effort, tell, check)
     return replace(found, problem=problem)
+
+
+def _on_paper(given: Given, problem: Problem, path: str, ends: Interval) -> bool:
+    """Whether it is a case of the paper, whose cuts lie on one line at both ends of the range."""
+    paper = isinstance(given, (Case, PhysicalCase))
+    tracks = [problem.changed(path, end).track for end in ends] if paper else []
+    return bool(tracks) and all(line_height(track) is not None for track in tracks)
 
 
 def _values(points: int | Iterable[Any], path: str, interval: Interval) -> tuple[Fraction, ...]:
@@ -84,11 +99,11 @@ def _find(
 ) -> FrequencyLines:
     started = process_time()
     budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
-    over = from_above_rest(problem, over)
-    scope = scope_of(problem, over)
+    whole = asked == "sheet"
+    over = dict(above_rest(problem, over)) if whole else from_above_rest(problem, over)
     common: dict[str, Any] = {"digits": digits, "values": values}
     try:
-        region = region_of(scope, asked)
+        region = on_sheet(problem, over) if whole else region_of(scope_of(problem, over), asked)
     except OpenError as error:
         cost = Spent(process_time() - started)
         return FrequencyLines(problem, over, Status.UNDECIDED, error.reason, cost=cost, **common)
@@ -99,9 +114,9 @@ def _find(
     cost = Spent(process_time() - started - checked, checked, budget.spent)
     reason = search.reason
     status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
-    events = tuple(Event(*search.in_units(one), one.gained or 0) for one in search.events)
+    events = tuple(Event(*search.in_units(one), one.gained or 0, one.side or None) for one in search.events)
     counts = search.counts if reason is None else None
     return FrequencyLines(
         problem, over, status, reason, {"lines": len(lines)}, proof, cost, note="" if reason else NOTE,
-        region=search.answered, lines=lines, events=events, counts=counts, **common,
+        region=region.answered, lines=lines, events=events, counts=counts, **common,
     )  # fmt: skip

@@ -15,7 +15,8 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
-from mpsolve.loci.chain import Chain, Room
+from mpsolve.loci.chain import Chain
+from mpsolve.loci.room import Room
 from mpsolve.loci.tube import tubes
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.proof.vanishing import scalar
@@ -52,13 +53,15 @@ def meeting_of(matrix: FreeMatrix, chain: Chain, room: Room) -> Meeting | None:
         half = 0.25 * bend * radius**2
         low, high = max(x - half, room.low), min(x + half, room.high)
         meeting = Meeting(height, radius, low, high)
-        if low < x < high and meeting.holds(chain) and _two(matrix, height, radius, low, high):
+        fits = room.fits(1j * height, radius, (low, high), chain.kind)
+        if low < x < high and fits and meeting.holds(chain) and _two(matrix, height, radius, low, high):
             return meeting
     return None
 
 
-def beyond(matrix: FreeMatrix, meeting: Meeting, way: int, on_axis: bool) -> list[Chain]:
-    """Chains of the roots at the far end of a meeting: two imaginary ones (on_axis), or the one with Re q > 0."""
+def beyond(matrix: FreeMatrix, meeting: Meeting, chain: Chain, room: Room) -> list[Chain]:
+    """What comes out at the far end of the meeting at which a chain is: two imaginary roots, or one with Re q > 0."""
+    way, on_axis = chain.way, not chain.on_axis
     x = meeting.high if way > 0 else meeting.low
     s = _model(matrix, np.array([1j * meeting.height]), np.array([meeting.radius]), np.array([x]), np.array([0.0]))[0]
     root = np.sqrt(s.b[0] ** 2 - 4 * s.a * s.c[0])
@@ -69,14 +72,15 @@ def beyond(matrix: FreeMatrix, meeting: Meeting, way: int, on_axis: bool) -> lis
     at = np.full(len(places), x)
     found = tubes(matrix, at, at, np.array(places), sizes)
     away = np.abs(found.middle - 1j * meeting.height) + found.inner
-    if not (found.good.all() and (away * _LOST < meeting.radius).all()):
+    fits = all(room.fits(q, rho, (x, x), chain.kind) for q, rho in zip(places, sizes.tolist(), strict=True))
+    if not (fits and found.good.all() and (away * _LOST < meeting.radius).all()):
         return []
     if on_axis and not found.mirrored.all():
         return []
     if not on_axis and not (found.middle.real > found.inner).all():
         return []
     each = zip(found.middle.tolist(), found.inner.tolist(), strict=True)
-    return [Chain(float(x), q, radius, way, on_axis=on_axis) for q, radius in each]
+    return [Chain(float(x), q, radius, way, on_axis=on_axis, kind=chain.kind) for q, radius in each]
 
 
 def _double(matrix: FreeMatrix, height: float, x: float, size: float) -> tuple[float, float, float] | None:

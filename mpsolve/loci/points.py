@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
+from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.loci.grow import Strand
+from mpsolve.loci.room import GAP, Room
+from mpsolve.loci.tube import Tubes, tubes
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.numbers.plain import outward
 from mpsolve.problem.family import Family
@@ -18,7 +24,7 @@ from mpsolve.spectrum.enclose import enclose
 
 
 def roots_at(
-    family: Family, strand: Strand, values: tuple[Fraction, ...], digits: int
+    family: Family, matrix: FreeMatrix, room: Room, strand: Strand, values: tuple[Fraction, ...], digits: int
 ) -> Iterator[tuple[Fraction, Any | None]]:
     """(value, ball) at each value at which the line is there; None for the ball where it is not enclosed."""
     unit = family.units[0]
@@ -26,16 +32,33 @@ def roots_at(
     for value in values:
         x = value / unit
         if Fraction(first) <= x <= Fraction(last):
-            yield value, _root(family, strand, value, x, digits)
+            tube = _tube(matrix, room, strand, float(x))
+            yield value, None if tube is None else _root(family, tube, strand.on_axis, room, value, digits)
 
 
-def _root(family: Family, strand: Strand, value: Fraction, x: Fraction, digits: int) -> Any | None:
-    """The only root near the tube at x̂, if it lies in the tube."""
-    tube = strand.tube_at(min(max(float(x), float(strand.tubes.low[0])), float(strand.tubes.high[-1])))
-    if tube is None:
+def _tube(matrix: FreeMatrix, room: Room, strand: Strand, x: float) -> Tubes | None:
+    """One that holds the line's root at x̂ and next to it."""
+    low, high = float(strand.tubes.low[0]), float(strand.tubes.high[-1])
+    gate = strand.gates[0] if x < low else strand.gates[1] if x > high else None
+    if gate is None:
+        return strand.tube_at(min(max(x, low), high))
+    ends = math.nextafter(x, -math.inf), math.nextafter(x, math.inf)
+    gate = gate.at(*ends)
+    if gate is None:
         return None
-    centre = complex(tube.guess(float(x))[0])
-    if strand.on_axis:
+    sizes = 2.0 ** -np.arange(4.0, 20.0, 2.0) * max(room.gap(ends) - abs(gate.q.real), 0.0)
+    each = np.ones(len(sizes))
+    found = tubes(matrix, ends[0] * each, ends[1] * each, gate.q * each, sizes)
+    fits = [room.fits(gate.q, rho, ends, GAP) for rho in sizes.tolist()]
+    rows = np.flatnonzero(found.good & fits & found.holds(gate.q, gate.radius, ends[0]))
+    return replace(found.take(rows[:1]), kind=np.array([GAP])) if len(rows) else None
+
+
+def _root(family: Family, tube: Tubes, on_axis: bool, room: Room, value: Fraction, digits: int) -> Any | None:
+    """The only root near the tube at x̂, if it lies in the tube."""
+    x = float(value / family.units[0])
+    centre = complex(tube.guess(x)[0])
+    if on_axis:
         centre = complex(0, centre.imag)
     unit = float(family.frequency_unit)
     reduced = reduce_problem(family.problem.changed(family.paths[0], value))
@@ -47,7 +70,7 @@ def _root(family: Family, strand: Strand, value: Fraction, x: Fraction, digits: 
         scaled = q / unit
         at = acb(scaled.mid())
         away = outward(arb((scaled - at).abs_upper()), up=True)
-    reach = math.nextafter(float(x), -math.inf), math.nextafter(float(x), math.inf)
+    reach = math.nextafter(x, -math.inf), math.nextafter(x, math.inf)
     middle = complex(at)
     inside = all(bool(tube.holds(middle, away + 2.0**-50 * abs(middle), y)[0]) for y in reach)
-    return q if inside else None
+    return q if inside and all(room.holds(scaled, int(tube.kind[0]), y) for y in reach) else None

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import comb
+from math import comb, nextafter
 from typing import Any
 
-import numpy as np
-
+from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError
+from mpsolve.loci.room import Room
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_track import FreePolynomial
@@ -53,6 +53,25 @@ class Region:
         return Below(self.height * self.scope.family.frequency_unit) if self.height else HalfPlane()
 
     @property
+    def answered(self) -> Below | HalfPlane:
+        """What the answer speaks of."""
+        asked = self.asked
+        if isinstance(asked, HalfPlane):
+            return asked
+        return replace(asked, reach=self.reach * self.scope.family.frequency_unit)
+
+    @property
+    def matrix(self) -> FreeMatrix:
+        """Whose determinant vanishes where roots are."""
+        return self.scope.matrix
+
+    @property
+    def room(self) -> Room:
+        """Where tubes may stand."""
+        low, high = (float(end[0]) for end in (self.scope.low, self.scope.high))
+        return Room(low, high, nextafter(float(self.height), -1.0))
+
+    @property
     def sides(self) -> tuple[Side, ...]:
         """All that has to be looked at: beyond `reach` the contacts are passive on the real axis."""
         if not self.height:
@@ -63,10 +82,6 @@ class Region:
             Side(top, 0.0, float(self.reach), "the upper side of the region"),
             Side(right, -float(self.height), 0.0, "the side of the region"),
         )
-
-    def corners(self, side: Side) -> tuple[Any, Any]:
-        """Of the box in (y, x̂)."""
-        return np.concatenate([[side.low], self.scope.low]), np.concatenate([[side.high], self.scope.high])
 
 
 def region_of(scope: Scope, asked: object = None) -> Region:
@@ -87,7 +102,9 @@ def region_of(scope: Scope, asked: object = None) -> Region:
                 stated = f"reaches up to {shown(height)}, which is not proved to lie below all cuts of the range"
                 raise InputError("region", f"{stated}: give a smaller height")
             return Region(scope, scaled, reach)
-    raise InputError("region", f'is {str(asked)[:60]!r}: give "unstable", ("below", h) with h above 0, or None')
+    raise InputError(
+        "region", f'is {str(asked)[:60]!r}: give "unstable", "sheet", ("below", h) with h above 0, or None'
+    )
 
 
 def _default(family: Family) -> Fraction:

@@ -28,7 +28,8 @@ _STEPS = 4
 class Tubes:
     """Arrays: from `low` to `high` in x̂ one root with |q̂ − (middle + slope (x̂ − at))| < outer, and even ≤ inner.
 
-    good: where that is proved. near: about where the root is at `low` and at `high`; speed: about dq̂/dx̂ there.
+    good: where that is proved. near: about where the root is at `low` and at `high`; speed: about dq̂/dx̂ there. kind:
+    where the boxes are, as `Room` says, once they are taken.
     """
 
     low: Any
@@ -40,6 +41,7 @@ class Tubes:
     good: Any
     near: tuple[Any, Any]
     speed: tuple[Any, Any]
+    kind: Any = None
 
     @property
     def at(self) -> Any:
@@ -58,9 +60,12 @@ class Tubes:
 
     def take(self, rows: Any) -> Tubes:
         """Those of some rows."""
-        arrays = (self.low, self.high, self.middle, self.slope, self.outer, self.inner, self.good)
-        pairs = ((part[0][rows], part[1][rows]) for part in (self.near, self.speed))
-        return Tubes(*(part[rows] for part in arrays), *pairs)
+        (near, far), (slow, fast) = self.near, self.speed
+        return Tubes(
+            self.low[rows], self.high[rows], self.middle[rows], self.slope[rows], self.outer[rows], self.inner[rows],
+            self.good[rows], (near[rows], far[rows]), (slow[rows], fast[rows]),
+            None if self.kind is None else self.kind[rows],
+        )  # fmt: skip
 
     def holds(self, q: Any, radius: Any, x: Any) -> Any:
         """Whether a disc lies in the one that holds one root at x̂."""

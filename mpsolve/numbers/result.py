@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import Field, fields
 from enum import Enum
 from fractions import Fraction
-from html import escape
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -88,6 +87,8 @@ class Result(Portable):
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
+        from html import escape
+
         rows = list(self.records())
         names = list(dict.fromkeys(name for row in rows for name in row))
         lines = [names, *([_text(row.get(name)) for name in names] for row in rows[:_ROWS])]

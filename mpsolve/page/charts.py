@@ -10,7 +10,7 @@ import numpy as np
 from mpsolve.page.parts import Parts, worth_drawing
 from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import Sure, chart_picture
-from mpsolve.pictures.proved_chart import borders, drawn, ends, numbers, open_words, places
+from mpsolve.pictures.proved_chart import drawn, ends, proved_parts
 from mpsolve.problem.case import Case
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.margin import Margin
@@ -41,10 +41,7 @@ def chart(parts: Parts) -> Picture | None:
     svg = chart_picture(
         v * scale, factors * mass, counts, "velocity, km/h" if speak.si else "velocity ratio α", y_title,
         "How many roots grow, over velocity and masses", here=(float(parts.problem.v) * scale, mass), sure=sure,
-        boundaries=[] if found is None else borders(found, (scale, mass)),
-        open_words="open" if found is None else open_words(found),
-        meetings=[] if found is None else places(found, (scale, mass)),
-        numbers=[] if found is None else numbers(found, (scale, mass)),
+        **({} if found is None else proved_parts(found, (scale, mass))),
     )  # fmt: skip
     how = "computed in floats"
     if found is not None:

@@ -41,6 +41,7 @@ STYLE = """
 .picture .dash2 { stroke-dasharray: 2 3; }
 .picture .dash3 { stroke-dasharray: 8 3 2 3; }
 .picture .point { fill: var(--card, Canvas); stroke: var(--ink, currentColor); stroke-width: 1.5; }
+.picture .end { fill: none; stroke: var(--ink, currentColor); stroke-width: 2; }
 .picture .boundary { fill: none; stroke: var(--ink, currentColor); stroke-width: 2; }
 .picture .zero { stroke-dasharray: 7 4; }
 .picture .beyond { stroke: var(--soft, #777); stroke-opacity: 0.5; }
@@ -66,6 +67,11 @@ def mark_at(x: float, y: float, k: int) -> str:
     kind = min(k // 4, 3)
     d = ("", "m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0", "m-3.5 -3.5h7v7h-7z", "m0 -4.5l4.5 8h-9z")[kind]
     return f'<path class="point" d="M{x:.1f} {y:.1f}{d}"/>' if kind else ""
+
+
+def end_mark(x: float, y: float) -> str:
+    """A cross where a line ends at a cut."""
+    return f'<path class="end" d="M{x:.1f} {y:.1f}m-4.5 -4.5l9 9m0 -9l-9 9"/>'
 
 
 def marked(axes: Axes, x: Any, y: Any, k: int) -> str:

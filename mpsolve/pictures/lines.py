@@ -19,6 +19,7 @@ from mpsolve.pictures.axes import (
     box,
     clip,
     curve_class,
+    end_mark,
     line,
     mark_at,
     marked,
@@ -34,12 +35,16 @@ _LOWEST = HIGH - BOTTOM - 6.0
 
 @dataclass(frozen=True)
 class Curve:
-    """y over x; nan breaks it. name: at its end, or in a key. beyond: from this x on it is only shown in grey."""
+    """y over x; nan breaks it. name: at its end, or in a key. beyond: from this x on it is only shown in grey.
+
+    ends: at which of its points it ends at a cut, which has a mark of its own.
+    """
 
     x: Any
     y: Any
     name: str = ""
     beyond: float | None = None
+    ends: Sequence[bool] = ()
 
 
 @dataclass(frozen=True)
@@ -74,6 +79,11 @@ def lines_picture(
         inside = np.ones(np.shape(curve.x), bool) if curve.beyond is None else np.asarray(curve.x) <= curve.beyond
         parts.append(line(axes, curve.x, np.where(inside, curve.y, np.nan), curve_class(k)))
         parts.append(marked(axes, curve.x, np.where(inside, curve.y, np.nan), k))
+        parts += [
+            end_mark(float(axes.px(a)), float(axes.py(b)))
+            for a, b, end in zip(curve.x, curve.y, curve.ends, strict=False)
+            if end
+        ]
         if not inside.all():
             parts.append(line(axes, curve.x, np.where(inside, np.nan, curve.y), f"{curve_class(k)} beyond"))
     parts.append("</g>")

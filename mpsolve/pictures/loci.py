@@ -18,10 +18,10 @@ def loci_picture(found: FrequencyLines, asked: Asked) -> str:
     factor = float(over.shown(1.0))
     curves, marks = [], []
     for k, line in enumerate(found.lines, 1):
-        ends = [(float(end.value.mid()), end.q) for end in line.ends if end.value is not None]
-        points = sorted([*ends, *zip(map(float, line.values), line.q, strict=True)], key=lambda point: point[0])
-        x = np.array([value * factor for value, _ in points])
-        curves.append(Curve(x, np.array([-float(q.imag.mid()) for _, q in points]), f"line {k}"))
+        x = np.array([float(value) * factor for value, *_ in line.points])
+        y = np.array([-float(q.imag.mid()) for _, q, _ in line.points])
+        at_cut = [end.startswith("cut") for *_, end in line.points]
+        curves.append(Curve(x, y, f"line {k}", ends=at_cut))
         marks += [Mark(float(one.value.mid()) * factor, over.told(one.value)) for one in line.crossings]
     title = f"{over.path}, {over.unit}" if over.unit else over.path
     rate = "growth −Im q, 1/s" if asked.si else "growth −Im q"

@@ -30,11 +30,20 @@ def proved_chart(found: Chart, asked: Asked) -> str:
     picture = chart_picture(
         ends(found.x, counts.shape[0]) * factors[0], ends(found.y, counts.shape[1]) * factors[1], counts,
         axis_title(first), axis_title(second), "How many roots grow: proved regions, dotted where open",
-        here=(here[0], here[1]) if len(here) == 2 else None, boundaries=borders(found, factors),
-        open_words=open_words(found), meetings=places(found, factors), numbers=numbers(found, factors),
+        here=(here[0], here[1]) if len(here) == 2 else None, **proved_parts(found, factors),
     )  # fmt: skip
     head, rest = picture.split(">", 1)
     return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
+
+
+def proved_parts(found: Chart, factors: Sequence[float]) -> dict[str, Any]:
+    """What `chart_picture` draws over the areas, in units of which one is a factor of the problem's."""
+    return {
+        "boundaries": borders(found, factors),
+        "open_words": open_words(found),
+        "meetings": places(found, factors),
+        "numbers": numbers(found, factors),
+    }
 
 
 def drawn(found: Chart) -> Any:

@@ -55,7 +55,7 @@ def boundaries(matrix: FreeMatrix, near: Any, corners: tuple[Any, Any], units: A
         if paths:
             spread = max(float(np.ptp(path.points[0])) for path in paths)
             scale = np.array([spread or whole[0], *whole[1:]])
-            out += proved_chains(replace(curves, whole=scale), paths, np.array(units))
+            out += proved_chains(replace(curves, whole=scale), paths, np.array(units), corners)
     return tuple(sorted(out, key=lambda one: -len(one.x)))
 
 
@@ -148,7 +148,9 @@ class _Chain:
     path: Path
 
 
-def proved_chains(curves: Curves, paths: list[Path], units: Any) -> list[Boundary]:
+def proved_chains(
+    curves: Curves, paths: list[Path], units: Any, corners: tuple[Any, Any] | None = None
+) -> list[Boundary]:
     """What of the paths is proved, parted where a step is not."""
     chains = []
     for path in paths:
@@ -165,7 +167,7 @@ def proved_chains(curves: Curves, paths: list[Path], units: Any) -> list[Boundar
             chain.good[k] = held
         if turn < _ROUNDS - 1:
             _between(curves, chains)
-    return [one for chain in chains for one in _curves(chain, units)]
+    return [one for chain in chains for one in _curves(chain, units, corners)]
 
 
 def _enclosed(curves: Curves, chains: list[_Chain]) -> None:
@@ -219,14 +221,18 @@ def _steps_over(curves: Curves, ends: Any, sizes: Any, least: float) -> Any:
     return good
 
 
-def _curves(chain: _Chain, units: Any) -> list[Boundary]:
-    """The parts of a chain that are proved without a gap."""
-    ends = [-1, *(k for k, good in enumerate(chain.good) if not good), len(chain.good)]
-    unbroken = len(ends) == 2 and chain.path.whole
+def _curves(chain: _Chain, units: Any, corners: tuple[Any, Any] | None) -> list[Boundary]:
+    """The parts of a chain that are proved without a gap, in the range; a step that leaves it leads to its edge."""
+    points, good = np.array(chain.points), np.array(chain.good)
+    unbroken = bool(good.all()) and chain.path.whole
+    if corners is not None:
+        inside = ((points >= corners[0]) & (points <= corners[1]))[:, 1:].all(1)
+        good &= inside[1:] & inside[:-1]
+    ends = [-1, *np.flatnonzero(~good).tolist(), len(good)]
     out = []
     for first, last in pairwise(ends):
         if last > first + 1:
-            q, x, y = np.array(chain.points[first + 1 : last + 1]).T * units[:, None]
+            q, x, y = points[first + 1 : last + 1].T * units[:, None]
             _, dx, dy = (np.max(chain.sizes[first + 1 : last + 1], 0) * units).tolist()
             out.append(Boundary(x, y, q, not q.any(), unbroken, (dx, dy)))
     return out

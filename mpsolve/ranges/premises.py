@@ -54,6 +54,9 @@ def require_no_wave_speed(family: Family) -> None:
         least, most = _least(row, family.box), _least({e: -c for e, c in row.items()}, family.box)
         if least > 0 or most > 0 or (len(family.paths) == 1 and _keeps_sign(row, family.box[0])):
             return
+    for path, (low, high), power in zip(family.paths, family.box, zip(*row, strict=True), strict=False):
+        if low <= 0 <= high and min(power) > 0 and path not in ("v", "alpha"):
+            raise InputError(path, "is 0 somewhere in its range, and there the track has fewer waves: begin above 0")
     speeds = ", ".join(f"{name}: {float(x) ** 0.5:.6g}" for name, x in wave_speeds(family.problem.track).items())
     known = f" ({speeds})" if speeds else ""
     raise InputError("over", f"may hold a speed at which short waves of the track run{known}: ask below and above it")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,7 @@ from mpsolve.passivity.far import far
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.family import Family, Interval, family_of, require_ends
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import Guide
 from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.premises import require_no_wave_speed, require_stable_track
 from mpsolve.spectrum.premises import require_premises
@@ -43,6 +46,11 @@ _NO_END: dict[bool, tuple[str, dict[str, str], str]] = {
     ),
 }
 """Why the frequencies of roots have no bound, by whether some short wave is slower than the contacts."""
+_LONG = (
+    "the longest waves run at v = {} and meet at q = 0, some ahead of the contacts and some behind: at slower "
+    "velocities no box of frequencies from 0 on is decided"
+)
+_FASTER = "begin the range above that speed, or certify single velocities"
 LEAST = Fraction(1, 1024)  # of a range of velocities: where it begins if v = 0 cannot be its start
 
 
@@ -103,6 +111,11 @@ class Scope:
         """
         if self.reach is not None:
             return self.reach
+        long_waves = max((_speed_of_long_waves(self.family.guide(x)) for x in product(*self.family.box)), default=0.0)
+        if long_waves:
+            guide = self.family.base.guide
+            speed = f"{math.ldexp(long_waves, guide.length - guide.time):.6g}"
+            raise OpenError(Reason("long-waves", _LONG.format(speed), {"speed": speed}, _FASTER))
         key = self._told_by
         if key not in _KNOWN:
             if len(_KNOWN) >= _MOST:
@@ -148,6 +161,17 @@ class Scope:
     def corners(self) -> tuple[Any, Any]:
         """Of the box in (q̂, x̂) that is to be covered."""
         return np.concatenate([[0.0], self.low]), np.concatenate([[self.X], self.high])
+
+
+def _speed_of_long_waves(guide: Guide) -> float:
+    """Where the track's velocity is below the speed of two waves that come to P = 0 at q = 0: that speed, else 0.
+
+    The moving D begins with aP² + bPσ + cσ², so that P = ζσ; the ζ lie on both sides of 0 where ac < 0 (SPEC2, 4.8).
+    """
+    if min(i + j for i, j in guide.D) != 2:
+        return 0.0
+    a, c = (Fraction(guide.D.get(key, 0)) for key in ((2, 0), (0, 2)))
+    return math.sqrt(guide.v**2 - a / c) if a * c < 0 else 0.0
 
 
 def scope_of(problem: Problem, over: Mapping[str, Interval]) -> Scope:

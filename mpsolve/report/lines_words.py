@@ -10,6 +10,13 @@ from mpsolve.numbers.spoken import rounded
 from mpsolve.problem.over import Over
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, framed, frequency_text, growing, undecided, value_text
+from mpsolve.spectrum.regions import Sheet
+
+_SIDES = {
+    "below": "the branch cut, which it meets from below,",
+    "above": "the branch cut, which it meets from above,",
+    "gap": "the branch point at which the cut begins,",
+}
 
 
 def said_of_lines(found: FrequencyLines, asked: Asked) -> Said:
@@ -24,7 +31,8 @@ def lines_verdict(found: FrequencyLines) -> str:
     if not found.proved:
         return undecided(found)
     number = len(found.lines)
-    return f"Every root with {found.region} lies on {'one line' if number == 1 else f'one of {number} lines'}."
+    of = "of" if isinstance(found.region, Sheet) else "with"
+    return f"Every root {of} {found.region} lies on {'one line' if number == 1 else f'one of {number} lines'}."
 
 
 def _lines(found: FrequencyLines, asked: Asked) -> list[str]:
@@ -65,21 +73,21 @@ def _end(end: LineEnd, over: Over, digits: int, name: str) -> str:
         "range": f"the {name} of the range",
         "region": f"the border of the region{where}",
         "collision": f"where it meets its mirror image{where}",
-        "cut": f"a branch cut{where}",
+        "cut": f"{_SIDES[end.side or 'below']}{where}",
         "open": "where it is followed no further",
     }
     return said[end.kind]
 
 
 def lines_csv(found: FrequencyLines, asked: Asked) -> str:
-    """A row for each point of each line: the parameter as the user wrote it, q, and in SI its frequency in Hz."""
+    """The rows of the answer: the parameter as the user wrote it, q, in SI its frequency in Hz, how the line ends."""
     (over,) = asked.overs
     name = f"{over.path} [{over.unit}]" if over.unit else over.path
     rate = "rad/s" if asked.si else "√(k/m)"
-    rows = [["line", name, f"Re q [{rate}]", f"Im q [{rate}]", *(["frequency [Hz]"] if asked.si else [])]]
+    rows = [["line", name, f"Re q [{rate}]", f"Im q [{rate}]", *(["frequency [Hz]"] if asked.si else []), "end"]]
     for k, line in enumerate(found.lines, 1):
-        for value, q in zip(line.values, line.q, strict=True):
+        for value, q, end in line.points:
             re, im = float(q.real.mid()), float(q.imag.mid())
             hertz = [repr(re / (2 * np.pi))] if asked.si else []
-            rows.append([str(k), repr(float(over.shown(value))), repr(re), repr(im), *hertz])
+            rows.append([str(k), repr(float(over.shown(value))), repr(re), repr(im), *hertz, end])
     return csv_text(rows)

@@ -27,6 +27,7 @@ _WHERE: p.Schema = {"enum": ["inside", "start", "end", ""]}
 _COMPLEX = p.table({"real": p.BALL, "imag": p.BALL})
 _CROSSING = p.table({"value": p.BALL, "q": p.BALL, "direction": p.maybe(p.WHOLE)})
 _LEFT_OUT = p.rows(p.table({"name": p.TEXT, "value": p.BALL, "start": p.BALL, "end": p.BALL}))
+_SIDE: p.Schema = {"enum": ["below", "above", "gap"]}
 _ANSWERS: dict[str, p.Schema] = {
     "onset": {
         "digits": p.DIGITS,
@@ -71,7 +72,8 @@ _ANSWERS: dict[str, p.Schema] = {
                     "ends": p.rows(
                         p.table(
                             {
-                                "kind": {"enum": ["range", "region", "collision", "open"]},
+                                "kind": {"enum": ["range", "region", "cut", "collision", "open"]},
+                                "side": p.maybe(_SIDE),
                                 "value": p.maybe(p.BALL),
                                 "q": p.maybe(_COMPLEX),
                             }
@@ -82,7 +84,7 @@ _ANSWERS: dict[str, p.Schema] = {
                 }
             )
         ),
-        "events": p.rows(p.table({"value": p.BALL, "q": _COMPLEX, "gained": p.WHOLE})),
+        "events": p.rows(p.table({"value": p.BALL, "q": _COMPLEX, "gained": p.WHOLE, "side": p.maybe(_SIDE)})),
         "counts": p.maybe(p.rows(p.COUNT)),
     },
     "robust": {"stable": p.maybe(p.YES), "counterexample": p.maybe(p.by_name(p.EXACT)), "open": p.rows(_OVER)},
@@ -102,9 +104,7 @@ QUESTIONS = tuple(_ANSWERS)
 OF_LIBRARY: dict[str, p.Schema] = {
     "cut_points": {
         "digits": p.DIGITS,
-        "points": p.rows(
-            p.table({"value": p.BALL, "q": _COMPLEX, "side": {"enum": ["below", "above", "gap"]}, "appears": p.YES})
-        ),
+        "points": p.rows(p.table({"value": p.BALL, "q": _COMPLEX, "side": _SIDE, "appears": p.YES})),
         "reach": p.maybe(p.REAL),
     },
     "sensitivity": {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import field
 from fractions import Fraction
 from typing import Any
@@ -51,7 +52,7 @@ def solve(
 
     Never raises for what stays undecided. Matrices are multiplied in one thread. in_strips: count parts first.
     """
-    with one_thread():
+    with one_thread() if reduced.contacts > _FEW else nullcontext():  # small products start no threads
         return _solve(reduced, region, digits, effort, tell, Partial(in_strips))
 
 
@@ -90,6 +91,7 @@ def _solve(
 _FEWER = "ask for a Rectangle round those that matter: where fewer are counted, all are found"
 _SHARPER = (2, 4)
 """Times the digits that were asked for, where a sign of Im q is open."""
+_FEW = 4
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
@@ -181,7 +183,8 @@ def _enclosed(
     proved = Proved(reduced)
     for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
         tell("roots", 0.5)
-        for ball in _balls(proved, sigma, digits):
+        # a ball of so many digits of |q| may meet the cut, where the root is next to it
+        for ball in _balls(proved, sigma, digits) or _balls(proved, sigma, 2 * digits):
             _add(balls, ball, count.region, proved.lossless)
     left = count.total - sum(ball.multiplicity for ball in balls)
     if not left:

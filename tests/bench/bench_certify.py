@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import pytest
-from measure import Counted, delta_and_slope, median, seconds
+from measure import Counted, delta_and_slope, fresh, median, seconds
 
 from mpsolve import Case, certify
 
@@ -58,7 +58,7 @@ def found_by_cxroots(cxroots: Any, duel: Duel, method: str) -> tuple[list[comple
 
 
 def compare(cxroots: Any, duel: Duel, method: str = "romb") -> None:
-    ours = median(lambda: certify(duel.case, digits=30))
+    ours = median(fresh(lambda: certify(duel.case, digits=30)))
     spectrum = certify(duel.case, digits=30)
     answers: list[tuple[list[complex], int]] = []
     theirs = median(lambda: answers.append(found_by_cxroots(cxroots, duel, method)), repeats=1)

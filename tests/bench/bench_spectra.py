@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from measure import Counted, median, seconds
+from measure import Counted, fresh, median, seconds
 
 from mpsolve import Problem, Rectangle, certify, tracks, vehicles
 from mpsolve.characteristic.floats import Floats
@@ -76,7 +76,7 @@ def found_by_cxroots(cxroots: Any, duel: Duel) -> tuple[list[complex], int]:
 
 def compare(cxroots: Any, duel: Duel) -> None:
     spectrum = certify(duel.problem, region=rectangle(duel), digits=20)
-    ours = median(lambda: certify(duel.problem, region=rectangle(duel), digits=20, check=False))
+    ours = median(fresh(lambda: certify(duel.problem, region=rectangle(duel), digits=20, check=False)))
     answers: list[tuple[list[complex], int]] = []
     theirs = median(lambda: answers.append(found_by_cxroots(cxroots, duel)), repeats=1)
     roots, evaluations = answers[0]
@@ -99,7 +99,7 @@ def test_cxroots_finds_what_is_certified(duel: Duel) -> None:
 def main() -> None:
     for duel in DUELS:
         half_plane = certify(duel.problem, region="unstable", digits=20)
-        ours = median(lambda duel=duel: certify(duel.problem, region="unstable", digits=20, check=False))
+        ours = median(fresh(lambda duel=duel: certify(duel.problem, region="unstable", digits=20, check=False)))
         print(
             f"{duel.name:20} Im q < 0: {half_plane.count} roots   proof {seconds(ours)}, with the track's theorem   "
             f"verification {seconds(half_plane.cost.verification)}   {half_plane.cost.pieces} pieces"

@@ -1,6 +1,7 @@
 """The verifier of ranges: files that hold, and files in which one thing was changed."""
 
 import copy
+import itertools
 import json
 import subprocess
 import sys
@@ -291,6 +292,55 @@ def floats_of(q: float, v: float, xi: float) -> complex:
     return complex((1 if xi >= 0 else -1) * sum(np.exp(own * xi) / np.polyval(np.polyder(d), own)))
 
 
+def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Followed over a box: P, N/D_P and G at real points, the roots at complex ones; a radius that is less fails."""
+    m, r = (12.0, 180.0), (1.5, 4.0)
+    with precision(64):
+        place = place_over([arb(x) for x in m], [arb(x) for x in r])
+        nodes = checker.nodes_over(family.waves, place)
+        found = checker.alone(nodes, False)
+        assert found is not None
+        G = checker.kernels_over(family.waves, place, False)
+        for u in ((1, 1), (-1, 1), (0.3, -0.7), (1j, -1), (0.6 + 0.8j, 1j)):
+            q, v = (a + b * x for a, b, x in zip(m, r, u, strict=True))
+            s = 1j * q
+            d = np.array([6.4e6, 0, 60 * v * v, -(120 * s + 770) * v, 60 * s * s + 770 * s + 1e6])
+            for k in range(4):
+                P = min(np.roots(d), key=lambda x, k=k: abs(x - complex(_model(found[0], u, k).mid())))
+                assert float(abs(_model(found[0], u, k) - acb(P)).lower()) <= float(found[0].e[k].upper()) + 1e-9
+                away = abs(_model(found[1], u, k) - acb(1 / np.polyval(np.polyder(d), P)))
+                assert not away > found[1].e[k] + 1e-9 * abs(found[1].k[0][k])
+            if all(np.isreal(u)):
+                for n, gap in enumerate(family.waves.gaps):
+                    away = abs(_model(G, u, n) - acb(floats_of(q, v, float(gap.get((0,), 0)))))
+                    assert not away > G.e[n] + abs(G.k[0][n]) * 1e-9
+        few = checker.spectra.Nodes(nodes.z, nodes.up - 1, nodes.local)
+        assert checker.alone(few, False) is None  # a root on the other side than is told
+        monkeypatch.setattr(checker, "radius_of", lambda *_: None)
+        assert checker.alone(nodes, False) is None
+
+
+def test_no_root_is_alone_where_two_meet(content: dict[str, Any]) -> None:
+    family = family_of(content, 30, 40)
+    with precision(64):
+        for half in ((0.002, 0.001), (1e-6, 1e-7)):
+            place = place_over(
+                [arb(x) + arb(r) / 3 for x, r in zip(MEETING, half, strict=True)], [arb(r) for r in half]
+            )
+            assert checker.alone(checker.nodes_over(family.waves, place), False) is None
+
+
+def test_a_radius_holds_what_it_must() -> None:
+    """base + ε² ≤ ε has solutions up to base = 1/4."""
+    with precision(64):
+        square = checker.arb_poly([0, 0, 1])
+        for base in ("0.01", "0.1", "0.2"):
+            found = checker.radius_of(arb(base), square)
+            assert (1 - (1 - 4 * arb(base)).sqrt()) / 2 <= found
+            assert found < 2 * arb(base)
+        assert checker.radius_of(arb("0.3"), square) is None
+
+
 def test_where_p_roots_of_one_side_meet(content: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     """Their sum is bounded over a box round the point, and holds what numpy finds beside it; the box is proved."""
     family, used = family_of(content, 30, 40), []
@@ -431,6 +481,51 @@ def test_receptances_hold_at_complex_points(
                 u = (complex(a), complex(b))
                 away = abs(_model(forms, u, n) - acb(continued(q, v, u, xi)))
                 assert not away > forms.e[n] + abs(forms.k[0][n]) * 1e-9
+
+
+def _bodies(theta: str | list[Any], soft: str | list[Any], box: Any) -> Any:
+    """A wheel without mass of its own spring, a sprung mass on it, and a soft contact of a third body."""
+    value = {
+        "M": [["0", "0", "0"], ["0", "3", "0"], ["0", "0", "2"]],
+        "C": [["1", "-1", "0"], ["-1", "1", "0"], ["0", "0", "0"]],
+        "K": [[theta, "0", "0"], ["0", "4", "-4"], ["0", "-4", "4"]],
+        "B": [["2", "0"], ["0", "0"], ["0", "1"]], "places": ["0", "1"], "compliances": ["0", soft],
+    }  # fmt: skip
+    return checker.spectra.read_bodies(value, None, box, 24, 12)
+
+
+def test_the_matrix_over_parameters_holds_those_at_points() -> None:
+    """Springs and a compliance 1/θ that vary, direct and soft contacts, at corners, inside and complex."""
+    track = checker.spectra.read_track(
+        {"matrix": [[[[4, 0, "1"], [0, 2, "1"], [0, 1, "1"], [0, 0, "1"]]]], "loaded": 0}, "1"
+    )
+    box, spectra = ((fmpq(2), fmpq(3)),), checker.spectra
+    moving = spectra.Track(*(getattr(track, name) for name in ("ring", "rows", "loaded", "velocity", "D", "N")),
+                           *({(*e, 0): c for e, c in part.items()} for part in (track.d, track.n)))  # fmt: skip
+    with precision(64):
+        wide = _bodies([[1, "1"]], [[-1, "1"]], box)
+        waves = spectra.Waves(moving, wide.places, [fmpq(5, 2)])
+        place = place_over([arb("0.7"), arb("2.5")], [arb("0.1"), arb("0.5")])
+        G = [[acb(k + 1, 2 - k) for k in range(len(waves.gaps))]]
+        row = Form(G + [[acb(0)] * len(waves.gaps)] * 5, [arb(0)] * len(waves.gaps), 2)
+        A, rest = spectra.Bordered(wide, waves)(place, row)
+        for u in ((1, 1), (-1, 1), (1j, -1), (0.3, 0.6 - 0.8j), (0, 0)):
+            theta = 2.5 + 0.5 * u[1]
+            q = 0.7 + 0.1 * u[0]
+            S = 1j * q * np.array([[1, -1, 0], [-1, 1, 0], [0, 0, 0]]) + np.array(
+                [[theta, 0, 0], [0, 4, -4], [0, -4, 4]]
+            )
+            S = S - q * q * np.diag([0, 3, 2])
+            own, cross, back = (complex(G[0][waves.index[i][j]]) for i, j in ((0, 0), (0, 1), (1, 0)))
+            low = complex(G[0][waves.index[1][1]])
+            exact = np.zeros((4, 4), complex)
+            exact[:3, :2] = S[:, 1:]
+            exact[:3, 2:] = -np.array([[2, 0], [0, 0], [0, 1]]) - np.outer(S[:, 0] / 2, [own, cross])
+            exact[3] = [0, 1, back, low + 1 / theta]
+            for i, j in itertools.product(range(4), repeat=2):
+                found = _model(Form([[a[i, j]] for a in A], [rest[i, j]], 2), u)
+                assert abs(found - acb(complex(exact[i, j]))) <= rest[i, j] + arb("1e-12")
+                assert rest[i, j] < 0.2
 
 
 def test_trees_are_read_to_their_last_leaf() -> None:

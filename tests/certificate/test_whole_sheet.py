@@ -235,3 +235,11 @@ def test_every_track_parameter_matters() -> None:
         content = copy.deepcopy(answer().certificate.content)
         content["equations"]["track"]["matrix"][0][0][place][2] = value
         assert not judged(content).valid
+
+
+def test_masses_that_hardly_feel_each_other_are_verified() -> None:
+    """At a root of one of them its row of the matrix is nearly 0, and what couples it to the others is small too."""
+    row = [vehicles.Mass(M).at(x) for M, x in (("53.9", 0), ("0.125", "21.9"), ("0.888", "31.32"))]
+    track = tracks.EulerBernoulli(**PAPER, c="0.002", kp="0.083")
+    found = certify_problem(Problem(track, row, v="0.01"), region="sheet", digits=20)
+    assert (found.status, found.count) == (Status.PROVED, 6)

@@ -26,6 +26,8 @@ TESTED = {
     "theory/infinite-train.md": dict.fromkeys(("0.44507", "0.452", "0.455", "128"), "tests/endless/test_doubling.py"),
     "how-to/paper.md": {"138": "tests/examples/paper/test_paper.py"},
 }
+IN_STORIES = {"decomposition_planes": {"1997", "2001", "320"}}
+"""Years of papers, and the velocity in m/s that the script of the finding takes."""
 CELL = re.compile(r"^```\{code-cell\}.*?^```", flags=re.DOTALL | re.MULTILINE)
 
 
@@ -67,7 +69,7 @@ def test_numbers_that_tests_hold_stand_in_those_tests() -> None:
 
 @pytest.mark.parametrize("story", STORIES, ids=lambda story: story.stem)
 def test_the_words_of_a_finding_leave_their_numbers_open(story: Path) -> None:
-    assert typed(story.read_text("utf-8")) == set()
+    assert typed(story.read_text("utf-8")) == IN_STORIES.get(story.stem, set())
 
 
 def test_a_typed_number_is_found() -> None:

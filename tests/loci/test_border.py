@@ -24,7 +24,7 @@ def region() -> Region:
 
 @pytest.fixture(scope="module")
 def border(region: Region) -> Border:
-    return border_of(region, region.sides, 15, Effort(), silent)
+    return border_of(region.scope, region.sides, 15, Effort(), silent)
 
 
 def test_counts_change_at_passings(region: Region, border: Border) -> None:
@@ -50,7 +50,7 @@ def test_discs_hold_the_balls(border: Border) -> None:
 
 
 def test_a_spent_effort_is_a_reason(region: Region) -> None:
-    found = border_of(region, region.sides, 15, Effort(evaluations=50), silent)
+    found = border_of(region.scope, region.sides, 15, Effort(evaluations=50), silent)
     assert found.reason is not None
     assert found.reason.code == "effort"
 
@@ -59,6 +59,6 @@ def test_boxes_of_fast_waves_are_halved_along_the_velocity() -> None:
     """Far out waves turn fast with the velocity and hardly with the height: few boxes cover the side of a region."""
     layered = Problem(LAYERS, [vehicles.Mass(900).at(0), vehicles.Mass(900).at("2.5")], v=300)
     region = region_of(scope_of(layered, {"v": (Fraction(100), Fraction(600))}))
-    found = border_of(region, region.sides[1:], 15, Effort(evaluations=4000), silent)
+    found = border_of(region.scope, region.sides[1:], 15, Effort(evaluations=4000), silent)
     assert found.reason is None
     assert found.passings == ()

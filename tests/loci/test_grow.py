@@ -32,7 +32,7 @@ def starts() -> list[Start]:
 
 
 def test_a_start_gives_one_line_over_the_range() -> None:
-    found, reason = strands(region(), starts()[:1], (), Effort(), lambda *_: None)
+    found, reason = strands(region().matrix, region().room, X, starts()[:1], (), Effort(), lambda *_: None)
     assert reason is None
     (line,) = found
     assert (line.first, line.last, line.on_axis) == ("range", "range", False)
@@ -50,12 +50,12 @@ def test_a_start_gives_one_line_over_the_range() -> None:
 def test_what_no_tube_holds_is_stuck(wrong: object) -> None:
     """A ball of which only the middle lies in the first tube may hold another root."""
     first = wrong(starts()[0])  # type: ignore[operator]
-    found, _ = strands(region(), [first], (), Effort(), lambda *_: None)
+    found, _ = strands(region().matrix, region().room, X, [first], (), Effort(), lambda *_: None)
     assert not any(line.first == "range" or line.last == "range" for line in found)
 
 
 def test_spent_effort_is_a_reason() -> None:
-    found, reason = strands(region(), starts(), (), Effort(evaluations=60), lambda *_: None)
+    found, reason = strands(region().matrix, region().room, X, starts(), (), Effort(evaluations=60), lambda *_: None)
     assert reason is not None
     assert reason.code == "effort"
     assert all("stuck" in (line.first, line.last) for line in found)

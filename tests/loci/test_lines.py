@@ -121,6 +121,27 @@ def test_any_parameter_is_a_path(path: str) -> None:
         assert all(any(root.q.overlaps(ball) for root in spectrum.roots) for ball in there)
 
 
+@pytest.mark.parametrize("region", ["unstable", None])
+def test_a_divergence_is_on_a_line_of_one_root(region: str | None) -> None:
+    """Two masses joined by a spring: a root goes along the imaginary axis through q = 0; floats count the lines."""
+    joined = vehicles.Vehicle(
+        M=[[2, 0], [0, 2]], C=[[0, 0], [0, 0]], K=[[3, -3], [-3, 3]], B=[[1, 0], [0, 1]], places=["-0.5", "0.5"]
+    )
+    problem = Problem(BEAM, joined, v="1.2")
+    values = np.sort(np.random.default_rng(3).uniform(1.05, 1.4, 6)).tolist()
+    found = frequency_lines(problem, over={"v": ("1.05", "1.4")}, points=values, region=region, check=False)
+    assert found.status is Status.UNVERIFIED, found.reason
+    asked = "unstable" if region else ("below", found.region.height)  # type: ignore[union-attr]
+    seen = frequencies(problem, {"v": values}, asked)
+    for value, count in zip(found.values, seen.count.tolist(), strict=True):
+        assert sum(line.weight for line in found.lines if value in line.values) == count
+    (line,) = found.lines
+    assert line.weight == 1
+    assert all(q.real.is_zero() for q in line.q)
+    crossed = line.ends[0] if region else line.crossings[0]
+    assert abs(float(crossed.value) - 1.166872) < 1e-6  # type: ignore[arg-type]
+
+
 def test_unstable_lines_begin_and_end_at_crossings() -> None:
     found = frequency_lines(BEAM_PAIR, over={"v": ("0.7", "0.9")}, points=5, region="unstable", check=False)
     known = crossings(BEAM_PAIR, over={"v": ("0.7", "0.9")}, check=False)
@@ -138,9 +159,10 @@ def test_an_answer_is_handed_on(beam: FrequencyLines) -> None:
     assert all(one.value.contains(other.value) for one, other in zip(again.events, beam.events, strict=True))
     assert beam.to_dict()["lines"][0]["ends"][1]["kind"] == "region"
     rows = beam.rows()
-    assert len(rows) == sum(len(line.values) for line in beam.lines)
+    assert len(rows) == sum(len(line.values) for line in beam.lines) + len(beam.events)
+    assert sum(row["end"] == "region" for row in rows) == len(beam.events)
     assert rows[0] == {"line": 1, "value": 0.6, "re_q": float(beam.lines[0].q[0].real.mid()),
-                       "im_q": float(beam.lines[0].q[0].imag.mid())}  # fmt: skip
+                       "im_q": float(beam.lines[0].q[0].imag.mid()), "end": ""}  # fmt: skip
 
 
 def test_what_is_left_open_is_said() -> None:

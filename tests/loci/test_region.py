@@ -41,4 +41,4 @@ def test_edges_go_round_the_region() -> None:
     assert right.edge.re == region.reach >= Fraction(scope.X)
     (axis,) = region_of(scope, "unstable").sides
     assert axis.edge == REAL_AXIS
-    assert region.corners(right)[0][0] == -float(region.height)
+    assert (right.low, right.high) == (-float(region.height), 0.0)

@@ -141,3 +141,10 @@ def test_the_envelope_is_near_what_is_given() -> None:
 def test_faster_than_waves_there_is_none(name: str, v: str) -> None:
     reduced = reduce_problem(as_problem({**plain(name), "v": v}))
     assert prove_tail(reduced.guide, reduced.smallest_gap) is None
+
+
+def test_the_last_theorem_is_kept_for_its_own_track_alone() -> None:
+    first = proved("euler-bernoulli")[2]
+    assert proved("euler-bernoulli")[2] is first
+    assert proved("euler-bernoulli", "1.25")[2] != first
+    assert proved("euler-bernoulli")[2] == first

@@ -87,3 +87,9 @@ def test_marks_outside_are_left_out() -> None:
     assert "onset" in said
     assert "far" not in said
     assert "grows" in said
+
+
+def test_an_end_at_a_cut_has_its_own_mark() -> None:
+    x = np.array([0.0, 1.0, 2.0])
+    picture = lines_picture([Curve(x, x, ends=(False, False, True)), Curve(x, -x)], "x", "y", "t", name="n")
+    assert picture.count('class="end"') == 1

@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import pytest
+from chart_meetings import MEETINGS
 
 from mpsolve.numbers.quadratic import Quadratic
-from mpsolve.ranges.arcs import ARC, ArcJudge, arcs_over
-from mpsolve.ranges.scope import Scope
+from mpsolve.ranges.arcs import ARC, ArcJudge, arcs, arcs_over
+from mpsolve.ranges.scope import Scope, checked_over, scope_of
 
 
 def test_the_arc_passes_the_true_crossing(scope: Scope, true: Any) -> None:
@@ -47,3 +49,46 @@ def test_a_box_round_it_is_a_leaf(scope: Scope, true: Any) -> None:
     half = np.array([[2e-4], [1e-3], [1e-3]])
     kind, _ = scope.judge(ArcJudge)(true - half, true + half)
     assert kind.tolist() == [ARC]
+
+
+@pytest.fixture(scope="module")
+def corner() -> tuple[Scope, Any]:
+    """Where a curve of pairs ends on one of divergences, v = 1.1971153 and c = 0.3151861, and its place, scaled."""
+    problem, over = MEETINGS["pair from q = 0"]
+    scope = scope_of(problem, checked_over(problem, over))
+    units = np.array([1.0, *map(float, scope.family.units)])
+    return scope, (np.array([0.0, 1.1971153, 0.3151861]) / units)[:, None]
+
+
+def test_a_box_at_zero_has_an_arc_of_each_kind(corner: tuple[Scope, Any]) -> None:
+    scope, at = corner
+    half = np.full((3, 1), 3e-4)
+    low = np.where(np.arange(3)[:, None] == 0, 0.0, at - half)
+    kind, _ = scope.judge(ArcJudge)(low, at + half)
+    assert kind.tolist() == [ARC]
+    found, closed = arcs(scope.matrix, low, at + half)
+    assert closed.all()
+    assert found.at_zero.tolist() == [False, True]
+    place = [found.take(np.array([k])) for k in range(2)]
+    for one in place:  # both pass the point, to within what is known of it
+        t = one.along((at - one.m) / one.r)
+        piece = one.pieces(t, 0.0)
+        assert piece.passes.all()
+        assert (np.abs(one.m + one.place(piece.centre, t) * one.r - at) < 1e-6).all()
+
+
+def test_a_box_beside_the_curve_of_pairs_has_the_other_alone(corner: tuple[Scope, Any]) -> None:
+    """Along the divergence, away from the end of the pairs: roots beside q = 0 are excluded."""
+    scope, _ = corner
+    units = np.array([1.0, *map(float, scope.family.units)])
+    on = (np.array([0.0, 1.17397, 0.29]) / units)[:, None]
+    half = np.array([[3e-4], [1e-3], [1e-3]])
+    low = np.where(np.arange(3)[:, None] == 0, 0.0, on - half)
+    found, closed = arcs(scope.matrix, low, on + half)
+    assert closed.all()
+    assert found.at_zero.tolist() == [True]
+    away = on + np.array([[0.0], [0.0], [2e-2]])
+    low = np.where(np.arange(3)[:, None] == 0, 0.0, away - half)
+    none, closed = arcs(scope.matrix, low, away + half)
+    assert closed.all()
+    assert not len(none.pivot)

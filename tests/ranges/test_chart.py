@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve import Effort, InputError, Problem, certify, tracks, vehicles
+from mpsolve import Effort, InputError, Problem, certify, frequencies, tracks, vehicles
 from mpsolve.outcome import Status
 from mpsolve.ranges.cells import BOUNDARY, OPEN
 from mpsolve.ranges.chart import Chart, stability_chart
@@ -105,3 +105,38 @@ def test_a_divergence_has_a_boundary_of_its_own() -> None:
     assert np.ptp(curve.x) < 1e-6
     assert found.at("1.22", 1) == 0
     assert found.at("1.27", 1) == 1
+
+
+def floats_agree(found: Chart, number: int = 80) -> None:
+    """Counts in floats at points of decided cells."""
+    cells = np.random.default_rng(1).permutation(np.argwhere(found.detail >= 0))[:number]
+    share = (cells + 0.37) / found.detail.shape
+    x, y = (float(e[0]) + share[:, k] * float(e[-1] - e[0]) for k, e in enumerate((found.x, found.y)))
+    seen = frequencies(found.problem, dict(zip(found.over, (x, y), strict=True)), roots=False)
+    known = seen.status == "ok"
+    assert known.mean() > 0.9
+    assert (seen.count == found.detail[tuple(cells.T)])[known].all()
+
+
+@pytest.mark.parametrize(("above", "curves"), [(Fraction(-1, 10**5), 1), (Fraction(1, 10**5), 2)])
+def test_a_curve_that_touches_the_edge(above: Fraction, curves: int) -> None:
+    """The fold lies at a factor of 0.5068600913 to ten digits: just inside of the chart, or just outside of it."""
+    low = Fraction("0.5068600913") + above
+    found = stability_chart(PAIR, over={"v": (222, 229), "scale.mass": (low, "0.52")}, depth=3, check=False)
+    assert found.traced
+    assert len(found.boundaries) == curves
+    assert all(curve.y.min() > float(low) - 1e-12 and curve.whole for curve in found.boundaries)
+    floats_agree(found)
+
+
+@pytest.mark.slow  # 20,000 boxes: elastic foundations at which a pair is unstable, for distances near one
+def test_a_closed_loop_has_its_own_number_inside() -> None:
+    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
+    problem = Problem(beam, [vehicles.Mass(40).at(0), vehicles.Mass(40).at(2)], v="0.75")
+    found = stability_chart(problem, over={"gap[0]": ("1.2", 2), "track.k": ("0.6", 3)}, depth=3, check=False)
+    (curve,) = found.boundaries
+    assert curve.whole
+    assert (curve.x[0], curve.y[0]) == (curve.x[-1], curve.y[-1])
+    assert found.at("1.22", "0.62") == found.at("1.98", "2.9") == 0
+    assert found.at("1.57", "1.5") == 2
+    floats_agree(found)

@@ -8,6 +8,7 @@ from lowest_roots import assert_lowest, pair
 
 from mpsolve import worst
 from mpsolve.numbers.balls import precision
+from mpsolve.ranges import line, lowest
 
 
 @pytest.mark.parametrize(
@@ -43,3 +44,12 @@ def test_cuts_may_leave_their_line() -> None:
     found = worst(case, over={"gap[0]": ("0.5", 3)}, check=False)
     assert (found.proved, found.where) == (True, "inside"), found.reason
     assert_lowest(case, "gap[0]", found, ["0.5", "1", "1.1", "1.2", "3"], "unstable")
+
+
+def test_next_to_an_end_one_line_tells_all(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both of its crossings lie in the range, so that no second line is asked for."""
+    asked = []
+    monkeypatch.setattr(lowest, "cross_line", lambda *some: asked.append(some) or line.cross_line(*some))
+    found = worst(pair("0.99", "0.5"), over={"gap[0]": (1, 5)}, check=False)
+    assert (found.where, len(asked)) == ("inside", 1)
+    assert abs(float(found.value.mid()) - 1.12328854764379) < 1e-13  # type: ignore[union-attr]

@@ -5,10 +5,10 @@ from fractions import Fraction
 import pytest
 from free_cases import BEAM, LAYERS
 
-from mpsolve import Problem, vehicles
+from mpsolve import Problem, tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.problem.family import family_of
-from mpsolve.ranges.premises import require_stable_track
+from mpsolve.ranges.premises import require_no_wave_speed, require_stable_track
 
 
 def family(track: object, **over: tuple[str, str]):  # type: ignore[no-untyped-def]
@@ -37,3 +37,12 @@ def test_a_point_that_buckles_or_is_undamped_is_refused(over: dict[str, tuple[st
 
 def test_layers_pass() -> None:
     require_stable_track(family(LAYERS, k_ballast=("5e7", "15e7"), c_pad=("1e3", "1e5"), m_sleeper=("1", "400")))
+
+
+def test_a_damping_of_the_rail_that_may_be_none_is_told_by_its_name() -> None:
+    rail = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770, eta="1e-4")
+    with pytest.raises(InputError, match="fewer waves: begin above 0") as caught:
+        require_no_wave_speed(
+            family_of(Problem(rail, vehicles.Mass(900), v=100), {"track.eta": (Fraction(0), Fraction("1e-4"))})
+        )
+    assert caught.value.key == "track.eta"

@@ -10,6 +10,7 @@ import pytest
 from ranges_of_a_pair import PAIR, TRACK, over_velocity
 
 from mpsolve import InputError, Problem, crossings, receptance, tracks, vehicles
+from mpsolve.presets.written import problem_of
 from mpsolve.ranges import scope
 from mpsolve.ranges.scope import checked_over, from_above_rest, one_path, scope_of
 
@@ -85,3 +86,16 @@ def test_a_frequency_is_found_once_for_all_vehicles(monkeypatch: pytest.MonkeyPa
     for path, value in (("v", 120), ("gap[0]", 3), ("track.c", 900)):
         scope_of(PAIR.changed(path, value), {"scale.mass": (Fraction(1, 2), Fraction(1))}).X  # noqa: B018
     assert len(asked) == 4
+
+
+def test_slower_than_long_waves_the_reason_comes_at_once() -> None:
+    """On shallow water √(gH), which boxes would take minutes to run into; faster than they, ranges are decided."""
+    ice, _ = problem_of("ice-road")
+    track: Any = ice.track
+    for ends in ((1, 8), (4, 10)):
+        found = crossings(ice, over={"v": ends})
+        assert found.reason is not None
+        assert found.reason.code == "long-waves"
+        assert float(found.reason.numbers["speed"]) == pytest.approx(float(track.g * track.depth) ** 0.5, rel=1e-5)
+        assert "v = 8.16" in str(found.reason)
+    assert scope_of(ice, {"v": (Fraction("8.5"), Fraction(9))}).X > 0
