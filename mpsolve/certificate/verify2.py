@@ -1554,7 +1554,10 @@ def near_weights(E: Any, goal: float) -> tuple[list[Any], Any]:
             best = x.entries(), eta
         if eta < goal:
             break
-        x = arb_mat(n, 1, [float(a) + 0.02 * float(b) for a, b in zip(y, x.entries(), strict=True)])
+        weights = [float(a) + 0.02 * float(b) for a, b in zip(y, x.entries(), strict=True)]
+        if not all(b > 0 for b in weights):  # a bound's ball may have a middle below 0
+            break
+        x = arb_mat(n, 1, weights)
     return best or ([], arb(0))
 
 

@@ -909,3 +909,11 @@ def test_long_polynomials_in_many_parameters_are_not_halved_for_ever():
 
     v2.everywhere(small, [{(1,) * 3: fmpq(1)}], box[:3], "why")  # short ones are
     assert len(looked) == 2**13 - 1
+
+
+def test_bounds_whose_balls_reach_below_zero_do_not_make_a_matrix_contract():
+    """The moduli may be [[0.28, 1.63], [1.4, 0.12]], with an eigenvalue above 1; weights below 0 would hide it."""
+    E = arb_mat([[0.28, 1.63], [arb(-0.01, 1.41), arb(-0.06, 0.18)]])
+    assert not v2.contracting(E)
+    assert not v2.contracting(arb_mat([[0.28, 1.63], [arb(-0.7, 2.1), arb(-0.06, 0.18)]]))
+    assert v2.contracting(arb_mat([[0.28, 0.3], [arb(-0.01, 0.1), arb(-0.06, 0.18)]]))
