@@ -49,11 +49,18 @@ def test_any_passive_vehicle(vehicle: Any) -> None:
     assert (found.status, found.stable, found.closing, found.note) == (Status.PROVED, True, PASSIVE, "")
 
 
-@pytest.mark.parametrize("alpha", ["1e-9", "0.9999", "0.999999", "1"])
+@pytest.mark.parametrize("alpha", ["1e-9", "0.99999999", "1"])
 def test_where_the_whole_sheet_stays_open_stability_is_told(alpha: str) -> None:
     found = certify(Case(alpha=alpha, eta_b=0, eta_m=(10, 10), positions=(0, 1)), digits=15)
     assert (found.status, found.stable, found.region) == (Status.PROVED, True, HalfPlane())
     assert "left out" in found.note or alpha == "1"
+
+
+@pytest.mark.parametrize("alpha", ["0.99", "0.9999", "0.999999"])
+def test_next_to_where_the_cuts_join_a_pair_of_real_roots_is_enclosed(alpha: str) -> None:
+    found = certify(Case(alpha=alpha, eta_b=0, eta_m=(10, 10), positions=(0, 1)), digits=15)
+    assert (found.status, found.count, found.unstable, found.note) == (Status.PROVED, 2, 0, "")
+    assert all(root.q.imag == 0 for root in found.roots)
 
 
 @pytest.mark.parametrize("alpha", ["1.01", "1.05"])
