@@ -9,6 +9,8 @@ sys.path.insert(0, str(HERE / "_extensions"))
 # notebooks run in processes of their own: the numbers are the library's, of this moment
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+from jupyter_cache import get_cache  # noqa: E402
+
 import mpsolve  # noqa: E402
 
 project = "mpsolve"
@@ -25,6 +27,7 @@ myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "fieldlist"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"
 nb_execution_cache_path = str(HERE / "_build" / ".jupyter_cache")
+get_cache(nb_execution_cache_path).get_cache_limit()  # its tables are made before pages run side by side
 nb_execution_timeout = 240
 nb_execution_raise_on_error = True
 nb_execution_show_tb = True
