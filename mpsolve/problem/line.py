@@ -18,6 +18,7 @@ from flint import arb, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.bivariate import to_rows
 from mpsolve.numbers.realroots import as_fmpq, is_positive, negative_point, positive_roots
 from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, moving
@@ -75,12 +76,8 @@ class Line:
 def discriminant(D: Polynomial) -> fmpq_poly:
     """Of D(P, σ) in P, a polynomial in z² = −σ²."""
     context = fmpq_mpoly_ctx.get(("P", "s"), "lex")
-    P, s = context.gens()
-    found = sum((as_fmpq(c) * P**i * s**j for (i, j), c in D.items()), context.constant(0)).discriminant("P")
-    out = [as_fmpq(Fraction(0))] * (1 + max(int(j) for _, j in found.to_dict()) // 2)
-    for (_, j), c in found.to_dict().items():
-        out[int(j) // 2] += c * (-1) ** (int(j) // 2)
-    return fmpq_poly(out)
+    found = context.from_dict({key: as_fmpq(c) for key, c in D.items()}).discriminant("P")
+    return fmpq_poly([c * (-1) ** j for j, c in enumerate(to_rows(found)[0].coeffs()[::2])])
 
 
 def line_height(track: Track | Waveguide) -> Fraction | None:
