@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from types import SimpleNamespace
 from typing import Any
 
 from mpsolve.numbers.several import Ring, Several
@@ -35,15 +36,8 @@ def free_matrix(track: Track | Waveguide, ring: Ring) -> Any:
     wide = Ring(("P", "s", *ring.names), (Fraction(0), Fraction(0), *ring.point))
     P, s, *_ = wide.variables
     values = {name: _lifted(ring.constant(value), wide) for name, value in track.parameters.items()}
-    rows = track.equations(_Symbols(P=P, s=s, **values))
+    rows = track.equations(SimpleNamespace(P=P, s=s, **values))
     return tuple(tuple(_in_P_and_s(wide.constant(entry), ring) for entry in row) for row in rows)
-
-
-class _Symbols:
-    """The symbols of the equations as attributes."""
-
-    def __init__(self, **values: Any) -> None:
-        vars(self).update(values)
 
 
 def _lifted(value: Several, wide: Ring) -> Several:

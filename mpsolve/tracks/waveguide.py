@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
+from types import SimpleNamespace
 from typing import Any, ClassVar
-
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model
+from mpsolve.numbers.several import Ring
 
 Polynomial = dict[tuple[int, int], Fraction]
 """Σ c P^i s^j as {(i, j): c} with c ≠ 0."""
@@ -42,39 +42,11 @@ class Track(Model, frozen=True):
 
     def with_values(self, changed: Mapping[str, Fraction]) -> Waveguide:
         """The same with some parameters changed; the bounds of a track's parameters do not hold here."""
-        given = self.parameters | dict(changed)
-        values = {name: fmpq(value.numerator, value.denominator) for name, value in given.items()}
-        matrix = tuple(tuple(_exact(entry, values) for entry in row) for row in symbolic(type(self), tuple(values)))
+        ring = Ring(("P", "s"), (Fraction(0), Fraction(0)))
+        P, s = ring.variables
+        rows = self.equations(SimpleNamespace(P=P, s=s, **(self.parameters | dict(changed))))
+        matrix: Any = tuple(tuple(ring.constant(entry).terms for entry in row) for row in rows)
         return Waveguide(matrix, self.loaded)
-
-
-@lru_cache(maxsize=64)
-def symbolic(kind: type[Track], names: tuple[str, ...]) -> tuple[tuple[fmpq_mpoly, ...], ...]:
-    """The equations of a track as exact polynomials in P, s and its named parameters."""
-    context = fmpq_mpoly_ctx.get(("P", "s", *names), "lex")
-    variables = dict(zip(("P", "s", *names), context.gens(), strict=True))
-    rows = kind.equations(_Names(variables, context))
-    return tuple(tuple(context.constant(0) + entry for entry in row) for row in rows)
-
-
-class _Names:
-    """The symbols of the equations as attributes."""
-
-    def __init__(self, variables: dict[str, Any], context: Any) -> None:
-        vars(self).update(variables)
-        self._context = context
-
-
-def _exact(entry: fmpq_mpoly, values: dict[str, fmpq]) -> Polynomial:
-    """The polynomial in P and s that is left when the parameters have their values."""
-    powers = list(values.values())
-    out: Polynomial = {}
-    for monomial, coefficient in entry.to_dict().items():
-        for value, power in zip(powers, monomial[2:], strict=True):
-            coefficient = coefficient * value ** int(power)
-        key = (int(monomial[0]), int(monomial[1]))
-        out[key] = out.get(key, Fraction(0)) + Fraction(int(coefficient.p), int(coefficient.q))
-    return {key: value for key, value in out.items() if value}
 
 
 @frozen
