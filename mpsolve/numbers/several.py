@@ -6,7 +6,7 @@ ring's own point are, which tells nothing about other points.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any
@@ -37,6 +37,18 @@ class Ring:
         return Several(self, {(0,) * len(self.names): number} if number else {})
 
 
+def evaluated(terms: Iterable[tuple[Exponents, Any]], point: Sequence[Any], number: Any = None) -> Any:
+    """Σ c x₁^e₁ x₂^e₂ … at a point; number: what turns a coefficient into one of its kind, such as balls."""
+    total = Fraction(0) if number is None else number(Fraction(0))
+    for exponents, c in terms:
+        term = c if number is None else number(c)
+        for x, e in zip(point, exponents, strict=True):
+            if e:
+                term = term * x**e
+        total = total + term
+    return total
+
+
 @total_ordering
 class Several:
     """Σ c x₁^e₁ x₂^e₂ … with c ≠ 0; immutable."""
@@ -48,12 +60,7 @@ class Several:
 
     def at(self, values: Sequence[Fraction]) -> Fraction:
         """The value at a point; ZeroDivisionError where a negative power meets 0."""
-        total = Fraction(0)
-        for exponents, c in self.terms.items():
-            for x, e in zip(values, exponents, strict=True):
-                c *= x**e if e else 1
-            total += c
-        return total
+        return Fraction(evaluated(self, values))
 
     def __iter__(self) -> Iterator[tuple[Exponents, Fraction]]:
         return iter(self.terms.items())

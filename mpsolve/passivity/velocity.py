@@ -29,7 +29,7 @@ from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.string_velocity import velocity_of_string
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import MORE_EFFORT, Effort
+from mpsolve.proof.effort import MORE_EFFORT, Effort, begun
 from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest
 from mpsolve.tracks.passive import passivity
@@ -65,7 +65,7 @@ def passivity_velocity(
     guide = _checked(track)
     if isinstance(track, String):
         return velocity_of_string(track, low, high, working_bits(digits))
-    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    budget = begun(effort, _EVALUATIONS)
     return _Search(guide, low, high, working_bits(digits), budget, progress or silent).answer()
 
 

@@ -16,7 +16,7 @@ from typing import Any, ClassVar
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model
-from mpsolve.numbers.several import Ring
+from mpsolve.numbers.several import Ring, Several
 
 Polynomial = dict[tuple[int, int], Fraction]
 """Σ c P^i s^j as {(i, j): c} with c ≠ 0."""
@@ -47,6 +47,25 @@ class Track(Model, frozen=True):
         rows = self.equations(SimpleNamespace(P=P, s=s, **(self.parameters | dict(changed))))
         matrix: Any = tuple(tuple(ring.constant(entry).terms for entry in row) for row in rows)
         return Waveguide(matrix, self.loaded)
+
+
+def over_ring(kind: type[Track], values: Mapping[str, Any], ring: Ring) -> Any:
+    """The equations of a kind of track as polynomials in P and s, with coefficients in the ring of its parameters."""
+    wide = Ring(("P", "s", *ring.names), (Fraction(0), Fraction(0), *ring.point))
+    lifted = {
+        name: Several(wide, {(0, 0, *exponents): c for exponents, c in ring.constant(value)})
+        for name, value in values.items()
+    }
+    P, s, *_ = wide.variables
+    rows = kind.equations(SimpleNamespace(P=P, s=s, **lifted))
+    return tuple(tuple(_in_P_and_s(wide.constant(entry), ring) for entry in row) for row in rows)
+
+
+def _in_P_and_s(entry: Several, ring: Ring) -> dict[tuple[int, int], Several]:
+    out: dict[tuple[int, int], dict[tuple[int, ...], Fraction]] = {}
+    for (i, j, *rest), c in entry:
+        out.setdefault((i, j), {})[tuple(rest)] = c
+    return {key: Several(ring, terms) for key, terms in out.items()}
 
 
 @frozen
