@@ -23,10 +23,10 @@ from mpsolve.derivation import paper_motion as mo
 from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation import paper_steps as st
 from mpsolve.derivation.paper_motion import Step, eta_b, eta_N, eta_S, positions
-from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
+from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r
 from mpsolve.errors import InputError
 
-__all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic", "kernel_resolvent"]
+__all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic"]
 
 
 @dataclass(frozen=True)
@@ -61,61 +61,23 @@ def kernel_steps(kernel: Step) -> tuple[Step, ...]:
     )
 
 
-def shifted(D: Step) -> Step:
-    """(A6): coefficients of D in p; r = q - i eta_b, A = eta_N - eta_S + alpha^2, beta^2 = 1 - eta_b^2."""
-    quartic = D.statement.rhs.subs(q, r + I * eta_b).subs(eta_N, rs.A + eta_S - alpha**2)
-    _, cubic, *rest = sp.Poly(sp.expand(quartic), p).all_coeffs()
-    pairs = [
-        sp.Eq(c, sp.expand(e.subs(eta_b**2, 1 - beta**2))) for c, e in zip((rs.c2, rs.c1, rs.c0), rest, strict=True)
-    ]
-    note = f"q = r + i eta_b in (18): D = p^4 + c_2 p^2 + c_1 p + c_0; the coefficient of p^3 is {cubic}."
-    return Step("(A6)", "Coefficients of D", tuple(pairs), note)
-
-
 def real_wavenumber(D: Step) -> Step:
-    """(A7): the frequencies at which p is a root of D, the boundary of the sheet for real p."""
+    """(A6): the frequencies at which p is a root of D, the boundary of the sheet for real p."""
     square, linear, constant = sp.Poly(D.statement.rhs, q).all_coeffs()
     split = sp.sqrt(sp.factor_terms(sp.expand(linear**2 - 4 * square * constant)))
     branches = (sp.expand_mul((-linear + side * split) / (2 * square)) for side in (1, -1))
     note = "(18) = 0, quadratic in q; for real p the frequencies on the cuts."
-    return Step("(A7)", "Frequencies of a real wavenumber", tuple(sp.Eq(q, e) for e in branches), note)
+    return Step("(A6)", "Frequencies of a real wavenumber", tuple(sp.Eq(q, e) for e in branches), note)
 
 
 def damping_rescaling(D: Step) -> Step:
-    """(A8): damping rescales p, r, alpha and the axial force; K(xi) = beta^(-3/2) K_0(xi sqrt(beta))."""
+    """(A7): damping rescales p, r, alpha and the axial force; K(xi) = beta^(-3/2) K_0(xi sqrt(beta))."""
     quartic = D.statement.rhs.subs(q, r + I * eta_b).expand().subs(eta_b**2, 1 - beta**2)
     root = sp.sqrt(beta)
     scaled = {p: root * p, r: beta * r, alpha: root * alpha, eta_N: beta * eta_N, eta_S: beta * eta_S}
     damped = sp.factor(sp.expand(quartic.subs(scaled, simultaneous=True)), beta)
     note = "All scaled in (18): beta^2 times the undamped D; K = beta^(-3/2) K_0(xi sqrt(beta))."
-    return Step("(A8)", "Damping is a rescaling", sp.Eq(rs.D(root * p, beta * r + I * eta_b), damped), note)
-
-
-def cubic_steps(coefficients: Step) -> tuple[Step, ...]:
-    """(A9)-(A17): the kernel as one branch of the resolvent cubic."""
-    known = {eq.lhs: eq.rhs for eq in coefficients.statement}
-    factored = "(37) over the two roots of {}, where the other factor's values multiply to R."
-    return (
-        Step(
-            "(A9)", "Factors of D", rs.factor_conditions(), "D = (p^2 - s p + t)(p^2 + s p + t'), y = s^2, Im s > 0."
-        ),
-        Step("(A10)", "Resolvent cubic", rs.resolvent_cubic(), "g(y) = 0 from t t' = c_0 and (A9)."),
-        Step(
-            "(A11)",
-            "Resultant of the factors",
-            rs.resultant(),
-            "R = res(U, L): zero where an upper root meets a lower.",
-        ),
-        Step(
-            "(A12)", "R is the cubic's slope", rs.resultant_slope(), "g'(y), c_0 eliminated by (A10): equals (A11)."
-        ),
-        Step("(A13)", "Root splits", rs.root_splits(), "delta^2, delta'^2: a quarter of the factors' discriminants."),
-        Step("(A14)", "Kernel for xi >= 0 by the cubic", rs.kernel_factored(UPPER), factored.format("U")),
-        Step("(A15)", "Kernel for xi < 0 by the cubic", rs.kernel_factored(LOWER), factored.format("L")),
-        Step("(A16)", "Kernel at the load", rs.kernel_origin(), "xi = 0 in (A14)."),
-        Step("(A17)", "Coupling of two masses", rs.kernel_gap(), "(37) with C_j = 1/D_{,p}(p_j) and (A4)."),
-        Step("(A18)", "Uniformisation", rs.uniformisation(known), "(A10) is linear in r^2; y = 4 sigma^2, and (A6)."),
-    )
+    return Step("(A7)", "Damping is a rescaling", sp.Eq(rs.D(root * p, beta * r + I * eta_b), damped), note)
 
 
 # The whole derivation, and the formulas that the numerical code is compared with
@@ -138,9 +100,7 @@ def _motion(masses: int) -> tuple[Step, ...]:
 
 @lru_cache(maxsize=1)
 def _any_masses(D: Step, kernel: Step) -> tuple[Step, ...]:
-    coefficients = shifted(D)
-    sheet = coefficients, real_wavenumber(D), damping_rescaling(D)
-    return (*kernel_steps(kernel), *sheet, *cubic_steps(coefficients))
+    return (*kernel_steps(kernel), real_wavenumber(D), damping_rescaling(D))
 
 
 @lru_cache(maxsize=8)
@@ -191,9 +151,3 @@ def characteristic(masses: int = 2) -> Formula:
             matrix[i, j] = matrix[i, j].subs(K(here - there, q), rows[i][j])
     determinant_ = sp.expand(matrix.det(method="berkowitz"))
     return Formula(determinant_, (q, mo.numbered("eta_M", masses), rows))
-
-
-def kernel_resolvent() -> tuple[Formula, Formula]:
-    """K(xi >= 0) and K(xi < 0) in (xi, s, c_1, c_2), where y = s^2 solves the cubic (A10) and Im s > 0."""
-    ahead, behind = (Formula(rs.resolvent_form(half), (xi, rs.s, rs.c1, rs.c2)) for half in (UPPER, LOWER))
-    return ahead, behind
