@@ -1,8 +1,8 @@
 """The model derived symbolically, from the equation of motion (1) to the residue forms of the kernel.
 
 Numbers are the paper's equations; (A1), (A2), ... are what the numerical code adds to them. The steps up to
-(36) are in `paper_motion`, `paper_steps` and `paper_inversion`, the residue forms of the kernel in `paper_residues`;
-here they are put in order.
+(30) are in `paper_motion` and `paper_steps`, the residue forms of the kernel in `paper_residues`; here are the
+inversion and the rest, and all in order.
 
     >>> steps = derivation(masses=2)
     >>> [step.title for step in steps if step.number == "(18)"]
@@ -18,12 +18,26 @@ from typing import Any
 
 import sympy as sp
 
-from mpsolve.derivation import paper_inversion as inv
 from mpsolve.derivation import paper_motion as mo
 from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation import paper_steps as st
-from mpsolve.derivation.paper_motion import Step, eta_b, eta_N, eta_S, positions
-from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r
+from mpsolve.derivation.paper_motion import (
+    Step,
+    T,
+    Wtilde,
+    a,
+    det,
+    eta_b,
+    eta_N,
+    eta_S,
+    positions,
+    q_lm,
+    qbar,
+    tau,
+    what,
+)
+from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
+from mpsolve.derivation.paper_steps import with_equal_masses
 from mpsolve.errors import InputError
 
 __all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic"]
@@ -80,6 +94,58 @@ def damping_rescaling(D: Step) -> Step:
     return Step("(A7)", "Damping is a rescaling", sp.Eq(rs.D(root * p, beta * r + I * eta_b), damped), note)
 
 
+def inversion() -> Step:
+    """(32): the Bromwich integral (31) with qbar = i q."""
+    integrand, substitution = Wtilde(xi, qbar) * sp.exp(qbar * tau) / (2 * sp.pi * I), I * q
+    moved = integrand.replace(Wtilde, lambda xi_, _: Wtilde(xi_, q)).subs(qbar, substitution) * substitution.diff(q)
+    ends = (sp.expand((a + side * I * T) / I) for side in (-1, 1))
+    limit = sp.Limit(sp.Integral(moved, (q, *ends)), T, sp.oo)
+    note = "qbar = i q in (31). Every singularity lies left of the line of (31); the print has right. Im q = -a."
+    return Step("(31), (32)", "Inverse Laplace transform", sp.Eq(what(xi, tau), limit), note)
+
+
+@lru_cache(maxsize=1)
+def limiting_velocity(D: Step) -> tuple[Step, Step]:
+    """(33), (34): the discriminant of D in p is quadratic in alpha^4 when eta_b = 0 and eta_N = eta_S."""
+    quartic = D.statement.rhs.subs({eta_b: 0, eta_N: eta_S, q: q_lm})
+    fourth = sp.Symbol("a_4", positive=True)
+    condition = sp.discriminant(quartic, p).subs(alpha, fourth ** sp.Rational(1, 4))
+    branches = sorted(sp.solve(condition, fourth), key=lambda e: float(e.subs(q_lm, 1)))
+    note = "Double p-root of (18) at q = q_lm; for eta_b = 0 and eta_N = eta_S only."
+    first, second = (sp.Eq(alpha, branch ** sp.Rational(1, 4)) for branch in branches)
+    return (
+        Step("(33)", "Limiting frequency, first branch", first, note + " Here 0 <= q_lm <= 1."),
+        Step("(34)", "Limiting frequency, second branch", second, note),
+    )
+
+
+def residue_sum(image: Step) -> Step:
+    """(35): (32) on (30), closed in the upper half-plane of q."""
+    terms = [sp.exp(I * q * tau) * term for term in sp.Add.make_args(image.statement.rhs)]
+    residues = sum(sp.Function("Res")(2 * sp.pi * I * term / (2 * sp.pi), q) for term in terms)
+    cut = sp.Symbol("I_wbc") / (2 * sp.pi)
+    note = "Residues at all poles above the line of (32), and the branch cuts. The print has eta_Mu for eta_M."
+    return Step("(35)", "Displacement as a sum of residues", sp.Eq(what(xi, tau), residues + cut), note)
+
+
+def harmonic_sum(residues: Step, charact: Step, masses: int) -> Step:
+    """(36): the residues of (35) at q = 0, where det = pi^N, and at simple zeros q_Mj of det."""
+    j, count, g = sp.Symbol("j", integer=True), sp.Symbol("n", integer=True), sp.Function("g")
+    pole, total, at_zero = (
+        sp.IndexedBase("q_M")[j],
+        sp.S(0),
+        with_equal_masses(charact.statement.rhs, masses).subs(q, 0),
+    )
+    slope = ((q - pole) * g(q)).diff(q).subs(q, pole)
+    for residue in residues.statement.rhs.atoms(sp.Function("Res")):
+        term = residue.args[0]
+        steady = (term * q).subs(q, 0).subs(det(0), at_zero)
+        harmonic = (term.subs(det(q), (q - pole) * g(q)) * (q - pole)).subs(q, pole)
+        total += steady + sp.Sum(harmonic.subs(slope, sp.Function("det_q")(pole)), (j, 1, count))
+    note = "Steady part (q = 0) and one harmonic for each induced frequency. The print has eta_Mu for eta_M."
+    return Step("(36)", "Steady and harmonic parts", sp.Eq(what(xi, tau), total), note)
+
+
 # The whole derivation, and the formulas that the numerical code is compared with
 
 
@@ -119,12 +185,12 @@ def derivation(masses: int = 2) -> tuple[Step, ...]:
     charact, solved = st.determinant(system), st.mass_displacements(system, masses)
     general = st.displacement(by_kernels, solved, charact, masses)
     equal = st.displacement_equal(general, force, masses)
-    residues = inv.residue_sum(equal)
+    residues = residue_sum(equal)
     return (
         *steps, rules, image, direct, spectrum, D, inverse, kernel, force, by_kernels, rows, system, charact,
         st.normalised_determinant(system, masses), solved, general, equal,
         *((st.equal_factors(system),) if masses == 2 else ()),
-        inv.inversion(), *inv.limiting_velocity(D), residues, inv.harmonic_sum(residues, charact, masses),
+        inversion(), *limiting_velocity(D), residues, harmonic_sum(residues, charact, masses),
         *_any_masses(D, kernel),
     )  # fmt: skip
 
