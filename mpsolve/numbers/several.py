@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import total_ordering
-from typing import Any
+from operator import add
+from typing import Any, TypeVar
 
 from mpsolve.frozen import frozen
 
 Exponents = tuple[int, ...]
+K = TypeVar("K", bound=Exponents)
 
 
 @frozen
@@ -35,6 +37,25 @@ class Ring:
             return value
         number = Fraction(value)
         return Several(self, {(0,) * len(self.names): number} if number else {})
+
+
+def plus(*polynomials: Mapping[K, Any]) -> dict[K, Any]:
+    """The sum of polynomials as exponents with coefficients, whatever those are."""
+    out: dict[K, Any] = {}
+    for terms in polynomials:
+        for e, c in terms.items():
+            out[e] = out[e] + c if e in out else c
+    return {e: c for e, c in out.items() if c}
+
+
+def multiply(a: Mapping[K, Any], b: Mapping[K, Any]) -> dict[K, Any]:
+    """The product of two of them."""
+    out: dict[Any, Any] = {}
+    for d, x in a.items():
+        for e, y in b.items():
+            key = tuple(map(add, d, e))
+            out[key] = out[key] + x * y if key in out else x * y
+    return {e: c for e, c in out.items() if c}
 
 
 def evaluated(terms: Iterable[tuple[Exponents, Any]], point: Sequence[Any], number: Any = None) -> Any:
@@ -84,10 +105,7 @@ class Several:
         return Several(self.ring, {e: -c for e, c in self.terms.items()})
 
     def __add__(self, other: Any) -> Several:
-        out = dict(self.terms)
-        for e, c in self.ring.constant(other).terms.items():
-            out[e] = out.get(e, Fraction(0)) + c
-        return Several(self.ring, {e: c for e, c in out.items() if c})
+        return Several(self.ring, plus(self.terms, self.ring.constant(other).terms))
 
     __radd__ = __add__
 
@@ -98,12 +116,7 @@ class Several:
         return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Several:
-        out: dict[Exponents, Fraction] = {}
-        for d, x in self.terms.items():
-            for e, y in self.ring.constant(other).terms.items():
-                key = tuple(i + j for i, j in zip(d, e, strict=True))
-                out[key] = out.get(key, Fraction(0)) + x * y
-        return Several(self.ring, {e: c for e, c in out.items() if c})
+        return Several(self.ring, multiply(self.terms, self.ring.constant(other).terms))
 
     __rmul__ = __mul__
 

@@ -19,12 +19,13 @@ from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP
+from mpsolve.numbers.several import multiply, plus
 from mpsolve.passivity.absorption import Absorption, in_block, orders, overtakes
 from mpsolve.passivity.decay import edges
 from mpsolve.passivity.plane import negative, supremum
 from mpsolve.passivity.taking import Search, ratio
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial, add, multiply, scaled
+from mpsolve.tracks.waveguide import Polynomial, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
 _TRIES = 6  # of proofs
@@ -193,7 +194,7 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
     W, D2 = (in_block(a, k, m) for a in absorption.moving)
     rest = scaled(W, Fraction(-1))
     return all(
-        negative(add(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
+        negative(plus(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
     )  # κ |D|² − W < 0 on each box
 
 

@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
+from math import comb
 from types import SimpleNamespace
 from typing import Any, ClassVar
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model
-from mpsolve.numbers.several import Ring, Several
+from mpsolve.numbers.several import Ring, Several, multiply, plus
 
 Polynomial = dict[tuple[int, int], Fraction]
 """Σ c P^i s^j as {(i, j): c} with c ≠ 0."""
@@ -95,22 +96,6 @@ class Waveguide:
         return self
 
 
-def add(*terms: Polynomial) -> Polynomial:
-    out: Polynomial = {}
-    for term in terms:
-        for key, value in term.items():
-            out[key] = out.get(key, Fraction(0)) + value
-    return {key: value for key, value in out.items() if value}
-
-
-def multiply(a: Polynomial, b: Polynomial) -> Polynomial:
-    out: Polynomial = {}
-    for (i, j), x in a.items():
-        for (k, m), y in b.items():
-            out[i + k, j + m] = out.get((i + k, j + m), Fraction(0)) + x * y
-    return {key: value for key, value in out.items() if value}
-
-
 def scaled(a: Polynomial, factor: Fraction) -> Polynomial:
     return {key: value * factor for key, value in a.items()} if factor else {}
 
@@ -136,15 +121,14 @@ def determinant(matrix: Matrix) -> Polynomial:
         if entry:
             minor = tuple(tuple(row[k] for k in range(len(row)) if k != j) for row in matrix[1:])
             terms.append(scaled(multiply(entry, determinant(minor)), Fraction(-1) ** j))
-    return add(*terms)
+    return plus(*terms)
 
 
 def moving(a: Polynomial, velocity: Fraction) -> Polynomial:
     """The polynomial in P and σ that is left when s = σ − vP."""
-    out: Polynomial = {}
-    for (i, j), value in a.items():
-        term: Polynomial = {(i, 0): value}
-        for _ in range(j):
-            term = multiply(term, {(0, 1): Fraction(1), (1, 0): -velocity})
-        out = add(out, term)
-    return out
+    out: dict[tuple[int, int], Any] = {}
+    for (i, j), c in a.items():
+        for k in range(j + 1):
+            term = c * (comb(j, k) * (-velocity) ** k)
+            out[i + k, j - k] = out[i + k, j - k] + term if (i + k, j - k) in out else term
+    return {key: value for key, value in out.items() if value}
