@@ -19,7 +19,7 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges import undamped
@@ -117,7 +117,7 @@ def _refuted_undamped(problem: Problem, over: dict[str, Interval], check: bool) 
 
 def _asked(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> _Question:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     over = from_above_rest(problem, over)
     return _Question(problem, over, scope_of(problem, over), budget, check, started)
 
