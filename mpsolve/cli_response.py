@@ -212,7 +212,7 @@ def _summary(found: Response, scale: Scale) -> list[str]:
 
 def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[str, Any], list[str]]:
     """The motion, the curves by name, the complete solution first, and what is to be said of them."""
-    from mpsolve.finite.beam.beam import finite_beam
+    from mpsolve.finite.beam import finite_beam
     from mpsolve.vibration.of_case import motion_of_case as respond
     from mpsolve.vibration.studies import merged_case as merged
     from mpsolve.vibration.studies import superposition_of_case as superposition
