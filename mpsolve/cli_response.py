@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mpsolve import cli_vibration
-from mpsolve.cli_tools import FILE, checked_output, one_sentence, output
+from mpsolve.cli_tools import FILE, PATH, checked_output, command, output
+from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
     from mpsolve.problem.casefile import InputFile
@@ -28,7 +29,7 @@ _POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=10
 _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 
-@click.command()
+@command()
 @FILE
 @output(f"Write FILE{', '.join(_SUFFIXES)}.")
 @_END
@@ -47,7 +48,7 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 @click.option(
     "--out-of-round", help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".'
 )
-@click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
+@click.option("--animate", type=PATH, help="In s: write a film of the rail as this FILE.svg.")
 def response(
     file: Path,
     output: Path | None,
@@ -69,36 +70,35 @@ def response(
     the unit force, and forces in unit forces. Exit status 0: written. 1: it could not be computed or written. 2: the
     input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.problem.casefile import InputFile
+    from mpsolve.files import checked_suffix
+    from mpsolve.problem.casefile import InputFile
 
-        kind = "" if output is None else checked_suffix(checked_output(output, file, "the response"), _SUFFIXES)
-        source, end = _source(file, end)
-        if not isinstance(source, InputFile):
-            last = cli_vibration.seconds(end) or _last(end)
-            if animate is not None:
-                checked_suffix(checked_output(animate, file, "the film", "animate"), (".svg",), "animate")
-            rough = cli_vibration.irregularities(source.problem, roughness, out_of_round)
-            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial, rough)
-            if animate is not None:
-                cli_vibration.film(source, animate, last, initial, rough)
-            click.echo("\n".join([*said, *(str(path) for path in (output, animate) if path is not None)]))
-            return
-        _only_in_seconds(initial=None if initial == "rest" else initial, animate=animate, roughness=roughness,
-                         out_of_round=out_of_round)  # fmt: skip
-        from mpsolve.vibration.of_case import motion_of_case as respond
+    kind = "" if output is None else checked_suffix(checked_output(output, file, "the response"), _SUFFIXES)
+    source, end = _source(file, end)
+    if not isinstance(source, InputFile):
+        last = cli_vibration.seconds(end) or _last(end)
+        if animate is not None:
+            checked_suffix(checked_output(animate, file, "the film", "animate"), (".svg",), "animate")
+        rough = cli_vibration.irregularities(source.problem, roughness, out_of_round)
+        said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial, rough)
+        if animate is not None:
+            cli_vibration.film(source, animate, last, initial, rough)
+        click.echo("\n".join([*said, *(str(path) for path in (output, animate) if path is not None)]))
+        return
+    _only_in_seconds(initial=None if initial == "rest" else initial, animate=animate, roughness=roughness,
+                     out_of_round=out_of_round)  # fmt: skip
+    from mpsolve.vibration.of_case import motion_of_case as respond
 
-        places = None if xi is None else [x.strip() for x in xi.split(",")]
-        found = respond(source.case, source.loads, places, _grid(_last(end), points))
-        scale = _scale(source)
-        if output is not None:
-            _save(found, output, kind, source.title, scale)
-        click.echo("\n".join(_summary(found, scale)))
-        _tell(output)
+    places = None if xi is None else [x.strip() for x in xi.split(",")]
+    found = respond(source.case, source.loads, places, _grid(_last(end), points))
+    scale = _scale(source)
+    if output is not None:
+        _save(found, output, kind, source.title, scale)
+    click.echo("\n".join(_summary(found, scale)))
+    _tell(output)
 
 
-@click.command()
+@command()
 @FILE
 @output("Write FILE.csv, .png, .svg, .pdf.")
 @_END
@@ -110,23 +110,22 @@ def compare(file: Path, output: Path | None, end: str | None, points: int) -> No
     position of the rear mass. Loads and units as for response. Exit status 0: written. 1: it could not be computed
     or written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.problem.casefile import InputFile
+    from mpsolve.files import checked_suffix
+    from mpsolve.problem.casefile import InputFile
 
-        suffixes = (".csv", ".png", ".svg", ".pdf")
-        kind = "" if output is None else checked_suffix(checked_output(output, file, "the comparison"), suffixes)
-        source, end = _source(file, end)
-        if not isinstance(source, InputFile):
-            cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
-            _tell(output)
-            return
-        scale = _scale(source)
-        whole, curves, notes = _curves(source, _grid(_last(end), points), scale)
-        if output is not None:
-            _save_curves(whole, curves, output, kind, source.title, scale)
-        cli_vibration.tell_apart(curves, whole.within, scale.length_unit, notes, scale.length)
+    suffixes = (".csv", ".png", ".svg", ".pdf")
+    kind = "" if output is None else checked_suffix(checked_output(output, file, "the comparison"), suffixes)
+    source, end = _source(file, end)
+    if not isinstance(source, InputFile):
+        cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
         _tell(output)
+        return
+    scale = _scale(source)
+    whole, curves, notes = _curves(source, _grid(_last(end), points), scale)
+    if output is not None:
+        _save_curves(whole, curves, output, kind, source.title, scale)
+    cli_vibration.tell_apart(curves, whole.within, scale.length_unit, notes, scale.length)
+    _tell(output)
 
 
 def _tell(output: Path | None) -> None:
@@ -139,7 +138,6 @@ COMMANDS = (response, compare)
 
 def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
     """A problem in SI where the file has [track] or the last time is in s; else the paper's; and that time."""
-    from mpsolve.errors import InputError
     from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
     from mpsolve.problem.physical import PhysicalCase
 
@@ -154,8 +152,6 @@ def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
 
 
 def _only_in_seconds(**options: Any) -> None:
-    from mpsolve.errors import InputError
-
     for name, given in options.items():
         if given is not None:
             key = f"--{name.replace('_', '-')}"
@@ -163,7 +159,6 @@ def _only_in_seconds(**options: Any) -> None:
 
 
 def _last(end: str) -> float:
-    from mpsolve.errors import InputError
     from mpsolve.numbers.exact import Exact
 
     last = Exact.parse(end, "--to")

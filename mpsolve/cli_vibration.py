@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mpsolve.cli_tools import seconds_of
+from mpsolve.errors import InputError, PrecisionError
+
 if TYPE_CHECKING:
     from mpsolve.problem.inputfile import ProblemFile
     from mpsolve.problem.problem import Problem
@@ -22,7 +25,6 @@ _FRAMES, _SHAPE_POINTS, _AROUND = 120, 161, 12
 
 def seconds(text: str) -> float | None:
     """A time with a unit, such as "2 s" or "300 ms", in seconds; None where the text has no unit."""
-    from mpsolve.cli_tools import seconds_of
     from mpsolve.numbers.units import split
 
     return seconds_of(text, "--to") if split(text)[1] else None
@@ -30,7 +32,6 @@ def seconds(text: str) -> float | None:
 
 def irregularities(problem: Problem, roughness: str | None, out_of_round: str | None) -> Rough:
     """What the options give: a wave on the rail, or uneven wheels, or nothing."""
-    from mpsolve.errors import InputError
     from mpsolve.numbers.units import in_unit
     from mpsolve.vibration import forcing as kinds
 
@@ -95,8 +96,6 @@ def write(
 
 def add(curves: dict[str, Any], others: Mapping[str, Callable[[], Any]], notes: list[str]) -> None:
     """The other curves too; where one cannot be computed, the rest stands without it, and a note says why."""
-    from mpsolve.errors import InputError, PrecisionError
-
     for name, compute in others.items():
         try:
             curves[name] = compute()
