@@ -12,6 +12,7 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.model import shown
 from mpsolve.outcome import Status
 from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
@@ -47,6 +48,14 @@ class Robust(Answer):
     counterexample: Mapping[str, Fraction] | None = None
     spectrum: Any = None
     open: tuple[Mapping[str, Interval], ...] = ()
+
+    @property
+    def trust(self) -> str:
+        """How far it is proved; what grows at the counterexample rests on the certified spectrum there."""
+        if self.counterexample is None:
+            return super().trust
+        where = ", ".join(f"{path} = {shown(value)}" for path, value in self.counterexample.items())
+        return f"not stable, roots grow at {where}: {self.spectrum.trust}"
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
