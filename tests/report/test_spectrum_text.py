@@ -12,6 +12,7 @@ from reported import SPRUNG, WIRE, fast, wire
 
 from mpsolve import Case, Exact, PhysicalCase, Problem, certify
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.result import Cost
 from mpsolve.problem.problem import Problem as Asked
 from mpsolve.report.spectrum_text import (
     beam_rows,
@@ -23,7 +24,6 @@ from mpsolve.report.spectrum_text import (
     shown,
     spectrum_document,
 )
-from mpsolve.spectrum.spectrum import Cost
 from mpsolve.tracks import Slab
 from mpsolve.vehicles import Mass, Vehicle
 
