@@ -12,7 +12,7 @@ from itertools import islice, pairwise
 from math import pi, sqrt
 from typing import Any
 
-from mpsolve.numbers.model import Quantity, quantities, shown
+from mpsolve.numbers.model import quantities, shown
 from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
@@ -150,7 +150,7 @@ def _damper(model: Any, name: str, key: str, spring: str, carried: Fraction) -> 
     c, k = getattr(model, key, None), getattr(model, spring, None)
     if not (isinstance(c, Fraction) and isinstance(k, Fraction) and k and carried) or c * c <= 4 * k * carried:
         return
-    unit = _described(model)[key].unit
+    unit = quantities(type(model))[key].unit
     times = rounded(float(c) / (2 * sqrt(float(k * carried))), 2)
     stated = f"{name} is {beside(c, unit)}, {times} times the critical damping 2√({spring} · mass)"
     meant = f"either {key} is too large or {spring} too small: check both and their units, if that is not meant"
@@ -188,8 +188,3 @@ def _radius(track: Any) -> float | None:
     """√(EI/m) over the speed of sound in steel, or None for a track that has no EI."""
     EI, m = getattr(track, "EI", None), getattr(track, "m", None)
     return sqrt(float(EI / m)) / _SOUND if EI and m else None
-
-
-def _described(model: Any) -> dict[str, Quantity]:
-    kind: Any = type(model)
-    return quantities(kind)
