@@ -71,7 +71,7 @@ def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str
     return found
 
 
-def _inner(model: Any, path: str) -> Quantity | None:
+def _inner(model: Model, path: str) -> Quantity | None:
     """The quantity of a numeric parameter, or of one of a part after a dot."""
     name, _, inner = path.partition(".")
     quantity = quantities(type(model)).get(name)

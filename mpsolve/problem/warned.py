@@ -12,7 +12,7 @@ from itertools import islice, pairwise
 from math import pi, sqrt
 from typing import Any
 
-from mpsolve.numbers.model import quantities, shown
+from mpsolve.numbers.model import Model, quantities, shown
 from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
@@ -146,7 +146,7 @@ def _suspension(vehicle: Any) -> Iterator[Reason]:
         yield from _damper(bogie, "the bogie's c", "c", "k", (bogie.frame + vehicle.body / 2) / 2)
 
 
-def _damper(model: Any, name: str, key: str, spring: str, carried: Fraction) -> Iterator[Reason]:
+def _damper(model: Model, name: str, key: str, spring: str, carried: Fraction) -> Iterator[Reason]:
     c, k = getattr(model, key, None), getattr(model, spring, None)
     if not (isinstance(c, Fraction) and isinstance(k, Fraction) and k and carried) or c * c <= 4 * k * carried:
         return
