@@ -9,11 +9,12 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, split, waves
-from mpsolve.characteristic.paths import discs, positive
+from mpsolve.characteristic.path import discs
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import Jet, U, nearest
+from mpsolve.proof.definite import positive
 from mpsolve.proof.turning import regular
 
 ROUND = 3.1416
