@@ -17,6 +17,7 @@ import msgspec
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit
 
 Rational: TypeAlias = Any
@@ -150,6 +151,13 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def check(self) -> None:
         """Raise InputError where the parameters exclude each other; the base accepts them."""
 
+    def __repr__(self) -> str:
+        """As it is typed; what has its default is left out."""
+        usual = defaults(type(self))
+        values = ((name, getattr(self, name)) for name in quantities(type(self)))
+        told = (f"{name}={typed(value)}" for name, value in values if name not in usual or value != usual[name])
+        return f"{type(self).__name__}({', '.join(told)})"
+
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters by name, in the order of the class; what is absent is left out."""
@@ -191,6 +199,15 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
     if not exact.is_rational:
         raise InputError(key, f"is {exact.short()}, which is irrational: give a decimal or a ratio p/q")
     return exact.as_fraction()
+
+
+def typed(value: Any) -> str:
+    """An exact value as Python that makes it again: whole numbers bare, others in quotes."""
+    if isinstance(value, (tuple, list)):
+        return f"[{', '.join(map(typed, value))}]"
+    if not isinstance(value, Fraction):
+        return repr(value)
+    return str(value) if value.denominator == 1 else repr(decimal(value))
 
 
 def shown(number: Fraction) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
@@ -75,6 +75,7 @@ class UnstableRanges(Answer):
     left_out: single speeds of which nothing is said.
     """
 
+    a_list: ClassVar[bool] = True
     digits: int = 15
     intervals: tuple[Unstable, ...] = ()
     left_out: tuple[LeftOut, ...] = ()

@@ -12,7 +12,7 @@ from typing import ClassVar
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.model import Model, rational
+from mpsolve.numbers.model import Model, rational, typed
 
 Rows = tuple[tuple[Fraction, ...], ...]
 Link = tuple[dict[int, Fraction], Fraction, Fraction]
@@ -46,6 +46,9 @@ class Placed:
 
     vehicle: AnyVehicle
     position: Fraction
+
+    def __repr__(self) -> str:
+        return f"{self.vehicle!r}.at({typed(self.position)})"
 
 
 class AnyVehicle(Model, frozen=True):
