@@ -10,12 +10,13 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, split, waves
-from mpsolve.characteristic.paths import discs, positive
+from mpsolve.characteristic.path import discs
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import Jet, U, nearest
+from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import subdivide
 from mpsolve.proof.turning import regular

@@ -9,7 +9,7 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import split, waves
-from mpsolve.characteristic.paths import discs
+from mpsolve.characteristic.path import discs
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.outcome import Reason

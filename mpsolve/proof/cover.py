@@ -94,17 +94,17 @@ def joined(points: Any, test: Test, effort: Effort, anywhere: bool = False, roun
     return points
 
 
-def evened(points: Any, hardness: Any, goal: float) -> Any:
-    """Points on the same polyline so that each piece would have a hardness of about `goal`, were it its length.
+def evened(points: Any, hardness: Any) -> Any:
+    """Points on the same polyline so that each piece would have a hardness of about 1, were it its length.
 
     hardness: one number > 0 for each piece. Corners are kept; straight parts that are not parallel to an axis are
     left as they are, since points on them would be rounded off the line.
     """
     out = [points[:1]]
     for first, last in _parts(points):
-        part, cost = points[first : last + 1], hardness[first:last] / goal
+        part, cost = points[first : last + 1], hardness[first:last]
         count = int(np.ceil(cost.sum() * _SPARE))
-        if last - first > count and (part.real == part[0].real).all() | (part.imag == part[0].imag).all():
+        if (part.real == part[0].real).all() | (part.imag == part[0].imag).all():
             at = np.concatenate([[0.0], np.cumsum(cost)])
             where = np.linspace(0, at[-1], count + 1)
             inner = np.interp(where, at, part.real) + 1j * np.interp(where, at, part.imag)
