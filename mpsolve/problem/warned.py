@@ -6,6 +6,7 @@ numbers, what to do.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import islice, pairwise
@@ -17,7 +18,7 @@ from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
-from mpsolve.problem.plausible import implausible
+from mpsolve.problem.plausible import implausible, on_rails
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.floating_ice import FloatingIce
 from mpsolve.tracks.waveguide import Track
@@ -28,6 +29,8 @@ from mpsolve.vehicles.oscillator import Oscillator
 _SOUND = 5100  # m/s in steel: √(EI/m) over it is the radius of gyration of a solid section
 _THINNEST, _THICKEST = 5e-4, 3.0  # radii of gyration in m
 FASTEST, _ON_ICE = 150, 40  # m/s
+_IN_TITLE = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(?:km/h|kmh|kph)")
+_ORDINARY = 85  # m/s, 306 km/h: what runs faster has a unit beside it, or is meant in km/h
 _SHEARLESS = 0.2  # p times the radius of gyration up to which a beam without shear is right to some per cent
 _SPACING = 0.6  # m, of sleepers
 _Row = tuple[Fraction, list[Fraction], str]
@@ -188,3 +191,34 @@ def _radius(track: Any) -> float | None:
     """√(EI/m) over the speed of sound in steel, or None for a track that has no EI."""
     EI, m = getattr(track, "EI", None), getattr(track, "m", None)
     return sqrt(float(EI / m)) / _SOUND if EI and m else None
+
+
+class Title(str):
+    """The title of a file. bare: its velocity has no unit, and none in the comment beside it."""
+
+    bare: bool
+
+    def __new__(cls, text: str, bare: bool = False) -> Title:
+        title = super().__new__(cls, text)
+        title.bare = bare
+        return title
+
+
+def titled(given: Given, title: str) -> tuple[Reason, ...]:
+    """That the velocity is likely to be one in km/h, by the title or by the missing unit; empty where it is not."""
+    if isinstance(given, Case):
+        return ()
+    return tuple(_likely(as_problem(given), title))
+
+
+def _likely(problem: Problem, title: str) -> Iterator[Reason]:
+    v = problem.v
+    stated = f"v is {rounded(v)} m/s, which is {spoken(v, 'm/s')}"
+    meant = f'write v = "{rounded(v)} km/h", if that is meant'
+    said = [Fraction(number) for number in _IN_TITLE.findall(title)]
+    if v and v in said and v * Fraction(18, 5) not in said:
+        stated = f"{stated}, but the title says {rounded(v)} km/h"
+        yield Reason("velocity-unlike-title", stated, {"v": str(v)}, meant)
+    elif getattr(title, "bare", False) and _ORDINARY < v <= FASTEST and on_rails(problem):
+        stated = f"v stands without a unit: {stated.removeprefix('v is ')}"
+        yield Reason("velocity-without-unit", stated, {"v": str(v)}, f'{meant}, or v = "{rounded(v)} m/s"')
