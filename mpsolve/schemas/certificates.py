@@ -5,7 +5,6 @@ A file that fits is well formed, no more: only a verifier tells whether it prove
 
 from __future__ import annotations
 
-from mpsolve.problem.schema import DRAFT
 from mpsolve.schemas import parts as p
 
 _FORM = "mpsolve certificate"
@@ -108,7 +107,7 @@ def zeros_certificate_schema() -> p.Schema:
     }
     interval: p.Schema = {"kind": {"const": "interval"}, "interval": p.rows(p.RATIONAL), "tiles": p.rows({})}
     return {
-        "$schema": DRAFT,
+        "$schema": p.DRAFT,
         "$id": "https://mpsolve.invalid/zeros-certificate/1",
         "title": "Certificate of the zeros of a function",
         "oneOf": [p.table(head | region), p.table(head | interval)],

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from mpsolve.outcome import Status
-from mpsolve.problem.schema import DRAFT as DRAFT
 
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
 
 TEXT: Schema = {"type": "string"}

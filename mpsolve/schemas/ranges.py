@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-from mpsolve.problem.schema import DRAFT
 from mpsolve.report import range_table
 from mpsolve.report.ranges_data import FORMAT, VERSION
 from mpsolve.schemas import parts as p
@@ -152,7 +151,7 @@ def ranges_schema(question: str) -> p.Schema:
 
 def _file(name: str, title: str, properties: p.Schema, optional: p.Schema) -> p.Schema:
     return {
-        "$schema": DRAFT,
+        "$schema": p.DRAFT,
         "$id": f"https://mpsolve.invalid/{name}/1",
         "title": title,
         "description": "Of TOML, whose tables are the same as those of JSON.",

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mpsolve.problem.schema import DRAFT, input_schema
 from mpsolve.schemas import parts as p
+from mpsolve.schemas.input import input_schema
 
 _NUMBER = p.one_of(p.REAL, p.TEXT)
 _AXIS = p.one_of(
@@ -41,7 +41,7 @@ def study_file_schema() -> p.Schema:
         key: value for key, value in whole["$defs"].items() if key.startswith(("track-", "vehicle-", "load"))
     }
     return {
-        "$schema": DRAFT,
+        "$schema": p.DRAFT,
         "$id": "https://mpsolve.invalid/study-file/1",
         "title": "Input of mpsolve study",
         "oneOf": kinds,
