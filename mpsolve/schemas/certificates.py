@@ -27,7 +27,7 @@ def certificate_schema() -> p.Schema:
         "im": _HEX,
         "exponent": p.WHOLE,
         "radius": p.DYADIC,
-        "multiplicity": {"type": "integer", "minimum": 1},
+        "multiplicity": p.POSITIVE,
         "pair": p.YES,
     }
     region = p.table(
@@ -106,9 +106,5 @@ def zeros_certificate_schema() -> p.Schema:
         "roots": p.rows(p.table(root)),
     }
     interval: p.Schema = {"kind": {"const": "interval"}, "interval": p.rows(p.RATIONAL), "tiles": p.rows({})}
-    return {
-        "$schema": p.DRAFT,
-        "$id": "https://mpsolve.invalid/zeros-certificate/1",
-        "title": "Certificate of the zeros of a function",
-        "oneOf": [p.table(head | region), p.table(head | interval)],
-    }
+    kinds = {"oneOf": [p.table(head | region), p.table(head | interval)]}
+    return p.head("zeros-certificate", "Certificate of the zeros of a function") | kinds

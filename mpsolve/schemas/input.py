@@ -25,10 +25,7 @@ _WRITTEN: p.Schema = {"type": "string", "minLength": 1}
 
 def input_schema() -> p.Schema:
     """The schema of a file for `certify` and its like: any problem, or one of the paper's cases in SI or ratios."""
-    return {
-        "$schema": p.DRAFT,
-        "$id": f"https://mpsolve.invalid/input/{VERSION}",
-        "title": "Input file of mpsolve",
+    return p.head("input", "Input file of mpsolve", VERSION) | {
         "description": "Exact numbers: a number as it is written, or a text with a ratio or a unit of the same kind.",
         "oneOf": [{"$ref": f"#/$defs/{name}"} for name in ("problem", "physical", "dimensionless")],
         "$defs": {
