@@ -227,6 +227,7 @@ def robust(
     EFFORT,
     JSON,
     output("Draw FILE.svg, or write FILE.csv or .json, with each cell."),
+    _CERTIFICATE,
 )
 def chart(depth: int, effort: str | None, **asked: Any) -> None:
     """Prove how many roots grow over two parameters of the problem in FILE (TOML): as regions, and strips between.

@@ -197,4 +197,4 @@ def proved_chart_of(problem: Problem, seconds: float) -> Chart:
     near = velocity_ranges(problem).near
     v = next((ends for ends in near if ends[0] <= problem.v <= ends[1]), near[0])
     over = {"v": v, "scale.mass": MASS_FACTORS}
-    return stability_chart(problem, over=over, depth=PROVED_DEPTH, effort=Effort(seconds=seconds))
+    return stability_chart(problem, over=over, depth=PROVED_DEPTH, effort=Effort(seconds=seconds), check=False)
