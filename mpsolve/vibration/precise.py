@@ -29,7 +29,7 @@ from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.integral import sampled_line
-from mpsolve.vibration.motion import PreciseVibration, unknown_precise
+from mpsolve.vibration.motion import PreciseVibration, fields_of, unknown_precise
 from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.vibrate import checked_places
@@ -158,12 +158,8 @@ class _Work:
         errors = [
             float(off[part].max() / np.abs(total[part]).max()) for part in (slice(n + m, None), slice(n, n + m))
         ]
-        return PreciseVibration(
-            times=tuple(exact), places=image.places, rail=total[n + m :], steady=parts[0][n + m :],
-            harmonic=parts[1][n + m :], transient=parts[2][n + m :],
-            vehicle=dict(zip(image.pencil.names, total[:n], strict=True)), contact_force=total[n : n + m],
-            error=(errors[0], errors[1]),
-        )  # fmt: skip
+        rows = fields_of(image, total, steady=parts[0], harmonic=parts[1], transient=parts[2])
+        return PreciseVibration(tuple(exact), image.places, **rows, error=(errors[0], errors[1]))
 
     def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], list[list[Any]]]:
         """Middle, half, nodes of ω, values there."""
