@@ -18,8 +18,6 @@ from mpsolve.errors import InputError, MpsolveError, StudyError
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
-    from rich.console import Group
-
     from mpsolve.progress import Progress
     from mpsolve.proof.effort import Effort
     from mpsolve.report.blocks import Document
@@ -188,23 +186,14 @@ def seconds_of(given: str, key: str) -> float:
     return float(seconds)
 
 
-def show(report: Group | Document) -> None:
+def show(report: Document) -> None:
     """To a terminal in its width and with colour, unless NO_COLOR is set; else as plain text."""
-    from mpsolve.report.blocks import WIDTH, Document
+    from mpsolve.report.blocks import WIDTH
 
-    if isinstance(report, Document):
-        terminal = sys.stdout.isatty()
-        width = max(shutil.get_terminal_size().columns, _NARROW) if terminal else WIDTH
-        colour = terminal and not os.environ.get("NO_COLOR")
-        click.echo(report.text(width, colour), nl=False, color=colour)
-    elif sys.stdout.isatty():
-        from rich.console import Console
-
-        Console().print(report)
-    else:
-        from mpsolve.report.blocks import plain
-
-        click.echo(plain(report), nl=False)
+    terminal = sys.stdout.isatty()
+    width = max(shutil.get_terminal_size().columns, _NARROW) if terminal else WIDTH
+    colour = terminal and not os.environ.get("NO_COLOR")
+    click.echo(report.text(width, colour), nl=False, color=colour)
 
 
 @contextmanager
