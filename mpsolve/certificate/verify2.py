@@ -435,7 +435,7 @@ def real(ring: Any, p: Any) -> Any:
 # --- the equations ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Track:
     """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ).
 
@@ -602,7 +602,7 @@ def read_vehicle(value: Any, basis: Any) -> Bodies:
     return read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Bodies:
     """M, C, K as {exponents of the parameters: matrix}, B, compliances and places of the felt coordinates; the last
     are neutral."""
@@ -902,7 +902,7 @@ def along(
     return total.rested([x * y ** (last - start) for x, y in zip(rest, most, strict=True)])
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Sums:
     """Polynomials in σ and the parameters, in balls: for each row the coefficients of these exponents."""
 
@@ -1172,7 +1172,7 @@ def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: rang
     return radii
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Split:
     """For each σ of the disc exactly one pair U·L = D/lead has |a_k| ≤ box_k; it is analytic; |a_k| ≤ tight_k."""
 
@@ -1648,7 +1648,7 @@ def greatest_first(a: list[list[Any]]) -> list[int]:
 # --- walking along the paths ------------------------------------------------------------------------------
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Mark:
     """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
 
@@ -1662,7 +1662,7 @@ class Mark:
     beside: tuple[Any, list[Any]] = (None, [])
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Walker:
     """Carries the splitting along the paths, and proves each piece."""
 
@@ -1862,7 +1862,7 @@ def definite(H: Sequence[Any], E: Any) -> bool:
     return contracting(F)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Turn:
     """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
 
@@ -2093,7 +2093,7 @@ def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
 # --- regions ----------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Region:
     """Where the roots are counted. All numbers exact; height 0: only Im q < 0."""
 
@@ -2152,7 +2152,7 @@ def read_region(value: Any) -> Region:
     return Region(kind, height, reach)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Path:
     kind: str
     points: list[Point]
@@ -2323,7 +2323,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
 # --- the whole sheet --------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Sheet:
     """A beam whose cuts lie on Im q = height: undamped in τ = σ + height; the vehicles below and above that line."""
 
@@ -2355,7 +2355,7 @@ class Sheet:
         return [t[0, 0] + t[0, 2] * square, -t.get((2, 0), fmpq(0)) - t[0, 2] * self.track.v**2, t[4, 0]]
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Loop:
     """A closed path several times round the one branch point in |z − centre| ≤ radius, first below the real axis."""
 
@@ -2631,7 +2631,7 @@ def in_gap(sheet: Sheet, z: Any) -> bool:
 # --- roots ------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Root:
     """Claimed: exactly `multiplicity` roots with |q − z| ≤ radius; `pair`: and as many at −q̄."""
 
