@@ -22,6 +22,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache, partial
 from itertools import combinations, pairwise, product
 from math import comb, prod
+from operator import mul
 from typing import Any
 
 import flint
@@ -231,28 +232,13 @@ def at_q(z: Point) -> Any:
 
 
 def nonnegative(p: Any, strictly: bool) -> bool:
-    """p(y) ≥ 0 for all y ≥ 0 and p ≠ 0; strictly: p(y) > 0 for all y ≥ 0. Exact, by Sturm's theorem."""
+    """p(y) ≥ 0 for all y ≥ 0 and p ≠ 0: no root y > 0 of odd multiplicity; strictly: p(y) > 0, no root at all."""
     c = p.coeffs()
     if not c or c[-1] <= 0 or (strictly and c[0] <= 0):
         return False
-    return all(x >= 0 for x in c) or all(
-        (k % 2 == 0 and not strictly) or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
-    )
-
-
-def roots_above_zero(f: Any) -> int:
-    """The number of roots y > 0 of a squarefree polynomial."""
-    if f(0) == 0:
-        f = f // fmpq_poly([0, 1])
-    chain = [f, f.derivative()]
-    while chain[-1].degree() > 0:
-        chain.append(-(chain[-2] % chain[-1]))
-
-    def changes(values: Sequence[Any]) -> int:
-        kept = [x for x in values if x != 0]
-        return sum(a * b < 0 for a, b in pairwise(kept))
-
-    return changes([g(0) for g in chain]) - changes([g.leading_coefficient() for g in chain if g.degree() >= 0])
+    return all(x >= 0 for x in c) or not any(
+        z.imag.contains(0) and not z.real <= 0 and (strictly or k % 2) for z, k in p.complex_roots()
+    )  # balls of roots: those of real ones hold a real number, those of others none
 
 
 def semidefinite(a: Any) -> bool:
@@ -314,8 +300,8 @@ def least(f: Free, box: Box) -> Any:
     return min(bernstein(f, box, fmpq_mat)) if f else fmpq(0)
 
 
-def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
-    """test(rows, box) is true on parts that together are the box; others are halved along what these rows hold.
+def everywhere(rows: Sequence[Free], box: Box, why: str, strictly: bool = True) -> None:
+    """Σ f_k y^k > 0 (or ≥ 0) for all y ≥ 0 on parts of the box; others are halved along what the f_k hold.
 
     The longer the polynomials, in all their Bernstein coefficients, the fewer parts are looked at.
     """
@@ -325,7 +311,7 @@ def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
     while stack:
         here, depth = stack.pop()
         number += 1
-        if test(rows, here):
+        if positive(rows, here, strictly):
             continue
         require(used and depth < 8 * len(used) and number < BOXES / max(1, size / 1000), why)
         stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
@@ -378,15 +364,6 @@ def times(a: Free, b: Free) -> Free:
 
 def terms(p: Any) -> Free:
     return {tuple(map(int, e)): c for e, c in p.to_dict().items()}
-
-
-def always_positive(rows: Sequence[Free], box: Box) -> bool:
-    """Σ f_k y^k > 0 for all y ≥ 0 and all parameters of the box."""
-    return positive(rows, box, True)
-
-
-def never_negative(rows: Sequence[Free], box: Box) -> bool:
-    return positive(rows, box, False)
 
 
 def determinant(rows: Sequence[Sequence[Any]], one: Any) -> Any:
@@ -511,7 +488,7 @@ def dispersion(ring: Any, rows: list[list[Any]], loaded: int) -> tuple[Any, Any]
 def read_track(value: Any, velocity: Any, box: Box = ()) -> Track:
     ring, rows, loaded = read_rows(value, len(box))
     v = free(velocity, len(box), "velocity")
-    everywhere(never_negative, [v], box, "the velocity is negative")
+    everywhere([v], box, "the velocity is negative", False)
     return moving_track(ring, rows, loaded, v)
 
 
@@ -569,7 +546,7 @@ def check_passive(ring: Any, given: Sequence[Sequence[Any]], box: Box) -> None:
         for k in range(1, size + 1):
             for kept in combinations(range(size), k):
                 minor = in_y(determinant([[sign * matrix[r][c] for c in kept] for r in kept], ring.constant(1)))
-                everywhere(never_negative, minor, box, "the track may give energy at rest: it is not passive")
+                everywhere(minor, box, "the track may give energy at rest: it is not passive", False)
 
 
 def check_passive_track(track: Track) -> None:
@@ -1549,18 +1526,6 @@ def moduli(a: Any) -> Any:
 
 
 @lru_cache(maxsize=64)
-def tiny_balls(n: int) -> tuple[Any, Any]:
-    """A matrix of balls round 0, and bounds of the moduli of what they hold."""
-    return acb_mat(n, n, [box(arb(2.0**-40))] * (n * n)), arb_mat(n, n, [2.0**-39] * (n * n))
-
-
-def small(a: Any) -> Any:
-    """Bounds of the moduli of entries that most often are all tiny."""
-    balls, bounds = tiny_balls(a.nrows())
-    return bounds if balls.contains(a) else moduli(a)
-
-
-@lru_cache(maxsize=64)
 def identity(n: int) -> Any:
     return acb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
@@ -1609,22 +1574,6 @@ def diagonal(a: Any) -> Iterator[Any]:
         raise Refused("a pivot may vanish") from None
     yield from diagonal(block)
     yield from diagonal(left)
-
-
-def greatest_first(a: list[list[Any]]) -> list[int]:
-    """An order of elimination on the diagonal, the greatest pivot first, in floats: nothing rests on it."""
-    b, left, order = [[complex(x) for x in row] for row in a], list(range(len(a))), []
-    while left:
-        k = max(left, key=lambda i: abs(b[i][i]) / (1e-300 + sum(abs(b[i][j]) for j in left)))
-        left.remove(k)
-        order.append(k)
-        for i in left:
-            factor = b[i][k] / (b[k][k] or 1e-300)
-            if factor:
-                row, source = b[i], b[k]
-                for j in left:
-                    row[j] -= factor * source[j]
-    return order
 
 
 # --- walking along the paths ------------------------------------------------------------------------------
@@ -1805,7 +1754,7 @@ def definite(H: Sequence[Any], E: Any) -> bool:
         return False
     left = acb_mat(X)
     right, size = left.conjugate().transpose(), moduli(left)
-    F = small(left * H[0] * right - identity(n)) + size * E * size.transpose()
+    F = moduli(left * H[0] * right - identity(n)) + size * E * size.transpose()
     for a in H[1:]:
         F = F + moduli(left * a * right)
     return contracting(F)
@@ -1830,7 +1779,7 @@ class Turn:
         R = near_inverse(A)
         one = identity(R.nrows())
         near, ahead, rest = R * A - one, R * slope, moduli(R) * rest
-        E = small(near) + moduli(ahead) + rest
+        E = moduli(near) + moduli(ahead) + rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
         lost = abs(near.trace()) + rest.trace() - (one.real - E).det().log() - E.trace()
         return cls(place, R, ahead.trace(), lost)
@@ -1880,21 +1829,20 @@ def turned_one(marks: Sequence[Mark], turns: Sequence[Turn], matrix: Callable[[M
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
     """X with X H X* ≈ 1, in floats, or None: nothing rests on it."""
     n = len(h)
-    low = [[0j] * n for _ in range(n)]
-    X = [[0j] * n for _ in range(n)]
-    for i in range(n):
-        for j in range(i + 1):
-            x = h[i][j] - sum(low[i][k] * low[j][k].conjugate() for k in range(j))
-            if i == j:
-                if not x.real > 0:
-                    return None
-                low[i][i] = complex(x.real**0.5)
-            else:
-                low[i][j] = x / low[j][j]
-        for j in range(i + 1):
-            x = (1.0 if i == j else 0.0) - sum(low[i][k] * X[k][j] for k in range(j, i))
-            X[i][j] = x / low[i][i]
-    return X
+    low: list[list[complex]] = []  # conjugates of the rows of Cholesky's factor, left of the diagonal
+    columns: list[list[complex]] = [[] for _ in range(n)]  # of X
+    for i, row in enumerate(h):
+        one: list[complex] = []
+        for j in range(i):
+            one.append((row[j] - sum(map(mul, one, low[j]))) * columns[j][0])
+        x = row[i].real - sum(abs(y) ** 2 for y in one)
+        if not x > 0:
+            return None
+        low.append([y.conjugate() for y in one])
+        for j in range(i):
+            columns[j].append(-sum(map(mul, one[j:], columns[j])) / x**0.5)
+        columns[i].append(1 / x**0.5 + 0j)
+    return [[columns[j][i - j] if j <= i else 0j for j in range(n)] for i in range(n)]
 
 
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
@@ -2244,7 +2192,7 @@ def closing(walker: Walker, mark: Mark) -> Any:
     The more contacts, the more digits elimination loses: G is taken with as many as leave the sum sharp.
     """
     sigma, b, split = at_q(mark.q), walker.bordered, walker.thin(mark)
-    bits, order, sharper = flint.ctx.prec, None, split
+    bits, sharper = flint.ctx.prec, split
     for more in (1, 2, 4, 8, 16):
         with precision(bits * more):
             waves = Waves(walker.waves.track, b.vehicle.places)
@@ -2252,9 +2200,7 @@ def closing(walker: Walker, mark: Mark) -> Any:
                 if more > 1:
                     sharper = split_near(waves.near(Place.disc(at_q(mark.q), ZERO)), split.near(sigma))
                     require(split.links(sharper, sigma), "sharper p-roots are not those of the mark")
-                a = accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])
-                order = order or greatest_first(a)
-                total = pivots(acb_mat([[a[i][j] for j in order] for i in order]))
+                total = pivots(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
             except Refused:
                 continue
             if total.is_finite() and total.rad() < 0.1:

@@ -78,10 +78,10 @@ def check_track(track: spectra.Track, box: Box) -> None:
     top = {e[2:]: c for e, c in lead.items()}
     if spectra.at(top, [(a + b) / 2 for a, b in box]) < 0:
         top = {e: -c for e, c in top.items()}
-    spectra.everywhere(spectra.always_positive, [top], box, "a wave speed may lie in the range")
+    spectra.everywhere([top], box, "a wave speed may lie in the range")
     for rows in spectra.hurwitz(track.ring, track.D, box):
         why = "the track is not proved stable and damped for all these parameters"
-        spectra.everywhere(spectra.always_positive, rows, box, why)
+        spectra.everywhere(rows, box, why)
     spectra.check_passive(track.ring, track.rows, box)
     check_inertia(track, box)
 
@@ -97,7 +97,7 @@ def check_inertia(track: spectra.Track, box: Box) -> None:
     (d, big), (n, small) = tops
     require(d == n + 2, "the track's receptance does not fall as a mass's at high frequency")
     both = spectra.times(big, small)
-    spectra.everywhere(spectra.always_positive, [both], box, "the inertia of the track may vanish")
+    spectra.everywhere([both], box, "the inertia of the track may vanish")
 
 
 def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
@@ -106,7 +106,7 @@ def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
     middle = [(a + b) / 2 for a, b in box]
     kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
-        spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
+        spectra.everywhere([spectra.minus(other, one)], box, "two places may meet")
     return kept
 
 
