@@ -17,6 +17,7 @@ import msgspec
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit
 
 Rational: TypeAlias = Any
@@ -150,6 +151,13 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def check(self) -> None:
         """Raise InputError where the parameters exclude each other; the base accepts them."""
 
+    def __repr__(self) -> str:
+        """As it is typed; what has its default is left out."""
+        usual = defaults(type(self))
+        values = ((name, getattr(self, name)) for name in quantities(type(self)))
+        told = (f"{name}={typed(value)}" for name, value in values if name not in usual or value != usual[name])
+        return f"{type(self).__name__}({', '.join(told)})"
+
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters by name, in the order of the class; what is absent is left out."""
@@ -193,6 +201,15 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
     return exact.as_fraction()
 
 
+def typed(value: Any) -> str:
+    """An exact value as Python that makes it again: whole numbers bare, others in quotes."""
+    if isinstance(value, (tuple, list)):
+        return f"[{', '.join(map(typed, value))}]"
+    if not isinstance(value, Fraction):
+        return repr(value)
+    return str(value) if value.denominator == 1 else repr(decimal(value))
+
+
 def shown(number: Fraction) -> str:
     """A short text of an exact number for messages."""
     return Exact.parse(number).short()
@@ -210,3 +227,13 @@ def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
     if not low < high:
         raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
     return low, high
+
+
+def velocities(over: Any, example: str) -> tuple[Fraction, Fraction]:
+    """The range of {"v": (low, high)}, 0 ≤ low < high; example: what a message shows of it."""
+    if not isinstance(over, Mapping) or list(over) != ["v"]:
+        raise InputError("over", f"is {over!r}: give the range of velocities, {example}")
+    low, high = checked_range(over["v"], "over['v']")
+    if low.sign < 0:
+        raise InputError("over['v']", f"starts at {low.short()}: give v ≥ 0, for the track is the same both ways")
+    return low.as_fraction(), high.as_fraction()

@@ -24,25 +24,27 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
-from mpsolve.proof.subdivide import subdivide
+from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, next_to, parts_of
+from mpsolve.ranges.certified import Base, chart_certificate
 from mpsolve.ranges.meeting import Meeting, meetings
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import free_cells, strips_of
+from mpsolve.ranges.verified import Verified, verified
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
 _SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, or beyond _FINE, before a box stays open
 _FINE = 5
 _MOST_PARTS = 60
+_A_NODE = 4  # of the work that the verifier may have with one node: arcs cost more than boxes without roots
 _THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
-NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
 
 
 @dataclass(frozen=True)
@@ -116,8 +118,8 @@ def stability_chart(
 
     over: {path: (low, high)} of two parameters, in the problem's units. depth: of 2^depth cells along each of them.
     A range from v = 0 begins a little above it where the equations lose waves at rest, as `.over` says.
-    The answer is proved where every region is decided; strips round the boundaries are part of it. There is no
-    certificate. InputError for paths and ranges that cannot be.
+    The answer is proved where every region is decided; strips round the boundaries are part of it. The certificate
+    states the number over each cell of `detail`, not the curves. InputError for paths and ranges that cannot be.
     """
     given = as_problem(problem)
     ranges = from_above_rest(given, checked_over(given, over))
@@ -135,7 +137,7 @@ def _chart(
     problem: Problem, over: dict[str, Interval], depth: int, effort: Effort | None, progress: Progress, check: bool
 ) -> Chart:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     scope = scope_of(problem, over)
     edges = [tuple(a + (b - a) * Fraction(k, 2**depth) for k in range(2**depth + 1)) for a, b in over.values()]
     try:
@@ -158,24 +160,34 @@ def _chart(
     curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
     labels = parts_of(free.reshape(2**depth, _FINER_CELLS, 2**depth, _FINER_CELLS).all((1, 3)))
     detail = np.where(free, 0, BOUNDARY)
-    parts, reason = _counted(
+    parts, regions, reason = _counted(
         problem, scope, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
     )
     counts = np.where(labels > 0, detail[::_FINER_CELLS, ::_FINER_CELLS], BOUNDARY)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover)
-    verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
-    cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
+    made = _certified(scope, cover.tree, parts, regions, check) if reason is None else None
+    verification = (made.seconds if made else 0.0) + sum(
+        part.spectrum.cost.verification for part in parts if part.spectrum is not None
+    )
+    cost = Spent(process_time() - started - verification, verification, budget.spent)
     proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
-    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": proofs, "cost": cost}
-    status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
+    told: dict[str, Any] = {"proofs": proofs, "cost": cost}
+    if made:
+        told |= {"note": made.note, "certificate": made.certificate}
+    status = made.status if made else Status.UNDECIDED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
         problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
         meetings=meetings(scope, curves), traced=whole, detail=detail, **told,
     )  # fmt: skip
+
+
+def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Any, check: bool) -> Verified:
+    bases = [Base(tuple(part.point.values()), part.spectrum) for part in parts]
+    return verified(lambda: chart_certificate(scope, tree, bases, regions), _A_NODE * tree.nodes, check)
 
 
 def _counted(
@@ -187,14 +199,16 @@ def _counted(
     budget: Effort,
     progress: Progress,
     check: bool,
-) -> tuple[tuple[Part, ...], Reason | None]:
-    """The parts with their counts, which are written into `detail`; the greatest first.
+) -> tuple[tuple[Part, ...], Any, Reason | None]:
+    """The parts with their counts, which are written into `detail`, the greatest first; of fine cells the number of
+    the part, −1 where there is none.
 
     labels: of cells, and of finer ones. Parts that hold no cell whole are pockets between curves.
     """
     coarse, fine = labels
     sizes = np.bincount(fine.ravel())[1:]
     order = np.argsort(-sizes, kind="stable")
+    regions = np.full(fine.shape, -1)
     parts: list[Part] = []
     reason: Reason | None = None
     for number, k in enumerate(order):
@@ -215,10 +229,11 @@ def _counted(
             continue
         roots = growing(found)
         detail[where] = OPEN if roots is None else roots
+        regions[where] = len(parts)
         parts.append(Part(int(sizes[k]), point, roots, found))
         if roots is None and reason is None:
             reason = uncounted(found, "of a region")
-    return tuple(parts), reason
+    return tuple(parts), regions, reason
 
 
 def _point(scope: Scope, edges: Any, where: Any) -> dict[str, Fraction]:

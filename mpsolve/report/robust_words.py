@@ -67,7 +67,10 @@ _MEETINGS = {
 def said_of_chart(found: Chart, asked: Asked) -> Said:
     """The report of a chart."""
     asked = asked.answered(found.over)
-    return Said("chart", found, asked, _chart_verdict(found), framed(_chart(found, asked), found, asked))
+    lines = _chart(found, asked)
+    if found.certificate is not None:
+        lines.append("  The certificate states the number of each cell; curves are proved without certificate.")
+    return Said("chart", found, asked, _chart_verdict(found), framed(lines, found, asked))
 
 
 def _chart_verdict(found: Chart) -> str:

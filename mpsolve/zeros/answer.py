@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+from flint import arb
 
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.result import Result
@@ -58,3 +60,13 @@ class Zeros(Result):
     certificate: Any = field(default=None, repr=False)
     verified: str = ""
     cost: Work = field(default_factory=lambda: Work(0.0))
+
+    def records(self) -> Iterator[Mapping[str, Any]]:
+        """A row for each zero, as floats."""
+        for root in self.roots:
+            places = {"z": root.q} if isinstance(root.q, arb) else {"Re z": root.q.real, "Im z": root.q.imag}
+            yield {name: float(x.mid()) for name, x in places.items()} | {"multiplicity": root.multiplicity}
+
+    def _headline(self) -> str:
+        found = "zeros" if self.count is None else f"{self.count} zero{'s' * (self.count != 1)}"
+        return f"Zeros: {found} of {self.function} in {self.region}: {self.trust}"

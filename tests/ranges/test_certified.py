@@ -1,3 +1,5 @@
+from fractions import Fraction
+
 import numpy as np
 from flint import arb
 from free_cases import BEAM, PAIR
@@ -5,6 +7,7 @@ from free_cases import BEAM, PAIR
 from mpsolve import Problem, crossings
 from mpsolve.certificate.verify_ranges import verify_bytes
 from mpsolve.numbers.balls import precision
+from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import Tree
 from mpsolve.ranges.certified import ball_entry, tree_text, with_room
 from mpsolve.ranges.enclosed import Crossing
@@ -13,6 +16,10 @@ from mpsolve.ranges.enclosed import Crossing
 def test_trees_are_written_halves_after_their_wholes() -> None:
     kind, axis, child = np.array([0, 1, 0, 2, 3]), np.array([1, -1, 0, -1, -1]), np.array([1, -1, 3, -1, -1])
     assert tree_text(Tree(np.zeros((2, 5)), np.ones((2, 5)), kind, axis, child)) == "1n0pz"
+    low = np.zeros((3, 5))
+    low[2, 1:] = -0.75
+    axis[0] = SLOPED
+    assert tree_text(Tree(low, low, kind, axis, child), Fraction(4)) == "s-3e0;n0pz"
 
 
 def test_balls_in_the_file_are_those_that_are_said() -> None:
