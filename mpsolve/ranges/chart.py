@@ -42,7 +42,6 @@ _DEPTH = 7  # halvings of each parameter
 _SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, or beyond _FINE, before a box stays open
 _FINE = 5
 _MOST_PARTS = 60
-_A_NODE = 4  # of the work that the verifier may have with one node: arcs cost more than boxes without roots
 _THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
 
@@ -187,7 +186,7 @@ def _chart(
 
 def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Any, check: bool) -> Verified:
     bases = [Base(tuple(part.point.values()), part.spectrum) for part in parts]
-    return verified(lambda: chart_certificate(scope, tree, bases, regions), _A_NODE * tree.nodes, check)
+    return verified(lambda: chart_certificate(scope, tree, bases, regions), tree.nodes, check)
 
 
 def _counted(
