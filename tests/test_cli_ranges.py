@@ -187,8 +187,10 @@ def test_robust_in_parts_that_a_file_keeps(run: Run, monkeypatch: pytest.MonkeyP
 
 def test_a_chart_and_its_files(run: Run) -> None:
     over = ("--over", "v=0.5..0.9", "--over", "scale.mass=0.8..1.2", "--depth", 3)
-    result = run("chart", PLAIN, *over, "-o", "chart.svg")
+    result = run("chart", PLAIN, *over, "-o", "chart.svg", "--certificate", "chart.json")
     assert result.exit_code == 0
+    assert "The certificate states the number of each cell" in result.stdout
+    assert "regions of a chart of 32 by 32 cells" in run("verify", "chart.json").stdout
     assert "of the chart is decided" in result.stdout
     svg = Path("chart.svg").read_text("utf-8")
     assert ET.fromstring(svg).tag.endswith("svg")
