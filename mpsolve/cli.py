@@ -18,7 +18,7 @@ from typing import Any
 
 import click
 
-from mpsolve.cli_tools import one_sentence
+from mpsolve.cli_tools import PATH, Commands
 from mpsolve.cli_voice import as_told
 
 
@@ -89,7 +89,7 @@ EXAMPLES = {
 """One for each command, at the end of its help."""
 
 
-class _Commands(click.Group):
+class _Commands(Commands):
     """The commands of this file, and those of `_MODULES`."""
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
@@ -122,7 +122,7 @@ def cli() -> None:
 
 
 @cli.command()
-@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
 def verify(files: tuple[Path, ...]) -> None:
     """Check certificates, by verifiers that share no code with what proved them: a line for each FILE.
 
@@ -143,7 +143,7 @@ def verify(files: tuple[Path, ...]) -> None:
 
 
 @cli.command()
-@click.argument("file", required=False, type=click.Path(path_type=Path))
+@click.argument("file", required=False, type=PATH)
 @click.option("--latex", is_flag=True, help="A LaTeX document instead of text.")
 @click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses, without FILE.")
 def derive(file: Path | None, latex: bool, masses: int) -> None:
@@ -152,18 +152,17 @@ def derive(file: Path | None, latex: bool, masses: int) -> None:
     With FILE (TOML): the track and the vehicles in it, from their mechanics to the matrices that are computed with.
     Without: the paper's beam, to the kernel. Exit status 0: printed. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.derivation.paper import derivation
-        from mpsolve.derivation.rendered import render
+    from mpsolve.derivation.paper import derivation
+    from mpsolve.derivation.rendered import render
 
-        if file is None:
-            steps = derivation(masses)
-        else:
-            from mpsolve.derivation.problem import derivation_of
-            from mpsolve.problem.inputfile import read_problem
+    if file is None:
+        steps = derivation(masses)
+    else:
+        from mpsolve.derivation.problem import derivation_of
+        from mpsolve.problem.inputfile import read_problem
 
-            steps = derivation_of(read_problem(file).problem)
-        click.echo(render(steps, "latex" if latex else "text"), nl=False)
+        steps = derivation_of(read_problem(file).problem)
+    click.echo(render(steps, "latex" if latex else "text"), nl=False)
 
 
 @cli.command()
@@ -173,10 +172,9 @@ def models(name: str | None) -> None:
 
     Exit status 0: shown. 2: there is no such model.
     """
-    with one_sentence():
-        from mpsolve.report.models import listing
+    from mpsolve.report.models import listing
 
-        click.echo(listing(name), nl=False)
+    click.echo(listing(name), nl=False)
 
 
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)  # of a stream that takes no more

@@ -95,7 +95,7 @@ def test_certificates_of_ranges_are_made_anew() -> None:
 
 def test_the_certificates_are_drawn(tmp_path: Path) -> None:
     file = load("certificates").visualize(tmp_path / "plane.svg", "stable_d1.5_alpha0.66")
-    assert file.read_text("utf-8").count('id="root-') == 4
+    assert file.read_text("utf-8").count('data-root="') == 4
 
 
 def test_the_unstable_velocities_are_drawn() -> None:

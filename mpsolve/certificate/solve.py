@@ -20,7 +20,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.deadline import TimeUpError
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import ended_at_once, stoppable
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
@@ -60,7 +60,7 @@ def certify_problem(
     for a track that is unstable by itself or, but for such a beam, has no damping, and for regions without meaning.
     """
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    budget = begun(effort, _EVALUATIONS)
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
     line = on_line(reduced)

@@ -18,9 +18,9 @@ import re
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
-from math import asinh, sinh
+from math import asinh, comb, sinh
 from typing import Any
 
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq
@@ -143,8 +143,49 @@ def place_over(middle: Sequence[Any], half: Sequence[Any]) -> Place:
     return Place(x, r, 2)
 
 
-def place_of(box: Box) -> Place:
-    return place_over([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box])
+def place_of(box: Box, slope: Any = 0) -> Place:
+    """slope: the box is one of (t, θ), q = t + slope·θ_1."""
+    place = place_over([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box])
+    return Sloped(place.middle, place.half, place.order, slope) if slope else place
+
+
+class Sloped(Place):
+    """The first variable is τ, σ = τ + i·slope·θ_1."""
+
+    def __init__(self, middle: Sequence[Any], half: Sequence[Any], order: int, slope: Any) -> None:
+        super().__init__(middle, half, order)
+        self.slope = slope
+
+    @cached_property
+    def powers(self) -> list[list[Form]]:
+        out = super().powers
+        tau, x = out[0][1], out[1][1]
+        out[0][1] = tau + x.scaled([acb(0, self.slope)])
+        return out
+
+    def taylor(self, polynomials: Sums) -> Any:
+        exponents, turn = turned(polynomials.exponents, self.slope)
+        return super().taylor(Sums(exponents, polynomials.matrix * turn))
+
+
+@lru_cache(maxsize=64)
+def turned(exponents: tuple[Exponents, ...], slope: Any) -> tuple[tuple[Exponents, ...], Any]:
+    """(exponents of τ and θ, a matrix whose rows are the monomials of σ = τ + i·slope·θ_1 and θ in these)."""
+    rows = [
+        {(e[0] - k, e[1] + k, *e[2:]): comb(e[0], k) * acb(0, slope) ** k for k in range(e[0] + 1)}
+        if e
+        else {e: acb(1)}
+        for e in exponents
+    ]
+    new = tuple(sorted({e for row in rows for e in row}))
+    return new, acb_mat(len(rows), len(new), [row.get(e, NONE) for row in rows for e in new])
+
+
+def laid(box: Box, slope: Any, more: Any) -> Box:
+    """A box of (t, θ) with q = t + more·θ_1 that holds all (q, θ) of one with another slope."""
+    (low, high), (a, b) = box[:2]
+    ends = [(slope - more) * a, (slope - more) * b]
+    return ((low + min(ends), high + max(ends)), *box[1:])
 
 
 def resized(place: Place, factor: Any) -> Place:
@@ -746,7 +787,7 @@ class Family:
         """Δ̂ ≠ 0 over a box, or Wide."""
         check_nonzero(self.scalar(place))
 
-    def prove(self, kind: str, box: Box) -> None:
+    def prove(self, kind: str, box: Box, slope: Any = 0) -> None:
         """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
         stack, most = [(box, 0)], min(self.left, self.pieces + self.one)
         while stack:
@@ -755,7 +796,7 @@ class Family:
             require(self.pieces < most, "the certificate asks for more work than this verifier does")
             try:
                 if kind == "n":
-                    self.nonzero(place_of(here))
+                    self.nonzero(place_of(here, slope))
                 else:
                     check_passive_box(self, here)
             except Refused as error:
@@ -765,7 +806,7 @@ class Family:
 
     def axis(self, box: Box, error: Any) -> int:
         """Along which variable to halve: where most is to be won, or the longest."""
-        whole = [float(box[0][1]) or 1.0, *(float(b - a) or 1.0 for a, b in self.box)]
+        whole = [float(abs(box[0][1])) or 1.0, *(float(b - a) or 1.0 for a, b in self.box)]
         share = [float(b - a) / w for (a, b), w in zip(box, whole, strict=True)]
         got = getattr(error, "weights", [])
         if len(got) == len(box) and all(x == x and x < 1e300 for x in got) and max(got) > 0:
@@ -774,19 +815,27 @@ class Family:
         return share.index(max(share))
 
 
-def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box]]:
-    """The leaves of a tree in text: a digit halves along an axis, a letter is a leaf; low halves come first."""
+def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box, Any]]:
+    """The leaves of a tree in text: a digit halves along an axis, a letter is a leaf; low halves come first.
+
+    sMeE; halves along the first parameter, and lays both halves along the slope M·2^E.
+    """
     require(isinstance(tree, str) and 0 < len(tree) <= MAX_NODES, "the tree is no text, or too long")
-    stack = [(box, 0)]
-    for mark in tree:
+    stack: list[tuple[Box, Any, int]] = [(box, fmpq(0), 0)]
+    for mark in re.finditer(r"s(-?[0-9]{1,30})e(-?[0-9]{1,4});|(.)", tree, re.ASCII | re.DOTALL):
         require(stack, "the tree goes on beyond its last leaf")
-        here, depth = stack.pop()
-        if mark in "npzo":
-            yield mark, here
+        here, slope, depth = stack.pop()
+        m, e, letter = mark.groups()
+        if letter and letter in "npzob":
+            yield letter, here, slope
             continue
-        require(mark in "0123456"[: len(box)] and depth < 200, "a mark of the tree is not known")
-        low, high = spectra.halved(here, int(mark))
-        stack += [(high, depth + 1), (low, depth + 1)]
+        known = letter is None or letter in "0123456"[: len(box)]
+        require(known and depth < 200, "a mark of the tree is not known")
+        low, high = spectra.halved(here, int(letter or 1))
+        if letter is None:
+            new = dyadic([int(m), int(e)], "a slope")
+            low, high, slope = laid(low, slope, new), laid(high, slope, new), new
+        stack += [(high, slope, depth + 1), (low, slope, depth + 1)]
     require(not stack, "the tree ends before its last leaf")
 
 
@@ -863,7 +912,8 @@ def check_alone(family: Family, room: Box, at_: Sequence[Any], radius: Sequence[
 
 def slopes(family: Family, sides: Sequence[tuple[Any, Any]]) -> tuple[list[Any], list[Any], list[Any], Any]:
     """Of s over boxes (middle, half): its slopes in u at 0, by how much they vary for |u_i| ≤ 1/2, and its form."""
-    s = family.scalar(place_over([arb(m) for m, _ in sides], [arb(r) for _, r in sides]), throughout=True)
+    inside = all(a <= m - r and m + r <= b for (m, r), (a, b) in zip(sides[1:], family.box, strict=True))
+    s = family.scalar(place_over([arb(m) for m, _ in sides], [arb(r) for _, r in sides]), throughout=not inside)
     (k, e), (a, mixed, b) = ([row[0] for row in s.k], s.e[0]), (abs(row[0]) for row in s.k[3:])
     return k[1:3], [a + mixed / 2 + 2 * e, b + mixed / 2 + 2 * e], k, e
 
@@ -1083,21 +1133,24 @@ def checked(content: dict[str, Any], most: int | None) -> str:
         if a < b:
             family.prove("p", ((a, b), *box))
     leaves = 0
-    for kind, here in walk(content["tree"], ((fmpq(0), X), *box)):
+    for kind, here, slope in walk(content["tree"], ((fmpq(0), X), *box)):
         leaves += 1
+        whole = laid(here, slope, 0)
         if kind == "z":
             inside = any(
-                all(a <= c and d <= b for (a, b), (c, d) in zip(zero.room, here, strict=True)) for zero in zeros
+                all(a <= c and d <= b for (a, b), (c, d) in zip(zero.room, whole, strict=True)) for zero in zeros
             )
             require(inside, "a leaf is not inside a room")
             continue
         if kind == "o":
             if regions is None:
                 raise Refused("a leaf is open")
-            check_regions(family, regions, here)
-            continue
-        require(kind == "n" or here[0][0] > 0, "a passive box begins at q = 0")
-        family.prove(kind, here)
+            check_regions(family, regions, whole)
+        elif kind == "b":
+            require(whole[0][1] < 0 or whole[0][0] > X, "a leaf does not lie beside the frequencies in question")
+        else:
+            require(kind == "n" or (here[0][0] > 0 and slope == 0), "a passive box begins at q = 0, or has a slope")
+            family.prove(kind, here, slope)
     if regions:
         said = regions.words([unstable for _, unstable in counted])
     elif crossing:

@@ -1,8 +1,8 @@
 """The model derived symbolically, from the equation of motion (1) to the residue forms of the kernel.
 
 Numbers are the paper's equations; (A1), (A2), ... are what the numerical code adds to them. The steps up to
-(36) are in `paper_motion`, `paper_steps` and `paper_inversion`, the residue forms of the kernel in `paper_residues`;
-here they are put in order.
+(30) are in `paper_motion` and `paper_steps`, the residue forms of the kernel in `paper_residues`; here are the
+inversion and the rest, and all in order.
 
     >>> steps = derivation(masses=2)
     >>> [step.title for step in steps if step.number == "(18)"]
@@ -18,15 +18,29 @@ from typing import Any
 
 import sympy as sp
 
-from mpsolve.derivation import paper_inversion as inv
 from mpsolve.derivation import paper_motion as mo
 from mpsolve.derivation import paper_residues as rs
 from mpsolve.derivation import paper_steps as st
-from mpsolve.derivation.paper_motion import Step, eta_b, eta_N, eta_S, positions
+from mpsolve.derivation.paper_motion import (
+    Step,
+    T,
+    Wtilde,
+    a,
+    det,
+    eta_b,
+    eta_N,
+    eta_S,
+    positions,
+    q_lm,
+    qbar,
+    tau,
+    what,
+)
 from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
+from mpsolve.derivation.paper_steps import with_equal_masses
 from mpsolve.errors import InputError
 
-__all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic", "kernel_resolvent"]
+__all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic"]
 
 
 @dataclass(frozen=True)
@@ -61,61 +75,75 @@ def kernel_steps(kernel: Step) -> tuple[Step, ...]:
     )
 
 
-def shifted(D: Step) -> Step:
-    """(A6): coefficients of D in p; r = q - i eta_b, A = eta_N - eta_S + alpha^2, beta^2 = 1 - eta_b^2."""
-    quartic = D.statement.rhs.subs(q, r + I * eta_b).subs(eta_N, rs.A + eta_S - alpha**2)
-    _, cubic, *rest = sp.Poly(sp.expand(quartic), p).all_coeffs()
-    pairs = [
-        sp.Eq(c, sp.expand(e.subs(eta_b**2, 1 - beta**2))) for c, e in zip((rs.c2, rs.c1, rs.c0), rest, strict=True)
-    ]
-    note = f"q = r + i eta_b in (18): D = p^4 + c_2 p^2 + c_1 p + c_0; the coefficient of p^3 is {cubic}."
-    return Step("(A6)", "Coefficients of D", tuple(pairs), note)
-
-
 def real_wavenumber(D: Step) -> Step:
-    """(A7): the frequencies at which p is a root of D, the boundary of the sheet for real p."""
+    """(A6): the frequencies at which p is a root of D, the boundary of the sheet for real p."""
     square, linear, constant = sp.Poly(D.statement.rhs, q).all_coeffs()
     split = sp.sqrt(sp.factor_terms(sp.expand(linear**2 - 4 * square * constant)))
     branches = (sp.expand_mul((-linear + side * split) / (2 * square)) for side in (1, -1))
     note = "(18) = 0, quadratic in q; for real p the frequencies on the cuts."
-    return Step("(A7)", "Frequencies of a real wavenumber", tuple(sp.Eq(q, e) for e in branches), note)
+    return Step("(A6)", "Frequencies of a real wavenumber", tuple(sp.Eq(q, e) for e in branches), note)
 
 
 def damping_rescaling(D: Step) -> Step:
-    """(A8): damping rescales p, r, alpha and the axial force; K(xi) = beta^(-3/2) K_0(xi sqrt(beta))."""
+    """(A7): damping rescales p, r, alpha and the axial force; K(xi) = beta^(-3/2) K_0(xi sqrt(beta))."""
     quartic = D.statement.rhs.subs(q, r + I * eta_b).expand().subs(eta_b**2, 1 - beta**2)
     root = sp.sqrt(beta)
     scaled = {p: root * p, r: beta * r, alpha: root * alpha, eta_N: beta * eta_N, eta_S: beta * eta_S}
     damped = sp.factor(sp.expand(quartic.subs(scaled, simultaneous=True)), beta)
     note = "All scaled in (18): beta^2 times the undamped D; K = beta^(-3/2) K_0(xi sqrt(beta))."
-    return Step("(A8)", "Damping is a rescaling", sp.Eq(rs.D(root * p, beta * r + I * eta_b), damped), note)
+    return Step("(A7)", "Damping is a rescaling", sp.Eq(rs.D(root * p, beta * r + I * eta_b), damped), note)
 
 
-def cubic_steps(coefficients: Step) -> tuple[Step, ...]:
-    """(A9)-(A17): the kernel as one branch of the resolvent cubic."""
-    known = {eq.lhs: eq.rhs for eq in coefficients.statement}
-    factored = "(37) over the two roots of {}, where the other factor's values multiply to R."
+def inversion() -> Step:
+    """(32): the Bromwich integral (31) with qbar = i q."""
+    integrand, substitution = Wtilde(xi, qbar) * sp.exp(qbar * tau) / (2 * sp.pi * I), I * q
+    moved = integrand.replace(Wtilde, lambda xi_, _: Wtilde(xi_, q)).subs(qbar, substitution) * substitution.diff(q)
+    ends = (sp.expand((a + side * I * T) / I) for side in (-1, 1))
+    limit = sp.Limit(sp.Integral(moved, (q, *ends)), T, sp.oo)
+    note = "qbar = i q in (31). Every singularity lies left of the line of (31); the print has right. Im q = -a."
+    return Step("(31), (32)", "Inverse Laplace transform", sp.Eq(what(xi, tau), limit), note)
+
+
+@lru_cache(maxsize=1)
+def limiting_velocity(D: Step) -> tuple[Step, Step]:
+    """(33), (34): the discriminant of D in p is quadratic in alpha^4 when eta_b = 0 and eta_N = eta_S."""
+    quartic = D.statement.rhs.subs({eta_b: 0, eta_N: eta_S, q: q_lm})
+    fourth = sp.Symbol("a_4", positive=True)
+    condition = sp.discriminant(quartic, p).subs(alpha, fourth ** sp.Rational(1, 4))
+    branches = sorted(sp.solve(condition, fourth), key=lambda e: float(e.subs(q_lm, 1)))
+    note = "Double p-root of (18) at q = q_lm; for eta_b = 0 and eta_N = eta_S only."
+    first, second = (sp.Eq(alpha, branch ** sp.Rational(1, 4)) for branch in branches)
     return (
-        Step(
-            "(A9)", "Factors of D", rs.factor_conditions(), "D = (p^2 - s p + t)(p^2 + s p + t'), y = s^2, Im s > 0."
-        ),
-        Step("(A10)", "Resolvent cubic", rs.resolvent_cubic(), "g(y) = 0 from t t' = c_0 and (A9)."),
-        Step(
-            "(A11)",
-            "Resultant of the factors",
-            rs.resultant(),
-            "R = res(U, L): zero where an upper root meets a lower.",
-        ),
-        Step(
-            "(A12)", "R is the cubic's slope", rs.resultant_slope(), "g'(y), c_0 eliminated by (A10): equals (A11)."
-        ),
-        Step("(A13)", "Root splits", rs.root_splits(), "delta^2, delta'^2: a quarter of the factors' discriminants."),
-        Step("(A14)", "Kernel for xi >= 0 by the cubic", rs.kernel_factored(UPPER), factored.format("U")),
-        Step("(A15)", "Kernel for xi < 0 by the cubic", rs.kernel_factored(LOWER), factored.format("L")),
-        Step("(A16)", "Kernel at the load", rs.kernel_origin(), "xi = 0 in (A14)."),
-        Step("(A17)", "Coupling of two masses", rs.kernel_gap(), "(37) with C_j = 1/D_{,p}(p_j) and (A4)."),
-        Step("(A18)", "Uniformisation", rs.uniformisation(known), "(A10) is linear in r^2; y = 4 sigma^2, and (A6)."),
+        Step("(33)", "Limiting frequency, first branch", first, note + " Here 0 <= q_lm <= 1."),
+        Step("(34)", "Limiting frequency, second branch", second, note),
     )
+
+
+def residue_sum(image: Step) -> Step:
+    """(35): (32) on (30), closed in the upper half-plane of q."""
+    terms = [sp.exp(I * q * tau) * term for term in sp.Add.make_args(image.statement.rhs)]
+    residues = sum(sp.Function("Res")(2 * sp.pi * I * term / (2 * sp.pi), q) for term in terms)
+    cut = sp.Symbol("I_wbc") / (2 * sp.pi)
+    note = "Residues at all poles above the line of (32), and the branch cuts. The print has eta_Mu for eta_M."
+    return Step("(35)", "Displacement as a sum of residues", sp.Eq(what(xi, tau), residues + cut), note)
+
+
+def harmonic_sum(residues: Step, charact: Step, masses: int) -> Step:
+    """(36): the residues of (35) at q = 0, where det = pi^N, and at simple zeros q_Mj of det."""
+    j, count, g = sp.Symbol("j", integer=True), sp.Symbol("n", integer=True), sp.Function("g")
+    pole, total, at_zero = (
+        sp.IndexedBase("q_M")[j],
+        sp.S(0),
+        with_equal_masses(charact.statement.rhs, masses).subs(q, 0),
+    )
+    slope = ((q - pole) * g(q)).diff(q).subs(q, pole)
+    for residue in residues.statement.rhs.atoms(sp.Function("Res")):
+        term = residue.args[0]
+        steady = (term * q).subs(q, 0).subs(det(0), at_zero)
+        harmonic = (term.subs(det(q), (q - pole) * g(q)) * (q - pole)).subs(q, pole)
+        total += steady + sp.Sum(harmonic.subs(slope, sp.Function("det_q")(pole)), (j, 1, count))
+    note = "Steady part (q = 0) and one harmonic for each induced frequency. The print has eta_Mu for eta_M."
+    return Step("(36)", "Steady and harmonic parts", sp.Eq(what(xi, tau), total), note)
 
 
 # The whole derivation, and the formulas that the numerical code is compared with
@@ -138,9 +166,7 @@ def _motion(masses: int) -> tuple[Step, ...]:
 
 @lru_cache(maxsize=1)
 def _any_masses(D: Step, kernel: Step) -> tuple[Step, ...]:
-    coefficients = shifted(D)
-    sheet = coefficients, real_wavenumber(D), damping_rescaling(D)
-    return (*kernel_steps(kernel), *sheet, *cubic_steps(coefficients))
+    return (*kernel_steps(kernel), real_wavenumber(D), damping_rescaling(D))
 
 
 @lru_cache(maxsize=8)
@@ -159,12 +185,12 @@ def derivation(masses: int = 2) -> tuple[Step, ...]:
     charact, solved = st.determinant(system), st.mass_displacements(system, masses)
     general = st.displacement(by_kernels, solved, charact, masses)
     equal = st.displacement_equal(general, force, masses)
-    residues = inv.residue_sum(equal)
+    residues = residue_sum(equal)
     return (
         *steps, rules, image, direct, spectrum, D, inverse, kernel, force, by_kernels, rows, system, charact,
         st.normalised_determinant(system, masses), solved, general, equal,
         *((st.equal_factors(system),) if masses == 2 else ()),
-        inv.inversion(), *inv.limiting_velocity(D), residues, inv.harmonic_sum(residues, charact, masses),
+        inversion(), *limiting_velocity(D), residues, harmonic_sum(residues, charact, masses),
         *_any_masses(D, kernel),
     )  # fmt: skip
 
@@ -191,9 +217,3 @@ def characteristic(masses: int = 2) -> Formula:
             matrix[i, j] = matrix[i, j].subs(K(here - there, q), rows[i][j])
     determinant_ = sp.expand(matrix.det(method="berkowitz"))
     return Formula(determinant_, (q, mo.numbered("eta_M", masses), rows))
-
-
-def kernel_resolvent() -> tuple[Formula, Formula]:
-    """K(xi >= 0) and K(xi < 0) in (xi, s, c_1, c_2), where y = s^2 solves the cubic (A10) and Im s > 0."""
-    ahead, behind = (Formula(rs.resolvent_form(half), (xi, rs.s, rs.c1, rs.c2)) for half in (UPPER, LOWER))
-    return ahead, behind

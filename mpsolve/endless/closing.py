@@ -15,13 +15,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.discs import split
-from mpsolve.endless.boxes import ROUND, Boxes
+from mpsolve.endless.boxes import Boxes, covered
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import prove_tail
-from mpsolve.proof.boxes import cover_boxes
 from mpsolve.proof.effort import Effort
 
 _RATIO = 0.02  # least eigenvalue of Re V over |V| in floats, where boxes are not too small
@@ -54,16 +53,8 @@ def close(boxes: Boxes, row: Row, effort: Effort) -> Closed:
     count = 0
     for start, end in ((complex(rho), complex(tail.X)), (complex(rho), corner), (corner, complex(0, -depth))):
         if start != end:
-            count += cover_boxes(*pieces(16, 4), boxes.passive(start, end), effort)
+            count += covered(boxes.passive(start, end), effort)
     return Closed(rho, depth, tail.X, count)
-
-
-def pieces(along: int, around: int) -> tuple[Any, Any]:
-    """Boxes in (τ, θ) that are the path's whole parameter and the whole circle to begin with."""
-    tau, theta = np.linspace(0, 1, along + 1), np.linspace(-ROUND, ROUND, around + 1)
-    low = np.array([[a, b] for a in tau[:-1] for b in theta[:-1]])
-    high = np.array([[a, b] for a in tau[1:] for b in theta[1:]])
-    return low, high
 
 
 def _least(boxes: Boxes, q: Any) -> Any:

@@ -10,12 +10,11 @@ from flint import arb
 from mpsolve.characteristic.origin import waves_meet_at_zero
 from mpsolve.characteristic.paths import Paths
 from mpsolve.characteristic.start import start
-from mpsolve.endless.boxes import Boxes, LatticeArrays
-from mpsolve.endless.closing import Closed, close, pieces
+from mpsolve.endless.boxes import Boxes, LatticeArrays, covered
+from mpsolve.endless.closing import Closed, close
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
-from mpsolve.proof.boxes import cover_boxes
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
@@ -57,7 +56,7 @@ def count_growing(row: Row, effort: Effort) -> Count:
     arrays = LatticeArrays.of(row)
     boxes = Boxes(arrays, first.up)
     closed = close(boxes, row, effort)
-    count = cover_boxes(*pieces(24, 4), boxes.regular(0j, complex(closed.rho)), effort)
+    count = covered(boxes.regular(0j, complex(closed.rho)), effort)
     return Count(_in_step(Paths(arrays, first), closed.rho, effort), closed, count)
 
 

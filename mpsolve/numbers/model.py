@@ -227,3 +227,13 @@ def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
     if not low < high:
         raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
     return low, high
+
+
+def velocities(over: Any, example: str) -> tuple[Fraction, Fraction]:
+    """The range of {"v": (low, high)}, 0 ≤ low < high; example: what a message shows of it."""
+    if not isinstance(over, Mapping) or list(over) != ["v"]:
+        raise InputError("over", f"is {over!r}: give the range of velocities, {example}")
+    low, high = checked_range(over["v"], "over['v']")
+    if low.sign < 0:
+        raise InputError("over['v']", f"starts at {low.short()}: give v ≥ 0, for the track is the same both ways")
+    return low.as_fraction(), high.as_fraction()

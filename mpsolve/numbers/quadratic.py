@@ -146,6 +146,18 @@ class Quadratic:
         return Quadratic(np.stack(k), np.where(y <= _WIDEST, e, np.inf), self.m)
 
     @np.errstate(all="ignore")
+    def turned(self, M: Any) -> Quadratic:
+        """With u_v = Σ M_vw u′_w, of shape (m, m, boxes), Σ_w |M_vw| ≤ 1: f has one axis behind that of boxes."""
+        M, which = M[..., None], pairs(self.m)
+        b = np.stack([self.b[v] * M[v] for v in range(self.m)])
+        c: list[Any] = [0.0] * len(which)
+        for n, (i, j) in enumerate(which):
+            for k, (v, w) in enumerate(which):
+                c[k] = c[k] + self.c[n] * (M[i, v] * M[j, w] + (M[i, w] * M[j, v] if v != w else 0))
+        size = np.abs(b).sum((0, 1)) + self.second
+        return Quadratic(np.stack([self.a, *b.sum(0), *c]), (self.e + 64 * self.m**2 * U * size) * UP + TINY, self.m)
+
+    @np.errstate(all="ignore")
     def sum(self, axis: int) -> Quadratic:
         """Along an axis behind the boxes, counted from the end (−1 is the last)."""
         terms = self.k.shape[axis]

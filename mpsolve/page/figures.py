@@ -6,18 +6,18 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.view import cuts_in, fitting_window, free_height
 from mpsolve.page.charts import Picture
-from mpsolve.page.parts import Parts, searched, vibrations, worst
+from mpsolve.page.parts import Parts, searched, worst
 from mpsolve.page.words import contact_names, speech
 from mpsolve.pictures.axes import COLOURS
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
 from mpsolve.pictures.model import model_picture
-from mpsolve.pictures.plane import plane_picture
+from mpsolve.pictures.plane import NO_CUT, spectrum_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.ranges.onset import Kind
+from mpsolve.report.vibration import once
 
-_TALL, _BEYOND = 6.0, 1.2
+_BEYOND = 1.2
 _BESIDE, _SAME = 1.5, 0.1
 """How near a line is to a root: in steps of the velocity, and of |q|."""
 
@@ -31,30 +31,15 @@ def plane(parts: Parts) -> Picture | None:
     """The certified roots with the cuts; None where there is no root."""
     if not parts.spectrum.roots:
         return None
-    q = np.array([complex(root.q.mid()) for root in parts.spectrum.roots])
-    window = fitting_window(parts.problem)
-    width = max([1.25 * float(np.abs(q.real).max()) if len(q) else 0.0, 0.35 * window.width]) or window.width
-    low = free_height(parts.problem, window) * 16 / 15
-    seen = _TALL * float(np.abs(q.imag).max()) if len(q) else 0.0  # taller, and the roots seem to lie on the axis
-    height = max([min(1.3 * low, seen or np.inf), *(1.2 * q.imag).tolist()]) or width / 4
-    depth = max([height / 4, *(-1.3 * q.imag).tolist()])
-    unit = "rad/s" if speech(parts).si else "√(k/m)"
-    numbers = {id(root): str(k) for k, root in enumerate(vibrations(parts.spectrum), 1)}
-    beside = [numbers.get(id(root), "") for root in parts.spectrum.roots]
+    picture, seen_cut = spectrum_picture(parts.spectrum)
     said = (
         "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
         "right, q and −q̄, and is one line of the table, whose number stands at the right one. "
     )
-    cuts = cuts_in(parts.problem, window)
-    seen_cut = any(((cut.imag < height) & (np.abs(cut.real) < width)).any() for cut in cuts)
     said += (
-        "Grey dashes are the branch cuts, where the waves of the track itself lie: computed."
-        if seen_cut
-        else "The branch cuts, where the waves of the track itself lie, are higher up, out of this picture."
+        "Grey dashes are the branch cuts, where the waves of the track itself lie: computed." if seen_cut else NO_CUT
     )
-    return Picture(
-        "plane", plane_picture(q, cuts, width, depth, height, name="plane", unit=unit, numbers=beside), said
-    )
+    return Picture("plane", picture, said)
 
 
 def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
@@ -69,7 +54,7 @@ def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
         (name, f"{abs(a):.3g}", f"{np.degrees(np.angle(a)):.0f}°".replace("-", "−")) for name, a in bodies.items()
     ]
     root = worst(parts.spectrum)
-    number = 1 + vibrations(parts.spectrum).index(root) if root is not None else 0
+    number = 1 + once(parts.spectrum).index(root) if root is not None else 0
     does = "grows most" if root is not None and root.growth > 0 else "decays least"
     said = (
         f"The shape of vibration {number}, which {does}: one period, slowed down, neither growing nor decaying. "
@@ -108,7 +93,7 @@ def lines(parts: Parts) -> list[Picture]:
     )  # fmt: skip
     said = (
         f"How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities."
-        f"{_end(parts)} The numbers are those of the table{_others(names, len(vibrations(parts.spectrum)))}."
+        f"{_end(parts)} The numbers are those of the table{_others(names, len(once(parts.spectrum)))}."
         f"{' Marks on a line only tell it from another of its colour.' if len(tracks) > COLOURS else ''}"
     )
     return [Picture("growth", grown, said), Picture("frequency", swung, "The frequencies of the same vibrations.")]
@@ -124,7 +109,7 @@ def _end(parts: Parts) -> str:
 
 def _numbers(parts: Parts, v: Any, tracks: list[Any]) -> list[str]:
     """Of each line the number of the vibration through which it runs at this case, else one beyond the table's."""
-    own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in vibrations(parts.spectrum)]
+    own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in once(parts.spectrum)]
     near = []
     for k, track in enumerate(tracks):
         good = np.isfinite(track)

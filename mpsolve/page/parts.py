@@ -23,6 +23,7 @@ from mpsolve.ranges.chart import Chart, stability_chart
 from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity, velocity_ranges
 from mpsolve.ranges.margin import Margin
 from mpsolve.report.spectrum_words import verdict
+from mpsolve.report.vibration import once
 from mpsolve.spectrum.regions import HalfPlane
 from mpsolve.spectrum.shape import root_shape
 from mpsolve.spectrum.spectrum import Root, Spectrum
@@ -138,15 +139,9 @@ def roots_of(given: Given, digits: int, seconds: float) -> Spectrum:
         return Spectrum(given, HalfPlane(), digits, Status.UNDECIDED, reason)
 
 
-def vibrations(spectrum: Spectrum) -> list[Root]:
-    """Each vibration once, by ascending frequency: their numbers on the page are their places here."""
-    right = [root for root in spectrum.roots if not root.q.real < 0]
-    return sorted(right, key=lambda root: float(root.q.real.mid()))
-
-
 def worst(spectrum: Spectrum) -> Root | None:
     """The root that grows most, or decays least."""
-    return max(vibrations(spectrum), key=lambda root: float(root.growth.mid()), default=None)
+    return max(once(spectrum), key=lambda root: float(root.growth.mid()), default=None)
 
 
 def shape_of(problem: Problem, spectrum: Spectrum) -> tuple[Any, Any] | None:

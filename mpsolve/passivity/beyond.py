@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import Path, Paths
+from mpsolve.characteristic.path import Path
+from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct

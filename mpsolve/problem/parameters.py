@@ -167,9 +167,8 @@ def _with(model: Any, path: str, value: Any, key: str) -> Any:
     known = dict(_numbers(model))
     if path not in known:
         near = get_close_matches(path, known, n=1, cutoff=0.5)
-        raise InputError(
-            key, f"is unknown: {f'did you mean {near[0]}?' if near else 'there are ' + ', '.join(known)}"
-        )
+        advice = f"did you mean {near[0]}? There" if near else "there"
+        raise InputError(key, f"is unknown: {advice} are {', '.join(known)}")
     name, _, inner = path.partition(".")
     try:
         new = _with(getattr(model, name), inner, value, key) if inner else value
@@ -221,6 +220,5 @@ def _checked(number: Any, path: str) -> Any:
 
 def _unknown(path: str, known: dict[str, Fraction]) -> InputError:
     near = get_close_matches(path, known, n=1, cutoff=0.6)
-    if near:
-        return InputError(path, f"is unknown: did you mean {near[0]}?")
-    return InputError(path, f"is unknown: the parameters are {', '.join(known)}")
+    advice = f"did you mean {near[0]}? The" if near else "the"
+    return InputError(path, f"is unknown: {advice} parameters are {', '.join(known)}")

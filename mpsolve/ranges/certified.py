@@ -21,13 +21,14 @@ from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import FarNumbers, far_numbers
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
+from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.arcs import ARC
 from mpsolve.ranges.enclosed import Crossing
-from mpsolve.ranges.judge import KNOWN, NONZERO, PASSIVE
+from mpsolve.ranges.judge import KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope
 
-_MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z", ARC: "o", OPEN: "o"}
+_MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}
 _REGIONS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 _MOST_CELLS, _MOST_NODES = 512, 20_000  # of a chart: along each parameter; of the tree, a minute or two of a checker
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
@@ -102,25 +103,34 @@ def _certificate(
         "tail": _tail(scope, far, Q),
         "X": dyadic(X),
         "beyond": [dyadic(x) for x in _cells(X, Q)],
-        "tree": tree_text(tree),
+        "tree": tree_text(tree, family.frequency_unit / family.units[0]),
         "zeros": [_zero(zero, room, family) for zero, room in zeros],
         "claim": dict(claim),
     }
     return Certificate(content | {"sha256": digest(content)})
 
 
-def tree_text(tree: Tree) -> str:
-    """Each node before its halves, the lower half first: the axis of a halving, or the kind of a leaf."""
+def tree_text(tree: Tree, unit: Fraction = Fraction(1)) -> str:
+    """Each node before its halves, the lower half first: the axis of a halving, or the kind of a leaf.
+
+    unit: of slopes, a power of two.
+    """
     out, stack = [], [0]
     while stack:
         n = stack.pop()
-        if tree.axis[n] < 0:
+        axis, first = int(tree.axis[n]), int(tree.child[n])
+        if axis < 0:
             out.append(_MARKS[int(tree.kind[n])])
             continue
-        out.append(str(int(tree.axis[n])))
-        first = int(tree.child[n])
+        out.append(str(axis) if axis != SLOPED else _slope(Fraction(float(tree.low[-1, first])) * unit))
         stack += [first + 1, first]
     return "".join(out)
+
+
+def _slope(x: Fraction) -> str:
+    """s, and a number times a power of two."""
+    m, e = dyadic(x)
+    return f"s{m}e{e};"
 
 
 def _equations(free: FreeEquations) -> dict[str, Any]:

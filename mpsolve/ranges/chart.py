@@ -24,7 +24,7 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
@@ -124,7 +124,7 @@ def _chart(
     problem: Problem, over: dict[str, Interval], depth: int, effort: Effort | None, progress: Progress, check: bool
 ) -> Chart:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     edges = [tuple(a + (b - a) * Fraction(k, 2**depth) for k in range(2**depth + 1)) for a, b in over.values()]
     told = decided(problem, over, edges)
     if told is not None:

@@ -238,7 +238,8 @@ def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
     if found is None:
         return Onset(problem, answer.over, Status.UNDECIDED, answer.reason, cost=answer.cost, digits=digits)
     known: dict[str, Any] = {"value": found.value, "q": found.q, "worst": found.worst, "where": found.where}
-    known |= {"kind": Kind.STABLE if found.value is None else Kind.CROSSES, "proofs": found.proofs}
+    nowhere = Kind.STABLE if found.worst is None else Kind.UNSTABLE_FROM_START
+    known |= {"kind": nowhere if found.value is None else Kind.CROSSES, "proofs": found.proofs}
     known |= {"note": "no certificate states an onset at the worst value of a second parameter yet"}
     return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
 

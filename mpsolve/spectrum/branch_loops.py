@@ -21,9 +21,9 @@ from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.near_loop import Ways, about, ways_to
 
-_FIRST, _SMALL, _SHRINK = 0.15, 2.0**-14, 4  # of the distance to what is next: radii of loops
+_FIRST, _SMALL, _SHRINK = 0.06, 2.0**-14, 4  # of the distance to what is next: radii of loops
 _SMALLEST, _SHRINK_MORE, _JOIN = 2.0**-84, 32, 2.0**-7  # the same about the point, and where ways to it begin
-_SIDES = (12, 16, 24, 48, 96)
+_SIDES = (8, 12, 16, 24, 48, 96)
 _REAL = 1e-3  # relative, in floats
 
 

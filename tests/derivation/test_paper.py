@@ -9,8 +9,22 @@ from paper_equations import MASSES, agrees, differs, statement, vanishes
 from sympy import I, exp, pi
 
 from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation.paper import characteristic, derivation, dispersion, kernel_resolvent
-from mpsolve.derivation.paper_motion import eta_b, eta_N, eta_S
+from mpsolve.derivation.paper import characteristic, derivation, dispersion
+from mpsolve.derivation.paper_motion import (
+    T,
+    Wtilde,
+    a,
+    det,
+    eta_b,
+    eta_C,
+    eta_M,
+    eta_N,
+    eta_S,
+    positions,
+    q_lm,
+    tau,
+    what,
+)
 from mpsolve.derivation.paper_residues import K, alpha, beta, p, q, r, xi
 from mpsolve.errors import InputError
 
@@ -99,24 +113,10 @@ def test_derivative_of_the_kernel_is_that_of_its_residues():
 # What the numerical code adds
 
 
-def shifted_quartic():
-    """D in r = q - i eta_b, with A and beta: p^4 - 4 A p^2 + 8 alpha r p + 4 beta^2 - 4 r^2."""
-    return p**4 - 4 * rs.A * p**2 + 8 * alpha * r * p + 4 * beta**2 - 4 * r**2
-
-
-def test_coefficients_of_the_shifted_quartic():
-    """(A6)."""
-    known = {equation.lhs: equation.rhs for equation in statement("(A6)")}
-    D = p**4 + known[rs.c2] * p**2 + known[rs.c1] * p + known[rs.c0]
-    assert vanishes(D - shifted_quartic())
-    physical = D.subs({rs.A: eta_N - eta_S + alpha**2, beta: sp.sqrt(1 - eta_b**2), r: q - I * eta_b})
-    assert vanishes(physical - dispersion().expression)
-
-
 def test_frequencies_of_a_real_wavenumber():
-    """(A7): q = alpha p + i eta_b +- sqrt(p^4 - 4 N p^2 + 4 beta^2)/2."""
+    """(A6): q = alpha p + i eta_b +- sqrt(p^4 - 4 N p^2 + 4 beta^2)/2."""
     root = sp.sqrt(p**4 - 4 * (eta_N - eta_S) * p**2 + 4 * (1 - eta_b**2))
-    found = [equation.rhs for equation in statement("(A7)")]
+    found = [equation.rhs for equation in statement("(A6)")]
     for side in (1, -1):
         typed = alpha * p + I * eta_b + side * root / 2
         assert sum(vanishes(typed - branch) for branch in found) == 1
@@ -124,108 +124,12 @@ def test_frequencies_of_a_real_wavenumber():
 
 
 def test_damping_is_a_rescaling():
-    """(A8): D(p sqrt(beta); beta r, alpha sqrt(beta), beta N, eta_b) = beta^2 D(p; r, alpha, N, 0)."""
+    """(A7): D(p sqrt(beta); beta r, alpha sqrt(beta), beta N, eta_b) = beta^2 D(p; r, alpha, N, 0)."""
     D, root = dispersion().expression, sp.sqrt(beta)
     damped = {p: root * p, q: beta * r + I * eta_b, alpha: root * alpha, eta_N: beta * eta_N, eta_S: beta * eta_S}
     scaled = D.subs(damped, simultaneous=True)
-    assert vanishes((scaled - statement("(A8)").rhs).expand().subs(eta_b**2, 1 - beta**2))
-    assert vanishes(statement("(A8)").rhs - beta**2 * D.subs({eta_b: 0, q: r}))
-
-
-def test_factors_of_the_quartic():
-    """(A9): t + t' = y + c2, t - t' = c1/s; (A10) is then t t' = c0."""
-    total, difference = statement("(A9)")
-    assert agrees(total, rs.t + rs.t_lower, rs.y + rs.c2)
-    assert agrees(difference, rs.t - rs.t_lower, rs.c1 / rs.s)
-    c0 = ((rs.s**2 + rs.c2) ** 2 - (rs.c1 / rs.s) ** 2) / 4
-    upper = p**2 - rs.s * p + (rs.s**2 + rs.c2 + rs.c1 / rs.s) / 2
-    lower = p**2 + rs.s * p + (rs.s**2 + rs.c2 - rs.c1 / rs.s) / 2
-    assert vanishes(upper * lower - (p**4 + rs.c2 * p**2 + rs.c1 * p + c0))
-    assert vanishes(statement("(A10)").lhs.subs({rs.c0: c0, rs.y: rs.s**2}))
-
-
-def test_resolvent_cubic():
-    """(A10): y^3 + 2 c2 y^2 + (c2^2 - 4 c0) y - c1^2 = 0."""
-    y = rs.y
-    cubic = y**3 + 2 * rs.c2 * y**2 + (rs.c2**2 - 4 * rs.c0) * y - rs.c1**2
-    assert agrees(statement("(A10)"), cubic, 0)
-
-
-def test_resultant_is_the_slope_of_the_cubic():
-    """(A11), (A12): R = 2 y (y + c2) + c1^2/y = g'(y); and R is the product of the root differences."""
-    y = rs.y
-    R = 2 * y * (y + rs.c2) + rs.c1**2 / y
-    assert agrees(statement("(A11)"), rs.R, R)
-    assert vanishes(statement("(A12)").rhs - R)
-    assert statement("(A12)").lhs == sp.Derivative(sp.Function("g")(y), y)
-    product = sp.prod(a_ - b for a_ in (p1, p2) for b in (p3, -p1 - p2 - p3))
-    upper_sum = p1 + p2
-    c2, c1 = (sp.Poly(quartic().subs(p4, -p1 - p2 - p3), p).coeff_monomial(p**n) for n in (2, 1))
-    assert sp.cancel(sp.together(R.subs({y: upper_sum**2, rs.c2: c2, rs.c1: c1}) - product)) == 0
-
-
-def test_root_splits():
-    """(A13): delta^2 = y/4 - t, delta'^2 = y/4 - t'."""
-    upper, lower = statement("(A13)")
-    assert agrees(upper, rs.delta**2, rs.y / 4 - rs.t)
-    assert agrees(lower, rs.delta_lower**2, rs.y / 4 - rs.t_lower)
-
-
-def test_kernel_by_the_resolvent_cubic():
-    """(A14), (A15), (A16) as in sinc and cos."""
-    B, B_lower = rs.y - rs.t + rs.t_lower, rs.y + rs.t - rs.t_lower
-    z, z_lower = rs.delta * xi, rs.delta_lower * xi
-    ahead = I * B * xi * sp.sinc(z) - 2 * rs.s * sp.cos(z)
-    behind = I * B_lower * xi * sp.sinc(z_lower) + 2 * rs.s * sp.cos(z_lower)
-    assert vanishes(statement("(A14)").rhs - 2 * pi * I * exp(I * rs.s * xi / 2) * ahead / rs.R)
-    assert vanishes(statement("(A15)").rhs + 2 * pi * I * exp(-I * rs.s * xi / 2) * behind / rs.R)
-    assert statement("(A16)") == sp.Eq(K(0, q), -4 * pi * I * rs.s / rs.R)
-    assert vanishes(statement("(A15)").rhs.subs(xi, 0) - statement("(A16)").rhs)
-
-
-@pytest.mark.parametrize(("number", "cubic"), [("(37)", "(A14)"), ("(37), xi < 0", "(A15)")])
-def test_kernel_by_the_cubic_is_the_sum_of_residues(number, cubic):
-    """(A14), (A15) equal (37) for roots s/2 +- delta and -s/2 +- delta', whatever s, delta, delta' are."""
-    s_, above, below = rs.s, rs.delta, rs.delta_lower
-    at = {p1: s_ / 2 + above, p2: s_ / 2 - above, p3: -s_ / 2 + below, p4: -s_ / 2 - below}
-    R = sp.prod(at[upper] - at[lower] for upper in (p1, p2) for lower in (p3, p4))
-    values = {rs.t: s_**2 / 4 - above**2, rs.t_lower: s_**2 / 4 - below**2, rs.y: s_**2, rs.R: R}
-    factored = statement(cubic).rhs.replace(sp.sinc, lambda z: sp.sin(z) / z).rewrite(exp).subs(values)
-    residues = statement(number).rhs.subs(at, simultaneous=True)
-    E, G, H = sp.symbols("E G H")
-    waves = {exp(I * xi * s_ / 2): E, exp(I * xi * above): G, exp(I * xi * below): H}
-    difference = sp.together((residues - factored).replace(exp, lambda z: exp(sp.expand(z)).expand()).subs(waves))
-    assert not difference.has(exp)
-    assert sp.cancel(difference) == 0
-
-
-def test_coupling_of_two_masses():
-    """(A17): K(0)^2 - K(d) K(-d) = 4 pi^2 sum c_j c_l (1 - e^{i(p_j - p_l)d}), by (37) and (A4)."""
-    d, identity = rs.d, statement("(A17)")
-    assert identity.lhs == K(0, q) ** 2 - K(d, q) * K(-d, q)
-    c = [weight(q) for weight in rs.weights]
-    total = sum((1 - exp(I * (ROOTS[j] - ROOTS[k_]) * d)) * c[j] * c[k_] for j in (0, 1) for k_ in (2, 3))
-    assert vanishes(identity.rhs - 4 * pi**2 * total)
-
-    def ahead(g):
-        return 2 * pi * I * sum(c[j] * exp(I * ROOTS[j] * g) for j in (0, 1))
-
-    def behind(g):
-        return -2 * pi * I * sum(c[j] * exp(I * ROOTS[j] * g) for j in (2, 3))
-
-    kernels = ahead(0) ** 2 - ahead(d) * behind(-d)
-    assert vanishes((kernels - identity.rhs).subs(c[3], -c[0] - c[1] - c[2]))
-    assert differs(kernels, identity.rhs)
-
-
-def test_uniformisation():
-    """(A18): r^2 = sigma^2 [(sigma^2 - A)^2 - beta^2]/(alpha^2 - sigma^2)."""
-    square = rs.sigma**2
-    right = square * ((square - rs.A) ** 2 - beta**2) / (alpha**2 - square)
-    assert statement("(A18)").lhs == r**2
-    assert sp.cancel(statement("(A18)").rhs - right) == 0
-    cubic = statement("(A10)").lhs.subs({e.lhs: e.rhs for e in statement("(A6)")})
-    assert sp.cancel(sp.together(cubic.subs(rs.y, 4 * square).subs(r, sp.sqrt(right)))) == 0
+    assert vanishes((scaled - statement("(A7)").rhs).expand().subs(eta_b**2, 1 - beta**2))
+    assert vanishes(statement("(A7)").rhs - beta**2 * D.subs({eta_b: 0, q: r}))
 
 
 # The formulas as functions, and the printing
@@ -246,19 +150,14 @@ def p_roots(D, q_):
 
 
 @pytest.mark.parametrize("place", ["0.7", "-1.3"])
-def test_kernel_by_quadrature_residues_and_cubic(place):
-    """(21) by quadrature, (37), and (A14) or (A15), at one frequency."""
+def test_kernel_by_quadrature_and_residues(place):
+    """(21) by quadrature and (37), at one frequency."""
     with mpmath.workdps(30):
         D, q_, g = dispersion().lambdify(), mpmath.mpc("0.9", "-0.3"), mpmath.mpf(place)
         roots = p_roots(D, q_)
         assert [root.imag > 0 for root in roots] == [True, True, False, False]
         number = "(37)" if g >= 0 else "(37), xi < 0"
         residues = sp.lambdify((xi, *ROOTS), statement(number).rhs, "mpmath")(g, *roots)
-        s_ = roots[0] + roots[1]
-        at_0, at_1, at_minus_1 = (D(value, q_, *numbers()) for value in (0, 1, -1))
-        c1, c2 = (at_1 - at_minus_1) / 2, (at_1 + at_minus_1) / 2 - 1 - at_0
-        cubic = kernel_resolvent()[0 if g >= 0 else 1].lambdify()(g, s_, c1, c2)
-        assert abs(cubic - residues) < mpmath.mpf(10) ** -25
     with mpmath.workdps(16):
         end = 80
         panels = range(-end, end + 1, 4)
@@ -298,3 +197,54 @@ def test_every_numbered_equation_is_derived():
 def test_bad_input_raises():
     with pytest.raises(InputError, match="masses"):
         derivation(0)
+
+
+def test_eqs_31_32_inverse_laplace_transform():
+    """(32); the text of (31) has the singularities to the right of the line, they lie to its left."""
+    integral = sp.Integral(Wtilde(xi, q) * exp(I * q * tau) / (2 * pi), (q, -I * a - T, -I * a + T))
+    assert statement("(31), (32)") == sp.Eq(what(xi, tau), sp.Limit(integral, T, sp.oo))
+
+
+@pytest.mark.parametrize(("number", "side"), [("(33)", -1), ("(34)", 1)])
+def test_eqs_33_34_limiting_velocity(number, side):
+    """Both hold for eta_b = 0 and eta_N = eta_S only; the print names the second condition alone."""
+    fourth = (8 + 20 * q_lm**2 - q_lm**4 + side * q_lm * (q_lm**2 + 8) ** sp.Rational(3, 2)) / 8
+    equation = statement(number)
+    assert equation.lhs == alpha
+    assert vanishes(equation.rhs**4 - fourth)
+    quartic_ = dispersion().expression.subs({eta_b: 0, eta_N: eta_S, q: q_lm})
+    assert vanishes(sp.discriminant(quartic_, p).subs(alpha, fourth ** sp.Rational(1, 4)))
+
+
+def test_eq_35_sum_of_residues():
+    """(35) with eta_M for the print's eta_Mu."""
+    d, res = positions(2)[1], sp.Function("Res")
+    factor = 4 * eta_C / q / det(q) * exp(I * q * tau)
+    first = factor * (pi - 2 * eta_M * q**2 * (K(0, q) - K(-d, q))) * K(xi, q)
+    second = factor * (pi - 2 * eta_M * q**2 * (K(0, q) - K(d, q))) * K(xi - d, q)
+    rest = statement("(35)").rhs - sp.Symbol("I_wbc") / (2 * pi)
+    found = [term.args[0] for term in rest.as_ordered_terms()]
+    assert all(term.func == res for term in rest.as_ordered_terms())
+    assert len(found) == 2
+    assert vanishes(sum(found) - first - second)
+
+
+def test_eq_36_steady_and_harmonic_parts():
+    """(36) with eta_M for the print's eta_Mu."""
+    d, j, slope_ = positions(2)[1], sp.Symbol("j", integer=True), sp.Function("det_q")
+    pole = sp.IndexedBase("q_M")[j]
+    steady = 4 * eta_C / pi * (K(xi, 0) + K(xi - d, 0))
+    factor = 4 * eta_C * exp(I * pole * tau) / (pole * slope_(pole))
+    first = factor * (pi - 2 * eta_M * pole**2 * (K(0, pole) - K(-d, pole))) * K(xi, pole)
+    second = factor * (pi - 2 * eta_M * pole**2 * (K(0, pole) - K(d, pole))) * K(xi - d, pole)
+    right = statement("(36)").rhs
+    sums = right.atoms(sp.Sum)
+    assert vanishes(right - sum(sums) - steady)
+    assert vanishes(sum(e.function for e in sums) - first - second)
+
+
+@MASSES
+def test_eq_36_steady_part_is_that_of_the_forces_alone(masses):
+    steady = sum(4 * eta_C / pi * K(xi - place, 0) for place in positions(masses))
+    right = statement("(36)", masses).rhs
+    assert vanishes(right - sum(right.atoms(sp.Sum)) - steady)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
 from typing import Any
 
 import mpmath
@@ -14,7 +13,7 @@ from oracle import Truth
 from mpsolve import Case
 from mpsolve.derivation import paper_residues as derived
 from mpsolve.derivation.paper import characteristic as derived_determinant
-from mpsolve.derivation.paper import dispersion, kernel_resolvent
+from mpsolve.derivation.paper import dispersion
 
 BITS = 150
 POINTS = [(0.3, -0.2), (0.3, 0.02), (-0.1, 0.4), (2, 3), (5, -1)]
@@ -22,22 +21,17 @@ CASE = Case(alpha="0.67", eta_b="0.05", eta_m=(70, 12), positions=(0, "1.5"), et
 
 
 class At:
-    """D, its p-roots, and s = p₁ + p₂ at one q."""
+    """The p-roots at one q."""
 
     def __init__(self, point: tuple[float, float]) -> None:
         self.truth = Truth(CASE, 45)
         self.q = self.truth.mp.mpc(*point)
-        _, _, self.c2, self.c1, self.c0 = self.truth.quartic(self.q)
         self.upper, self.lower = self.truth.p_roots(self.q)
-        self.s = self.upper[0] + self.upper[1]
 
     def value(self, expression: Any) -> Any:
         """An expression of the derivation with these numbers put in; mpmath's own context is the one of sympy."""
-        numbers = {derived.c2: self.c2, derived.c1: self.c1, derived.c0: self.c0, derived.s: self.s}
-        numbers |= dict(zip(derived.roots, (*self.upper, *self.lower), strict=True))
-        names = list(numbers)
-        whole = expression.subs(derived.y, derived.s**2)
-        return sp.lambdify(names, whole, "mpmath")(*(mpmath.mpmathify(x) for x in numbers.values()))
+        numbers = map(mpmath.mpmathify, (*self.upper, *self.lower))
+        return sp.lambdify(derived.roots, expression, "mpmath")(*numbers)
 
 
 def close(value: Any, truth: Any) -> bool:
@@ -52,35 +46,11 @@ def _precision() -> Iterator[None]:
 
 
 @pytest.mark.parametrize("point", POINTS)
-def test_the_two_factors_are_those_of_18(point: tuple[float, float]) -> None:
-    at = At(point)
-    p = mpmath.mpc("0.7", "-1.1")
-    total, difference = (at.value(condition.rhs) for condition in derived.factor_conditions())
-    U = p * p - at.s * p + (total + difference) / 2
-    L = p * p + at.s * p + (total - difference) / 2
-    numbers = [mpmath.mpmathify(float(0)) + mpmath.mpf(x) for x in ("0.67", "0.05", "0.3", "0.1")]
-    assert close(U * L, dispersion().lambdify()(p, mpmath.mpmathify(at.q), *numbers))
-    assert close(U * L, mpmath.fprod(p - mpmath.mpmathify(x) for x in (*at.upper, *at.lower)))
-
-
-@pytest.mark.parametrize("point", POINTS)
-def test_resolvent_and_resultant(point: tuple[float, float]) -> None:
-    at = At(point)
-    assert close(at.value(derived.resolvent_cubic().lhs), 0)
-    differences = [mpmath.mpmathify(a - b) for a, b in product(at.upper, at.lower)]
-    assert close(at.value(derived.resultant().rhs), mpmath.fprod(differences))
-    slope = derived.resolvent_cubic().lhs.diff(derived.y)
-    assert close(at.value(derived.resultant_slope().rhs), at.value(slope))
-
-
-@pytest.mark.parametrize("point", POINTS)
-def test_the_kernel_is_the_sum_over_its_roots(point: tuple[float, float]) -> None:
-    at = At(point)
-    ahead, behind = (formula.lambdify() for formula in kernel_resolvent())
-    arguments = tuple(mpmath.mpmathify(x) for x in (at.s, at.c1, at.c2))
-    for distance in (mpmath.mpf("1.5"), mpmath.mpf("0.25")):
-        assert close(ahead(distance, *arguments), at.truth.kernel(distance, at.q))
-        assert close(behind(-distance, *arguments), at.truth.kernel(-distance, at.q))
+def test_the_p_roots_are_those_of_18(point: tuple[float, float]) -> None:
+    at, p = At(point), mpmath.mpc("0.7", "-1.1")
+    numbers = [mpmath.mpf(x) for x in ("0.67", "0.05", "0.3", "0.1")]
+    product = mpmath.fprod(p - mpmath.mpmathify(x) for x in (*at.upper, *at.lower))
+    assert close(product, dispersion().lambdify()(p, mpmath.mpmathify(at.q), *numbers))
 
 
 def test_residues_add_up_to_nothing() -> None:

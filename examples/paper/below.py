@@ -14,8 +14,8 @@ from mpsolve.errors import EffortError
 from mpsolve.loci.chain import Chain, follow
 from mpsolve.loci.room import Room
 from mpsolve.loci.tube import Tubes
-from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.numbers.plain import outward
+from mpsolve.numbers.balls import acb, precision
+from mpsolve.numbers.plain import disc_of
 from mpsolve.problem.family import Interval, family_of
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
@@ -34,8 +34,7 @@ def stays_below(problem: Problem, over: Mapping[str, Interval], q: Any, effort: 
     ends = math.nextafter(float(low), -math.inf), math.nextafter(float(high), math.inf)
     with precision(64):
         scaled = acb(q) / family.frequency_unit.numerator * family.frequency_unit.denominator
-        at = complex(scaled.mid())
-        radius = outward(arb((scaled - acb(at.real, at.imag)).abs_upper()), up=True)
+    at, radius = disc_of(scaled)
     matrix, room = FreeMatrix(family), Room(*ends, -(2.0**-40))
     chain = Chain(ends[0], at, radius, 1, ahead=math.nextafter(float(low), math.inf))
     kept, budget = [replace(chain, tubes=[])], effort or Effort(evaluations=_BOXES)

@@ -2,17 +2,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from beam_loads import FORCES, TAU, constant, pair
+from beam_loads import FORCES, TAU, pair
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from infinite import kernels, response
 from oracle import grid
 
 from mpsolve import Case
-from mpsolve.finite.beam.beam import finite_beam
-from mpsolve.finite.beam.march import march
-from mpsolve.finite.beam.modes import Beam
-from mpsolve.numbers.wave_tables import gauss, moments, nested_moments
+from mpsolve.finite.beam import finite_beam
 from mpsolve.vehicles.load import Load
 
 # --- against the infinite beam ------------------------------------------------------------------------------
@@ -91,15 +88,6 @@ def test_a_light_mass_comes_to_the_steady_state_of_a_moving_force() -> None:
 # --- invariants ---------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=10)
-@given(alpha=grid(0, 1.2), share=grid(0.1, 0.9), eta_b=grid(0, 1.5), axial=grid(-1, 0.9))
-def test_masses_at_one_place_move_as_their_sum(alpha: float, share: float, eta_b: float, axial: float) -> None:
-    beam = Beam(40.0, 90, alpha, axial, eta_b)
-    one = march(beam, constant([2.0], [12.0], [20.0]), 12.0, 20)
-    two = march(beam, constant([1.5, 0.5], [12.0, 12.0], [20 * share, 20 * (1 - share)]), 12.0, 20)
-    assert np.abs(two.deflection - one.deflection).max() < 1e-9 * (1 + np.abs(one.deflection).max())
-
-
 @settings(max_examples=4)
 @given(first=st.lists(grid(-1, 1), min_size=4, max_size=4), second=st.lists(grid(-1, 1), min_size=4, max_size=4))
 def test_forces_superpose(first: list[float], second: list[float]) -> None:
@@ -112,24 +100,3 @@ def test_forces_superpose(first: list[float], second: list[float]) -> None:
 
     both = motion([a + b for a, b in zip(first, second, strict=True)])
     assert np.allclose(both, motion(first) + motion(second), atol=1e-11)
-
-
-# --- the method ---------------------------------------------------------------------------------------------
-
-
-@settings(max_examples=40)
-@given(
-    size=st.floats(1e-3, 60), turn=grid(0.25, 0.75), other=grid(-40, 40), a=st.integers(0, 2), power=st.integers(0, 4)
-)
-def test_integrals_agree_with_quadrature(size: float, turn: float, other: float, a: int, power: int) -> None:
-    q, p = size * np.exp(2j * np.pi * turn), 1j * other - 0.1
-    theta, weight = gauss(150)
-    single = weight @ (theta**power * np.exp(q * theta))
-    assert abs(moments(np.array([q]), power)[power, 0] - single) < 1e-12
-    sigma = np.multiply.outer(theta, theta)
-    inner = theta * (sigma**power * np.exp(q * sigma) @ weight)
-    double = weight @ (theta**a * np.exp(p * theta) * inner)
-    assert abs(nested_moments(np.array([p]), np.array([q]), 2, 4)[a, power, 0] - double) < 1e-12
-
-
-# --- figures and refusals -----------------------------------------------------------------------------------

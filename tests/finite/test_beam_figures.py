@@ -8,7 +8,7 @@ from beam_loads import pair
 from infinite import response
 
 from mpsolve import InputError
-from mpsolve.finite.beam.beam import finite_beam
+from mpsolve.finite.beam import finite_beam
 from mpsolve.vehicles.load import Load
 
 

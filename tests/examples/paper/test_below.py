@@ -5,9 +5,9 @@ from fractions import Fraction
 import pytest
 
 from mpsolve import Case, certify
-from mpsolve.loci.below import stays_below
 from mpsolve.problem.cases import as_problem
 from mpsolve.proof.effort import Effort
+from paper.below import stays_below
 
 
 def unstable(case: Case) -> list[object]:
