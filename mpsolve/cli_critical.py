@@ -58,6 +58,3 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
         click.echo(str(save_critical(track, found, output, source.title)), err=as_json)
     if found.undecided:
         sys.exit(UNDECIDED)
-
-
-COMMANDS = (critical,)

@@ -87,7 +87,8 @@ def _chart(found: Chart, asked: Asked) -> list[str]:
     for part in found.parts:
         where = ", ".join(f"{one.path} = {one.told(part.point[one.path])}" for one in asked.overs)
         count = "open" if part.roots is None else growing(part.roots)
-        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, certified at {where}")
+        known = "by a theorem" if part.spectrum is None and part.roots is not None else f"certified at {where}"
+        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, {known}")
     for curve in found.boundaries:
         kind = "a root passes q = 0 (divergence)" if curve.divergence else "a pair of roots crosses the real axis"
         end = "" if curve.whole else "; it could not be followed further"
