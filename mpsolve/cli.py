@@ -11,6 +11,7 @@ import errno
 import io
 import os
 import sys
+from collections.abc import Sequence
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
@@ -118,22 +119,25 @@ def verify(files: tuple[Path, ...]) -> None:
 @cli.command()
 @click.argument("file", required=False, type=PATH)
 @click.option("--latex", is_flag=True, help="A LaTeX document instead of text.")
-@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses, without FILE.")
+@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses, without a problem.")
 def derive(file: Path | None, latex: bool, masses: int) -> None:
     """Derive the model symbolically, from the equations of motion on, and print every step.
 
     With FILE (TOML): the track and the vehicles in it, from their mechanics to the matrices that are computed with.
-    Without: the paper's beam, to the kernel. Exit status 0: printed. 2: the input cannot be used.
+    Without: the same of masses on a beam. With the folder of a paper, as examples/paper: its equations by their
+    numbers. Exit status 0: printed. 2: the input cannot be used.
     """
-    from mpsolve.derivation.paper import derivation
+    from mpsolve.claims.load import load
+    from mpsolve.derivation.problem import derivation_of, derivation_of_masses
     from mpsolve.derivation.rendered import render
+    from mpsolve.problem.inputfile import read_problem
 
+    steps: Sequence[Any]
     if file is None:
-        steps = derivation(masses)
+        steps = derivation_of_masses(masses)
+    elif file.is_dir():
+        steps = load(file).derived(masses)
     else:
-        from mpsolve.derivation.problem import derivation_of
-        from mpsolve.problem.inputfile import read_problem
-
         steps = derivation_of(read_problem(file).problem)
     click.echo(render(steps, "latex" if latex else "text"), nl=False)
 

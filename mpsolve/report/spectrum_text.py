@@ -16,7 +16,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import titled
+from mpsolve.problem.warned import titled
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, Vibration, vibrations

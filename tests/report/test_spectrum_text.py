@@ -12,6 +12,7 @@ from reported import SPRUNG, WIRE, fast, wire
 
 from mpsolve import Case, Exact, PhysicalCase, Problem, certify
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.result import Cost
 from mpsolve.problem.problem import Problem as Asked
 from mpsolve.report.spectrum_text import (
     cost_words,
@@ -23,7 +24,6 @@ from mpsolve.report.spectrum_text import (
     spectrum_document,
     unit_rows,
 )
-from mpsolve.spectrum.spectrum import Cost
 from mpsolve.tracks import Slab
 from mpsolve.vehicles import Mass, Vehicle
 
