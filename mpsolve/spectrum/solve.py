@@ -14,6 +14,7 @@ from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import rational_ball
+from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
@@ -92,6 +93,8 @@ _FEWER = "ask for a Rectangle round those that matter: where fewer are counted, 
 _SHARPER = (2, 4)
 """Times the digits that were asked for, where a sign of Im q is open."""
 _FEW = 4
+_SLOW = np.concatenate([np.arange(1, 13) / 12, np.outer([0.3, 0.6, 0.9], np.exp([-0.4j, -0.8j, -1.2j])).ravel()])
+"""Where vibrations are looked for that run slower than waves, in parts of the frequency at which those begin."""
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
 
@@ -163,9 +166,11 @@ def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
         halves = (count.lower, count.upper)
         rings = [loop.places for half in halves for loop in half.loops]
         turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
-        points = np.concatenate([*turns, *rings, [count.begin + 0j]])
+        slow = count.lower.loops[0].first * _SLOW if count.lower.loops else np.zeros(0)
+        points = np.concatenate([*turns, *rings, slow])
         near = points[np.abs(points) < max(16.0, 4 * count.end)]
-        return np.concatenate([near] if _none_above(count) else [near, near.conj()]) + 1j * float(count.line.height)
+        both_halves = near if _none_above(count) else np.concatenate([near, near.conj()])
+        return distinct(both_halves) + 1j * float(count.line.height)
     points = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
     if not count.half:
         return points
