@@ -6,12 +6,11 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-if TYPE_CHECKING:
-    from mpsolve.errors import InputError
+from mpsolve.errors import InputError
 
 _NAMES = {"f": "function", "places": "xi", "store": "output", "times": "to"}
 """Arguments of the library, and the parameter of a command that they come from."""
@@ -36,7 +35,6 @@ def told(error: InputError) -> str:
 
 def _line(file: object, key: str) -> str:
     """Where the key stands, " (line 8 of mine.toml)"; "" where it stands nowhere."""
-    from mpsolve.errors import InputError
     from mpsolve.problem.lines import line_of
     from mpsolve.problem.toml import name_of, text_of
 

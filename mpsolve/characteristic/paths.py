@@ -30,11 +30,9 @@ from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.proof.cover import cover, halved
+from mpsolve.proof.cover import cover, evened, halved, joined
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.even import evened
-from mpsolve.proof.joined import joined
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 _ROUNDS = 8

@@ -14,7 +14,7 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.solution import solution
+from mpsolve.proof.turning import solution
 
 _PIECES = 256
 _SMALLEST = 2.0**-28

@@ -8,7 +8,7 @@ from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.model import Quantity, rational, shown
+from mpsolve.numbers.model import Quantity, rational, shown, typed
 from mpsolve.problem.parameters import changed, parameters_of, quantity_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
@@ -43,6 +43,9 @@ class Problem:
         if not placed:
             raise InputError("vehicles", "is empty: give at least one vehicle")
         vars(self).update(track=track, vehicles=placed, v=velocity)
+
+    def __repr__(self) -> str:
+        return f"Problem({self.track!r}, {list(self.vehicles)!r}, v={typed(self.v)})"
 
     @property
     def parameters(self) -> dict[str, Fraction]:

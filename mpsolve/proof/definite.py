@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.jets import UP, Jet, U
+from mpsolve.proof.turning import weighed
 
 _DEFINITE = 0.9  # less than what holds, for a checker with wider bounds
 
@@ -33,11 +34,7 @@ def positive_definite(H: Any, E: Any, most: float = 0.98) -> Any:
         F = F + np.abs(X @ H[:, k] @ Xh)
     F = (F + size @ (E + lost * whole) @ np.swapaxes(size, 1, 2)) * UP
     F = np.where(sane[:, None, None], F, 1.0)
-    x = np.ones((len(F), n))
-    for _ in range(12):
-        y = np.einsum("bij,bj->bi", F, x) + 0.02 * x
-        x = y / y.max(1, keepdims=True)
-    return finite & sane & (np.max(np.einsum("bij,bj->bi", F, x) / x, axis=1) * UP < most)
+    return finite & sane & (weighed(F)[1] < most)
 
 
 def positive(V: Jet, way: Any, drift: Any) -> Any:

@@ -3,6 +3,7 @@
 import copy
 import itertools
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -18,11 +19,22 @@ from mpsolve import Problem, certify, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
 from mpsolve.certificate.check import verify
 from mpsolve.certificate.format import digest
-from mpsolve.certificate.verify_ranges import Form, Place, Refused, place_over, receptances, split_over, verify_bytes
+from mpsolve.certificate.verify_ranges import (
+    NONE,
+    Form,
+    Place,
+    Refused,
+    place_over,
+    receptances,
+    split_over,
+    verify_bytes,
+)
 from mpsolve.numbers.balls import precision
 
 FOLDER = Path(__file__).resolve().parents[2] / "certs" / "ranges"
-CROSSING, STABLE = (FOLDER / f"{name}.json" for name in ("crossing_over_velocity", "stable_over_damping"))
+CROSSING, STABLE, SLOPED = (
+    FOLDER / f"{name}.json" for name in ("crossing_over_velocity", "stable_over_damping", "nearly_undamped_d1.5")
+)
 RAIL = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 Change = Callable[[dict[str, Any]], None]
 
@@ -38,7 +50,7 @@ def sealed(value: dict[str, Any]) -> bytes:
     return json.dumps(rest | {"sha256": digest(rest)}).encode("ascii")
 
 
-@pytest.mark.parametrize("path", [CROSSING, STABLE])
+@pytest.mark.parametrize("path", [CROSSING, STABLE, SLOPED])
 def test_committed_certificates_hold(path: Path) -> None:
     verdict = verify(path)
     assert verdict.valid, verdict.reason
@@ -171,6 +183,45 @@ def test_a_changed_file_is_refused(content: dict[str, Any], change: Change) -> N
     assert not verdict.reason.startswith("malformed"), verdict.reason
 
 
+def _outside(tree: str) -> str:
+    return re.sub(r"(;[0-9]*)n", r"\1o", tree, count=1)
+
+
+def _passive_along(tree: str) -> str:
+    return re.sub(r"(;[0-9]*)n", r"\1p", tree, count=1)
+
+
+def _far_slope(tree: str) -> str:
+    """A leaf along a slope that has nothing to do with what is there: it holds too much for any work."""
+    return re.sub(r"s[-0-9]*e", "s9999999e", tree)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda tree: tree.replace("z", "n"), _outside, _passive_along, _far_slope,
+        lambda tree: re.sub(r"s[^;]*;", "1", tree),
+    ],
+)  # fmt: skip
+def test_a_tree_with_slopes_that_was_changed_is_refused(change: Callable[[str], str]) -> None:
+    """Upright boxes in place of those along a slope would need more work than is allowed."""
+    value = json.loads(SLOPED.read_text("ascii"))
+    tree = change(value["tree"])
+    assert tree != value["tree"]
+    verdict = verify_bytes(sealed(value | {"tree": tree}), 700)
+    assert not verdict.valid
+    assert not verdict.reason.startswith("malformed"), verdict.reason
+
+
+def test_boxes_along_a_slope_hold_what_they_replace() -> None:
+    box, one, other = ((fmpq(1), fmpq(2)), (fmpq(-1), fmpq(3))), fmpq(1, 2), fmpq(-3)
+    (low, high), x = checker.laid(box, one, other)
+    assert x == box[1]
+    for t, y in itertools.product((1, fmpq(3, 2), 2), (-1, 0, 3)):
+        assert low <= t + (one - other) * y <= high
+    assert (low, high) == (1 - fmpq(7, 2), 2 + fmpq(21, 2))
+
+
 def test_an_unsealed_change_is_refused(content: dict[str, Any]) -> None:
     assert "digest" in verify_bytes(json.dumps(content | {"tree": "n"}).encode()).reason
 
@@ -290,6 +341,27 @@ def floats_of(q: float, v: float, xi: float) -> complex:
     roots = np.roots(d)
     own = roots[(roots.real < 0) == (xi >= 0)]
     return complex((1 if xi >= 0 else -1) * sum(np.exp(own * xi) / np.polyval(np.polyder(d), own)))
+
+
+def test_the_determinant_along_a_slope_is_that_of_numpy(family: checker.Family) -> None:
+    """|Δ̂| at points of a parallelogram against residues at numpy's roots, up to one constant; the form holds it."""
+    slope = fmpq(-3, 8)
+    with precision(64):
+        place = checker.place_of(((fmpq(78), fmpq(79)), (fmpq(178), fmpq(180))), slope)
+        A, E = family.matrix(place, checker.kernels_over(family.waves, place, False))
+        assert max(float(x) for x in E.entries()) < 1e-3 * max(float(abs(x)) for x in A[0].entries())
+        ratios = []
+        for u in ((1, 1), (-1, 1), (0.3, -0.7), (0, 0)):
+            t, v = 78.5 + 0.5 * u[0], 179 + u[1]
+            q = t + float(slope) * v
+            weights = [1, *u, u[0] * u[0], u[0] * u[1], u[1] * u[1]]
+            got = acb_mat(2, 2, [NONE] * 4)
+            for a, w in zip(A, weights, strict=True):
+                got = got + a * acb(w)
+            gap = 3.4
+            G = np.array([[floats_of(q, v, x) for x in row] for row in ((0, -gap), (gap, 0))])
+            ratios.append(complex(got.det().mid()) / np.linalg.det(np.eye(2) - 1e4 * q * q * G))
+        assert np.allclose(ratios, ratios[0], rtol=1e-4)
 
 
 def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -531,9 +603,25 @@ def test_the_matrix_over_parameters_holds_those_at_points() -> None:
 def test_trees_are_read_to_their_last_leaf() -> None:
     box = ((fmpq(0), fmpq(1)), (fmpq(0), fmpq(2)))
     leaves = list(checker.walk("0n1pz", box))
-    assert [kind for kind, _ in leaves] == ["n", "p", "z"]
+    assert [kind for kind, *_ in leaves] == ["n", "p", "z"]
     assert leaves[1][1] == ((fmpq(1, 2), fmpq(1)), (fmpq(0), fmpq(1)))
-    for bad in ("0n", "0nnn", "2nn", "x", ""):
+    _, (kind, part, slope) = checker.walk("s-3e-2;on", box)
+    assert (kind, slope) == ("n", fmpq(-3, 4))
+    assert part == ((fmpq(3, 4), fmpq(5, 2)), (fmpq(1), fmpq(2)))
+    for bad in (
+        "0n",
+        "0nnn",
+        "2nn",
+        "x",
+        "",
+        "s1e0nn",
+        "s1e9999;nn",
+        "s1;nn",
+        "s 1e0;nn",
+        "s1e0;n",
+        "ns1e0;",
+        "s\u0661e0;nn",
+    ):
         with pytest.raises(Refused):
             list(checker.walk(bad, box))
 
