@@ -980,8 +980,10 @@ class Place:
 
     def form(self, table: Any) -> Form:
         """From Taylor's coefficients."""
-        columns = [list(x) for x in zip(*table.tolist(), strict=True)]
-        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], table.nrows())
+        return self.of_columns([list(x) for x in zip(*table.tolist(), strict=True)])
+
+    def of_columns(self, columns: Rows) -> Form:
+        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], len(columns[0]))
         return Form(columns[: self.width], e, self.m)
 
     def value(self, polynomials: Sums) -> Form:
@@ -1030,22 +1032,14 @@ class Local:
 
     def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
         """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all from E_2 on."""
-        n, size = len(z), table.nrows()
-        if size == 1:
-            return [self.place.form(table).take([0] * n)], [[]]
-        known = [powers(x, size - 1) for x in z]
-        rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
-        few = min(size, self.place.order + 2)
-        f = self.place.form(acb_mat(rows) * table)
-        bounds = f.part(2 * n, size * n).size
-        above = [bounds[i : i + n] for i in range(0, len(bounds), n)]
-        return [f.part(i * n, (i + 1) * n) for i in range(few)], [[], [], *above]
-
-
-@lru_cache(maxsize=64)
-def binomials(size: int, rows: int) -> list[list[tuple[int, int]]]:
-    """(power, factor) of z in the coefficient of h^i in (z + h)^j."""
-    return [[(j - i, comb(j, i)) for j in range(size)] for i in range(rows)]
+        size, width = table.nrows(), table.ncols()
+        rows = table.tolist()
+        steps = [[comb(i + j, i) * x for i in range(size - j) for x in rows[i + j]] for j in range(size)]
+        filled = [[*row, *[NONE] * (width * j)] for j, row in enumerate(steps)]
+        E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
+        columns = [list(x) for x in zip(*E, strict=True)]
+        forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
+        return forms[: self.place.order + 2], [[], [], *(f.size for f in forms[2:])]
 
 
 class Waves:
@@ -2423,8 +2417,7 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
-        z = p_roots(here)
-        split = Nodes([z[nearest(x, z)] for x, _ in before], 2, here).split()
+        split = split_near(here, ([x for x, _ in before], 2))
         radii = [x for side in split.nodes.side for x in (split.isolated(side))]
         now = list(zip(split.nodes.z, radii, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
