@@ -30,7 +30,7 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
     from mpsolve.numbers.units import in_unit
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.waves.critical import critical_velocities
-    from mpsolve.waves.slow import SLOW_WAVES, slow_waves
+    from mpsolve.waves.speeds import SLOW_WAVES, slow_waves
 
     source = read_problem(file)
     checked_file(output, file, "the chart", (".png", ".svg", ".pdf"))
@@ -58,6 +58,3 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
         click.echo(str(save_critical(track, found, output, source.title)), err=as_json)
     if found.undecided:
         sys.exit(UNDECIDED)
-
-
-COMMANDS = (critical,)

@@ -34,6 +34,3 @@ def explore(file: Path | None, port: int, browser: bool) -> None:
     problem, title = begun(file)
     click.echo(f"http://127.0.0.1:{port}  (Ctrl-C ends it)")
     serve(problem, title, port, browser)
-
-
-COMMANDS = (explore,)

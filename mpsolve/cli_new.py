@@ -44,6 +44,3 @@ def new(
     if output.exists():
         raise InputError("output", f"{output} exists: give the path of a new file")
     click.echo(str(write_whole(output, text)))
-
-
-COMMANDS = (new,)

@@ -52,7 +52,6 @@ def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, o
         click.echo(str(write_whole(output, text)))
 
 
-COMMANDS = (receptance,)
 _MOST = 1_000_000
 
 

@@ -73,6 +73,3 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
             save_pdf(parts, source.path.stem, pdf)
     click.echo("\n".join([on_command_line(parts.verdict), str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.spectrum.proved else UNDECIDED)
-
-
-COMMANDS = (report,)

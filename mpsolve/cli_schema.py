@@ -21,6 +21,3 @@ def schema(name: str | None) -> None:
         click.echo(listing(), nl=False)
     else:
         echo_json(schema_of(name))
-
-
-COMMANDS = (schema,)

@@ -99,9 +99,6 @@ def status(store: Path, as_json: bool) -> None:
     sys.exit(0 if found.complete else UNDECIDED)
 
 
-COMMANDS = (study, export, status)
-
-
 def _sentence(found: Study) -> str:
     counts = ", ".join(f"{number} {name}" for name, number in found.tally.items())
     return f"{found.finished} of {found.total} entries finished{counts and f': {counts}'}.\n{found.path}"

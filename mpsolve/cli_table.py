@@ -38,6 +38,3 @@ def table(file: Path, output: Path | None, workers: int | None) -> None:
             raise
         click.echo(f"{summary(made)}\n{output}")
     sys.exit(0 if made.proved else UNDECIDED)
-
-
-COMMANDS = (table,)

@@ -40,6 +40,3 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     click.echo(write(given.title, found, ratios, count), nl=False)
     if not found.proved:
         sys.exit(UNDECIDED)
-
-
-COMMANDS = (train,)

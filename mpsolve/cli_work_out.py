@@ -112,6 +112,3 @@ def pinned_pinned(bending: str, mass: str, spacing: str) -> None:
     from mpsolve.engineering import pinned_pinned as found
 
     _show(found(bending, mass, spacing))
-
-
-COMMANDS = (work_out,)

@@ -14,6 +14,7 @@ from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
 from mpsolve.certificate.whole_sheet import closing_words, sheet_halves, unstable_part
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.result import Cost
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
@@ -28,7 +29,7 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.solve import MOST_DIGITS, Found, solve, unstable_number
-from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
+from mpsolve.spectrum.spectrum import Spectrum, sorted_roots
 from mpsolve.spectrum.unfelt import unfelt_frequencies
 
 AnyCount = Count | SheetCount

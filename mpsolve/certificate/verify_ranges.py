@@ -81,10 +81,10 @@ def check_track(track: spectra.Track, box: Box) -> None:
     top = {e[2:]: c for e, c in lead.items()}
     if spectra.at(top, [(a + b) / 2 for a, b in box]) < 0:
         top = {e: -c for e, c in top.items()}
-    spectra.everywhere(spectra.always_positive, [top], box, "a wave speed may lie in the range")
+    spectra.everywhere([top], box, "a wave speed may lie in the range")
     for rows in spectra.hurwitz(track.ring, track.D, box):
         why = "the track is not proved stable and damped for all these parameters"
-        spectra.everywhere(spectra.always_positive, rows, box, why)
+        spectra.everywhere(rows, box, why)
     spectra.check_passive(track.ring, track.rows, box)
     check_inertia(track, box)
 
@@ -100,7 +100,7 @@ def check_inertia(track: spectra.Track, box: Box) -> None:
     (d, big), (n, small) = tops
     require(d == n + 2, "the track's receptance does not fall as a mass's at high frequency")
     both = spectra.times(big, small)
-    spectra.everywhere(spectra.always_positive, [both], box, "the inertia of the track may vanish")
+    spectra.everywhere([both], box, "the inertia of the track may vanish")
 
 
 def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
@@ -109,7 +109,7 @@ def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
     middle = [(a + b) / 2 for a, b in box]
     kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
-        spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
+        spectra.everywhere([spectra.minus(other, one)], box, "two places may meet")
     return kept
 
 
@@ -225,7 +225,7 @@ def strain(nodes: spectra.Nodes) -> list[float]:
         for k in side:
             near = min((float(nodes.distance[k][j]) for j in other), default=1.0)
             for i, row in enumerate(nodes.values.k[1 : 1 + len(out)]):
-                out[i] = max(out[i], float(abs(row[k])) / (lead * float(nodes.all[k]) * near))
+                out[i] = max(out[i], float(abs(row[k])) / (lead * float(abs(nodes.all[k])) * near))
     return out
 
 
@@ -247,8 +247,10 @@ def alone(nodes: spectra.Nodes, throughout: bool) -> tuple[Form, Form] | None:
     value, slope = (spectra.along(D, sizes, delta, most, way, square) for way in (False, True))
     eps, lost = [], []
     for k, first in enumerate(value.size):
-        above_ = arb_poly([size[k] for size in sizes])(arb_poly([most[k], 1])).coeffs()  # bounds of |c_j|
-        low, more = slope.sizes[0][k] - slope.spread[k], arb_poly([0, 0, *above_[2:]])
+        above_ = arb_poly([0, 0, *(size[k] for size in sizes[2:])])(
+            arb_poly([most[k], 1])
+        ).coeffs()  # bounds of |c_j|
+        low, more = slope.sizes(0)[k] - slope.spread[k], arb_poly([0, 0, *above_[2:]])
         found = radius_of(first / low, more * (1 / low)) if low > 0 else None
         if found is None:
             return None
@@ -595,10 +597,10 @@ def cells(waves: Waves, place: Place, low: Any, speed: Any, ends: Sequence[float
 
 def by_wavenumber(f: Form, m: int) -> tuple[Any, ...]:
     """Σ f_i P^i in parts: polynomials of its coefficients, the slope in P, and polynomials that bound the rest."""
-    k, sizes = [acb_poly(row) for row in f.k[: 1 + m]], f.sizes
-    second = arb_poly([x + e for x, e in zip(sizes[2], f.e, strict=True)])
-    mixed = arb_poly([i * x for i, x in enumerate(sizes[1])][1:])
-    bent = arb_poly([i * (i - 1) * x / 2 for i, x in enumerate(sizes[0])][2:])
+    k = [acb_poly(row) for row in f.k[: 1 + m]]
+    second = arb_poly([x + e for x, e in zip(f.sizes(2), f.e, strict=True)])
+    mixed = arb_poly([i * x for i, x in enumerate(f.sizes(1))][1:])
+    bent = arb_poly([i * (i - 1) * x / 2 for i, x in enumerate(f.sizes(0))][2:])
     return k, k[0].derivative(), second, mixed, bent
 
 
@@ -717,7 +719,7 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
     """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
-    D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes[2][0] + distance.e[0]
+    D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes(2)[0] + distance.e[0]
     steps = [x[0].real for x in distance.k[1 : 1 + m]]
     out, rest = [NONE] * (1 + m), ZERO
     for c in found:

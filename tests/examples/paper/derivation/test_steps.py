@@ -6,23 +6,10 @@ import sympy as sp
 from paper_equations import MASSES, F, agrees, delta, differs, dimensionless, matrix, printed_det, statement, vanishes
 from sympy import I, exp, pi
 
-from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation.paper import dispersion
-from mpsolve.derivation.paper_motion import (
-    W,
-    Wtilde,
-    det,
-    eta_b,
-    eta_C,
-    eta_M,
-    eta_N,
-    eta_S,
-    numbered,
-    positions,
-    qbar,
-    tau,
-)
-from mpsolve.derivation.paper_residues import K, alpha, p, q, xi
+from paper.derivation import dispersion
+from paper.derivation import residues as rs
+from paper.derivation.motion import W, Wtilde, det, eta_b, eta_C, eta_M, eta_N, eta_S, numbered, positions, qbar, tau
+from paper.derivation.residues import K, alpha, p, q, xi
 
 
 def test_eq_14_laplace_transform_of_derivatives():

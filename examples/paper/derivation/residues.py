@@ -6,11 +6,9 @@ D(p, q) in p are p_1, p_2 above the real axis and p_3, p_4 below; C_j = 1/D_{,p}
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
-
 import sympy as sp
 
-Expr: TypeAlias = Any
+from mpsolve.derivation.step import Expr
 
 I = sp.I  # noqa: E741
 p, xi = sp.symbols("p xi", real=True)

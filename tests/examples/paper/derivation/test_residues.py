@@ -11,9 +11,9 @@ import sympy as sp
 from oracle import Truth
 
 from mpsolve import Case
-from mpsolve.derivation import paper_residues as derived
-from mpsolve.derivation.paper import characteristic as derived_determinant
-from mpsolve.derivation.paper import dispersion
+from paper.derivation import characteristic as derived_determinant
+from paper.derivation import dispersion
+from paper.derivation import residues as derived
 
 BITS = 150
 POINTS = [(0.3, -0.2), (0.3, 0.02), (-0.1, 0.4), (2, 3), (5, -1)]

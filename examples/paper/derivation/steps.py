@@ -11,24 +11,11 @@ from functools import lru_cache
 
 import sympy as sp
 
-from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation.paper_motion import (
-    Step,
-    W,
-    Wtilde,
-    det,
-    dirac,
-    eta_C,
-    eta_M,
-    gathered,
-    numbered,
-    positions,
-    qbar,
-    split_sum,
-    tau,
-    what,
-)
-from mpsolve.derivation.paper_residues import Expr, I, K, p, q, xi
+from mpsolve.derivation.step import Expr, Step
+
+from . import residues as rs
+from .motion import W, Wtilde, det, dirac, eta_C, eta_M, gathered, numbered, positions, qbar, split_sum, tau, what
+from .residues import I, K, p, q, xi
 
 
 def _amplitudes(masses: int) -> tuple[Expr, ...]:

@@ -3,22 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import sympy as sp
 
-from mpsolve.derivation.paper_residues import Expr, I, alpha, xi
+from mpsolve.derivation.step import Expr, Step
 
-
-@dataclass(frozen=True)
-class Step:
-    """One statement: its number, what it is, the sympy equation (or a tuple of them), and how it follows."""
-
-    number: str
-    title: str
-    statement: Expr
-    note: str
-
+from .residues import I, alpha, xi
 
 x, s = sp.symbols("x s", real=True)
 t, tau, T, a = sp.symbols("t tau T a", positive=True)

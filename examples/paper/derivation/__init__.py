@@ -1,8 +1,8 @@
 """The model derived symbolically, from the equation of motion (1) to the residue forms of the kernel.
 
 Numbers are the paper's equations; (A1), (A2), ... are what the numerical code adds to them. The steps up to
-(30) are in `paper_motion` and `paper_steps`, the residue forms of the kernel in `paper_residues`; here are the
-inversion and the rest, and all in order.
+(30) are in `motion` and `steps`, the residue forms of the kernel in `residues`; here are the inversion and the
+rest, and all in order. `mpsolve derive examples/paper` prints them.
 
     >>> steps = derivation(masses=2)
     >>> [step.title for step in steps if step.number == "(18)"]
@@ -18,27 +18,15 @@ from typing import Any
 
 import sympy as sp
 
-from mpsolve.derivation import paper_motion as mo
-from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation import paper_steps as st
-from mpsolve.derivation.paper_motion import (
-    Step,
-    T,
-    Wtilde,
-    a,
-    det,
-    eta_b,
-    eta_N,
-    eta_S,
-    positions,
-    q_lm,
-    qbar,
-    tau,
-    what,
-)
-from mpsolve.derivation.paper_residues import LOWER, UPPER, Expr, I, K, alpha, beta, p, q, r, xi
-from mpsolve.derivation.paper_steps import with_equal_masses
+from mpsolve.derivation.step import Expr, Step
 from mpsolve.errors import InputError
+
+from . import motion as mo
+from . import residues as rs
+from . import steps as st
+from .motion import T, Wtilde, a, det, eta_b, eta_N, eta_S, positions, q_lm, qbar, tau, what
+from .residues import LOWER, UPPER, I, K, alpha, beta, p, q, r, xi
+from .steps import with_equal_masses
 
 __all__ = ["Step", "Formula", "derivation", "dispersion", "characteristic"]
 

@@ -8,25 +8,11 @@ import sympy as sp
 from paper_equations import MASSES, agrees, differs, statement, vanishes
 from sympy import I, exp, pi
 
-from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation.paper import characteristic, derivation, dispersion
-from mpsolve.derivation.paper_motion import (
-    T,
-    Wtilde,
-    a,
-    det,
-    eta_b,
-    eta_C,
-    eta_M,
-    eta_N,
-    eta_S,
-    positions,
-    q_lm,
-    tau,
-    what,
-)
-from mpsolve.derivation.paper_residues import K, alpha, beta, p, q, r, xi
 from mpsolve.errors import InputError
+from paper.derivation import characteristic, derivation, dispersion
+from paper.derivation import residues as rs
+from paper.derivation.motion import T, Wtilde, a, det, eta_b, eta_C, eta_M, eta_N, eta_S, positions, q_lm, tau, what
+from paper.derivation.residues import K, alpha, beta, p, q, r, xi
 
 ROOTS = p1, p2, p3, p4 = rs.roots
 

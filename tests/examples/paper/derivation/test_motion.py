@@ -6,7 +6,7 @@ import sympy as sp
 from paper_equations import MASSES, agrees, balance, delta, differs, dimensional, dimensionless, statement, vanishes
 from sympy import I, exp, pi
 
-from mpsolve.derivation.paper_motion import (
+from paper.derivation.motion import (
     EI,
     N,
     P,
@@ -28,7 +28,7 @@ from mpsolve.derivation.paper_motion import (
     what,
     x,
 )
-from mpsolve.derivation.paper_residues import alpha, xi
+from paper.derivation.residues import alpha, xi
 
 
 def test_eq_1_equation_of_motion():
