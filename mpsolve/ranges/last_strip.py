@@ -7,9 +7,9 @@ p-roots add up to 0, as N falls by two powers of P below D, so that
     G(0) = −Σ over P behind,    G(ξ) = −Σ e^{Pξ} N/D_P over P behind  (ξ < 0),
 
 and ahead G(ξ) = Σ e^{Pξ} N/D_P over the finite P ahead, less e^{P₀ξ} Σ N/D_P over all finite P. There |e^{P₀ξ}| is
-bounded at real points: Re P₀ = −Re a_{n−1}/a_n − Re Σ P over the finite ones. The finite ones are found like any roots,
-as many as there are on each side, each alone in its disc, and on its side at the middle of a box: as none is imaginary
-for real q and v of a damped track, at all its real points, also beyond c₀, of which nothing is said.
+bounded at real points: Re P₀ = −Re a_{n−1}/a_n − Re Σ P over the finite ones. The finite ones are found like any
+roots, as many as there are on each side, each alone in its disc, and on its side at the middle of a box: as none is
+imaginary for real q and v of a damped track, at all its real points, also beyond c₀, of which nothing is said.
 """
 
 from __future__ import annotations

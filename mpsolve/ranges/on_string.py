@@ -16,8 +16,8 @@ vehicles' own determinants on a rail that does not move, and passive vehicles ha
 dampers vibrate on there: real q, at all velocities.)
 
 *Several contacts, slower.* Let σ = iq, q > 0, β = c/2m, z = (σ + a)(σ + b), φ = arg σ/√z, so that 0 ≤ φ < π/2. With
-g = (q − ab/q)/2β, which grows with q, tan φ = √(1 + g²) − g. And σG = e^{iφ}|σ/√disc| (1 + A + B): A above the diagonal
-has the entries e^{Pξ}, ξ = x_i − x_j, of waves ahead, of modulus < 1; B below it those of waves behind, for which
+g = (q − ab/q)/2β, which grows with q, tan φ = √(1 + g²) − g. And σG = e^{iφ}|σ/√disc| (1 + A + B): on one side of the
+diagonal A has the entries e^{Pξ}, ξ = x_i − x_j, of waves ahead, of modulus < 1, on the other B those behind, with
 
     P = (√(Tm)·2√z − 2mvσ − vc)/2(T − mv²),    Re P ≥ κ := c/(2√m(√T + v√m)),  if 4km ≥ c²,  else the less of that
                                                                                  and k√m/(√T c).

@@ -1,7 +1,7 @@
 """Ranges of velocities that hold speeds of short waves: they are proved in parts, with the speeds left out by name.
 
-At such a speed the equations lose a solution. Each part ends as near to it as can be proved: on strings only the speed
-is left out where a theorem tells all (`on_string`), and from below by `last_strip`.
+At such a speed the equations lose a solution. Each part ends as near to it as can be proved: on strings the
+speed alone is left out where a theorem tells all (`on_string`), and from below by `last_strip`.
 """
 
 from __future__ import annotations
