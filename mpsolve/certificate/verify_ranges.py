@@ -131,6 +131,7 @@ class Waves(spectra.Waves):
         W = W.compose(P, s - spectra.speed(track.ring, track.velocity) * P, *x, ctx=track.ring)
         turn = [acb(1), acb(0, -1), acb(-1), acb(0, 1)]  # q = −iσ
         self.W = Sums.of([{e: turn[e[0] % 4] * arb(c) for e, c in f.items()} for f in by_power(spectra.terms(W))])
+        self.up: int | None = None  # n₊, once it is proved somewhere: the same in all of the range
 
 
 def place_over(middle: Sequence[Any], half: Sequence[Any]) -> Place:
@@ -185,22 +186,23 @@ def strain(nodes: spectra.Nodes) -> list[float]:
     return out
 
 
-def alone(nodes: spectra.Nodes, throughout: bool) -> tuple[Form, Form] | None:
-    """All p-roots over the box, each alone in a disc that follows it, and N/D_P there; None where that is not proved.
+def alone(nodes: spectra.Nodes, used: Sequence[int], throughout: bool) -> tuple[Form, Form] | None:
+    """The p-roots of the numbers `used` over the box, each alone in a disc that follows it, and N/D_P there; None where
+    that is not proved.
 
     δ(u): any quadratics near the roots less the nodes, exact. With D(z + δ + h) = Σ c_j h^j there is exactly one root
     in |h| < ε, for all complex |u_i| ≤ 1, where |c_0| + Σ_{j ≥ 2} |c_j| ε^j < |c_1| ε (Rouché), and there |h| is at
     most the left side over |c_1|. throughout: as in `split_over`.
     """
-    local, z = nodes.local, nodes.z
+    local, z = nodes.local, [nodes.z[k] for k in used]
     D, sizes = local.about(z, local.D)
     if any(x.contains(0) for x in D[1].k[0]):
         return None
     delta = followed(D)
-    most, square = delta.size, delta * delta
-    if not nodes_apart(nodes, most):
+    most = delta.size
+    if not nodes_apart(nodes, used, most):
         return None
-    value, slope = (spectra.along(D, sizes, delta, most, way, square) for way in (False, True))
+    value, slope = (spectra.along(D, sizes, delta, most, way) for way in (False, True))
     eps, lost = [], []
     for k, first in enumerate(value.size):
         above_ = arb_poly([size[k] for size in sizes])(arb_poly([most[k], 1])).coeffs()  # bounds of |c_j|
@@ -212,16 +214,16 @@ def alone(nodes: spectra.Nodes, throughout: bool) -> tuple[Form, Form] | None:
         lost.append(more.derivative()(found))
     off = [x + y for x, y in zip(most, eps, strict=True)]
     own = off if throughout else [abs(x) + y for x, y in zip(delta.k[0], eps, strict=True)]
-    sided = all((-x.real if k < nodes.up else x.real) > own[k] for k, x in enumerate(nodes.z))
-    if not (sided and nodes_apart(nodes, off)):
+    sided = all((-x.real if k < nodes.up else x.real) > y for k, x, y in zip(used, z, own, strict=True))
+    if not (sided and nodes_apart(nodes, used, off)):
         return None
     h, (N, above) = Form(delta.k, eps, delta.m), local.about(z, local.N)
     return h.plus(z), spectra.along(N, above, h, off) * slope.rested(lost).inverse()
 
 
-def nodes_apart(nodes: spectra.Nodes, off: Sequence[Any]) -> bool:
-    """Whether the discs of radii `off` round the nodes are disjoint."""
-    return all(nodes.distance[i][k] > off[i] + off[k] for i, k in combinations(range(len(off)), 2))
+def nodes_apart(nodes: spectra.Nodes, used: Sequence[int], off: Sequence[Any]) -> bool:
+    """Whether the discs of radii `off` round these nodes are disjoint."""
+    return all(nodes.distance[i][k] > x + y for (i, x), (k, y) in combinations(zip(used, off, strict=True), 2))
 
 
 def followed(D: Sequence[Form]) -> Form:
@@ -251,14 +253,17 @@ def radius_of(base: Any, above: Any) -> Any:
     return None
 
 
-def kernels_over(waves: spectra.Waves, place: Place, throughout: bool) -> Form:
+def kernels_over(waves: Waves, place: Place, throughout: bool) -> Form:
     """G at each distance over the box. throughout: as in `split_over`."""
     nodes = nodes_over(waves, place)
+    sides = [0, 1] if throughout or len(waves.gaps) > 1 else [0]
+    used = [k for side in sides for k in nodes.side[side]]
+    if waves.up is None and not throughout:
+        waves.up = split_over(waves, resized(place, NARROWER), False).nodes.up
     try:
-        # of one place half of the roots are used: to follow all costs more than the boxes that it saves
-        found = alone(nodes, throughout) if len(waves.gaps) > 1 else None
+        found = alone(nodes, used, throughout) if throughout or nodes.up == waves.up else None
         if found is not None:
-            return spectra.summed(waves, place, *found, [list(side) for side in nodes.side])[0]
+            return spectra.summed(waves, place, *found, [[k for k in side if k in used] for side in nodes.side])[0]
     except Refused:
         pass
     return receptances(waves, split_over(waves, place, throughout, nodes))
