@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations, pairwise, product
 from math import asinh, sinh
+from operator import mul
 from typing import Any
 
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq
@@ -46,6 +47,7 @@ MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
 BITS = 64
+TERMS = 3  # of a series in the matrix over a box
 TOGETHER = 0.3  # p-roots closer than this share of other distances share a circle
 WIDER, NARROWER = 16, fmpq(1, 1 << 20)  # boxes round the one where p-roots meet
 SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
@@ -346,22 +348,20 @@ def beside_meeting(waves: spectra.Waves, split: Split) -> Form:
 # --- the characteristic matrix over a box -----------------------------------------------------------------
 
 
-def cleared(A: Any) -> tuple[Any, Any]:
-    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value. Nothing rests on
-    them."""
-    (columns, rows), (tall, wide), n = spectra.frame(A, 1), spectra.units(A), A.nrows() - 1
-    before = [0j] * (n + 1)
-    for _ in range(8):  # towards singular vectors
-        R = spectra.near_inverse(acb_mat(spectra.framed(A, columns, rows)))
-        one = reflection([complex(R[n + 1, i]).conjugate() * t for i, t in enumerate(tall)])
-        two = reflection([complex(R[j, n + 1]) * w for j, w in enumerate(wide)])
-        columns = [[row[n] * t] for row, t in zip(one, tall, strict=True)]
-        rows = [[row[n].conjugate() * w for row, w in zip(two, wide, strict=True)]]
-        if abs(sum(x.conjugate() * row[n] for x, row in zip(before, two, strict=True))) > 0.98:
-            break
-        before = [row[n] for row in two]
-    left = acb_mat([[x / t for x, t in zip(row, tall, strict=True)] for row in one])
-    right = acb_mat([[x / w for x in row] for row, w in zip(two, wide, strict=True)])
+def cleared(A: Any, units: Sequence[Sequence[float]]) -> tuple[Any, Any]:
+    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value in units of rows and
+    columns. Nothing rests on them."""
+    (tall, wide), n = units, A.nrows() - 1
+    a = acb_mat([[complex(x) / t / w for x, w in zip(row, wide, strict=True)]
+                 for row, t in zip(A.tolist(), tall, strict=True)])  # fmt: skip
+    inverse = spectra.near_inverse(a + spectra.identity(n + 1) * acb(2.0**-50)).tolist()
+    forth = [[complex(x) for x in row] for row in inverse]
+    back, one = [[x.conjugate() for x in column] for column in zip(*forth, strict=True)], [1 + 0j] * (n + 1)
+    for _ in range(3):
+        two = [sum(map(mul, row, one)) for row in forth]
+        one = [sum(map(mul, row, two)) for row in back]
+    left = acb_mat([[x / t for x, t in zip(row, tall, strict=True)] for row in reflection(one)])
+    right = acb_mat([[x / w for x in row] for row, w in zip(reflection(two), wide, strict=True)])
     B = (left * A * right).mid().tolist()
     inverse = spectra.near_inverse(acb_mat([row[:n] for row in B[:n]]))
     low, side = -acb_mat([B[n][:n]]) * inverse, -inverse * acb_mat([row[n:] for row in B[:n]])
@@ -379,13 +379,13 @@ def reflection(v: list[complex]) -> list[list[complex]]:
     return [[(i == j) - x * y.conjugate() / whole for j, y in enumerate(u)] for i, x in enumerate(u)]
 
 
-def scalar(matrix: spectra.Forms, m: int) -> Form:
+def scalar(matrix: spectra.Forms, m: int, units: Sequence[Sequence[float]]) -> Form:
     """s with det A = 0 exactly where s = 0: XAY = [[1 + E, e], [f, g]], s = g − f(1 + E)⁻¹e."""
     A, lost = matrix
     n, last = lost.nrows(), lost.nrows() - 1
     if n == 1:
         return Form([[a[0, 0]] for a in A], [lost[0, 0]], m)
-    left, right = cleared(A[0])
+    left, right = cleared(A[0], units)
     parts = [left * a * right for a in A]
     rest = spectra.moduli(left) * lost * spectra.moduli(right)
     E = arb_mat(last, last, [
@@ -402,9 +402,12 @@ def scalar(matrix: spectra.Forms, m: int) -> Form:
 
     column, row = picked([(i, last) for i in range(last)]), picked([(last, i) for i in range(last)])
     s = picked([(last, last)]) + -spectra.folded(row * column, 1)
-    size_row = sum((f * y for f, y in zip(row.size, x, strict=True)), ZERO)
-    size_column = spectra.max_bound(*(f / y for f, y in zip(column.size, x, strict=True)))
-    return s.rested([size_row * size_column * eta / (1 - eta)])
+    e, total = arb_mat(last, 1, column.size), arb_mat(last, 1)
+    for _ in range(TERMS):
+        e = E * e
+        total += e
+    beyond = spectra.max_bound(*(f / y for f, y in zip(e.entries(), x, strict=True))) * eta / (1 - eta)
+    return s.rested((arb_mat(1, last, row.size) * (total + arb_mat(last, 1, x) * beyond)).entries())
 
 
 def check_nonzero(s: Form) -> None:
@@ -742,7 +745,10 @@ class Family:
 
     def scalar(self, place: Place, throughout: bool = False) -> Form:
         """s over a box: 0 exactly where Δ̂ is. throughout: also outside the ranges."""
-        return scalar(self.matrix(place, kernels_over(self.waves, place, throughout)), place.m)
+        G, b = kernels_over(self.waves, place, throughout), self.matrix
+        g = max(float(abs(x)) for x in G.k[0])  # the rail gives so much: what of forces is one of displacement
+        units = [1 / g] * b.nb + [1.0] * (b.size - b.nb), [1.0] * (b.size - b.nc) + [g] * b.nc
+        return scalar(b(place, G), place.m, units)
 
     def nonzero(self, place: Place) -> None:
         """Δ̂ ≠ 0 over a box, or Wide."""
