@@ -49,8 +49,9 @@ LEAF = 400
 BITS = 64
 TERMS = 3  # of a series in the matrix over a box
 TOGETHER = 0.3  # p-roots closer than this share of other distances share a circle
-WIDER, NARROWER = 16, fmpq(1, 1 << 20)  # boxes round the one where p-roots meet
-SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
+SAMPLES, GROWTH = 32, 7.5  # points of a circle; by which power of e waves from it grow at most
+NARROWER = fmpq(1, 1 << 20)
+SIDE, REACH = 20, 6.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of the parameters: c}
@@ -271,8 +272,11 @@ def kernels_over(waves: Waves, place: Place, throughout: bool) -> Form:
     return receptances(waves, split_over(waves, place, throughout, nodes))
 
 
-def circles(split: Split, side: int) -> list[tuple[Any, Any, list[int]]]:
-    """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
+def circles(split: Split, side: int, reach: float) -> list[tuple[Any, list[Any], list[int]]]:
+    """(middle, three radii, nodes inside) of circles; roots that are close share one. Nothing rests on them.
+
+    reach: the greatest distance, over which waves from a circle may grow by so much only.
+    """
     own, z = list(split.nodes.side[side]), [complex(x) for x in split.nodes.z]
     others = [k for k in range(len(z)) if k not in own]
     far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
@@ -286,63 +290,71 @@ def circles(split: Split, side: int) -> list[tuple[Any, Any, list[int]]]:
         size = max(abs(z[k] - middle) for k in g)
         outer = min([abs(z[k] - middle) for k in range(len(z)) if k not in g] + [4 * (abs(middle) + size)])
         size += len(g) * max(float(split.tight[k]) for k in g)
-        out.append((acb(middle), arb(max(0.4 * outer, (size * outer) ** 0.5)), g))
+        outer = min(outer, max(GROWTH / (reach or 1e-300), 3 * size))
+        radius = max(0.4 * outer, (size * outer) ** 0.5)
+        out.append((acb(middle), [arb(x) for x in (size + 0.05 * (radius - size), radius, 0.85 * outer)], g))
     return out
 
 
-def bounds(split: Split, side: int, N: Form, distances: Form) -> list[Any]:
-    """Bounds of |Σ N e^{Pξ}/D_P| over the p-roots of one side, at each distance: by one circle round each group.
+def on_circle(split: Split, N: Form, distances: Form, middle: Any, radius: Any, inside: Sequence[int]) -> list[Any]:
+    """Bounds of |N e^{Pξ}/D| times the radius on a circle, at each distance; in it are as many zeros of D as nodes.
 
-    On a circle |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0, and as many zeros of D in it as nodes.
+    |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0 there.
     """
-    nodes, out = split.nodes, [ZERO] * len(distances.e)
-    for middle, radius, inside in circles(split, side):
-        gaps = [abs(middle - z) - radius for z in nodes.z]
-        fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
-        low, far = nodes.least, abs(middle) + radius
-        for gap in gaps:
-            low = low * abs(gap)
-        for here in nodes.side:
-            share = 1 - sum((split.tight[k] / abs(gaps[k]) for k in here), ZERO)
-            fine, low = fine and bool(share > 0), low * share
-        if not (fine and low > 0):
-            raise Wide("p-roots come too near to others over a box", strain(nodes))
-        most = sum((x * far**i for i, x in enumerate(N.size)), ZERO) / low * radius
-        for n, (x, change) in enumerate(zip(distances.k[0], distances.spread, strict=True)):
-            out[n] += most * ((middle * x).real + radius * abs(x) + far * change).exp()
-    return out
+    nodes = split.nodes
+    gaps = [abs(middle - z) - radius for z in nodes.z]
+    fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
+    low, far = nodes.least, abs(middle) + radius
+    for gap in gaps:
+        low = low * abs(gap)
+    for here in nodes.side:
+        share = 1 - sum((split.tight[k] / abs(gaps[k]) for k in here), ZERO)
+        fine, low = fine and bool(share > 0), low * share
+    require(fine and low > 0, "p-roots come too near to others over a box")
+    most = sum((x * far**i for i, x in enumerate(N.size)), ZERO) / low * radius
+    moved = zip(distances.k[0], distances.spread, strict=True)
+    return [most * ((middle * x).real + radius * abs(x) + far * change).exp() for x, change in moved]
 
 
 def receptances(waves: spectra.Waves, split: Split) -> Form:
-    """G at each distance over the box: from its p-roots, each alone, or where some of one side meet."""
+    """G at each distance over the box, by the trapezoidal rule on circles round p-roots; some of one side may meet."""
+    local, order, parts = split.nodes.local, [], []
+    N, xi = local.place.form(local.N), local.place.value(waves.xi)
     try:
-        for side in split.nodes.side:
-            split.isolated(side)
-    except Refused as error:
-        reach = split.nodes.inverse * arb_mat(len(split.tight), 1, split.tight)
-        if any(y > 0.5 / WIDER for y in reach.entries()):  # it would not split over the wider box
-            raise Wide(str(error), strain(split.nodes)) from None
-        return beside_meeting(waves, split)
-    try:
-        return spectra.kernels(waves, split)[0]
+        for side in (0, 1):
+            mine = [g for g, ahead in enumerate(waves.ahead) if ahead == (side == 0)]
+            distances, total = xi.take(mine), local.place.number(0).take([0] * len(mine))
+            reach = max((float(x) for x in distances.size), default=0.0)
+            for middle, radii, inside in circles(split, side, reach) if mine else ():
+                part = on_points(waves, local, mine, distances, middle, radii[1], 1 - 2 * side)
+                for other in (radii[0], radii[2]):
+                    seen = on_circle(split, N, distances, middle, other, inside)
+                    ratio = (other / radii[1] if other is radii[0] else radii[1] / other) ** SAMPLES
+                    require(ratio < 1, "circles are not in order")
+                    part = part.rested([x * ratio / (1 - ratio) for x in seen])
+                total = total + part
+            order, parts = order + mine, [*parts, total]
     except Refused as error:
         raise Wide(str(error), strain(split.nodes)) from None
+    return spectra.joined(parts).take([order.index(g) for g in range(len(order))])
 
 
-def beside_meeting(waves: spectra.Waves, split: Split) -> Form:
-    """G where p-roots of one side may meet: its Taylor polynomial from a much smaller box, the rest by a bound of |G|
-    over a wider one. It is analytic there, with or without the range: |g_k| ≤ M/w^k for its terms of order k."""
-    place = split.nodes.local.place
-    small, wide = (split_over(waves, resized(place, factor), False) for factor in (NARROWER, WIDER))
-    local = wide.nodes.local
-    N, gaps = local.place.form(local.N), local.place.value(waves.xi)
-    most = [bounds(wide, side, N, gaps) for side in (0, 1)]
-    G = spectra.kernels(waves, small)[0]
-    lost = [spectra.box(e) for e in G.e]  # in the coefficients themselves, by Cauchy
-    order = [0, *[1] * G.m, *[2] * len(G.second)]
-    k = [[(y + e) / NARROWER**i for y, e in zip(row, lost, strict=True)] for i, row in zip(order, G.k, strict=True)]
-    e = [most[0 if ahead else 1][n] / (WIDER**2 * (WIDER - 1)) for n, ahead in enumerate(waves.ahead)]
-    return Form(k, e, G.m)
+def on_points(
+    waves: spectra.Waves, local: spectra.Local, gaps: Sequence[int], distances: Form, middle: Any, radius: Any, sign: int
+) -> Form:
+    """± the mean of N e^{Pξ}/D times P − middle over points of a circle, at each distance."""
+    arms = [radius * acb(fmpq(2 * k, SAMPLES)).exp_pi_i() for k in range(SAMPLES)]
+    points = [middle + x for x in arms]
+    D, N = (local.place.form(acb_mat([spectra.powers(p, t.nrows() - 1) for p in points]) * t)
+            for t in (local.D, local.N))  # fmt: skip
+    f = (N * D.inverse()).scaled([x * fmpq(sign, SAMPLES) for x in arms])
+    if waves.fixed:
+        wave = acb_mat([[(p * waves.distances[g]).exp() for g in gaps] for p in points])
+        k = [(acb_mat([row]) * wave).entries() for row in f.k]
+        return Form(k, (arb_mat([f.e]) * spectra.moduli(wave)).entries(), f.m)
+    n = len(gaps)
+    phase = distances.take([*range(n)] * SAMPLES).scaled([p for p in points for _ in gaps])
+    return spectra.folded(phase.exp() * f.take([k for k in range(SAMPLES) for _ in gaps]), n)
 
 
 # --- the characteristic matrix over a box -----------------------------------------------------------------
