@@ -746,7 +746,7 @@ class Form:
         if self._sizes is None:
             size, n = [[abs(x) for x in row] for row in self.k], len(self.e)
             first, second = sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n)
-            self._sizes = (size[0], first, second, sums(size, n))
+            self._sizes = (size[0], first, second, sums([size[0], first, second], n))
         return self._sizes
 
     @property

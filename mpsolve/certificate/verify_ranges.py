@@ -400,10 +400,9 @@ def scalar(matrix: spectra.Forms, m: int, units: Sequence[Sequence[float]]) -> F
     left, right = cleared(A[0], units)
     parts = [left * a * right for a in A]
     rest = spectra.moduli(left) * lost * spectra.moduli(right)
-    E = arb_mat(last, last, [
-        sum((abs(a[i, j]) for a in parts[1:]), abs(parts[0][i, j] - (1 if i == j else 0)) + rest[i, j])
-        for i, j in product(range(last), repeat=2)
-    ])  # fmt: skip
+    near = spectra.moduli(parts[0] - spectra.identity(n)) + rest
+    sizes = sum(map(spectra.moduli, parts[1:]), near).tolist()
+    E = arb_mat([row[:last] for row in sizes[:last]])
     x, eta = spectra.near_weights(E, 0.05)
     if not eta < 0.9:
         moved = [float(max(sum((abs(y) for y in row), ZERO) for row in a.tolist())) for a in parts[1 : 1 + m]]
@@ -590,11 +589,8 @@ def at_cell(part: tuple[Any, ...], unit: Any, middle: Any, half: Any, far: Any) 
 def bend(x: Any) -> Any:
     """(sin x − x cos x)/x², odd; for small x by its series, whose terms alternate and fall."""
     if abs(x) < 1:
-        square, term, total_ = x * x, x / 3, ZERO
-        for k in range(1, 14):
-            total_ += term
-            term = -term * square / (2 * k * (2 * k + 3))
-        return total_ + arb(0, abs(term).upper())
+        square = x * x
+        return x / 3 * (1 - square / 10 * (1 - square / 28 * (1 - square / 54 + arb(0, 0.0003) * square * square)))
     sin, cos = x.sin_cos()
     return (sin - x * cos) / (x * x)
 
