@@ -607,11 +607,11 @@ def check_passive_box(problem: Family, box: Box) -> None:
 def by_roots(problem: Family, place: Place) -> None:
     """From G over the box."""
     G = kernels_over(problem.waves, place, False)
-    require_definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k)))
+    require_definite(spectra.definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k))))
 
 
-def require_definite(H: Sequence[Any], E: Any) -> None:
-    if not spectra.definite(H, E):
+def require_definite(seen: bool) -> None:
+    if not seen:
         raise Wide("the receptance is not proved passive on a box")
 
 
@@ -652,6 +652,7 @@ def by_cells(problem: Family, box: Box, place: Place) -> None:
     if best is None:
         raise Wide("what short waves give is not bounded over a box")
     try:
+        require_definite(best > 0)
         definite(problem, place, found[:chosen], givens[chosen])
     except Wide as error:
         error.weights = [abs(x) for x in off]
@@ -684,28 +685,28 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
         for v, x in enumerate(values):
             H[v][j][i], H[v][i][j] = x, x.conjugate()
         E[i][j] = E[j][i] = rest
-    require_definite([acb_mat(a) for a in H], arb_mat(E))
+    require_definite(spectra.definite([acb_mat(a) for a in H], arb_mat(E)))
 
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
     """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
     D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes[2][0] + distance.e[0]
     steps = [x[0].real for x in distance.k[1 : 1 + m]]
-    out, rest = [NONE] * (1 + m), ZERO
-    for c in found:
-        x, twice = c.half * D, 2 * c.half
-        phase = acb(0, c.middle * D).exp() * twice
-        cell = phase * x.sinc()
-        out[0] += cell * c.a + phase * acb(0, bend(x) * c.turn)
-        for v in range(m):
-            out[1 + v] += cell * c.b[v]
-        if not moves.is_zero():  # e^{ipδ} = 1 + ipδ + R, |R| ≤ (pδ)²/2
+    width, moving = [2 * c.half for c in found], not moves.is_zero()
+    phase = [acb(0, c.middle * D).exp() * w for c, w in zip(found, width, strict=True)]
+    plain = [y * (c.half * D).sinc() for c, y in zip(found, phase, strict=True)]
+    turned = [y * acb(0, bend(c.half * D)) for c, y in zip(found, phase, strict=True)]
+    table = acb_mat([[acb(x) for x in (c.a, *c.b, c.a * c.middle if moving else 0)] for c in found])
+    *out, bent = (acb_mat([plain]) * table).entries()
+    out[0] += (acb_mat([turned]) * acb_mat([[acb(c.turn)] for c in found]))[0, 0]
+    rest = ZERO
+    if moving:  # e^{ipδ} = 1 + ipδ + R, |R| ≤ (pδ)²/2
+        out[1:] = [x + bent * acb(0, step) for x, step in zip(out[1:], steps, strict=True)]
+        for c, w in zip(found, width, strict=True):
             far, a = abs(c.middle) + c.half, abs(c.a)
             slope = abs(c.turn) + sum((abs(y) for y in c.b), ZERO)
-            for v in range(m):
-                out[1 + v] += cell * acb(0, steps[v] * c.a * c.middle)
-            rest += twice * moves * (a * c.half + slope * far)
-            rest += twice * ((a + slope) * (far * moves) ** 2 / 2 + a * far * second)
+            rest += w * moves * (a * c.half + slope * far)
+            rest += w * ((a + slope) * (far * moves) ** 2 / 2 + a * far * second)
     return out, rest
 
 
