@@ -1104,7 +1104,12 @@ class Nodes:
             self.own.append(same)
             self.all.append(same * other)
         self.inverse = arb_mat(n, n, inverse)
-        self.values = local.place.form(acb_mat([powers(x, n) for x in z]) * local.D)
+
+    @cached_property
+    def values(self) -> Form:
+        """Of D at the nodes."""
+        place, z = self.local.place, self.z
+        return place.form(acb_mat([powers(x, len(z)) for x in z]) * self.local.D)
 
     @property
     def least(self) -> Any:
