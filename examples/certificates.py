@@ -19,8 +19,9 @@ from mpsolve import (
     tracks,
     vehicles,
 )
-from mpsolve.report.figures import save_figure
-from mpsolve.report.figures_plane import q_plane
+from mpsolve.files import write_whole
+from mpsolve.pictures.axes import alone
+from mpsolve.pictures.plane import spectrum_picture
 
 HERE = Path(__file__).resolve().parent
 FOLDER = HERE.parent / "certs"
@@ -83,8 +84,8 @@ def prove(name: str) -> Spectrum:
 
 
 def visualize(path: Path | str = "certificate.svg", name: str = "unstable_d1.5_alpha0.67") -> Path:
-    """Writes the q-plane of one of the cases, proved anew, with its certified roots; returns the path."""
-    return save_figure(lambda ax: q_plane(prove(name), ax), path)
+    """Writes the q-plane of one of the cases, proved anew, with its certified roots, as SVG; returns the path."""
+    return write_whole(Path(path), alone(spectrum_picture(prove(name))[0]))
 
 
 def main() -> None:

@@ -1,8 +1,9 @@
 """The certificates under certs/ranges/: answers over ranges of parameters, made anew by this script.
 
 Two masses of 10 t on a rail: where a vibration begins to grow as they run faster, and that none does while the
-damping is uncertain. And in the paper's ratios what its Section 4.3 prints: a limiting mass, onsets, and a window of
-stable velocities between two unstable ranges.
+damping is uncertain. One mass on an elastic foundation: a chart of velocities and damping. And in
+the paper's ratios what its Section 4.3 prints: a limiting mass, onsets, and a window of stable velocities between two
+unstable ranges.
 """
 
 from __future__ import annotations
@@ -11,12 +12,14 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from mpsolve import Case, Problem, crossings, onset, prove_stable, tracks, unstable_ranges, vehicles
+from mpsolve import Case, Problem, crossings, onset, prove_stable, stability_chart, tracks, unstable_ranges, vehicles
 from mpsolve.report.figures import COLOUR, save_figure
 
 FOLDER = Path(__file__).resolve().parent.parent / "certs" / "ranges"
 RAIL = tracks.EulerBernoulli(EI="6.4e6", m="60", k="1e6", c="770")
 PAIR = Problem(RAIL, [vehicles.Mass("10e3").at(0), vehicles.Mass("10e3").at("3.4")], v="150")
+
+SINGLE = Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.4"), vehicles.Mass(10), v="1.3")
 
 
 def equal(eta_m: object, d: str | None, alpha: str = "0.5", eta_b: str = "0.05") -> Case:
@@ -28,6 +31,9 @@ def equal(eta_m: object, d: str | None, alpha: str = "0.5", eta_b: str = "0.05")
 RESULTS: dict[str, Callable[[bool], Any]] = {
     "crossing_over_velocity": lambda check: crossings(PAIR, over={"v": (170, 210)}, check=check),
     "stable_over_damping": lambda check: prove_stable(PAIR, over={"track.c": (600, 900), "v": (0, 100)}, check=check),
+    "chart_over_damping": lambda check: stability_chart(
+        SINGLE, over={"v": ("1.25", "1.35"), "track.c": ("0.3", "0.5")}, depth=2, check=check
+    ),
     # Section 4.3 prints 21.9 for α = 0.99, η_b = 0.1 at the critical distance; it belongs to d = 1.1
     "crossing_masses_d1.1_alpha0.99": lambda check: crossings(
         equal(1, "1.1", "0.99", "0.1"), over={"scale.mass": (1, 1000)}, check=check

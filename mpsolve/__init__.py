@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from mpsolve.errors import InputError as InputError
     from mpsolve.errors import MpsolveError as MpsolveError
     from mpsolve.errors import StudyError as StudyError
-    from mpsolve.finite.beam.beam import BeamResponse as BeamResponse
-    from mpsolve.finite.beam.beam import finite_beam as finite_beam
+    from mpsolve.finite.beam import BeamResponse as BeamResponse
+    from mpsolve.finite.beam import finite_beam as finite_beam
     from mpsolve.finite.finite_track import FiniteTrackMotion as FiniteTrackMotion
     from mpsolve.finite.finite_track import finite_track as finite_track
     from mpsolve.loci.answer import FrequencyLine as FrequencyLine
@@ -154,7 +154,7 @@ _NAMES = {
     "vibration.forcing": "Irregularity rail_roughness out_of_round",
     "vibration.liftoff": "Event",
     "vibration.studies": "envelope superposition merged transient_importance deflection_shape",
-    "finite.beam.beam": "finite_beam BeamResponse",
+    "finite.beam": "finite_beam BeamResponse",
     "finite.finite_track": "finite_track FiniteTrackMotion",
     "studies.run": "study open_study Study",
     "certificate.roots": "roots",

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_output, one_sentence, progress
+from mpsolve.cli_tools import UNDECIDED, checked_file, echo_json, progress
+from mpsolve.errors import CertificateError
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
@@ -35,30 +36,24 @@ def answered(
 
     defaults: the ranges where none is given. endless: whether a range may have no upper end.
     """
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.problem.inputfile import read_source
-        from mpsolve.report.ranges_asked import asked
+    from mpsolve.problem.inputfile import read_source
+    from mpsolve.report.ranges_asked import asked
 
-        source = read_source(file)
-        if output is not None:
-            checked_suffix(checked_output(output, file, "the answer"), suffixes)
-        if certificate is not None:
-            checked_suffix(
-                checked_output(certificate, file, "the certificate", "certificate"), (".json",), "certificate"
-            )
-        question = asked(source.given, source.title, overs, endless=endless)
-        with progress() as tell:
-            said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
-        if as_json:
-            click.echo(json.dumps(_data(said), ensure_ascii=False, indent=1))
-        else:
-            click.echo("\n".join(one.text for one in said), nl=False)
-        if certificate is not None:
-            _certify(certificate, said, as_json)
-        if output is not None:
-            _write(output, said)
-            click.echo(str(output), err=as_json)
+    source = read_source(file)
+    checked_file(output, file, "the answer", suffixes)
+    checked_file(certificate, file, "the certificate", (".json",), "certificate")
+    question = asked(source.given, source.title, overs, endless=endless)
+    with progress() as tell:
+        said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
+    if as_json:
+        echo_json(_data(said))
+    else:
+        click.echo("\n".join(one.text for one in said), nl=False)
+    if certificate is not None:
+        _certify(certificate, said, as_json)
+    if output is not None:
+        _write(output, said)
+        click.echo(str(output), err=as_json)
     sys.exit(0 if all(one.answer.proved for one in said) else UNDECIDED)
 
 
@@ -106,8 +101,6 @@ def _data(said: list[Said]) -> dict[str, Any]:
 
 def _certify(path: Path, said: list[Said], quiet: bool) -> None:
     """Writes the certificate of each answer: FILE, then FILE-2, … where an answer falls into several ranges."""
-    from mpsolve.errors import CertificateError
-
     for number, one in enumerate(said, 1):
         found: Any = one.answer
         if found.certificate is None:

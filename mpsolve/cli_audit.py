@@ -8,21 +8,22 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve.cli_tools import JSON, UNDECIDED, one_sentence, progress, show
+from mpsolve.cli_tools import JSON, PATH, UNDECIDED, WORKERS, checked_output, command, echo_json, progress, show
+from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
     from mpsolve.claims.report import Report
 
 
-@click.command()
+@command()
 @click.argument("paper", required=False, type=click.Path())
 @click.option(
     "--only", multiple=True, metavar="ID", help="Only this claim, or all whose names begin so (may be given again)."
 )
 @JSON
-@click.option("--html", type=click.Path(path_type=Path), help="Write the report as one HTML page, too.")
-@click.option("--certificates", type=click.Path(path_type=Path), help="Folder for the certificates.")
-@click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
+@click.option("--html", type=PATH, help="Write the report as one HTML page, too.")
+@click.option("--certificates", type=PATH, help="Folder for the certificates.")
+@WORKERS
 def audit(
     paper: str | None,
     only: tuple[str, ...],
@@ -39,32 +40,29 @@ def audit(
     Exit status 0: every check came to its end, whatever the verdicts. 1: one did not, or a file could not be
     written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.claims.load import audit as check
-        from mpsolve.claims.load import load
+    from mpsolve.claims.load import audit as check
+    from mpsolve.claims.load import load
 
-        _admit(paper, html, certificates)
-        with progress() as tell:
-            report = check(load(paper or ""), only, workers, tell)
-        _report(report, as_json)
-        if certificates is not None:
-            report.save_certificates(certificates)
-        if html is not None:
-            from mpsolve.claims.report import page
-            from mpsolve.files import write_whole
+    _admit(paper, html, certificates)
+    with progress() as tell:
+        report = check(load(paper or ""), only, workers, tell)
+    _report(report, as_json)
+    if certificates is not None:
+        report.save_certificates(certificates)
+    if html is not None:
+        from mpsolve.claims.report import page
+        from mpsolve.files import write_whole
 
-            write_whole(html, page(report))
+        write_whole(html, page(report))
     sys.exit(0 if report.complete else UNDECIDED)
 
 
 def _admit(paper: str | None, html: Path | None, certificates: Path | None) -> None:
     """InputError, before any work is done, without a paper or for a path that cannot be written."""
-    from mpsolve.errors import InputError
-
     if paper is None:
         raise InputError("paper", "is not given: name the folder of its claims, as in mpsolve audit examples/paper")
-    if html is not None and (html.is_dir() or not html.parent.is_dir()):
-        raise InputError("html", f"{html} cannot be a file there: give a path in a folder that exists")
+    if html is not None:
+        checked_output(html, Path(paper), "the page", "html")
     if certificates is not None and certificates.exists() and not certificates.is_dir():
         raise InputError("certificates", f"{certificates} is a file: give the path of a folder")
 
@@ -73,11 +71,6 @@ def _report(report: Report, as_json: bool) -> None:
     from mpsolve.claims.report import as_data, document
 
     if as_json:
-        import json
-
-        click.echo(json.dumps(as_data(report), indent=1, ensure_ascii=False))
+        echo_json(as_data(report))
     else:
         show(document(report))
-
-
-COMMANDS = (audit,)

@@ -15,12 +15,15 @@ from mpsolve.cli_tools import (
     JSON,
     UNDECIDED,
     certificate_path,
+    command,
+    digits_option,
+    echo_json,
     effort_of,
-    one_sentence,
     output,
     progress,
     show,
 )
+from mpsolve.errors import CertificateError, InputError
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum
@@ -28,9 +31,9 @@ if TYPE_CHECKING:
 _REFUSED = ("verifier", "not-verified")
 
 
-@click.command()
+@command()
 @FILE
-@click.option("--digits", type=int, default=30, show_default=True, help="Certified digits, 15 to 10000.")
+@digits_option(30)
 @click.option(
     "--region",
     metavar="REGION",
@@ -51,16 +54,15 @@ def certify(
     Exit status 0: proved, stable or not. 1: undecided, with the reason and what helps, or the certificate
     could not be written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.certificate.certify import certify as prove
-        from mpsolve.problem.inputfile import read_source
+    from mpsolve.certificate.certify import certify as prove
+    from mpsolve.problem.inputfile import read_source
 
-        source = read_source(file)
-        path = certificate_path(source.path, output)
-        options = {"region": region_of(region, source.given), "digits": digits, "effort": effort_of(effort)}
-        with progress() as tell:
-            spectrum = _told(lambda: prove(source.given, progress=tell, **options))
-        _report(spectrum, source.title, path, as_json, output is None)
+    source = read_source(file)
+    path = certificate_path(source.path, output)
+    options = {"region": region_of(region, source.given), "digits": digits, "effort": effort_of(effort)}
+    with progress() as tell:
+        spectrum = _told(lambda: prove(source.given, progress=tell, **options))
+    _report(spectrum, source.title, path, as_json, output is None)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
 
@@ -69,7 +71,6 @@ def region_of(text: str | None, given: Any = None) -> Any:
 
     Heights and bounds may have units, as in below="50 1/s", unless what is given is a case in the paper's ratios.
     """
-    from mpsolve.errors import InputError
     from mpsolve.numbers.units import measured
     from mpsolve.problem.case import Case
     from mpsolve.spectrum.regions import Rectangle
@@ -89,7 +90,6 @@ def region_of(text: str | None, given: Any = None) -> Any:
 
 def _told(prove: Any) -> Spectrum:
     """The result, with remedies that name options; InputError likewise."""
-    from mpsolve.errors import InputError
     from mpsolve.report.remedies import on_command_line
 
     try:
@@ -108,7 +108,6 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_defaul
     by_default: the path is not the user's own, so that no other case's certificate may be overwritten there.
     """
     from mpsolve.certificate.own_name import own_name
-    from mpsolve.errors import CertificateError
 
     saved, failure = None, None
     refused = spectrum.reason is not None and spectrum.reason.code in _REFUSED
@@ -119,17 +118,12 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_defaul
         except CertificateError as error:
             failure = error
     if as_json:
-        import json
-
         from mpsolve.report.spectrum_data import spectrum_data
 
-        click.echo(json.dumps(spectrum_data(spectrum, title, saved), indent=1, ensure_ascii=False))
+        echo_json(spectrum_data(spectrum, title, saved))
     else:
         from mpsolve.report.spectrum_text import spectrum_document
 
         show(spectrum_document(spectrum, title, saved))
     if failure is not None:
         raise failure
-
-
-COMMANDS = (certify,)

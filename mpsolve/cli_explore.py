@@ -6,11 +6,12 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import one_sentence
+from mpsolve.cli_tools import PATH, command
+from mpsolve.errors import InputError
 
 
-@click.command()
-@click.argument("file", required=False, type=click.Path(path_type=Path))
+@command()
+@click.argument("file", required=False, type=PATH)
 @click.option(
     "--port", type=click.IntRange(1, 65535), default=8080, show_default=True, help="Port of the page on this machine."
 )
@@ -22,22 +23,14 @@ def explore(file: Path | None, port: int, browser: bool) -> None:
 
     Exit status 0: ended. 2: the file cannot be used, or the extra is missing.
     """
-    with one_sentence():
-        from mpsolve.errors import InputError
+    try:
+        from mpsolve.explorer.page import serve
+    except ModuleNotFoundError as error:
+        if error.name != "nicegui":
+            raise
+        raise InputError("explore", "needs NiceGUI, which is not installed: pip install 'mpsolve[explore]'") from None
+    from mpsolve.presets.written import begun
 
-        try:
-            from mpsolve.explorer.page import serve
-        except ModuleNotFoundError as error:
-            if error.name != "nicegui":
-                raise
-            raise InputError(
-                "explore", "needs NiceGUI, which is not installed: pip install 'mpsolve[explore]'"
-            ) from None
-        from mpsolve.presets.written import begun
-
-        problem, title = begun(file)
-        click.echo(f"http://127.0.0.1:{port}  (Ctrl-C ends it)")
-        serve(problem, title, port, browser)
-
-
-COMMANDS = (explore,)
+    problem, title = begun(file)
+    click.echo(f"http://127.0.0.1:{port}  (Ctrl-C ends it)")
+    serve(problem, title, port, browser)

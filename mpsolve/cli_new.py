@@ -6,10 +6,11 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import one_sentence, output
+from mpsolve.cli_tools import command, output
+from mpsolve.errors import InputError
 
 
-@click.command()
+@command()
 @click.argument("track", required=False)
 @click.option("--vehicle", metavar="NAME", help="Another vehicle than the one that the track is tried with.")
 @click.option("--v", "velocity", metavar="VELOCITY", help='Another velocity, such as "300 km/h".')
@@ -30,21 +31,16 @@ def new(
 
     Exit status 0: written. 1: the file could not be written. 2: there is no such preset, or the file exists.
     """
-    with one_sentence():
-        from mpsolve.errors import InputError
-        from mpsolve.files import write_whole
-        from mpsolve.presets.written import input_file, listing
+    from mpsolve.files import write_whole
+    from mpsolve.presets.written import input_file, listing
 
-        if track is None:
-            click.echo(listing(), nl=False)
-            return
-        text = input_file(track, vehicle, velocity, count, spacing)
-        if output is None:
-            click.echo(text, nl=False)
-            return
-        if output.exists():
-            raise InputError("output", f"{output} exists: give the path of a new file")
-        click.echo(str(write_whole(output, text)))
-
-
-COMMANDS = (new,)
+    if track is None:
+        click.echo(listing(), nl=False)
+        return
+    text = input_file(track, vehicle, velocity, count, spacing)
+    if output is None:
+        click.echo(text, nl=False)
+        return
+    if output.exists():
+        raise InputError("output", f"{output} exists: give the path of a new file")
+    click.echo(str(write_whole(output, text)))

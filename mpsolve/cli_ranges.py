@@ -2,25 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mpsolve.cli_answered import answered
-from mpsolve.cli_tools import DASK, EFFORT, FILE, JSON, WORKERS, Option, effort_of, in_parts, one_sentence, output
+from mpsolve.cli_tools import (
+    DASK,
+    EFFORT,
+    FILE,
+    JSON,
+    PATH,
+    WORKERS,
+    Option,
+    command,
+    digits_option,
+    effort_of,
+    in_parts,
+    output,
+)
+from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
     from mpsolve.report.ranges_asked import Asked
     from mpsolve.report.ranges_words import Said
 
-_DIGITS = click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
-_ASKED = (_DIGITS, EFFORT, JSON)
+_ASKED = (digits_option(15), EFFORT, JSON)
 _CERTIFICATE = click.option(
     "--certificate",
-    type=click.Path(path_type=Path),
+    type=PATH,
     help="Write the certificate as FILE.json, for `mpsolve verify`; FILE-2.json, … for further ranges.",
 )
 _TABLE = "Write the answer as FILE.json, or its rows as FILE.csv."
@@ -38,23 +50,12 @@ def _over(several: bool, default: str) -> Option:
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
-def _command(*options: Option) -> Callable[[Callable[..., None]], click.Command]:
-    """A command on a file with these options."""
-
-    def made(function: Callable[..., None]) -> click.Command:
-        every: tuple[Option, ...] = (FILE, *options)
-        for option in reversed(every):
-            function = option(function)
-        return click.command()(function)
-
-    return made
-
-
 def _work(effort: str | None, tell: Progress | None, **more: Any) -> dict[str, Any]:
     return {"effort": effort_of(effort), "progress": tell, **more}
 
 
-@_command(
+@command(
+    FILE,
     _over(False, _ENDLESS + _VELOCITIES),
     click.option(
         "--all", "everything", is_flag=True, help="Every unstable part of the range, not the first onset alone."
@@ -94,17 +95,14 @@ def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | 
             return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
         return words.said_of_onset(prove(question.given, over=question.over, **options), question)
 
-    with one_sentence():
-        from mpsolve.errors import InputError
-
-        if len(worsts) > 1:
-            raise InputError("--worst", "is given more than once: name one parameter")
-        if worsts and everything:
-            raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
+    if len(worsts) > 1:
+        raise InputError("--worst", "is given more than once: name one parameter")
+    if worsts and everything:
+        raise InputError("--worst", "asks for one onset, --all for every unstable part: give one of the two")
     answered(answer, "near" if everything or worsts else "first", endless=not worsts, **asked)
 
 
-@_command(_over(False, _ENDLESS + _VELOCITIES), *_ASKED, output(_TABLE), _CERTIFICATE)
+@command(FILE, _over(False, _ENDLESS + _VELOCITIES), *_ASKED, output(_TABLE), _CERTIFICATE)
 def crossings(digits: int, effort: str | None, **asked: Any) -> None:
     """Prove all values of a parameter at which the problem in FILE (TOML) becomes unstable or stable.
 
@@ -121,7 +119,8 @@ def crossings(digits: int, effort: str | None, **asked: Any) -> None:
     answered(answer, endless=True, **asked)
 
 
-@_command(
+@command(
+    FILE,
     _over(False, _VELOCITIES),
     click.option("--points", type=int, default=33, show_default=True, help="How many values, evenly spaced."),
     click.option("--region", type=click.Choice(["sheet", "unstable"]), help="In place of what lies below the cuts."),
@@ -147,7 +146,8 @@ def lines(points: int, region: str | None, digits: int, effort: str | None, **as
     answered(answer, suffixes=_DRAWN, **asked)
 
 
-@_command(
+@command(
+    FILE,
     _over(False, "[default: gap[0] from half to twice its own value; v as for onset where there is one vehicle]"),
     *_ASKED,
     output(_TABLE),
@@ -169,7 +169,8 @@ def worst(digits: int, effort: str | None, **asked: Any) -> None:
     answered(answer, "gap", **asked)
 
 
-@_command(
+@command(
+    FILE,
     _over(True, "At least one must be given."),
     EFFORT,
     JSON,
@@ -177,7 +178,7 @@ def worst(digits: int, effort: str | None, **asked: Any) -> None:
     _CERTIFICATE,
     click.option(
         "--store",
-        type=click.Path(path_type=Path),
+        type=PATH,
         help="Prove it part by part, each kept in this file, such as box.sqlite, when it is proved.",
     ),
     click.option(
@@ -211,16 +212,14 @@ def robust(
             found = prove_stable(question.given, over=question.over, progress=tell, **options)
             return said_of_robust(found, question)
 
-    with one_sentence():
-        from mpsolve.errors import InputError
-
-        if not overs:
-            stated = "is missing: give the range of each uncertain parameter, as in --over v=0..80m/s"
-            raise InputError("--over", stated)
+    if not overs:
+        stated = "is missing: give the range of each uncertain parameter, as in --over v=0..80m/s"
+        raise InputError("--over", stated)
     answered(answer, suffixes=_DRAWN, overs=overs, **asked)
 
 
-@_command(
+@command(
+    FILE,
     _over(True, "[default: velocities as for onset, and scale.mass=0.2..3, a factor on all masses]"),
     click.option(
         "--depth", type=int, default=6, show_default=True, help="2^DEPTH cells along each parameter, DEPTH 2 to 10."
@@ -228,6 +227,7 @@ def robust(
     EFFORT,
     JSON,
     output("Draw FILE.svg, or write FILE.csv or .json, with each cell."),
+    _CERTIFICATE,
 )
 def chart(depth: int, effort: str | None, **asked: Any) -> None:
     """Prove how many roots grow over two parameters of the problem in FILE (TOML): as regions, and strips between.
@@ -243,6 +243,3 @@ def chart(depth: int, effort: str | None, **asked: Any) -> None:
         return said_of_chart(found, question)
 
     answered(answer, "chart", suffixes=_DRAWN, **asked)
-
-
-COMMANDS = (onset, crossings, lines, worst, robust, chart)

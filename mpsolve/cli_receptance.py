@@ -6,10 +6,11 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import FILE, checked_output, one_sentence, output
+from mpsolve.cli_tools import FILE, checked_file, command, output
+from mpsolve.errors import InputError
 
 
-@click.command()
+@command()
 @FILE
 @click.option(
     "--omega",
@@ -32,31 +33,25 @@ def receptance(file: Path, omega: str, xi: str, contacts: bool, as_json: bool, o
     dynamic stiffness, the inverse of the receptances between them. Exit status 0: written. 1: it could not be
     written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.errors import InputError
-        from mpsolve.files import checked_suffix, write_whole
-        from mpsolve.problem.case import Case
-        from mpsolve.problem.inputfile import read_problem
-        from mpsolve.report.receptances import receptances
+    from mpsolve.files import write_whole
+    from mpsolve.problem.case import Case
+    from mpsolve.problem.inputfile import read_problem
+    from mpsolve.report.receptances import receptances
 
-        given = read_problem(file)
-        as_json = as_json or (output is not None and output.suffix.lower() == ".json")
-        if contacts and not as_json:
-            raise InputError("--contacts", "is for matrices, which CSV does not hold: add --json, or -o FILE.json")
-        si = not isinstance(given.case, Case)
-        if output is not None:
-            checked_suffix(
-                checked_output(output, given.path, "the table"), (".json",) if as_json else (".csv", ".json")
-            )
-        table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si), contacts, si)
-        text = table.to_json() if as_json else table.to_csv()
-        if output is None:
-            click.echo(text, nl=False)
-        else:
-            click.echo(str(write_whole(output, text)))
+    given = read_problem(file)
+    as_json = as_json or (output is not None and output.suffix.lower() == ".json")
+    if contacts and not as_json:
+        raise InputError("--contacts", "is for matrices, which CSV does not hold: add --json, or -o FILE.json")
+    si = not isinstance(given.case, Case)
+    checked_file(output, given.path, "the table", (".json",) if as_json else (".csv", ".json"))
+    table = receptances(given.problem, given.title, _places(xi, si), _frequencies(omega, si), contacts, si)
+    text = table.to_json() if as_json else table.to_csv()
+    if output is None:
+        click.echo(text, nl=False)
+    else:
+        click.echo(str(write_whole(output, text)))
 
 
-COMMANDS = (receptance,)
 _MOST = 1_000_000
 
 
@@ -78,8 +73,6 @@ def _real(word: str, unit: str, key: str) -> float:
 
 def _frequencies(text: str, si: bool) -> tuple[float, ...]:
     import numpy as np
-
-    from mpsolve.errors import InputError
 
     first, last, count = [*text.split(","), "", ""][:3]
     if text.count(",") != 2 or not (count.strip().isdecimal() and 1 <= int(count) <= _MOST):

@@ -7,14 +7,26 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import FILE, UNDECIDED, checked_output, one_sentence, output, progress, seconds_of
+from mpsolve.cli_tools import (
+    FILE,
+    PATH,
+    UNDECIDED,
+    checked_file,
+    checked_output,
+    command,
+    digits_option,
+    output,
+    progress,
+    seconds_of,
+)
+from mpsolve.errors import InputError
 
 
-@click.command()
+@command()
 @FILE
 @output("Path of the page.  [default: NAME.html in the working directory]")
-@click.option("--pdf", type=click.Path(path_type=Path), metavar="FILE", help="The page as a PDF, too.")
-@click.option("--digits", type=int, default=20, show_default=True, help="Certified digits of the roots, 15 to 10000.")
+@click.option("--pdf", type=PATH, metavar="FILE", help="The page as a PDF, too.")
+@digits_option(20, " of the roots")
 @click.option("--effort", default="60", show_default=True, metavar="SECONDS", help="Processor time for all parts.")
 @click.option(
     "--prove-chart/--computed-chart",
@@ -30,40 +42,34 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
     Exit status 0: the vibrations are proved, stable or not. 1: they are undecided, as the page says, or the page
     could not be written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.errors import InputError
-        from mpsolve.files import checked_suffix, write_whole
-        from mpsolve.page.page import page_html
-        from mpsolve.page.paper import require_printer, save_pdf
-        from mpsolve.page.parts import gather
-        from mpsolve.problem.inputfile import read_source
-        from mpsolve.report.remedies import on_command_line
+    from mpsolve.files import checked_suffix, write_whole
+    from mpsolve.page.page import page_html
+    from mpsolve.page.paper import require_printer, save_pdf
+    from mpsolve.page.parts import gather
+    from mpsolve.problem.inputfile import read_source
+    from mpsolve.report.remedies import on_command_line
 
-        source = read_source(file)
-        path = checked_output(output or Path(f"{source.path.stem}.html"), source.path, "the page")
-        if path.suffix.lower() == ".pdf":
-            raise InputError("output", f"{path} is a page in HTML: give -o NAME.html, and --pdf {path} for the PDF")
-        seconds = seconds_of(effort, "effort")
-        checked_suffix(path, (".html", ".htm"))
+    source = read_source(file)
+    path = checked_output(output or Path(f"{source.path.stem}.html"), source.path, "the page")
+    if path.suffix.lower() == ".pdf":
+        raise InputError("output", f"{path} is a page in HTML: give -o NAME.html, and --pdf {path} for the PDF")
+    seconds = seconds_of(effort, "effort")
+    checked_suffix(path, (".html", ".htm"))
+    if checked_file(pdf, source.path, "the PDF", (".pdf",), "pdf"):
+        require_printer()
+    with progress() as tell:
+        parts = gather(
+            source.given,
+            source.title,
+            digits=digits,
+            seconds=seconds,
+            tell=tell or (lambda _stage, _fraction: None),
+            loads=source.loads,
+            sources=source.sources,
+            prove_chart=prove_chart,
+        )
+        write_whole(path, page_html(parts, source.path.stem))
         if pdf is not None:
-            checked_suffix(checked_output(pdf, source.path, "the PDF", "pdf"), (".pdf",), "pdf")
-            require_printer()
-        with progress() as tell:
-            parts = gather(
-                source.given,
-                source.title,
-                digits=digits,
-                seconds=seconds,
-                tell=tell or (lambda _stage, _fraction: None),
-                loads=source.loads,
-                sources=source.sources,
-                prove_chart=prove_chart,
-            )
-            write_whole(path, page_html(parts, source.path.stem))
-            if pdf is not None:
-                save_pdf(parts, source.path.stem, pdf)
-        click.echo("\n".join([on_command_line(parts.verdict), str(path), *([] if pdf is None else [str(pdf)])]))
+            save_pdf(parts, source.path.stem, pdf)
+    click.echo("\n".join([on_command_line(parts.verdict), str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.spectrum.proved else UNDECIDED)
-
-
-COMMANDS = (report,)

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mpsolve import cli_vibration
-from mpsolve.cli_tools import FILE, checked_output, one_sentence, output
+from mpsolve.cli_tools import FILE, PATH, checked_file, command, output, seconds_of
+from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
+    from mpsolve.cli_vibration import Rough
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
-    from mpsolve.vibration.case_motion import Response
-    from mpsolve.vibration.case_units import Scale
+    from mpsolve.problem.problem import Problem
 
 _END = click.option(
     "--to",
@@ -28,7 +27,7 @@ _POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=10
 _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 
-@click.command()
+@command()
 @FILE
 @output(f"Write FILE{', '.join(_SUFFIXES)}.")
 @_END
@@ -47,7 +46,7 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 @click.option(
     "--out-of-round", help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".'
 )
-@click.option("--animate", type=click.Path(path_type=Path), help="In s: write a film of the rail as this FILE.svg.")
+@click.option("--animate", type=PATH, help="In s: write a film of the rail as this FILE.svg.")
 def response(
     file: Path,
     output: Path | None,
@@ -69,36 +68,28 @@ def response(
     the unit force, and forces in unit forces. Exit status 0: written. 1: it could not be computed or written. 2: the
     input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.problem.casefile import InputFile
+    from mpsolve.problem.casefile import InputFile
 
-        kind = "" if output is None else checked_suffix(checked_output(output, file, "the response"), _SUFFIXES)
-        source, end = _source(file, end)
-        if not isinstance(source, InputFile):
-            last = cli_vibration.seconds(end) or _last(end)
-            if animate is not None:
-                checked_suffix(checked_output(animate, file, "the film", "animate"), (".svg",), "animate")
-            rough = cli_vibration.irregularities(source.problem, roughness, out_of_round)
-            said = cli_vibration.respond(source, output, kind, _grid(last, points), xi, initial, rough)
-            if animate is not None:
-                cli_vibration.film(source, animate, last, initial, rough)
-            click.echo("\n".join([*said, *(str(path) for path in (output, animate) if path is not None)]))
-            return
+    kind = checked_file(output, file, "the response", _SUFFIXES)
+    source, end = _source(file, end)
+    places = None if xi is None else [x.strip() for x in xi.split(",")]
+    if isinstance(source, InputFile):
         _only_in_seconds(initial=None if initial == "rest" else initial, animate=animate, roughness=roughness,
                          out_of_round=out_of_round)  # fmt: skip
-        from mpsolve.vibration.of_case import motion_of_case as respond
+        found = cli_vibration.of_case(source, _grid(_last(end), points), places)
+    else:
+        last = _seconds(end) or _last(end)
+        checked_file(animate, file, "the film", (".svg",), "animate")
+        rough = _irregularities(source.problem, roughness, out_of_round)
+        found = cli_vibration.of_problem(source, _grid(last, points), places, initial, rough)
+        if animate is not None:
+            cli_vibration.film(source, animate, last, initial, rough)
+    if output is not None:
+        found.write(output, kind, source.title)
+    click.echo("\n".join([*found.said, *(str(path) for path in (output, animate) if path is not None)]))
 
-        places = None if xi is None else [x.strip() for x in xi.split(",")]
-        found = respond(source.case, source.loads, places, _grid(_last(end), points))
-        scale = _scale(source)
-        if output is not None:
-            _save(found, output, kind, source.title, scale)
-        click.echo("\n".join(_summary(found, scale)))
-        _tell(output)
 
-
-@click.command()
+@command()
 @FILE
 @output("Write FILE.csv, .png, .svg, .pdf.")
 @_END
@@ -110,43 +101,29 @@ def compare(file: Path, output: Path | None, end: str | None, points: int) -> No
     position of the rear mass. Loads and units as for response. Exit status 0: written. 1: it could not be computed
     or written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.files import checked_suffix
-        from mpsolve.problem.casefile import InputFile
+    from mpsolve.problem.casefile import InputFile
 
-        suffixes = (".csv", ".png", ".svg", ".pdf")
-        kind = "" if output is None else checked_suffix(checked_output(output, file, "the comparison"), suffixes)
-        source, end = _source(file, end)
-        if not isinstance(source, InputFile):
-            cli_vibration.compare(source, output, kind, _grid(cli_vibration.seconds(end) or _last(end), points))
-            _tell(output)
-            return
-        scale = _scale(source)
-        whole, curves, notes = _curves(source, _grid(_last(end), points), scale)
-        if output is not None:
-            _save_curves(whole, curves, output, kind, source.title, scale)
-        cli_vibration.tell_apart(curves, whole.within, scale.length_unit, notes, scale.length)
-        _tell(output)
-
-
-def _tell(output: Path | None) -> None:
+    kind = checked_file(output, file, "the comparison", (".csv", ".png", ".svg", ".pdf"))
+    source, end = _source(file, end)
+    if isinstance(source, InputFile):
+        found = cli_vibration.compared_case(source, _grid(_last(end), points))
+    else:
+        found = cli_vibration.compared(source, _grid(_seconds(end) or _last(end), points))
     if output is not None:
-        click.echo(str(output))
-
-
-COMMANDS = (response, compare)
+        found.write(output, kind, source.title)
+    for sentence in (*found.said, *([] if output is None else [str(output)])):
+        click.echo(sentence)
 
 
 def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
     """A problem in SI where the file has [track] or the last time is in s; else the paper's; and that time."""
-    from mpsolve.errors import InputError
     from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source
     from mpsolve.problem.physical import PhysicalCase
 
     source = read_source(file)
     if end is None:
         end = "2" if isinstance(source, ProblemFile) else "100"
-    if isinstance(source, ProblemFile) or cli_vibration.seconds(end) is None:
+    if isinstance(source, ProblemFile) or _seconds(end) is None:
         return source, end
     if not isinstance(source.case, PhysicalCase):
         raise InputError("--to", f"is {end}, but the file is dimensionless: give τ, a number without a unit")
@@ -154,8 +131,6 @@ def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
 
 
 def _only_in_seconds(**options: Any) -> None:
-    from mpsolve.errors import InputError
-
     for name, given in options.items():
         if given is not None:
             key = f"--{name.replace('_', '-')}"
@@ -163,7 +138,6 @@ def _only_in_seconds(**options: Any) -> None:
 
 
 def _last(end: str) -> float:
-    from mpsolve.errors import InputError
     from mpsolve.numbers.exact import Exact
 
     last = Exact.parse(end, "--to")
@@ -178,73 +152,31 @@ def _grid(last: float, points: int) -> Any:
     return np.linspace(0.0, last, points)
 
 
-def _scale(source: InputFile) -> Scale:
-    from mpsolve.problem.physical import PhysicalCase
-    from mpsolve.vibration.case_units import Scale
+def _seconds(text: str) -> float | None:
+    """A time with a unit, such as "2 s" or "300 ms", in seconds; None where the text has no unit."""
+    from mpsolve.numbers.units import split
 
-    return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
-
-
-def _save(found: Response, path: Path, kind: str, title: str, scale: Scale) -> None:
-    from mpsolve.report.figures_motion import save_history
-    from mpsolve.vibration.table import case_arrays, case_columns
-
-    made = partial(case_columns, found, scale), partial(case_arrays, found, scale)
-    picture = partial(save_history, found, path, title, scale)
-    cli_vibration.write(path, kind, title, _summary(found, scale), *made, picture)
+    return seconds_of(text, "--to") if split(text)[1] else None
 
 
-def _summary(found: Response, scale: Scale) -> list[str]:
-    lines = [f"units: {scale.said}.", f"estimated error {found.error:.1e} of the size of the parts (float64)."]
-    for pair in found.harmonic_pairs:
-        size = abs(pair.amplitude[0]) * scale.length
-        lines.append(
-            f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {scale.length_unit} at ξ = {found.xi[0]:g}"
-        )
-    lines += [f"mass {j}: {note}." for j, note in enumerate(found.contact_note, 1) if note and "before" not in note]
-    event = found.lift_off
-    if event is None:
-        return [*lines, "contact is kept."]
-    at = f"t = {event.time * scale.time:.8g} s" if scale.physical else f"τ = {event.time:.8g}"
-    off = f"(± {event.tolerance * scale.time:.1e})"
-    return [*lines, f"mass {event.contact} lifts off at {at} {off}: what comes later is beyond the model."]
+def _irregularities(problem: Problem, roughness: str | None, out_of_round: str | None) -> Rough:
+    """What the options give: a wave on the rail, or uneven wheels, or nothing."""
+    from mpsolve.numbers.units import in_unit
+    from mpsolve.vibration import forcing as kinds
 
+    def lengths(text: str, key: str, most: int) -> tuple[list[Any], list[int]]:
+        parts = [part.strip() for part in text.split(",")]
+        if not 2 <= len(parts) <= most or not all(part.isdecimal() for part in parts[2:]):
+            raise InputError(
+                key, f"is {text!r}: give two lengths such as '20 µm, 0.8 m', see mpsolve response --help"
+            )
+        return [in_unit(part, "m", key, "length") for part in parts[:2]], [int(part) for part in parts[2:]]
 
-def _curves(source: InputFile, tau: Any, scale: Scale) -> tuple[Response, dict[str, Any], list[str]]:
-    """The motion, the curves by name, the complete solution first, and what is to be said of them."""
-    from mpsolve.finite.beam.beam import finite_beam
-    from mpsolve.vibration.of_case import motion_of_case as respond
-    from mpsolve.vibration.studies import merged_case as merged
-    from mpsolve.vibration.studies import superposition_of_case as superposition
-
-    given = source.case, source.loads
-    whole = respond(*given, None, tau)
-    curves = {"complete": whole.w[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
-    notes: list[str] = []
-
-    def beam() -> Any:
-        found = finite_beam(*given, tau=tau)
-        notes.append(f"finite beam: estimated error {found.error.total * scale.length:.2g} {scale.length_unit}")
-        return found.displacement[0]
-
-    others: dict[str, Callable[[], Any]] = {
-        "superposition": lambda: sum(part.w[0] for part in superposition(*given, whole.xi, tau)),
-        "one merged mass": lambda: merged(*given, whole.xi, tau).w[0],
-        "finite beam": beam,
-    }
-    cli_vibration.add(curves, others, notes)
-    return whole, curves, notes
-
-
-def _save_curves(whole: Response, curves: dict[str, Any], path: Path, kind: str, title: str, scale: Scale) -> None:
-    if kind == ".csv":
-        from mpsolve.files import save_columns
-        from mpsolve.vibration.table import named, time_columns
-
-        shown = {named(name, scale.length_name, scale): curve * scale.length for name, curve in curves.items()}
-        shown[named("within the model", "1", scale)] = whole.within.astype(float)
-        save_columns(time_columns(whole.tau, scale) | shown, path)
-    else:
-        from mpsolve.report.figures_motion import save_curves
-
-        save_curves(whole, curves, path, title, scale)
+    if roughness is not None and out_of_round is not None:
+        raise InputError("--roughness", "is given with --out-of-round: give one of them, the motion is linear")
+    if roughness is not None:
+        return kinds.rail_roughness(problem, *lengths(roughness, "--roughness", 2)[0])
+    if out_of_round is not None:
+        given, counts = lengths(out_of_round, "--out-of-round", 4)
+        return kinds.out_of_round(problem, *given, *counts)
+    return None

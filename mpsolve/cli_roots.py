@@ -8,12 +8,24 @@ from typing import Any
 
 import click
 
-from mpsolve.cli_tools import EFFORT, JSON, UNDECIDED, certificate_path, effort_of, one_sentence, output, progress
+from mpsolve.cli_tools import (
+    EFFORT,
+    JSON,
+    UNDECIDED,
+    certificate_path,
+    command,
+    digits_option,
+    echo_json,
+    effort_of,
+    output,
+    progress,
+)
+from mpsolve.errors import InputError
 
 _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
 
 
-@click.command()
+@command()
 @click.argument("function", metavar="FUNCTION")
 @click.option("--rectangle", nargs=4, metavar="RE_MIN RE_MAX IM_MIN IM_MAX", help="In a rectangle.")
 @click.option("--disc", nargs=3, metavar="RE IM RADIUS", help="In a disc round RE + i IM.")
@@ -32,7 +44,7 @@ _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
     metavar="RE IM DRE DIM",
     help="A branch cut from RE + i IM in the direction DRE + i DIM, along an axis. May be given more than once.",
 )
-@click.option("--digits", type=int, default=15, show_default=True, help="Certified digits, 15 to 10000.")
+@digits_option(15)
 @EFFORT
 @JSON
 @output("Path of the certificate.  [default: none is written]")
@@ -53,19 +65,20 @@ def roots(
     Exit status 0: proved. 1: undecided, with the reason and what helps, or the certificate could not be written.
     2: the input cannot be used.
     """
-    with one_sentence():
-        path = None if output is None else certificate_path(Path("roots"), output)
-        answer = _answer(function, (rectangle, disc, half_plane, real), cuts, digits, effort)
-        click.echo(_json(answer) if as_json else _text(answer))
-        if path is not None and answer.proved and answer.certificate is not None:
-            answer.certificate.save(path)
+    path = None if output is None else certificate_path(Path("roots"), output)
+    answer = _answer(function, (rectangle, disc, half_plane, real), cuts, digits, effort)
+    if as_json:
+        echo_json(_data(answer))
+    else:
+        click.echo(_text(answer))
+    if path is not None and answer.proved and answer.certificate is not None:
+        answer.certificate.save(path)
     sys.exit(0 if answer.proved else UNDECIDED)
 
 
 def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, seconds: str | None) -> Any:
     from mpsolve.certificate.real_roots import real_roots
     from mpsolve.certificate.roots import roots as prove
-    from mpsolve.errors import InputError
     from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Rectangle
 
     given = [k for k, region in enumerate(regions) if region is not None]
@@ -113,14 +126,12 @@ def _where(region: Any) -> str:
     return str(region).replace(" q ", " z ")
 
 
-def _json(answer: Any) -> str:
-    import json
-
+def _data(answer: Any) -> dict[str, Any]:
     zeros = [
         {"z": zero.q.str(answer.digits), "multiplicity": zero.multiplicity, "real": zero.real}
         for zero in answer.roots
     ]
-    data = {
+    return {
         "format": "mpsolve roots",
         "version": 1,
         "function": answer.function,
@@ -133,7 +144,3 @@ def _json(answer: Any) -> str:
         "assumed": list(answer.assumed),
         "digits": answer.digits,
     }
-    return json.dumps(data, indent=1, ensure_ascii=False)
-
-
-COMMANDS = (roots,)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import click
 
-from mpsolve.cli_tools import one_sentence
+from mpsolve.cli_tools import command, echo_json
 
 
-@click.command()
+@command()
 @click.argument("name", required=False)
 def schema(name: str | None) -> None:
     """Print the JSON Schema (draft 2020-12) with NAME; without NAME list them: of files, answers, certificates.
@@ -15,15 +15,9 @@ def schema(name: str | None) -> None:
     Exit status 0: printed. 2: there is no such schema. Editors that know TOML check a file against it after the line
     "#:schema ./mpsolve.schema.json".
     """
-    with one_sentence():
-        import json
+    from mpsolve.schemas.catalogue import listing, schema_of
 
-        from mpsolve.schemas.catalogue import listing, schema_of
-
-        click.echo(
-            listing() if name is None else json.dumps(schema_of(name), indent=1, ensure_ascii=False),
-            nl=name is not None,
-        )
-
-
-COMMANDS = (schema,)
+    if name is None:
+        click.echo(listing(), nl=False)
+    else:
+        echo_json(schema_of(name))

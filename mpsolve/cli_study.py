@@ -10,20 +10,28 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import DASK, UNDECIDED, WORKERS, checked_output, cluster, one_sentence, output
+from mpsolve.cli_tools import (
+    DASK,
+    JSON,
+    PATH,
+    UNDECIDED,
+    WORKERS,
+    checked_output,
+    cluster,
+    command,
+    echo_json,
+    output,
+)
 
 if TYPE_CHECKING:
     from mpsolve.studies.run import Progress, Study
 
-_STORE = click.argument("store", type=click.Path(path_type=Path))
-_JSON = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
+_STORE = click.argument("store", type=PATH)
 
 
-@click.command()
-@click.argument("file", metavar="SPEC", type=click.Path(path_type=Path))
-@click.option(
-    "-o", "--output", required=True, type=click.Path(path_type=Path), help="The store, such as study.sqlite."
-)
+@command()
+@click.argument("file", metavar="SPEC", type=PATH)
+@click.option("-o", "--output", required=True, type=PATH, help="The store, such as study.sqlite.")
 @WORKERS
 @DASK
 def study(file: Path, output: Path, workers: int | None, dask: str | None) -> None:
@@ -33,24 +41,23 @@ def study(file: Path, output: Path, workers: int | None, dask: str | None) -> No
     every entry has an answer. 1: some are undecided, unresolved or refused, it was interrupted, or the store cannot
     be written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.studies.run import AHEAD
-        from mpsolve.studies.run import study as compute
+    from mpsolve.studies.run import AHEAD
+    from mpsolve.studies.run import study as compute
 
-        checked_output(output, file, "the store")
-        try:
-            with cluster(dask, workers) as (executor, size), _progress() as tell:
-                ahead = max(AHEAD, 2 * size)
-                made = compute(file, executor, store=output, workers=workers, progress=tell, ahead=ahead)
-        except KeyboardInterrupt:
-            told = f"interrupted; what is finished is stored in {output}, and the same command goes on"
-            click.echo(f"mpsolve: {told}", err=True)
-            sys.exit(UNDECIDED)
-        click.echo(_sentence(made))
+    checked_output(output, file, "the store")
+    try:
+        with cluster(dask, workers) as (executor, size), _progress() as tell:
+            ahead = max(AHEAD, 2 * size)
+            made = compute(file, executor, store=output, workers=workers, progress=tell, ahead=ahead)
+    except KeyboardInterrupt:
+        told = f"interrupted; what is finished is stored in {output}, and the same command goes on"
+        click.echo(f"mpsolve: {told}", err=True)
+        sys.exit(UNDECIDED)
+    click.echo(_sentence(made))
     sys.exit(0 if made.answered else UNDECIDED)
 
 
-@click.command()
+@command()
 @_STORE
 @click.option("--to", required=True, type=click.Choice(("csv", "json", "npz", "parquet")), help="The format.")
 @output("Path.  [default: NAME.FORMAT in the working directory]")
@@ -60,38 +67,36 @@ def export(store: Path, to: str, output: Path | None) -> None:
     Exit status 0: all entries are there. 1: the study is not complete (the finished entries are written), or a file
     cannot be read or written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.studies.run import open_study
+    from mpsolve.studies.run import open_study
 
-        found = open_study(store)
-        path = checked_output(output or Path(f"{store.stem}.{to}"), store, "the export")
-        if path.suffix.lower() != f".{to}":
-            path = path.with_name(f"{path.name}.{to}")
-        click.echo(found.save(path))
-        if not found.complete:
-            click.echo(
-                f"mpsolve: {found.finished} of {found.total} entries are finished; the others are missing", err=True
-            )
+    found = open_study(store)
+    path = checked_output(output or Path(f"{store.stem}.{to}"), store, "the export")
+    if path.suffix.lower() != f".{to}":
+        path = path.with_name(f"{path.name}.{to}")
+    click.echo(found.save(path))
+    if not found.complete:
+        click.echo(
+            f"mpsolve: {found.finished} of {found.total} entries are finished; the others are missing", err=True
+        )
     sys.exit(0 if found.complete else UNDECIDED)
 
 
-@click.command()
+@command()
 @_STORE
-@_JSON
+@JSON
 def status(store: Path, as_json: bool) -> None:
     """Tell what is in STORE: which study, how many entries are finished, and with what result.
 
     Exit status 0: it is complete. 1: it is not, or the store cannot be read. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.studies.run import open_study
+    from mpsolve.studies.run import open_study
 
-        found = open_study(store)
-        click.echo(_data(found) if as_json else _report(found))
+    found = open_study(store)
+    if as_json:
+        echo_json(_data(found))
+    else:
+        click.echo(_report(found))
     sys.exit(0 if found.complete else UNDECIDED)
-
-
-COMMANDS = (study, export, status)
 
 
 def _sentence(found: Study) -> str:
@@ -116,12 +121,10 @@ def _short(value: Any) -> str:
     return text if len(text) <= 90 else text[:87] + "…"
 
 
-def _data(found: Study) -> str:
-    import json
-
+def _data(found: Study) -> dict[str, Any]:
     from mpsolve.studies.blocks import ENGINE
 
-    content = {
+    return {
         "format": "mpsolve study status",
         "version": 1,
         "title": found.spec.title,
@@ -131,7 +134,6 @@ def _data(found: Study) -> str:
         "finished": found.finished,
         "tally": dict(found.tally),
     }
-    return json.dumps(content, indent=1, ensure_ascii=False)
 
 
 @contextmanager

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import FILE, UNDECIDED, checked_output, one_sentence, output, progress
+from mpsolve.cli_tools import FILE, UNDECIDED, WORKERS, checked_file, command, output, progress
+from mpsolve.errors import CertificateError
 
 
-@click.command()
+@command()
 @FILE
 @output("Write FILE.csv, .json or .tex.")
-@click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
+@WORKERS
 def table(file: Path, output: Path | None, workers: int | None) -> None:
     """Prove a table of onsets, or of all unstable ranges, over a grid of two parameters, as FILE (TOML) describes it.
 
@@ -23,33 +22,19 @@ def table(file: Path, output: Path | None, workers: int | None) -> None:
     paper's ratios). Without -o it is printed as CSV. Exit status 0: every entry is proved. 1: some are undecided, or
     the file could not be written. 2: the input cannot be used.
     """
-    with one_sentence():
-        from mpsolve.files import checked_suffix, write_whole
-        from mpsolve.report.range_table import WRITERS, read_table, summary, table_csv
+    from mpsolve.files import write_whole
+    from mpsolve.report.range_table import WRITERS, read_table, summary, table_csv
 
-        if output is not None:
-            checked_suffix(checked_output(output, file, "the table"), tuple(WRITERS))
-        with progress() as tell:
-            made = read_table(file, workers, tell)
-        if output is None:
-            click.echo(table_csv(made), nl=False)
-        else:
-            with _printed_else(table_csv(made)):
-                write_whole(output, WRITERS[output.suffix.lower()](made))
-            click.echo(f"{summary(made)}\n{output}")
+    kind = checked_file(output, file, "the table", WRITERS)
+    with progress() as tell:
+        made = read_table(file, workers, tell)
+    if output is None:
+        click.echo(table_csv(made), nl=False)
+    else:
+        try:
+            write_whole(output, WRITERS[kind](made))
+        except CertificateError:
+            click.echo(table_csv(made), nl=False)  # nothing is lost where a file cannot be written
+            raise
+        click.echo(f"{summary(made)}\n{output}")
     sys.exit(0 if made.proved else UNDECIDED)
-
-
-@contextmanager
-def _printed_else(text: str) -> Iterator[None]:
-    """Nothing is lost where a file cannot be written: the table is printed then."""
-    from mpsolve.errors import CertificateError
-
-    try:
-        yield
-    except CertificateError:
-        click.echo(text, nl=False)
-        raise
-
-
-COMMANDS = (table,)

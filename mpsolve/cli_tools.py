@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,11 +12,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mpsolve.cli_voice import told
+from mpsolve.errors import InputError, MpsolveError, StudyError
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
-
-    from rich.console import Group
 
     from mpsolve.progress import Progress
     from mpsolve.proof.effort import Effort
@@ -27,7 +25,8 @@ _NARROW = 40  # columns; a narrower terminal breaks lines itself
 UNDECIDED = 1
 BAD_INPUT = 2
 Option = Callable[[Callable[..., None]], Callable[..., None]]
-FILE: Option = click.argument("file", type=click.Path(path_type=Path))
+PATH = click.Path(path_type=Path)
+FILE: Option = click.argument("file", type=PATH)
 JSON: Option = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 EFFORT: Option = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
 WORKERS: Option = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
@@ -37,28 +36,55 @@ DASK: Option = click.option(
 INTERRUPTED = 130  # as a shell says of a program that ended by Ctrl-C
 
 
+def digits_option(default: int, of: str = "") -> Option:
+    """The option --digits."""
+    said = f"Certified digits{of}, 15 to 10000."
+    return click.option("--digits", type=int, default=default, show_default=True, help=said)
+
+
 def output(text: str) -> Option:
     """The option -o."""
-    return click.option("-o", "--output", type=click.Path(path_type=Path), help=text)
+    return click.option("-o", "--output", type=PATH, help=text)
 
 
-@contextmanager
-def one_sentence() -> Iterator[None]:
-    """Turns an error that mpsolve raises on purpose into its sentence on stderr, and the exit status."""
-    from mpsolve.errors import InputError, MpsolveError
+def echo_json(data: Any) -> None:
+    """Plain values as JSON, for machines."""
+    import json
 
-    try:
-        yield
-    except InputError as error:
-        status, message = BAD_INPUT, told(error)
-    except MpsolveError as error:
-        status, message = UNDECIDED, str(error)
-    except KeyboardInterrupt:
-        status, message = INTERRUPTED, "interrupted"
-    else:
-        return
-    click.echo(f"mpsolve: {message}", err=True)
-    sys.exit(status)
+    click.echo(json.dumps(data, ensure_ascii=False, indent=1))
+
+
+class Command(click.Command):
+    """A command that turns an error that mpsolve raises on purpose into a sentence on stderr and an exit status."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except InputError as error:
+            status, message = BAD_INPUT, told(error)
+        except MpsolveError as error:
+            status, message = UNDECIDED, str(error)
+        except KeyboardInterrupt:
+            status, message = INTERRUPTED, "interrupted"
+        click.echo(f"mpsolve: {message}", err=True)
+        sys.exit(status)
+
+
+def command(*options: Option) -> Callable[[Callable[..., None]], Command]:
+    """A command with these arguments and options."""
+
+    def made(function: Callable[..., None]) -> Command:
+        for option in reversed(options):
+            function = option(function)
+        return click.command(cls=Command)(function)
+
+    return made
+
+
+class Commands(click.Group):
+    """Commands of this kind."""
+
+    command_class = Command
 
 
 def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:
@@ -73,8 +99,6 @@ def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:
 
 def checked_output(path: Path, source: Path, what: str, key: str = "output") -> Path:
     """The path itself; InputError under `key` if `what` cannot be a file there, or if that is the input file."""
-    from mpsolve.errors import InputError
-
     try:
         if not path.parent.is_dir():
             raise InputError(key, f"{path.parent} is no directory: make it, or give another path for {what}")
@@ -87,14 +111,19 @@ def checked_output(path: Path, source: Path, what: str, key: str = "output") -> 
     return path
 
 
+def checked_file(path: Path | None, source: Path, what: str, suffixes: Iterable[str], key: str = "output") -> str:
+    """The ending of a path that can be written, "" where none is given; InputError as `checked_output`."""
+    from mpsolve.files import checked_suffix
+
+    return "" if path is None else checked_suffix(checked_output(path, source, what, key), tuple(suffixes), key)
+
+
 @contextmanager
 def cluster(address: str | None, workers: int | None) -> Iterator[tuple[Executor | None, int]]:
     """The executor of a Dask cluster and the number of its threads; None, 0 without an address."""
     if address is None:
         yield None, 0
         return
-    from mpsolve.errors import InputError, StudyError
-
     if workers is not None:
         raise InputError("--workers", "is given, but --dask leaves that to the cluster: give one of the two")
     try:
@@ -127,7 +156,6 @@ def in_parts(
     effort: str | None, store: Path | None, boxes: int | None, workers: int | None, dask: str | None
 ) -> Iterator[dict[str, Any]]:
     """The options of a proof: at once, or part by part in a store."""
-    from mpsolve.errors import InputError
     from mpsolve.proof.effort import Effort
 
     if store is None:
@@ -149,7 +177,6 @@ def in_parts(
 
 def seconds_of(given: str, key: str) -> float:
     """A time above 0 such as 5, "5 s" or "2 min", in seconds; InputError under `key`."""
-    from mpsolve.errors import InputError
     from mpsolve.numbers.units import in_unit
 
     seconds = in_unit(given, "s", key, "time")
@@ -158,23 +185,17 @@ def seconds_of(given: str, key: str) -> float:
     return float(seconds)
 
 
-def show(report: Group | Document) -> None:
+def show(report: Document) -> None:
     """To a terminal in its width and with colour, unless NO_COLOR is set; else as plain text."""
-    from mpsolve.report.blocks import WIDTH, Document
+    from mpsolve.report.blocks import WIDTH
 
-    if isinstance(report, Document):
-        terminal = sys.stdout.isatty()
-        width = max(shutil.get_terminal_size().columns, _NARROW) if terminal else WIDTH
-        colour = terminal and not os.environ.get("NO_COLOR")
-        click.echo(report.text(width, colour), nl=False, color=colour)
-    elif sys.stdout.isatty():
-        from rich.console import Console
+    terminal, width = sys.stdout.isatty(), WIDTH
+    if terminal:
+        from shutil import get_terminal_size
 
-        Console().print(report)
-    else:
-        from mpsolve.report.blocks import plain
-
-        click.echo(plain(report), nl=False)
+        width = max(get_terminal_size().columns, _NARROW)
+    colour = terminal and not os.environ.get("NO_COLOR")
+    click.echo(report.text(width, colour), nl=False, color=colour)
 
 
 @contextmanager

@@ -1,17 +1,20 @@
-"""What the commands response and compare do with a file in SI: places in m, times in s, forces in N."""
+"""What the commands response and compare do: with a file in SI, and with a case of the paper."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import click
+from mpsolve.errors import InputError, PrecisionError
 
 if TYPE_CHECKING:
+    from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
-    from mpsolve.problem.problem import Problem
+    from mpsolve.vibration.case_motion import Response
+    from mpsolve.vibration.case_units import Scale
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.motion import Vibration
 
@@ -20,104 +23,62 @@ if TYPE_CHECKING:
 _FRAMES, _SHAPE_POINTS, _AROUND = 120, 161, 12
 
 
-def seconds(text: str) -> float | None:
-    """A time with a unit, such as "2 s" or "300 ms", in seconds; None where the text has no unit."""
-    from mpsolve.cli_tools import seconds_of
-    from mpsolve.numbers.units import split
+@dataclass(frozen=True)
+class Shown:
+    """What is to be said of a motion, and its tables and pictures, made when they are asked for."""
 
-    return seconds_of(text, "--to") if split(text)[1] else None
+    said: list[str]
+    columns: Callable[[], dict[str, Any]]
+    picture: Callable[[Path, str], Any]
+    arrays: Callable[[], dict[str, Any]] = dict
 
+    def write(self, output: Path, kind: str, title: str) -> None:
+        """The columns as CSV or JSON, the arrays as NPZ, or the picture, with this title."""
+        from mpsolve.files import save_arrays, save_columns, save_json
 
-def irregularities(problem: Problem, roughness: str | None, out_of_round: str | None) -> Rough:
-    """What the options give: a wave on the rail, or uneven wheels, or nothing."""
-    from mpsolve.errors import InputError
-    from mpsolve.numbers.units import in_unit
-    from mpsolve.vibration import forcing as kinds
-
-    def lengths(text: str, key: str, most: int) -> tuple[list[Any], list[int]]:
-        parts = [part.strip() for part in text.split(",")]
-        if not 2 <= len(parts) <= most or not all(part.isdecimal() for part in parts[2:]):
-            raise InputError(
-                key, f"is {text!r}: give two lengths such as '20 µm, 0.8 m', see mpsolve response --help"
-            )
-        return [in_unit(part, "m", key, "length") for part in parts[:2]], [int(part) for part in parts[2:]]
-
-    if roughness is not None and out_of_round is not None:
-        raise InputError("--roughness", "is given with --out-of-round: give one of them, the motion is linear")
-    if roughness is not None:
-        return kinds.rail_roughness(problem, *lengths(roughness, "--roughness", 2)[0])
-    if out_of_round is not None:
-        given, counts = lengths(out_of_round, "--out-of-round", 4)
-        return kinds.out_of_round(problem, *given, *counts)
-    return None
+        if kind == ".csv":
+            save_columns(self.columns(), output)
+        elif kind == ".json":
+            save_json(self.columns(), output, title, self.said)
+        elif kind == ".npz":
+            save_arrays(self.arrays(), output)
+        else:
+            self.picture(output, title)
 
 
-def respond(
-    source: ProblemFile, output: Path | None, kind: str, times: Any, xi: str | None, initial: str, rough: Rough
-) -> list[str]:
-    """Writes the motion; what is to be said of it."""
+def of_problem(source: ProblemFile, times: Any, places: list[str] | None, initial: str, rough: Rough) -> Shown:
+    """The motion in SI."""
+    from mpsolve.report.figures_motion import save_motion
+    from mpsolve.vibration.table import arrays, columns
     from mpsolve.vibration.vibrate import vibrate
 
-    places = None if xi is None else [x.strip() for x in xi.split(",")]
     given: dict[str, Any] = {"initial": initial, "irregularities": rough}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
-    said = _summary(found)
-    if output is not None:
-        from mpsolve.report.figures_vibration import save_motion
-        from mpsolve.vibration.table import arrays, columns
-
-        made = partial(columns, found), partial(arrays, found), partial(save_motion, found, output, source.title)
-        write(output, kind, source.title, said, *made)
-    return [*said, *warnings(source)]
+    said = [*_summary(found), *warnings(source)]
+    return Shown(said, partial(columns, found), partial(save_motion, found), partial(arrays, found))
 
 
-def write(
-    output: Path,
-    kind: str,
-    title: str,
-    said: list[str],
-    columns: Callable[[], dict[str, Any]],
-    arrays: Callable[[], dict[str, Any]],
-    picture: Callable[[], Any],
-) -> None:
-    """Writes the motion: its columns as CSV or JSON, its arrays as NPZ, or its picture."""
-    from mpsolve.files import save_arrays, save_columns, save_json
+def of_case(source: InputFile, tau: Any, places: list[str] | None) -> Shown:
+    """The motion of a case of the paper, in its units, or in s, mm and kN."""
+    from mpsolve.report.figures_motion import save_motion
+    from mpsolve.vibration.of_case import motion_of_case
+    from mpsolve.vibration.table import case_arrays, case_columns
 
-    if kind == ".csv":
-        save_columns(columns(), output)
-    elif kind == ".json":
-        save_json(columns(), output, title, said)
-    elif kind == ".npz":
-        save_arrays(arrays(), output)
-    else:
-        picture()
+    found, scale = motion_of_case(source.case, source.loads, places, tau), _scale(source)
+    made = partial(case_columns, found, scale), partial(save_motion, found, scale=scale)
+    return Shown(_case_summary(found, scale), *made, partial(case_arrays, found, scale))
 
 
-def add(curves: dict[str, Any], others: Mapping[str, Callable[[], Any]], notes: list[str]) -> None:
-    """The other curves too; where one cannot be computed, the rest stands without it, and a note says why."""
-    from mpsolve.errors import InputError, PrecisionError
+def _scale(source: InputFile) -> Scale:
+    from mpsolve.problem.physical import PhysicalCase
+    from mpsolve.vibration.case_units import Scale
 
-    for name, compute in others.items():
-        try:
-            curves[name] = compute()
-        except (InputError, PrecisionError) as error:
-            notes.append(f"{name}: left out, {error}")
-
-
-def tell_apart(curves: Mapping[str, Any], within: Any, unit: str, notes: list[str], one: float = 1.0) -> None:
-    """How far the curves are from the first one, in units of which the curves' own is `one`; then the notes."""
-    complete, *others = curves.items()
-    for name, curve in others:
-        apart = abs(curve - complete[1])[within].max() * one
-        click.echo(f"{name}: differs from the complete solution by at most {apart:.6g} {unit} while contact is kept")
-    for note in notes:
-        click.echo(note)
+    return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
 
 
 def warnings(source: ProblemFile) -> list[str]:
     """What looks like a mistake in the file."""
-    from mpsolve.problem.titled import titled
-    from mpsolve.problem.warned import warned
+    from mpsolve.problem.warned import titled, warned
 
     found = (*titled(source.problem, source.title), *warned(source.problem))
     return [f"Warning: {reason}." for reason in found]
@@ -127,8 +88,9 @@ def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Roug
     """Writes the film of the rail's shape."""
     import numpy as np
 
+    from mpsolve.files import write_whole
+    from mpsolve.pictures.shape import film as drawn
     from mpsolve.problem.reduced import scale_guide
-    from mpsolve.report.figures_vibration import save_film
     from mpsolve.vibration.vibrate import vibrate
 
     contacts = [float(x) for x in source.problem.pencil.places]
@@ -137,7 +99,8 @@ def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Roug
     places = np.linspace(contacts[0] - around, contacts[-1] + around, _SHAPE_POINTS)
     times = np.linspace(0.0, last, _FRAMES)
     given: dict[str, Any] = {"initial": initial, "irregularities": rough}
-    save_film(vibrate(source.problem, source.loads, times=times, places=places, **given), path, source.title)
+    found = vibrate(source.problem, source.loads, times=times, places=places, **given)
+    write_whole(path, drawn(found, source.title))
 
 
 def _summary(found: Vibration) -> list[str]:
@@ -164,52 +127,101 @@ def _summary(found: Vibration) -> list[str]:
     return lines
 
 
-def curves(source: ProblemFile, times: Any) -> tuple[Vibration, dict[str, Any], list[str]]:
-    """The motion under the rear contact by different ways, the complete solution first, and what is to be said."""
+def _case_summary(found: Response, scale: Scale) -> list[str]:
+    lines = [f"units: {scale.said}.", f"estimated error {found.error:.1e} of the size of the parts (float64)."]
+    for pair in found.harmonic_pairs:
+        size = abs(pair.amplitude[0]) * scale.length
+        lines.append(
+            f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {scale.length_unit} at ξ = {found.xi[0]:g}"
+        )
+    lines += [f"mass {j}: {note}." for j, note in enumerate(found.contact_note, 1) if note and "before" not in note]
+    event = found.lift_off
+    if event is None:
+        return [*lines, "contact is kept."]
+    at = f"t = {event.time * scale.time:.8g} s" if scale.physical else f"τ = {event.time:.8g}"
+    off = f"(± {event.tolerance * scale.time:.1e})"
+    return [*lines, f"mass {event.contact} lifts off at {at} {off}: what comes later is beyond the model."]
+
+
+Finite = Callable[[], tuple[Any, str]]
+"""The curve on a finite piece of the track, and what is to be said of it."""
+
+
+def compared(source: ProblemFile, times: Any) -> Shown:
+    """The motion under the rear contact in SI, against what could stand for it."""
     from mpsolve.finite.finite_track import finite_track
-    from mpsolve.vibration.studies import merged, superposition
-    from mpsolve.vibration.vibrate import vibrate
+    from mpsolve.problem.reduced import track_guide
 
     problem, loads = source.problem, source.loads
-    rear = [problem.pencil.places[0]]
-    whole = vibrate(problem, loads, times=times, places=rear)
-    out = {"complete": whole.rail[0], "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
-    notes: list[str] = []
+    rear = {"times": times, "places": [problem.pencil.places[0]]}
 
-    def finite() -> Any:
-        last = float(times[-1])
+    def finite() -> tuple[Any, str]:
+        unit = 2.0 ** track_guide(problem.track, problem.v).length
         gap = float(problem.pencil.places[-1] - problem.pencil.places[0])
-        around = 40 * 2.0**whole.solution.image.guide.length
-        length = gap + float(problem.v) * last + 2 * max(around, 0.25 * (gap + float(problem.v) * last))
-        modes = max(100, min(4000, int(8 * length / 2.0**whole.solution.image.guide.length)))
-        found = finite_track(problem, loads, length=length, modes=modes, times=times, places=rear, tolerance=1e-3)
-        notes.append(f"finite track: {length:.4g} m, {modes} modes, estimated error {found.error.total:.2g} m")
-        return found.rail[0]
+        run = gap + float(problem.v) * float(times[-1])
+        length = run + 2 * max(40 * unit, 0.25 * run)
+        modes = max(100, min(4000, int(8 * length / unit)))
+        found = finite_track(problem, loads, length=length, modes=modes, tolerance=1e-3, **rear)
+        return found.rail[0], f"{length:.4g} m, {modes} modes, estimated error {found.error.total:.2g} m"
+
+    alone = ["superposition"] if len(problem.vehicles) == 1 else []
+    return _compared(problem, loads, rear, ("finite track", finite), alone, warnings(source))
+
+
+def compared_case(source: InputFile, tau: Any) -> Shown:
+    """The same of a case of the paper."""
+    from mpsolve.finite.beam import finite_beam
+    from mpsolve.vibration.case_units import units_of
+
+    scale = _scale(source)
+    rear = {"tau": tau, "xi": [float(units_of(source.case).case.positions[0])]}
+
+    def finite() -> tuple[Any, str]:
+        found = finite_beam(source.case, source.loads, tau=tau)
+        return found.displacement[0], f"estimated error {found.error.total * scale.length:.2g} {scale.length_unit}"
+
+    return _compared(source.case, source.loads, rear, ("finite beam", finite), [], [], scale)
+
+
+def _compared(
+    given: Any,
+    loads: Any,
+    rear: dict[str, Any],
+    finite: tuple[str, Finite],
+    without: list[str],
+    said: list[str],
+    scale: Scale | None = None,
+) -> Shown:
+    """The complete solution, what could stand for it, and how far that is apart while contact is kept.
+
+    Where one of them cannot be computed, the rest stands without it, and a sentence says why.
+    """
+    from mpsolve.report.figures_motion import save_comparison
+    from mpsolve.vibration.response import response
+    from mpsolve.vibration.studies import merged, superposition
+    from mpsolve.vibration.table import comparison, deflection
+
+    whole, notes, (name, track) = response(given, loads, **rear), list[str](), finite
+    curves = {"complete": deflection(whole), "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
+
+    def on_track() -> Any:
+        row, note = track()
+        notes.append(f"{name}: {note}")
+        return row
 
     others: dict[str, Callable[[], Any]] = {
-        "superposition": lambda: sum(
-            part.rail[0] for part in superposition(problem, loads, times=times, places=rear)
-        ),
-        "one merged mass": lambda: merged(problem, loads, times=times, places=rear).rail[0],
-        "finite track": finite,
+        "superposition": lambda: sum(map(deflection, superposition(given, loads, **rear))),
+        "one merged mass": lambda: deflection(merged(given, loads, **rear)),
+        name: on_track,
     }
-    if len(problem.vehicles) == 1:
-        del others["superposition"]
-    add(out, others, notes)
-    return whole, out, notes
-
-
-def compare(source: ProblemFile, output: Path | None, kind: str, times: Any) -> None:
-    """Writes the comparison and says how far the curves are apart."""
-    from mpsolve.files import save_columns
-
-    whole, found, notes = curves(source, times)
-    if output is not None:
-        if kind == ".csv":
-            table = {"t [s]": times} | {f"{name} [m]": row for name, row in found.items()}
-            save_columns(table | {"within the model [1]": whole.within.astype(float)}, output)
-        else:
-            from mpsolve.report.figures_vibration import save_comparison
-
-            save_comparison(whole, found, output, source.title)
-    tell_apart(found, whole.within, "m", [*notes, *warnings(source)])
+    for other, compute in others.items():
+        try:
+            curves |= {} if other in without else {other: compute()}
+        except (InputError, PrecisionError) as error:
+            notes.append(f"{other}: left out, {error}")
+    unit, one = ("m", 1.0) if scale is None else (scale.length_unit, scale.length)
+    apart = {key: abs(row - curves["complete"])[whole.within].max() * one for key, row in curves.items()}
+    told = [f"{key}: differs from the complete solution by at most {off:.6g} {unit} while contact is kept"
+            for key, off in list(apart.items())[1:]]  # fmt: skip
+    drawn = partial(save_comparison, whole, curves, scale=scale)
+    return Shown([*told, *notes, *said], partial(comparison, whole, curves, scale), drawn)

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mpsolve.cli_tools import one_sentence
+from mpsolve.cli_tools import Commands
 
 if TYPE_CHECKING:
     from mpsolve.engineering import Worked
 
 
-@click.group("work-out")
+@click.group("work-out", cls=Commands)
 def work_out() -> None:
     """Work out values for an input file: per metre, damping, axial force, with the formula and what it assumes.
 
@@ -46,10 +46,9 @@ def per_metre(k: str | None, spacing: str, c: str, m: str, layer: str | None) ->
 
     Example: mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m" --m "150 kg"
     """
-    with one_sentence():
-        from mpsolve.engineering import per_metre as found
+    from mpsolve.engineering import per_metre as found
 
-        _show(*found(k, spacing, c, m, layer or "pads"), layer=layer)
+    _show(*found(k, spacing, c, m, layer or "pads"), layer=layer)
 
 
 @work_out.command()
@@ -61,10 +60,9 @@ def foundation(pad: str, ballast: str, spacing: str) -> None:
 
     Example: mpsolve work-out foundation --pad "180 kN/mm" --ballast "60 kN/mm" --spacing "0.6 m"
     """
-    with one_sentence():
-        from mpsolve.engineering import foundation as found
+    from mpsolve.engineering import foundation as found
 
-        _show(found(pad, ballast, spacing))
+    _show(found(pad, ballast, spacing))
 
 
 @work_out.command()
@@ -77,13 +75,12 @@ def damping(loss: str, frequency: str, k: str | None, layer: str | None) -> None
 
     Example: mpsolve work-out damping --loss 0.2 --k "300 MN/m²" --frequency "100 Hz"
     """
-    with one_sentence():
-        from mpsolve.engineering import rail_damping, viscous
+    from mpsolve.engineering import rail_damping, viscous
 
-        if k is None:
-            _show(rail_damping(loss, frequency))
-        else:
-            _show(viscous(k, loss, frequency, layer or "pads"), layer=layer)
+    if k is None:
+        _show(rail_damping(loss, frequency))
+    else:
+        _show(viscous(k, loss, frequency, layer or "pads"), layer=layer)
 
 
 @work_out.command("axial-force")
@@ -98,10 +95,9 @@ def axial_force(area: str, warmer: str, modulus: str, expansion: str) -> None:
 
     Example: mpsolve work-out axial-force --area "76.7 cm²" --warmer "30 K"
     """
-    with one_sentence():
-        from mpsolve.engineering import thermal_force
+    from mpsolve.engineering import thermal_force
 
-        _show(thermal_force(area, warmer, modulus, expansion))
+    _show(thermal_force(area, warmer, modulus, expansion))
 
 
 @work_out.command("pinned-pinned")
@@ -113,10 +109,6 @@ def pinned_pinned(bending: str, mass: str, spacing: str) -> None:
 
     Example: mpsolve work-out pinned-pinned --bending "6.4 MN m²" --mass "60 kg/m" --spacing "0.6 m"
     """
-    with one_sentence():
-        from mpsolve.engineering import pinned_pinned as found
+    from mpsolve.engineering import pinned_pinned as found
 
-        _show(found(bending, mass, spacing))
-
-
-COMMANDS = (work_out,)
+    _show(found(bending, mass, spacing))

@@ -1,34 +1,30 @@
 """What a notebook shows of a Spectrum, a Response, a Table: a table, and a figure where it says more.
 
-Pictures that results save by themselves are listed here too. Only mpsolve/display.py loads this module.
+Only mpsolve/display.py loads this module.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
 from functools import singledispatch
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from mpsolve.errors import InputError
+import numpy as np
+
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.spoken import decimal
+from mpsolve.pictures.axes import alone
+from mpsolve.pictures.lines import Curve, lines_picture
+from mpsolve.pictures.plane import NO_CUT, spectrum_picture
 from mpsolve.ranges.table import Table
 from mpsolve.report import spectrum_words as words
-from mpsolve.report.figures import figure_of, inline_svg
-from mpsolve.report.figures_motion import displacements
-from mpsolve.report.figures_plane import q_plane
 from mpsolve.report.range_table import WITHOUT
 from mpsolve.report.template import rendered
 from mpsolve.report.vibration import in_words, motion_rows, vibrations
 from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vibration.case_motion import Response
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 _TEMPLATE = "card.html.j2"
 
@@ -39,17 +35,12 @@ def card(result: Any) -> str:
     raise TypeError(f"a {type(result).__name__} has no card")
 
 
-@singledispatch
-def save_picture(result: Any, path: Path) -> Path:  # noqa: ARG001 (what is registered below needs it)
-    """Writes the picture of the result."""
-    raise TypeError(f"a {type(result).__name__} has no picture")
-
-
 @card.register
 def problem_card(spectrum: Spectrum) -> str:
     """Verdict and roots with eight digits in the problem's units; the q-plane where its whole sheet was counted."""
-    name = f"spectrum-{_mark(repr(spectrum.problem))}"
-    plane = isinstance(spectrum.region, Sheet)
+    picture, cuts_seen = ("", True)
+    if isinstance(spectrum.region, Sheet):
+        picture, cuts_seen = spectrum_picture(spectrum, _name(spectrum.problem))
     units, motions = words.units_of(spectrum), vibrations(spectrum)
     rows = [
         (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, units.time))
@@ -63,8 +54,8 @@ def problem_card(spectrum: Spectrum) -> str:
             "", "Re q", "Im q", f"frequency [{units.frequency}]", f"growth rate [{units.rate}]", "what it does",
         ),
         rows=rows,
-        notes=(*words.proved(spectrum), *filter(None, [words.verified(spectrum)])),
-        svg=_svg(lambda ax: q_plane(spectrum, ax), name, "The q-plane") if plane else "",
+        notes=filter(None, ["" if cuts_seen else NO_CUT, *words.proved(spectrum), words.verified(spectrum)]),
+        svg=alone(picture) if picture else "",
     )  # fmt: skip
 
 
@@ -89,12 +80,20 @@ def response_card(response: Response) -> str:
         headings=("", "least", "greatest"),
         rows=rows,
         notes=notes,
-        svg=_svg(
-            lambda ax: displacements(response, ax),
-            f"response-{_mark(repr(response.case.as_dict()))}",
-            "Displacements",
-        ),
+        svg=alone(_displacements(response)) if response.tau.size > 1 else "",
     )
+
+
+def _displacements(response: Response) -> str:
+    """At each ξ over τ, between the envelopes: the steady part ± the bound of the harmonic one."""
+    order = np.argsort(response.tau)
+    tau, apart = response.tau[order], [np.nan]
+    curves = [Curve(tau, row[order], f"ξ = {x:.6g}") for x, row in zip(response.xi, response.w, strict=True)]
+    for x, row, bound in zip(response.xi, response.steady, response.envelope, strict=True):
+        edges = np.concatenate([(row + bound)[order], apart, (row - bound)[order]])
+        curves.append(Curve(np.concatenate([tau, apart, tau]), edges, f"envelope, ξ = {x:.6g}"))
+    title = "displacement, down is positive, w_st"
+    return lines_picture(curves, "time τ", title, "Displacements", name=_name(response.case))
 
 
 @card.register
@@ -122,14 +121,6 @@ def _parts(q: Any) -> tuple[str, str]:
     return ("" if q.real == 0 else "±") + real, imag.replace("-", "−")
 
 
-def _mark(case: str) -> str:
-    """A short name of the case, so that two figures of one notebook do not share ids."""
-    return hashlib.sha256(case.encode()).hexdigest()[:8]
-
-
-def _svg(draw: Callable[[Axes], Axes], name: str, title: str) -> str:
-    """The figure, or nothing where matplotlib is missing: the table says it all."""
-    try:
-        return inline_svg(figure_of(draw), name, title, "Its numbers are in the table.")
-    except InputError:
-        return ""
+def _name(case: object) -> str:
+    """A short name of the case, so that two pictures of one notebook do not share ids."""
+    return f"picture-{hashlib.sha256(repr(case).encode()).hexdigest()[:8]}"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from mpsolve import Case
-from mpsolve.finite.beam.march import Loading
 from mpsolve.vehicles.load import Load
 
 TAU = np.linspace(0, 60, 121)
@@ -14,8 +13,3 @@ FORCES = (Load(1, "0.4", "0.3", "0.5"), Load("0.5", "0.3", "1.2", "-1"), Load("-
 
 def pair(alpha: str, eta_m: int, eta_b: str, distance: str) -> Case:
     return Case(alpha=alpha, eta_b=eta_b, eta_m=(eta_m, eta_m), positions=(0, distance))
-
-
-def constant(values: list[float], places: list[float], eta_m: list[float]) -> Loading:
-    force = np.array(values)
-    return Loading(np.array(eta_m), np.array(places), lambda _tau: force)

@@ -120,7 +120,7 @@ CHARACTERISTIC = [
         "one root too many in U", "characteristic.start", "_tell_apart", "if root.real < 0)", "if root.real < 0) + 1"
     ),
     Mutation(
-        "pieces are tested on half of their disc", "characteristic.paths", "discs", "* _WIDER * UP", "* 0.5 * UP"
+        "pieces are tested on half of their disc", "characteristic.path", "discs", "* _WIDER * UP", "* 0.5 * UP"
     ),
     Mutation(
         "the cofactors of det A lose their signs",
@@ -153,7 +153,7 @@ PASSIVITY = [
     Mutation(
         "V is G without the factor σ", "characteristic.paths", "Paths._evaluate", "positive(sigma * G", "positive(G"
     ),
-    Mutation("the Hermitian part is the difference", "characteristic.paths", "_hermitian", "+ np", "- np"),
+    Mutation("the Hermitian part is the difference", "proof.definite", "_hermitian", "+ np", "- np"),
     Mutation(
         "the exponent of what is absorbed is off by one",
         "passivity.absorption",

@@ -161,7 +161,7 @@ def test_a_curve_that_cannot_be_computed_is_left_out_of_the_comparison(tmp_path:
 def test_too_many_panels_are_refused(file: Path, tmp_path: Path) -> None:
     places = ",".join(str(k) for k in range(25))
     result = run("response", file, "-o", tmp_path / "out.png", "--points", "2", "--xi", places)
-    assert (result.exit_code, "has 25 positions" in result.output) == (2, True)
+    assert (result.exit_code, "has 25 places" in result.output) == (2, True)
 
 
 @pytest.mark.parametrize("command", ["response", "compare"])

@@ -67,7 +67,7 @@ def test_arrays_and_a_film(tmp_path: Path) -> None:
         assert found["within"].tolist() == [True] * 4 + [False] * 7
     root = ET.parse(film).getroot()
     moved = [one.attrib["attributeName"] for one in root.iter("{http://www.w3.org/2000/svg}animate")]
-    assert moved == ["d", "stroke", "cy", "cy", "cx"]
+    assert moved == ["points", "stroke", "cy", "cy", "y", "y", "cx"]
     assert "beyond the model" in film.read_text("utf-8")
 
 

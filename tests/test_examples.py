@@ -86,7 +86,7 @@ def test_certificates_of_zeros_are_those_of_the_cases_and_valid() -> None:
 def test_certificates_of_ranges_are_made_anew() -> None:
     example = load("range_certificates")
     assert {path.stem for path in example.FOLDER.glob("*.json")} == example.RESULTS.keys()
-    for name in ("crossing_over_velocity", "stable_over_damping", "windows_d1.5_eta50"):
+    for name in ("crossing_over_velocity", "stable_over_damping", "windows_d1.5_eta50", "chart_over_damping"):
         stored = json.loads((example.FOLDER / f"{name}.json").read_text("ascii"))
         made = example.prove(name).certificate.content
         assert made["claim"] == stored["claim"]
@@ -95,7 +95,7 @@ def test_certificates_of_ranges_are_made_anew() -> None:
 
 def test_the_certificates_are_drawn(tmp_path: Path) -> None:
     file = load("certificates").visualize(tmp_path / "plane.svg", "stable_d1.5_alpha0.66")
-    assert file.read_text("utf-8").count('id="root-') == 4
+    assert file.read_text("utf-8").count('data-root="') == 4
 
 
 def test_the_unstable_velocities_are_drawn() -> None:

@@ -10,10 +10,10 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
 from mpsolve.errors import PrecisionError
-from mpsolve.loci.below import stays_below
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
 
+from .below import stays_below
 from .cases import certificate, pair, single, spectrum
 from .justabove import STEPS, unstable_up_to
 from .theory import symmetries, undamped_roots_are_real

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.groups import Group
-from mpsolve.batch.waves import first_roots, from_near, polynomial_and_slope, upper_first
+from mpsolve.batch.waves import first_roots, from_near, upper_first
 from mpsolve.characteristic.receptance import Dual, dual_residues
 from mpsolve.characteristic.splitting import monic, sharpened
 from mpsolve.characteristic.splitting import sylvester as sylvester_rows
-from mpsolve.numbers.float64 import Float64
+from mpsolve.numbers.float64 import Float64, polynomial_and_slope
 
 _K = Float64()
 _NEAR, _NEAR_SLOPE = 2e-3, 0.05

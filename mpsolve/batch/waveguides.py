@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from mpsolve.tracks.waveguide import Track, Waveguide, symbolic
+from mpsolve.numbers.several import Ring
+from mpsolve.tracks.waveguide import Track, Waveguide, over_ring
 
 Key = tuple[int, int]
 
@@ -52,27 +54,11 @@ def expanded(track: Track | Waveguide) -> tuple[Expanded, Expanded]:
 
 @lru_cache(maxsize=64)
 def _of_kind(kind: type[Track], names: tuple[str, ...]) -> tuple[Expanded, Expanded]:
-    rows = symbolic(kind, names)
-    kept = [k for k in range(len(rows)) if k != kind.loaded]
-    return _sorted(_determinant(rows), names), _sorted(
-        _determinant([[rows[i][j] for j in kept] for i in kept]), names
-    )
+    ring = Ring(names, (Fraction(0),) * len(names))
+    free = Waveguide(over_ring(kind, dict(zip(names, ring.variables, strict=True)), ring), kind.loaded)
+    return _expanded(free.dispersion, ring), _expanded(free.numerator, ring)
 
 
-def _determinant(rows: Any) -> Any:
-    if not rows:
-        return None
-    if len(rows) == 1:
-        return rows[0][0]
-    minors = [[[row[k] for k in range(len(row)) if k != j] for row in rows[1:]] for j in range(len(rows))]
-    return sum((-1) ** j * rows[0][j] * _determinant(minors[j]) for j in range(len(rows)))
-
-
-def _sorted(polynomial: Any, names: tuple[str, ...]) -> Expanded:
-    if polynomial is None:
-        return Expanded({(0, 0): (((0,) * len(names), 1.0),)}, names)
-    out: dict[Key, list[tuple[tuple[int, ...], float]]] = {}
-    for monomial, c in polynomial.to_dict().items():
-        i, j, *exponents = (int(x) for x in monomial)
-        out.setdefault((i, j), []).append((tuple(exponents), int(c.p) / int(c.q)))
-    return Expanded({key: tuple(terms) for key, terms in out.items()}, names)
+def _expanded(polynomial: Any, ring: Ring) -> Expanded:
+    terms = {key: tuple((e, float(x)) for e, x in ring.constant(c)) for key, c in polynomial.items()}
+    return Expanded(terms, ring.names)

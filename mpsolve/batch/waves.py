@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.float64 import companions, polynomial_and_slope
+
 _STEPS = 10
 _SETTLED = 1e-6
 _LEAST = 1e-15
@@ -17,12 +19,9 @@ _THIRDS = np.exp(2j * np.pi * np.arange(3) / 3)
 
 def by_companions(D: Any) -> Any:
     """The roots of Σ D[:, i] z^i by eigenvalues, shape (len(D), degree); nan where D is not finite."""
-    n = D.shape[1] - 1
-    C = np.zeros((len(D), n, n), complex)
-    C[:, range(n - 1), range(1, n)] = 1
-    C[:, -1] = -D[:, :-1] / D[:, -1:]
+    C = companions(D)
     fine: Any = np.isfinite(C).all((1, 2))
-    out = np.linalg.eigvals(np.where(fine[:, None, None], C, np.eye(n)))
+    out = np.linalg.eigvals(np.where(fine[:, None, None], C, np.eye(C.shape[1])))
     return np.where(fine[:, None], out, np.nan)
 
 
@@ -43,16 +42,6 @@ def first_roots(D: Any) -> Any:
     s = np.sqrt(2 * m)
     one, other = np.sqrt(-2 * p - 2 * m - 2 * q / s), np.sqrt(-2 * p - 2 * m + 2 * q / s)
     return np.stack([s + one, s - one, -s + other, -s - other], 1) / 2 - a[:, None] / 4
-
-
-def polynomial_and_slope(D: Any, z: Any) -> tuple[Any, Any]:
-    """Values and slopes in z at several z for each polynomial; D ascending, shape (…, n + 1)."""
-    value = np.broadcast_to(D[:, -1:], z.shape)
-    slope = np.zeros_like(z)
-    for i in range(D.shape[1] - 2, -1, -1):
-        slope = slope * z + value
-        value = value * z + D[:, i : i + 1]
-    return value, slope
 
 
 def from_near(D: Any, z: Any) -> Any:

@@ -6,10 +6,9 @@ from dataclasses import replace
 from time import process_time
 from typing import Any
 
-from mpsolve.errors import InputError
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.zeros.answer import Zeros
 
 _EVALUATIONS = 400_000
@@ -17,10 +16,8 @@ _REMEDY = "report this as a fault, with the input"
 
 
 def budget_of(effort: Effort | None) -> Effort:
-    """A fresh effort of the size that is asked for. InputError for what is none."""
-    if effort is not None and not isinstance(effort, Effort):
-        raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
-    return effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    """A fresh effort of the size that is asked for."""
+    return begun(effort, _EVALUATIONS)
 
 
 def checked(answer: Zeros, certificate: Any, check: bool, tell: Progress) -> Zeros:

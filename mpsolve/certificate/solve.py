@@ -14,13 +14,14 @@ from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
 from mpsolve.certificate.whole_sheet import closing_words, sheet_halves, unstable_part
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.result import Cost
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.deadline import TimeUpError
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import ended_at_once, stoppable
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
@@ -28,7 +29,7 @@ from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
 from mpsolve.spectrum.solve import MOST_DIGITS, Found, solve, unstable_number
-from mpsolve.spectrum.spectrum import Cost, Spectrum, sorted_roots
+from mpsolve.spectrum.spectrum import Spectrum, sorted_roots
 from mpsolve.spectrum.unfelt import unfelt_frequencies
 
 AnyCount = Count | SheetCount
@@ -60,7 +61,7 @@ def certify_problem(
     for a track that is unstable by itself or, but for such a beam, has no damping, and for regions without meaning.
     """
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    budget = begun(effort, _EVALUATIONS)
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
     line = on_line(reduced)

@@ -18,9 +18,9 @@ import re
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
-from math import asinh, sinh
+from math import asinh, comb, sinh
 from operator import mul
 from typing import Any
 
@@ -41,11 +41,14 @@ require, keys, items, integer, rational, dyadic, listed = (
     spectra.require, spectra.keys, spectra.items, spectra.integer, spectra.rational, spectra.dyadic, spectra.listed,
 )  # fmt: skip
 
+KINDS = ("crossings", "stable", "chart")
 KEYS = "equations basis range base tail X beyond tree zeros claim"
 MAX_BYTES, MAX_PARAMETERS, MAX_NODES, MAX_ZEROS = 32_000_000, 6, 4_000_000, 100
 MAX_BODIES, MAX_CONTACTS, MAX_CELLS = 24, 12, 400
 DEPTH, EXTRA, PIECES = 24, 8, 4_000  # halvings of a leaf; boxes looked at: EXTRA a leaf, and PIECES
 LEAF = 400
+MARKS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"  # of the regions of a chart, in order
+MAX_SIDE, TESTS, RENEWED = 512, 8, 16  # cells along each parameter; tests of a form that are one piece of work; when
 BITS = 64
 TERMS = 3  # of a series in the matrix over a box
 TOGETHER = 0.3  # p-roots closer than this share of other distances share a circle
@@ -66,7 +69,7 @@ def verify(path: Any) -> spectra.Verdict:
 def verify_bytes(raw: bytes, most: int | None = None) -> spectra.Verdict:
     """The verdict on a certificate's bytes. Never raises for what they hold. most: boxes that it
     may look at, and then LEAF of them for one leaf; by default it is bounded by the length of the file."""
-    claim = lambda: checked(spectra.opened(raw, {"crossings": KEYS, "stable": KEYS}), most)  # noqa: E731
+    claim = lambda: checked(spectra.opened(raw, dict.fromkeys(KINDS, KEYS)), most)  # noqa: E731
     return spectra.judged(raw, claim, MAX_BYTES)
 
 
@@ -81,10 +84,10 @@ def check_track(track: spectra.Track, box: Box) -> None:
     top = {e[2:]: c for e, c in lead.items()}
     if spectra.at(top, [(a + b) / 2 for a, b in box]) < 0:
         top = {e: -c for e, c in top.items()}
-    spectra.everywhere(spectra.always_positive, [top], box, "a wave speed may lie in the range")
+    spectra.everywhere([top], box, "a wave speed may lie in the range")
     for rows in spectra.hurwitz(track.ring, track.D, box):
         why = "the track is not proved stable and damped for all these parameters"
-        spectra.everywhere(spectra.always_positive, rows, box, why)
+        spectra.everywhere(rows, box, why)
     spectra.check_passive(track.ring, track.rows, box)
     check_inertia(track, box)
 
@@ -100,7 +103,7 @@ def check_inertia(track: spectra.Track, box: Box) -> None:
     (d, big), (n, small) = tops
     require(d == n + 2, "the track's receptance does not fall as a mass's at high frequency")
     both = spectra.times(big, small)
-    spectra.everywhere(spectra.always_positive, [both], box, "the inertia of the track may vanish")
+    spectra.everywhere([both], box, "the inertia of the track may vanish")
 
 
 def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
@@ -109,7 +112,7 @@ def apart(vehicle: spectra.Bodies, box: Box) -> list[Free]:
     middle = [(a + b) / 2 for a, b in box]
     kept.sort(key=lambda f: spectra.at(f, middle))
     for one, other in pairwise(kept):
-        spectra.everywhere(spectra.always_positive, [spectra.minus(other, one)], box, "two places may meet")
+        spectra.everywhere([spectra.minus(other, one)], box, "two places may meet")
     return kept
 
 
@@ -144,8 +147,49 @@ def place_over(middle: Sequence[Any], half: Sequence[Any]) -> Place:
     return Place(x, r, 2)
 
 
-def place_of(box: Box) -> Place:
-    return place_over([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box])
+def place_of(box: Box, slope: Any = 0) -> Place:
+    """slope: the box is one of (t, θ), q = t + slope·θ_1."""
+    place = place_over([arb((a + b) / 2) for a, b in box], [arb((b - a) / 2) for a, b in box])
+    return Sloped(place.middle, place.half, place.order, slope) if slope else place
+
+
+class Sloped(Place):
+    """The first variable is τ, σ = τ + i·slope·θ_1."""
+
+    def __init__(self, middle: Sequence[Any], half: Sequence[Any], order: int, slope: Any) -> None:
+        super().__init__(middle, half, order)
+        self.slope = slope
+
+    @cached_property
+    def powers(self) -> list[list[Form]]:
+        out = super().powers
+        tau, x = out[0][1], out[1][1]
+        out[0][1] = tau + x.scaled([acb(0, self.slope)])
+        return out
+
+    def taylor(self, polynomials: Sums) -> Any:
+        exponents, turn = turned(polynomials.exponents, self.slope)
+        return super().taylor(Sums(exponents, polynomials.matrix * turn))
+
+
+@lru_cache(maxsize=64)
+def turned(exponents: tuple[Exponents, ...], slope: Any) -> tuple[tuple[Exponents, ...], Any]:
+    """(exponents of τ and θ, a matrix whose rows are the monomials of σ = τ + i·slope·θ_1 and θ in these)."""
+    rows = [
+        {(e[0] - k, e[1] + k, *e[2:]): comb(e[0], k) * acb(0, slope) ** k for k in range(e[0] + 1)}
+        if e
+        else {e: acb(1)}
+        for e in exponents
+    ]
+    new = tuple(sorted({e for row in rows for e in row}))
+    return new, acb_mat(len(rows), len(new), [row.get(e, NONE) for row in rows for e in new])
+
+
+def laid(box: Box, slope: Any, more: Any) -> Box:
+    """A box of (t, θ) with q = t + more·θ_1 that holds all (q, θ) of one with another slope."""
+    (low, high), (a, b) = box[:2]
+    ends = [(slope - more) * a, (slope - more) * b]
+    return ((low + min(ends), high + max(ends)), *box[1:])
 
 
 def resized(place: Place, factor: Any) -> Place:
@@ -185,13 +229,12 @@ def strain(nodes: spectra.Nodes) -> list[float]:
         for k in side:
             near = min((float(nodes.distance[k][j]) for j in other), default=1.0)
             for i, row in enumerate(nodes.values.k[1 : 1 + len(out)]):
-                out[i] = max(out[i], float(abs(row[k])) / (lead * float(nodes.all[k]) * near))
+                out[i] = max(out[i], float(abs(row[k])) / (lead * float(abs(nodes.all[k])) * near))
     return out
 
 
 def alone(nodes: spectra.Nodes, used: Sequence[int], throughout: bool) -> tuple[Form, Form] | None:
-    """The p-roots of the numbers `used` over the box, each alone in a disc that follows it, and N/D_P there; None where
-    that is not proved.
+    """These p-roots over the box, each alone in a disc that follows it, and N/D_P there; None if that is not proved.
 
     δ(u): any quadratics near the roots less the nodes, exact. With D(z + δ + h) = Σ c_j h^j there is exactly one root
     in |h| < ε, for all complex |u_i| ≤ 1, where |c_0| + Σ_{j ≥ 2} |c_j| ε^j < |c_1| ε (Rouché), and there |h| is at
@@ -208,8 +251,10 @@ def alone(nodes: spectra.Nodes, used: Sequence[int], throughout: bool) -> tuple[
     value, slope = (spectra.along(D, sizes, delta, most, way) for way in (False, True))
     eps, lost = [], []
     for k, first in enumerate(value.size):
-        above_ = arb_poly([size[k] for size in sizes])(arb_poly([most[k], 1])).coeffs()  # bounds of |c_j|
-        low, more = slope.sizes[0][k] - slope.spread[k], arb_poly([0, 0, *above_[2:]])
+        above_ = arb_poly([0, 0, *(size[k] for size in sizes[2:])])(
+            arb_poly([most[k], 1])
+        ).coeffs()  # bounds of |c_j|
+        low, more = slope.sizes(0)[k] - slope.spread[k], arb_poly([0, 0, *above_[2:]])
         found = radius_of(first / low, more * (1 / low)) if low > 0 else None
         if found is None:
             return None
@@ -317,7 +362,7 @@ def on_circle(split: Split, N: Form, distances: Form, middle: Any, radius: Any, 
 
 
 def receptances(waves: spectra.Waves, split: Split) -> Form:
-    """G at each distance over the box, by the trapezoidal rule on circles round p-roots; some of one side may meet."""
+    """G at each distance over the box, by the trapezoidal rule on circles; p-roots of one side may meet."""
     local, order, parts = split.nodes.local, [], []
     N, xi = local.place.form(local.N), local.place.value(waves.xi)
     try:
@@ -340,7 +385,13 @@ def receptances(waves: spectra.Waves, split: Split) -> Form:
 
 
 def on_points(
-    waves: spectra.Waves, local: spectra.Local, gaps: Sequence[int], distances: Form, middle: Any, radius: Any, sign: int
+    waves: spectra.Waves,
+    local: spectra.Local,
+    gaps: Sequence[int],
+    distances: Form,
+    middle: Any,
+    radius: Any,
+    sign: int,
 ) -> Form:
     """± the mean of N e^{Pξ}/D times P − middle over points of a circle, at each distance."""
     arms = [radius * acb(fmpq(2 * k, SAMPLES)).exp_pi_i() for k in range(SAMPLES)]
@@ -361,8 +412,8 @@ def on_points(
 
 
 def cleared(A: Any, units: Sequence[Sequence[float]]) -> tuple[Any, Any]:
-    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value in units of rows and
-    columns. Nothing rests on them."""
+    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value in these units of
+    rows and columns. Nothing rests on them."""
     (tall, wide), n = units, A.nrows() - 1
     a = acb_mat([[complex(x) / t / w for x, w in zip(row, wide, strict=True)]
                  for row, t in zip(A.tolist(), tall, strict=True)])  # fmt: skip
@@ -570,10 +621,10 @@ def cells(waves: Waves, place: Place, low: Any, speed: Any, ends: Sequence[float
 
 def by_wavenumber(f: Form, m: int) -> tuple[Any, ...]:
     """Σ f_i P^i in parts: polynomials of its coefficients, the slope in P, and polynomials that bound the rest."""
-    k, sizes = [acb_poly(row) for row in f.k[: 1 + m]], f.sizes
-    second = arb_poly([x + e for x, e in zip(sizes[2], f.e, strict=True)])
-    mixed = arb_poly([i * x for i, x in enumerate(sizes[1])][1:])
-    bent = arb_poly([i * (i - 1) * x / 2 for i, x in enumerate(sizes[0])][2:])
+    k = [acb_poly(row) for row in f.k[: 1 + m]]
+    second = arb_poly([x + e for x, e in zip(f.sizes(2), f.e, strict=True)])
+    mixed = arb_poly([i * x for i, x in enumerate(f.sizes(1))][1:])
+    bent = arb_poly([i * (i - 1) * x / 2 for i, x in enumerate(f.sizes(0))][2:])
     return k, k[0].derivative(), second, mixed, bent
 
 
@@ -690,7 +741,7 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
     """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
-    D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes[2][0] + distance.e[0]
+    D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes(2)[0] + distance.e[0]
     steps = [x[0].real for x in distance.k[1 : 1 + m]]
     width, moving = [2 * c.half for c in found], not moves.is_zero()
     phase = [acb(0, c.middle * D).exp() * w for c, w in zip(found, width, strict=True)]
@@ -763,7 +814,7 @@ class Family:
         """Δ̂ ≠ 0 over a box, or Wide."""
         check_nonzero(self.scalar(place))
 
-    def prove(self, kind: str, box: Box) -> None:
+    def prove(self, kind: str, box: Box, slope: Any = 0) -> None:
         """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
         stack, most = [(box, 0)], min(self.left, self.pieces + self.one)
         while stack:
@@ -772,7 +823,7 @@ class Family:
             require(self.pieces < most, "the certificate asks for more work than this verifier does")
             try:
                 if kind == "n":
-                    self.nonzero(place_of(here))
+                    self.nonzero(place_of(here, slope))
                 else:
                     check_passive_box(self, here)
             except Refused as error:
@@ -782,7 +833,7 @@ class Family:
 
     def axis(self, box: Box, error: Any) -> int:
         """Along which variable to halve: where most is to be won, or the longest."""
-        whole = [float(box[0][1]) or 1.0, *(float(b - a) or 1.0 for a, b in self.box)]
+        whole = [float(abs(box[0][1])) or 1.0, *(float(b - a) or 1.0 for a, b in self.box)]
         share = [float(b - a) / w for (a, b), w in zip(box, whole, strict=True)]
         got = getattr(error, "weights", [])
         if len(got) == len(box) and all(x == x and x < 1e300 for x in got) and max(got) > 0:
@@ -791,19 +842,27 @@ class Family:
         return share.index(max(share))
 
 
-def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box]]:
-    """The leaves of a tree in text: a digit halves along an axis, a letter is a leaf; low halves come first."""
+def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box, Any]]:
+    """The leaves of a tree in text: a digit halves along an axis, a letter is a leaf; low halves come first.
+
+    sMeE; halves along the first parameter, and lays both halves along the slope M·2^E.
+    """
     require(isinstance(tree, str) and 0 < len(tree) <= MAX_NODES, "the tree is no text, or too long")
-    stack = [(box, 0)]
-    for mark in tree:
+    stack: list[tuple[Box, Any, int]] = [(box, fmpq(0), 0)]
+    for mark in re.finditer(r"s(-?[0-9]{1,30})e(-?[0-9]{1,4});|(.)", tree, re.ASCII | re.DOTALL):
         require(stack, "the tree goes on beyond its last leaf")
-        here, depth = stack.pop()
-        if mark in "npz":
-            yield mark, here
+        here, slope, depth = stack.pop()
+        m, e, letter = mark.groups()
+        if letter and letter in "npzob":
+            yield letter, here, slope
             continue
-        require(mark in "0123456"[: len(box)] and depth < 200, "a mark of the tree is not known")
-        low, high = spectra.halved(here, int(mark))
-        stack += [(high, depth + 1), (low, depth + 1)]
+        known = letter is None or letter in "0123456"[: len(box)]
+        require(known and depth < 200, "a mark of the tree is not known")
+        low, high = spectra.halved(here, int(letter or 1))
+        if letter is None:
+            new = dyadic([int(m), int(e)], "a slope")
+            low, high, slope = laid(low, slope, new), laid(high, slope, new), new
+        stack += [(high, slope, depth + 1), (low, slope, depth + 1)]
     require(not stack, "the tree ends before its last leaf")
 
 
@@ -880,9 +939,178 @@ def check_alone(family: Family, room: Box, at_: Sequence[Any], radius: Sequence[
 
 def slopes(family: Family, sides: Sequence[tuple[Any, Any]]) -> tuple[list[Any], list[Any], list[Any], Any]:
     """Of s over boxes (middle, half): its slopes in u at 0, by how much they vary for |u_i| ≤ 1/2, and its form."""
-    s = family.scalar(place_over([arb(m) for m, _ in sides], [arb(r) for _, r in sides]), throughout=True)
+    inside = all(a <= m - r and m + r <= b for (m, r), (a, b) in zip(sides[1:], family.box, strict=True))
+    s = family.scalar(place_over([arb(m) for m, _ in sides], [arb(r) for _, r in sides]), throughout=not inside)
     (k, e), (a, mixed, b) = ([row[0] for row in s.k], s.e[0]), (abs(row[0]) for row in s.k[3:])
     return k[1:3], [a + mixed / 2 + 2 * e, b + mixed / 2 + 2 * e], k, e
+
+
+# --- charts (section 10.8) --------------------------------------------------------------------------------
+
+Part = tuple[int, int, int, int]  # cells from … to before …, along each parameter
+
+
+class Regions:
+    """Cells of a chart with the mark of their region; of the others nothing is claimed."""
+
+    def __init__(self, rows: list[str], box: Box) -> None:
+        self.rows, self.box, self.shape = rows, box, (len(rows), len(rows[0]))
+        self.sums = [[0] * (1 + self.shape[1])]  # of marked cells before each corner
+        for row in rows:
+            total, last = 0, self.sums[-1]
+            here = [0]
+            for mark, above in zip(row, last[1:], strict=True):
+                total += mark != "."
+                here.append(above + total)
+            self.sums.append(here)
+
+    def at(self, x: Sequence[Any]) -> tuple[int, int]:
+        """A cell that holds a point of the chart."""
+        i, j = (
+            min(int(floor((y - a) / (b - a) * n)), n - 1)
+            for y, (a, b), n in zip(x, self.box, self.shape, strict=True)
+        )
+        return i, j
+
+    def under(self, box: Box) -> Part:
+        """The cells of which a box holds more than their edges."""
+        out: list[int] = []
+        for (p, q), (a, b), n in zip(box[1:], self.box, self.shape, strict=True):
+            out += [max(floor((p - a) / (b - a) * n), 0), min(-floor((a - q) / (b - a) * n), n)]
+        return out[0], out[1], out[2], out[3]
+
+    def marked(self, i: int, k: int, j: int, m: int) -> int:
+        return self.sums[k][m] - self.sums[i][m] - self.sums[k][j] + self.sums[i][j]
+
+    def shrunk(self, part: Part) -> Part | None:
+        """The least part that holds the same marked cells."""
+        i, k, j, m = part
+        if not self.marked(i, k, j, m):
+            return None
+        while not self.marked(i, i + 1, j, m):
+            i += 1
+        while not self.marked(k - 1, k, j, m):
+            k -= 1
+        while not self.marked(i, k, j, j + 1):
+            j += 1
+        while not self.marked(i, k, m - 1, m):
+            m -= 1
+        return i, k, j, m
+
+    def over(self, part: Part, box: Box) -> Box:
+        """What of a box lies over the cells."""
+        out = [box[0]]
+        for (p, q), (a, b), n, first, last in zip(box[1:], self.box, self.shape, part[::2], part[1::2], strict=True):
+            out.append((max(p, a + (b - a) * first / n), min(q, a + (b - a) * last / n)))
+        return tuple(out)
+
+    def words(self, counts: Sequence[int]) -> list[str]:
+        high, wide = self.shape
+        whole = high * wide
+        said = [f"roots with Im q < 0 in {len(counts)} regions of a chart of {high} by {wide} cells"]
+        for mark, count in zip(MARKS, counts, strict=False):
+            cells_ = sum(row.count(mark) for row in self.rows)
+            said.append(f"  {mark}: {count} in {cells_} cells, {100 * cells_ / whole:.4g} %")
+        return said
+
+
+def floor(x: Any) -> int:
+    return int(x.p // x.q)
+
+
+def read_regions(claim: Any, box: Box, bases: Sequence[Sequence[Any]]) -> Regions:
+    """The regions, each of cells that hang together by their sides, with its base in one of them."""
+    keys(claim, "cells")
+    rows = items(claim["cells"], MAX_SIDE, "cells")
+    fits = all(isinstance(row, str) and 0 < len(row) <= MAX_SIDE for row in rows)
+    require(rows and fits and len({len(row) for row in rows}) == 1, "the cells are no rows of one length")
+    marks = MARKS[: len(bases)]
+    require(set().union(*rows) <= {".", *marks}, "a cell has an unknown mark")
+    regions = Regions(rows, box)
+    for mark, x in zip(marks, bases, strict=True):
+        start = regions.at(x)
+        require(rows[start[0]][start[1]] == mark, "a base lies outside of its region")
+        seen, stack = {start}, [start]
+        while stack:
+            i, j = stack.pop()
+            for k, m in ((i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)):
+                inside = 0 <= k < len(rows) and 0 <= m < len(rows[0])
+                if inside and rows[k][m] == mark and (k, m) not in seen:
+                    seen.add((k, m))
+                    stack.append((k, m))
+        require(len(seen) == sum(row.count(mark) for row in rows), "a region does not hang together")
+    return regions
+
+
+def check_regions(family: Family, regions: Regions, box: Box) -> None:
+    """No real root over a box at any parameters in marked cells: by forms over it and over its parts."""
+    stack: list[tuple[Any, Part, Form | None, Box]] = [(box[0], regions.under(box), None, box)]
+    tests, most = 0, min(family.left, family.pieces + family.one)
+    while stack:
+        q, around, s, whole = stack.pop()
+        part = regions.shrunk(around)
+        if part is None:
+            continue
+        here = regions.over(part, (q, *box[1:]))
+        tests += 1
+        family.pieces += tests % TESTS == 0
+        error: spectra.Refused | None = None
+        if s is not None:
+            error = vanishing(over_part(s, whole, here))
+        if s is None or (error and smaller(here, whole)):
+            family.pieces += 1
+            try:
+                s, whole = family.scalar(place_of(here)), here
+                error = vanishing(s)
+            except Refused as why:
+                s, error = None, why
+        require(family.pieces < most, "the certificate asks for more work than this verifier does")
+        if error is None:
+            continue
+        i, k, j, m = part
+        axis = family.axis(here, error)
+        if (k - i, m - j) == (1, 1) and (axis or s is None):
+            family.prove("n", here)
+        elif axis == 0:
+            stack += [(half[0], part, s, whole) for half in spectra.halved(here, 0)]
+        elif (axis == 1 and k - i > 1) or m - j == 1:
+            stack += [(q, (i, (i + k) // 2, j, m), s, whole), (q, ((i + k) // 2, k, j, m), s, whole)]
+        else:
+            stack += [(q, (i, k, j, (j + m) // 2), s, whole), (q, (i, k, (j + m) // 2, m), s, whole)]
+
+
+def vanishing(s: Form) -> spectra.Refused | None:
+    """Why a form may vanish, None where it does not."""
+    try:
+        check_nonzero(s)
+    except Refused as error:
+        return error
+    return None
+
+
+def smaller(part: Box, whole: Box) -> bool:
+    """Whether a form over the part alone may tell more than that over the whole."""
+    times = fmpq(1)
+    for (p, q), (a, b) in zip(part, whole, strict=True):
+        times *= (b - a) / (q - p)
+    return bool(times >= RENEWED)
+
+
+def over_part(s: Form, whole: Box, part: Box) -> Form:
+    """The same function over a part of its box: u = c + h t with new variables t."""
+    c, h, k = [], [], [row[0] for row in s.k]
+    for (a, b), (p, q) in zip(whole, part, strict=True):
+        c.append(arb((p + q - a - b) / (b - a)))
+        h.append(arb((q - p) / (b - a)))
+    here, slopes_, second = k[0], list(k[1 : 1 + s.m]), []
+    for x, y in zip(c, k[1:], strict=False):
+        here += x * y
+    for n, i, j in s.second:
+        here += k[n] * c[i - 1] * c[j - 1]
+        slopes_[i - 1] += k[n] * c[j - 1]
+        slopes_[j - 1] += k[n] * c[i - 1]
+        second.append([k[n] * h[i - 1] * h[j - 1]])
+    return Form([[here], *([x * y] for x, y in zip(slopes_, h, strict=True)), *second], s.e, s.m)
 
 
 # --- the certificate --------------------------------------------------------------------------------------
@@ -901,15 +1129,19 @@ def checked(content: dict[str, Any], most: int | None) -> str:
         for a, b in (items(one, 2, "range", 2) for one in items(content["range"], count, "range", count))
     )
     require(all(a < b for a, b in box), "a range is empty")
-    crossing = content["kind"] == "crossings"
+    crossing, chart = (content["kind"] == kind for kind in ("crossings", "chart"))
     require(not crossing or count == 1, "crossings are over one parameter")
+    require(not chart or count == 2, "a chart is over two parameters")
     equations = content["equations"]
     track = spectra.read_track(equations["track"], equations["velocity"], box)
     vehicle = spectra.read_bodies(equations["vehicle"], content["basis"], box, MAX_BODIES, MAX_CONTACTS)
     sites = apart(vehicle, box)
     check_track(track, box)
     spectra.check_decay(track.ring, track.D, track.N, spectra.speed(track.ring, track.velocity))
-    at_, unstable = check_base(content, count, box)
+    bases = items(content["base"], len(MARKS), "base") if chart else [content["base"]]
+    require(bases, "a chart without a base")
+    counted = [check_base(content, base, count, box) for base in bases]
+    regions = read_regions(content["claim"], box, [x for x, _ in counted]) if chart else None
     envelope, Q = read_tail(content["tail"], track, sites, box)
     waves = Waves(track, vehicle, box)
     family = Family(track, vehicle, box, envelope, waves, spectra.Bordered(vehicle, waves))
@@ -928,23 +1160,35 @@ def checked(content: dict[str, Any], most: int | None) -> str:
         if a < b:
             family.prove("p", ((a, b), *box))
     leaves = 0
-    for kind, here in walk(content["tree"], ((fmpq(0), X), *box)):
+    for kind, here, slope in walk(content["tree"], ((fmpq(0), X), *box)):
         leaves += 1
+        whole = laid(here, slope, 0)
         if kind == "z":
             inside = any(
-                all(a <= c and d <= b for (a, b), (c, d) in zip(zero.room, here, strict=True)) for zero in zeros
+                all(a <= c and d <= b for (a, b), (c, d) in zip(zero.room, whole, strict=True)) for zero in zeros
             )
             require(inside, "a leaf is not inside a room")
             continue
-        require(kind == "n" or here[0][0] > 0, "a passive box begins at q = 0")
-        family.prove(kind, here)
-    said = crossings(content["claim"], zeros, box, at_, unstable) if crossing else stable(content["claim"], unstable)
+        if kind == "o":
+            if regions is None:
+                raise Refused("a leaf is open")
+            check_regions(family, regions, whole)
+        elif kind == "b":
+            require(whole[0][1] < 0 or whole[0][0] > X, "a leaf does not lie beside the frequencies in question")
+        else:
+            require(kind == "n" or (here[0][0] > 0 and slope == 0), "a passive box begins at q = 0, or has a slope")
+            family.prove(kind, here, slope)
+    if regions:
+        said = regions.words([unstable for _, unstable in counted])
+    elif crossing:
+        said = crossings(content["claim"], zeros, box, *counted[0])
+    else:
+        said = stable(content["claim"], counted[0][1])
     return words(content, said, box, leaves, family.pieces)
 
 
-def check_base(content: Any, count: int, box: Box) -> tuple[list[Any], int]:
-    """The point of the base, and the number of roots with Im q < 0 there, by its own certificate."""
-    base = content["base"]
+def check_base(content: Any, base: Any, count: int, box: Box) -> tuple[list[Any], int]:
+    """The point of a base, and the number of roots with Im q < 0 there, by its own certificate."""
     keys(base, "at spectrum")
     x = [rational(y, "at") for y in items(base["at"], count, "at", count)]
     require(all(a <= y <= b for y, (a, b) in zip(x, box, strict=True)), "the base lies outside the ranges")

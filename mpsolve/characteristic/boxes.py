@@ -29,28 +29,39 @@ _APART = 0.7  # of how far a box moves two roots that meet: how far their nodes 
 class Boxes:
     """Boxes in (q̂, x̂): middles and half-widths, shape (variables, boxes); variable 0 is q̂.
 
-    More generally it is t with σ̂ = origin + way·t, along a line on which no cut lies.
+    More generally it is t with σ̂ = origin + way·t, along a line on which no cut lies; or with q̂ = t + slope·x̂₁, for
+    parallelograms: of each box the slope.
     """
 
     m: Any
     r: Any
     origin: complex = 0.0
     way: complex = 1j
+    slope: Any | None = None
 
     @property
     def count(self) -> int:
         return int(self.m.shape[1])
 
     def take(self, rows: Any) -> Boxes:
-        return Boxes(self.m[:, rows], self.r[:, rows], self.origin, self.way)
+        slope = None if self.slope is None else self.slope[rows]
+        return Boxes(self.m[:, rows], self.r[:, rows], self.origin, self.way, slope)
 
     @property
     def variables(self) -> tuple[Any, Any]:
-        """(y, ρ) with y + ρ u = (σ̂, x̂) over the box."""
+        """(y, ρ) with y + ρ u = (σ̂, x̂) over the box; with slopes ρ is a matrix for each box, see `Forms`."""
         y, rho = self.m.astype(complex), self.r.astype(complex)
-        y[0] = self.origin + self.way * y[0]
-        rho[0] *= self.way
-        return y, rho
+        if self.slope is None or not self.slope.any():
+            y[0] = self.origin + self.way * y[0]
+            rho[0] *= self.way
+            return y, rho
+        along = self.slope * self.m[1]
+        y[0] = self.origin + self.way * (self.m[0] + along)
+        full = np.zeros((len(y), *rho.shape), complex)
+        full[np.arange(len(y)), np.arange(len(y))] = rho
+        full[0, 0] = self.way * (self.r[0] + 8 * U * (np.abs(self.m[0]) + np.abs(along)))
+        full[0, 1] = self.way * self.slope * self.r[1]
+        return y, full
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ import numpy as np
 
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
+from mpsolve.numbers.float64 import companions, polynomial_and_slope
 from mpsolve.numbers.jets import TINY, UP, Jet, U, powers_up_to
 
 _TIE, _AHEAD = 1e-9, 1e-7  # relative, and in σ: how roots on the edge of a cut are told apart; nothing rests on it
@@ -84,26 +85,13 @@ def contraction(W: Any, size: Any, up: int) -> tuple[Any, Any, Any]:
 
 def near_roots(coefficients: Any) -> Any:
     """Floats near the roots of each polynomial (coefficients ascending), in no order."""
-    n = coefficients.shape[1] - 1
-    monic = coefficients[:, :n] / coefficients[:, n:]
-    companion = np.zeros((len(monic), n, n), complex)
-    companion[:, np.arange(n - 1), np.arange(1, n)] = 1
-    companion[:, n - 1, :] = -np.where(np.isfinite(monic), monic, 0)
-    z: Any = np.linalg.eigvals(companion)
+    C = companions(coefficients)
+    z: Any = np.linalg.eigvals(np.where(np.isfinite(C), C, 0))
     for _ in range(2):
-        value, slope = _value(coefficients, z)
+        value, slope = polynomial_and_slope(coefficients, z)
         step = value / slope
         z = np.where(np.isfinite(step) & (np.abs(step) < 0.1 * np.abs(z)), z - step, z)
     return z
-
-
-def _value(coefficients: Any, z: Any) -> tuple[Any, Any]:
-    """The polynomial and its derivative."""
-    value, slope = np.zeros_like(z), np.zeros_like(z)
-    for k in range(coefficients.shape[1] - 1, -1, -1):
-        slope = slope * z + value
-        value = value * z + coefficients[:, k, None]
-    return value, slope
 
 
 def side_nodes(T: Any, up: int) -> Any:
@@ -118,7 +106,8 @@ def side_nodes(T: Any, up: int) -> Any:
         ranks = np.sort(key, 1)
         tie = ranks[:, up] - ranks[:, up - 1] < _TIE * np.abs(z).max(1)
         if tie.any():
-            drift = -_value(T[tie, 1, :], z[tie])[0] / _value(T[tie, 0, :], z[tie])[1]
+            along, across = (polynomial_and_slope(T[tie, k, :], z[tie]) for k in (1, 0))
+            drift = -along[0] / across[1]
             key[tie] += _AHEAD * np.nan_to_num(drift.real)
     return _kept_apart(np.take_along_axis(z, np.argsort(key, axis=1), 1), up)
 

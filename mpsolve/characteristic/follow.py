@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.symbol import horner, slope_in_P
+from mpsolve.numbers.float64 import companions
 
 _EVERY = 5
 _STEPS = 5
@@ -37,11 +38,7 @@ def followed(D: Any) -> Any:
 
 def eigenvalues(D: Any) -> Any:
     """The same, each row by the eigenvalues of its companion matrix."""
-    n = D.shape[1] - 1
-    C = np.zeros((len(D), n, n), complex)
-    C[:, range(n - 1), range(1, n)] = 1
-    C[:, -1] = -D[:, :-1] / D[:, -1:]
-    return np.linalg.eigvals(C)
+    return np.linalg.eigvals(companions(D))
 
 
 def _newton(D: Any, z: Any) -> Any:

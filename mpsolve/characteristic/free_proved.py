@@ -14,7 +14,7 @@ from mpsolve.characteristic.proved import split_ball
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_mat, acb_poly, rational_ball
-from mpsolve.numbers.several import Several
+from mpsolve.numbers.several import Several, evaluated
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_track import FreePolynomial
 
@@ -39,14 +39,7 @@ class BallSymbol:
 
 def value_at(c: Several, x: Sequence[Any]) -> Any:
     """A polynomial in the parameters at balls."""
-    total = acb(0)
-    for exponents, factor in c:
-        term = acb(rational_ball(factor))
-        for y, e in zip(x, exponents, strict=True):
-            if e:
-                term = term * y**e
-        total += term
-    return total
+    return evaluated(c, x, lambda factor: acb(rational_ball(factor)))
 
 
 def slope_of(c: Several, k: int) -> Several:

@@ -14,7 +14,7 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, near_roots
-from mpsolve.characteristic.paths import discs
+from mpsolve.characteristic.path import discs
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import pivot_arguments, regular

@@ -17,53 +17,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from math import fsum
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.characteristic.origin import Origin
+from mpsolve.characteristic.path import Kind, Path, between, discs, on_arc
 from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.proof.cover import cover, halved, midpoints
-from mpsolve.proof.definite import positive_definite
+from mpsolve.proof.cover import cover, evened, halved, joined
+from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.even import evened
-from mpsolve.proof.joined import joined
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
-Kind = Literal["link", "turn", "passive"]
 _ROUNDS = 8
 _HARD, _ORDER = 0.84, 0.6  # θ of a piece that is aimed at where pieces are spread evenly; θ^0.6 grows as their length
-_DEFINITE = 0.9  # less than what holds, for a checker with wider bounds
-_FEW = 40  # pieces that are not worth spreading
-ROOM = 1.1
+_SPREADS, _ROUGH, _SMOOTH = 4, 4.0, 3.0
+ROOM = 1.03
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
-_WIDER = 1 + 2.0**-12  # of a disc, against half of its piece
 _BATCH = 2**19
 """Entries of the matrices of pieces that are tried at once: effort is asked about in between."""
-_OFF_ARC = 2.0**-14  # of a piece's length: how far from the circle the points of an arc may lie
-
-
-@frozen
-class Path:
-    """Break points in order, and what is proved between them.
-
-    arc: the radius of the circle round 0 along which the last part of the path runs, from that point of the real axis
-    on: there points lie on the circle, and discs hold the circle's arcs too. None: all pieces are straight.
-    """
-
-    kind: Kind
-    points: Any
-    arc: float | None = None
-
-    @property
-    def pieces(self) -> int:
-        return len(self.points) - 1
 
 
 @frozen
@@ -104,39 +82,37 @@ class Paths:
         points = np.asarray(points, complex)
         if len(points) < 2:
             return Path(kind, points)
-        test = self._test(kind, effort)
-        found = cover(points, test, effort, middle=_between(arc))
-        if kind == "turn" and arc is None and len(found) > max(_FEW, len(points)):
-            found = cover(self._evened(found, effort), test, effort)
-        elif arc is None:
-            found = joined(found, test, effort, kind == "link")
-        return Path(kind, found, arc)
+        test = lambda a, b: self._tried(kind, a, b, effort)[0]  # noqa: E731
+        if kind == "turn" and arc is None:
+            return Path(kind, cover(self._spread(points, effort), test, effort))
+        found = cover(points, test, effort, middle=between(arc))
+        return Path(kind, joined(found, test, effort, kind == "link") if arc is None else found, arc)
 
-    def _evened(self, points: Any, effort: Effort) -> Any:
-        """Points spread so that the determinant is about as hard to keep from 0 on each piece."""
-        effort.spend(len(points) - 1)
-        with np.errstate(all="ignore"):
-            found = [
-                self._evaluate("turn", points[part][:-1], points[part][1:], self.room)[2]
-                for part in self._batches(len(points) - 1, effort)
-            ]
-        theta = np.concatenate([piece.theta for piece in found if piece is not None])
-        return evened(points, (theta / _HARD) ** _ORDER, 1.0)
+    def _spread(self, points: Any, effort: Effort) -> Any:
+        """Points between which the determinant is about as hard to keep from 0, as far as some rounds tell."""
+        for _ in range(_SPREADS):
+            effort.spend(len(points) - 1)
+            passed, theta = self._tried("turn", points[:-1], points[1:], effort)
+            hardness = np.minimum(np.nan_to_num(theta / _HARD, nan=np.inf) ** _ORDER, _ROUGH)
+            hardness = np.where(passed | (hardness > 1), hardness, 2.0)
+            points = evened(points, hardness)
+            if (hardness < _SMOOTH).all():
+                break
+        return points
 
     def _batches(self, pieces: int, effort: Effort) -> Iterator[slice]:
-        """The points of some pieces at a time; EffortError in between where the effort is spent."""
+        """Some pieces at a time; EffortError in between where the effort is spent."""
         size = max(1, _BATCH // (len(self.arrays.B) + len(self.arrays.h)) ** 2)
         for at in range(0, pieces, size):
             effort.spend(0)
-            yield slice(at, min(at + size, pieces) + 1)
+            yield slice(at, min(at + size, pieces))
 
-    def _test(self, kind: Kind, effort: Effort) -> Any:
-        def passes(a: Any, b: Any) -> Any:
-            with np.errstate(all="ignore"):  # pieces that are far too long overflow: nothing is proved of them
-                parts = (slice(part.start, part.stop - 1) for part in self._batches(len(a), effort))
-                return np.concatenate([self._evaluate(kind, a[part], b[part], self.room)[1] for part in parts])
-
-        return passes
+    def _tried(self, kind: Kind, a: Any, b: Any, effort: Effort) -> tuple[Any, Any]:
+        """Which pieces pass on discs larger by `room`, and θ of those that turn."""
+        with np.errstate(all="ignore"):  # pieces that are far too long overflow: nothing is proved of them
+            found = [self._evaluate(kind, a[part], b[part], self.room) for part in self._batches(len(a), effort)]
+        theta = [piece.theta for _, _, piece in found if piece is not None]
+        return np.concatenate([passed for _, passed, _ in found]), np.concatenate(theta) if theta else None
 
     def _evaluate(self, kind: Kind, a: Any, b: Any, room: float = 1.0) -> tuple[Splittings, Any, Regular | None]:
         m, r = discs(a, b)
@@ -207,8 +183,8 @@ class Paths:
             passed, turn = self._path(path, here, thin, points, G, good, effort)
             turns.append(turn)
             whole = whole and bool(passed.all())
-            between = _between(path.arc)(path.points[:-1][~passed], path.points[1:][~passed])
-            refined.append(replace(path, points=halved(path.points, passed, between)[0]))
+            middles = between(path.arc)(path.points[:-1][~passed], path.points[1:][~passed])
+            refined.append(replace(path, points=halved(path.points, passed, middles)[0]))
         if not whole:
             return tuple(refined)
         ends = np.cumsum([len(path.points) for path in paths]) - 1
@@ -223,21 +199,21 @@ class Paths:
         """(which pieces pass, (turn, its error)) of one path; `here` numbers its points among all `points`."""
         passed, turns, errors = on_arc(path), [], []
         for part in self._batches(path.pieces, effort):
-            some = replace(path, points=path.points[part])
-            first, last = here[part][:-1], here[part][1:]
+            ends = slice(part.start, part.stop + 1)
+            some, at = replace(path, points=path.points[ends]), here[ends]
+            first, last = at[:-1], at[1:]
             s, fine, piece = self._evaluate(path.kind, some.points[:-1], some.points[1:])
             fine = fine & self._linked(some, s, thin.take(first), thin.take(last))
             if piece is not None:
-                at = here[part]
                 A = self.arrays.matrix(G.take(at), 1j * points[at])
                 every = np.arange(len(at))
-                start, lost, begins = pivot_arguments(piece, A.take(every[:-1]))
-                end, lost_too, ends = pivot_arguments(piece, A.take(every[1:]))
-                fine = fine & begins & ends & good[first] & good[last]
+                start, lost, sharp = pivot_arguments(piece, A.take(every[:-1]))
+                end, lost_too, sharp_too = pivot_arguments(piece, A.take(every[1:]))
+                fine = fine & sharp & sharp_too & good[first] & good[last]
                 turn = end - start  # each rounded to within U |turn|, their sum to nearest
                 turns += turn.tolist()
                 errors += [*lost, *lost_too, *(2 * U * np.abs(turn))]
-            passed[part.start : part.stop - 1] &= fine
+            passed[part] &= fine
         turned = fsum(turns)
         return passed, (turned, fsum(errors) * UP + 2 * U * abs(turned))
 
@@ -268,58 +244,3 @@ def _check_chain(paths: tuple[Path, ...], depth: float, reached: tuple[complex, 
         if complex(path.points[0]) not in ends:
             raise ValueError("a path begins where no earlier one ends")
         ends.append(complex(path.points[-1]))
-
-
-def discs(a: Any, b: Any) -> tuple[Any, Any]:
-    """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, and any whose ends are rounded to a and b.
-
-    They are wider than need be by 2⁻¹².
-    """
-    m = (a + b) / 2
-    r = np.maximum(np.abs(a - m), np.abs(b - m)) * _WIDER * UP + 4 * U * (np.abs(a) + np.abs(b))
-    return 1j * m, r
-
-
-def _between(arc: float | None) -> Any:
-    """Where pieces are halved: in the middle, on an arc at the middle of the arc."""
-
-    def on_circle(a: Any, b: Any) -> Any:
-        m = (a + b) / 2
-        with np.errstate(all="ignore"):
-            moved = m * (arc / np.abs(m)) if arc else m
-        return np.where(_curved(a, b, arc), moved, m)
-
-    return midpoints if arc is None else on_circle
-
-
-def _curved(a: Any, b: Any, arc: float | None) -> Any:
-    """Which pieces from a to b stand for an arc of the circle: those that run below the real axis."""
-    return (np.minimum(a.imag, b.imag) < 0) & (arc is not None)
-
-
-def on_arc(path: Path) -> Any:
-    """True for straight pieces, and for those whose disc is proved to hold their arc of the circle |q̂| = arc.
-
-    Let both ends be within η = 2⁻¹³ c of the circle, 2c their distance. The arc between the nearest points of the
-    circle is shorter than a half circle, so it lies in the disc that has those points as a diameter; the disc of the
-    piece holds that one, as its middle is within η of the other middle and c(1 + 2⁻¹²) ≥ (c + η) + η.
-    """
-    a, b = path.points[:-1], path.points[1:]
-    if path.arc is None:
-        return np.ones(len(a), bool)
-    off = np.maximum(np.abs(np.abs(a) - path.arc), np.abs(np.abs(b) - path.arc)) + 8 * U * path.arc
-    near = (off <= _OFF_ARC * (1 - 8 * U) * np.abs(b - a)) & (np.abs(b - a) < path.arc)
-    return near | ~_curved(a, b, path.arc)
-
-
-def positive(V: Jet, way: Any, drift: Any) -> Any:
-    """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
-    n, r = V.a.shape[1], V.r[:, None, None]
-    with np.errstate(all="ignore"):
-        H = np.stack([_hermitian(V.a), _hermitian(way[:, None, None] * V.b) * r], 1)
-        rest = V.e + drift[:, None, None] * np.abs(V.b) + 64 * (n + 4) * U * (np.abs(V.a) + np.abs(V.b) * r)
-        return positive_definite(H, (rest + np.swapaxes(rest, 1, 2)) / 2, _DEFINITE)
-
-
-def _hermitian(a: Any) -> Any:
-    return (a + np.swapaxes(a.conj(), 1, 2)) / 2

@@ -17,8 +17,7 @@ from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
-from mpsolve.numbers.halves import det_and_trace
-from mpsolve.numbers.reduction import Reduction
+from mpsolve.numbers.reduction import Reduction, det_and_trace
 from mpsolve.problem.reduced import Reduced
 
 _K = Balls()

@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.characteristic.symbol import Symbol, horner, slope_in_P
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, exact_ball, is_thin, precision, square
+from mpsolve.numbers.float64 import companions
 
 _NEAR = 2.0**-12
 """Roots that are nearer than this, relative to the largest root, are taken together."""
@@ -71,10 +72,7 @@ def leading(D: Any, degree: int) -> Any:
 def float_roots(D: Any, degree: int) -> Any:
     """Roots of the midpoint polynomial in float64, those of smallest real part first."""
     coefficients = np.array([complex(D[i]) for i in range(degree + 1)])
-    companion = np.zeros((degree, degree), complex)
-    companion[range(degree - 1), range(1, degree)] = 1
-    with np.errstate(all="ignore"):
-        companion[-1] = -coefficients[:-1] / coefficients[-1]
+    (companion,) = companions(coefficients[None])
     if not np.isfinite(companion).all():
         raise PrecisionError("the dispersion polynomial is out of float64's range here")
     z = np.linalg.eigvals(companion)

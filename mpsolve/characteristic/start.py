@@ -6,13 +6,13 @@ from dataclasses import field
 from typing import Any
 
 import numpy as np
-from flint import acb, acb_poly, arb, fmpq
+from flint import acb, acb_poly, arb
 
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.reduced import Guide
 
 
@@ -58,7 +58,7 @@ def dispersion_at(guide: Guide, sigma: acb) -> acb_poly:
     """D̂(P, σ̂) as a polynomial in P with ball coefficients."""
     out = [acb(0)] * (guide.degree + 1)
     for (i, j), c in guide.D.items():
-        out[i] += acb(arb(fmpq(c.numerator, c.denominator))) * sigma**j
+        out[i] += acb(rational_ball(c)) * sigma**j
     return acb_poly(out)
 
 

@@ -19,7 +19,7 @@ from mpsolve.problem.family import Family, family_of
 from mpsolve.problem.line import line_height
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Interval, Spent, within
 from mpsolve.ranges.scope import LEAST, checked_over, one_path
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
@@ -65,7 +65,7 @@ def _find(
     problem: Problem, over: Mapping[str, Interval], digits: int, effort: Effort | None, progress: Progress
 ) -> CutPoints:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     over = from_above_rest(problem, over)
     family = family_of(problem, over)
     found = all_reached(family, digits, budget, progress)

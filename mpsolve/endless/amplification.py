@@ -19,7 +19,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
@@ -95,7 +95,7 @@ def amplification(
         up = start(reduced.guide).up
         for k, (source, target) in enumerate(((0, last), (last, 0))):
             tell("ratio", 0.4 + 0.3 * k)
-            budget = effort.anew() if effort is not None else Effort(evaluations=_evaluations(reduced))
+            budget = begun(effort, _evaluations(reduced))
             found = Ratio(arrays, up, source, target).largest(low, high, tolerance, budget)
             peaks.append(Peak(found.low, found.high, found.q * float(reduced.frequency_unit)))
             reason = reason or found.reason

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -9,15 +10,20 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, split, waves
-from mpsolve.characteristic.paths import discs, positive
+from mpsolve.characteristic.path import discs
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
+from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import Jet, U, nearest
+from mpsolve.proof.definite import positive
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.subdivide import subdivide
 from mpsolve.proof.turning import regular
 
 ROUND = 3.1416
 """The arcs from −ROUND to ROUND are the whole circle, and a little more."""
+_SMALLEST = 2.0**-22
 
 
 @frozen
@@ -88,6 +94,31 @@ def _constant(z: Any, off: Any, like: Jet) -> Jet:
     )
 
 
+Test = Callable[[Any, Any], tuple[Any, Any]]
+"""(low, high) of boxes in (τ, θ), shape (2, boxes) → (which pass, the variable along which to halve them)."""
+
+
+def covered(test: Test, effort: Effort) -> int:
+    """The number of boxes that pass and are the whole of 0 ≤ τ ≤ 1 and of the circle together.
+
+    PrecisionError with the place where no box passes at the smallest size; a spent effort raises EffortError.
+    """
+    whole = np.array([1.0, 2 * ROUND])
+
+    def judge(low: Any, high: Any) -> tuple[Any, Any]:
+        passed, axis = test(low, high)
+        narrow = (high - low <= _SMALLEST * whole[:, None])[axis, np.arange(len(axis))]
+        for k in np.flatnonzero(~passed & narrow)[:1]:
+            tau, theta = (low[:, k] + high[:, k]) / 2
+            raise PrecisionError(f"the smallest boxes do not pass near τ = {tau:.6g}, θ = {theta:.6g}")
+        return passed.astype(np.int8), axis
+
+    found = subdivide([0.0, -ROUND], [1.0, ROUND], judge, effort, _SMALLEST)
+    if found.reason is not None:
+        raise EffortError(found.reason)
+    return int((found.tree.kind > 0).sum())
+
+
 @frozen
 class Boxes:
     """Tests for boxes in (τ, θ): q̂ = start + τ·(end − start), 0 ≤ τ ≤ 1, a piece of a path; z = e^{iθ}."""
@@ -97,16 +128,16 @@ class Boxes:
 
     def _evaluate(self, start: complex, end: complex, low: Any, high: Any) -> tuple[Any, Any, Jet, Any, Any, Any]:
         way = end - start
-        a, b = start + low[:, 0] * way, start + high[:, 0] * way
+        a, b = start + low[0] * way, start + high[0] * way
         m, r = discs(a, b)
-        middle, half = (low[:, 1] + high[:, 1]) / 2, (high[:, 1] - low[:, 1]) / 2
+        middle, half = (low[1] + high[1]) / 2, (high[1] - low[1]) / 2
         off = half * (1 + 8 * U) + 16 * U  # a chord is shorter than its arc; θ and its cosine are rounded
         with np.errstate(all="ignore"):
             G, good, told = self.arrays.on_arcs(split(self.arrays.D, m, r, self.up), np.exp(1j * middle), off)
         return m, r, G, good, told, b - a
 
     def regular(self, start: complex, end: complex) -> Any:
-        """A test for `cover_boxes`: Δ̂(z, σ) ≠ 0 on the whole box."""
+        """A test: Δ̂(z, σ) ≠ 0 on the whole box."""
 
         def test(low: Any, high: Any) -> tuple[Any, Any]:
             m, r, G, good, told, _ = self._evaluate(start, end, low, high)
@@ -121,7 +152,7 @@ class Boxes:
         return test
 
     def passive(self, start: complex, end: complex) -> Any:
-        """A test for `cover_boxes`: σĜ has a positive definite Hermitian part on the whole box."""
+        """A test: σĜ has a positive definite Hermitian part on the whole box."""
 
         def test(low: Any, high: Any) -> tuple[Any, Any]:
             m, r, G, good, told, piece = self._evaluate(start, end, low, high)
@@ -141,7 +172,7 @@ def _axis(low: Any, high: Any, by_sigma: Any, by_rest: Any, told: Any) -> Any:
 
     Where the p-roots are not told apart only shorter pieces help.
     """
-    long_ = (high[:, 1] - low[:, 1]) / (2 * ROUND) > (high[:, 0] - low[:, 0]) / 16
+    long_ = (high[1] - low[1]) / (2 * ROUND) > (high[0] - low[0]) / 16
     with np.errstate(all="ignore"):
         rest = ~(by_sigma > by_rest)
     return np.where(rest & long_ & told, 1, 0)

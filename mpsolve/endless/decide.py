@@ -10,13 +10,13 @@ from flint import arb
 from mpsolve.characteristic.origin import waves_meet_at_zero
 from mpsolve.characteristic.paths import Paths
 from mpsolve.characteristic.start import start
-from mpsolve.endless.boxes import Boxes, LatticeArrays
-from mpsolve.endless.closing import Closed, close, pieces
+from mpsolve.endless.boxes import Boxes, LatticeArrays, covered
+from mpsolve.endless.closing import Closed, close
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
-from mpsolve.proof.boxes import cover_boxes
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError
@@ -57,7 +57,7 @@ def count_growing(row: Row, effort: Effort) -> Count:
     arrays = LatticeArrays.of(row)
     boxes = Boxes(arrays, first.up)
     closed = close(boxes, row, effort)
-    count = cover_boxes(*pieces(24, 4), boxes.regular(0j, complex(closed.rho)), effort)
+    count = covered(boxes.regular(0j, complex(closed.rho)), effort)
     return Count(_in_step(Paths(arrays, first), closed.rho, effort), closed, count)
 
 
@@ -72,7 +72,4 @@ def _in_step(paths: Paths, rho: float, effort: Effort) -> int:
         turn = sum((arb(value, error) for value, error in proved.turns), arb(0))
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = (closing_argument(reduced, rho, *proved.corners[1]) + order * arb.pi() / 2 - turn) / arb.pi()
-        number = total.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(f"the turn of the characteristic function is {total.str(5)}, not one number of roots")
-    return int(number)
+        return number_of_zeros(total, "the characteristic function")

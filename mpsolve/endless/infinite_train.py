@@ -11,18 +11,17 @@ from mpsolve.endless.decide import count_growing
 from mpsolve.endless.doubling import growing_in_floats
 from mpsolve.endless.growing import Growing, find_growing
 from mpsolve.endless.row import Row, row_of
-from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.numbers.result import Result
+from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.problem.cases import Given
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
-from mpsolve.spectrum.spectrum import Cost
 
 EVALUATIONS = 1_500_000
 """About half a minute; a row far from its threshold takes some 50 thousand."""
@@ -90,11 +89,10 @@ def infinite_train(
     >>> infinite_train(Problem(beam, vehicles.Mass(40), v="0.1"), "1.5").stable
     True
     """
-    if effort is not None and not isinstance(effort, Effort):
-        raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
+    budget = begun(effort, EVALUATIONS)
     row = row_of(problem, spacing)
     require_premises(row.reduced, HalfPlane())
-    return decide(row, effort.anew() if effort is not None else Effort(evaluations=EVALUATIONS), progress or silent)
+    return decide(row, budget, progress or silent)
 
 
 def decide(row: Row, effort: Effort, tell: Progress) -> InfiniteTrain:

@@ -9,12 +9,12 @@ import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import split, waves
-from mpsolve.characteristic.paths import discs
+from mpsolve.characteristic.path import discs
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.solution import solution
+from mpsolve.proof.turning import solution
 
 _PIECES = 256
 _SMALLEST = 2.0**-28

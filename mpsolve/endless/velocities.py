@@ -27,7 +27,7 @@ from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.scope import from_above_rest
 from mpsolve.spectrum.premises import require_premises
@@ -171,7 +171,7 @@ def _beside(
 
 
 def _covered(row: Row, known: TrainVelocities, effort: Effort | None, tell: Callable[[float], None]) -> Covered:
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     found = None if known.convective is None else Fraction(known.convective)
     top = known.high if found is None else min(known.high, found * _ROOM)
     try:
@@ -210,7 +210,7 @@ def _between(low: Fraction, high: Fraction) -> Fraction:
 
 
 def _proof(row: Row, v: Fraction, effort: Effort | None) -> InfiniteTrain:
-    budget = effort.anew() if effort is not None else Effort(evaluations=EVALUATIONS)
+    budget = begun(effort, EVALUATIONS)
     return decide(row.at_velocity(v), budget, silent)
 
 

@@ -9,14 +9,13 @@ H = diag(h) + B₀ᵀK₀₀⁻¹B₀.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.kernel import completed, kernel
-from mpsolve.vehicles.vehicle import Pencil, Rows
+from mpsolve.numbers.linear import completed, congruent, image, kernel, units
+from mpsolve.vehicles.vehicle import Pencil
 
 
 @dataclass(frozen=True)
@@ -53,44 +52,30 @@ class Carriage:
 def carriage(pencil: Pencil) -> Carriage:
     """The vehicle's equations, reduced; every step of the reduction is exact."""
     size = pencil.size
-    massless = kernel(pencil.M)
-    at_once = kernel((*pencil.M, *pencil.C)) if massless else []
+    massless = kernel(pencil.M, size)
+    at_once = kernel((*pencil.M, *pencil.C), size) if massless else []
     damped = completed(at_once, massless)
-    heavy = completed([*at_once, *damped], _units(size)) if massless else _units(size)
+    heavy = completed([*at_once, *damped], units(size)) if massless else units(size)
     kept = [*heavy, *damped]
-    M, C, K = (_congruent(rows, kept, kept) for rows in (pencil.M, pencil.C, pencil.K))
-    B = _rows_times(kept, pencil.B)
+    M, C, K = (congruent(rows, kept, kept) for rows in (pencil.M, pencil.C, pencil.K))
+    columns = list(zip(*pencil.B, strict=True))
+    B = [image(columns, vector) for vector in kept]
     T = np.array(kept, float).reshape(-1, size).T
     fixed = np.array(at_once, float).reshape(-1, size).T
     H = np.diag(np.array(pencil.h, float))
     Kf, Bf = _floats(K), _floats(B)
     motion, give = T, np.zeros((size, pencil.contacts))
     if at_once:
-        inner = np.linalg.inv(_floats(_congruent(pencil.K, at_once, at_once)))
-        across, touch = _floats(_congruent(pencil.K, at_once, kept)), _floats(_rows_times(at_once, pencil.B))
+        inner = np.linalg.inv(_floats(congruent(pencil.K, at_once, at_once)))
+        across, touch = (
+            _floats(congruent(pencil.K, at_once, kept)),
+            _floats([image(columns, vector) for vector in at_once]),
+        )
         Kf = Kf - across.T @ inner @ across
         Bf = Bf - across.T @ inner @ touch
         H = H + touch.T @ inner @ touch
         motion, give = T - fixed @ inner @ across, fixed @ inner @ touch
     return Carriage(_floats(M), _floats(C), Kf, Bf, H, len(heavy), motion, give, fixed)
-
-
-def _units(size: int) -> list[list[Fraction]]:
-    return [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
-
-
-def _congruent(rows: Rows, left: Any, right: Any) -> list[list[Fraction]]:
-    images = [[_dot(row, vector) for row in rows] for vector in right]
-    return [[_dot(a, image) for image in images] for a in left]
-
-
-def _rows_times(left: Any, rows: Rows) -> list[list[Fraction]]:
-    columns = list(zip(*rows, strict=True))
-    return [[_dot(a, column) for column in columns] for a in left]
-
-
-def _dot(a: Any, b: Any) -> Fraction:
-    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
 
 
 def _floats(rows: Any) -> Any:

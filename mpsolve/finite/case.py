@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.finite.carriage import Carriage, carriage
-from mpsolve.finite.discretization import discretized
+from mpsolve.finite.discretization import compliance_beyond, discretized
 from mpsolve.finite.exponentials import exponentials
 from mpsolve.finite.march import Motion, Setting, march
 from mpsolve.numbers.float_list import float_list
@@ -106,9 +106,7 @@ class Case:
         self.contacts = np.array([float(x) for x in self.pencil.places])
         self.places = self.contacts if places is None else float_list(places, "places")
         self.velocity = float(problem.v)
-        self.tolerance = positive(tolerance, "tolerance")
-        if self.tolerance >= 1:
-            raise InputError("tolerance", f"is {self.tolerance:g}, not below 1: give the error accepted, as a share")
+        self.tolerance = share(tolerance, "tolerance")
         self.length = positive(length, "length")
         self.origin = self._placed(start)
         self.carriage: Carriage = carriage(self.pencil)
@@ -154,15 +152,24 @@ class Case:
         least, every = max(FEWEST_STEPS, math.ceil(self.duration * fastest)), _intervals(self.times)
         return math.ceil(least / every) * every
 
-    def solve(self, modes: int, steps: int, effort: Effort | None = None, guided: bool = False) -> Answer:
-        """The answer with these figures, or between guided ends; InputError where they are too many."""
+    def solve(
+        self, modes: int, steps: int, effort: Effort | None = None, guided: bool = False, beyond: bool = False
+    ) -> Answer:
+        """The answer with these figures, or between guided ends; InputError where they are too many.
+
+        beyond: the modes beyond these give way, too, as if the contact forces were constant.
+        """
         if modes * steps > MOST_WORK or steps > MOST_STEPS:
             stated = f"needs {steps} steps or more of {modes} modes for its tolerance, beyond what is computed"
             raise InputError("times", f"{stated}: end earlier, raise tolerance, or lower modes or steps")
-        track = exponentials(discretized(self.waveguide, self.length, modes, guided))
+        track, vehicle = discretized(self.waveguide, self.length, modes, guided), self.carriage
+        if beyond:
+            away = np.concatenate([self.contacts, self.places])[:, None] - self.contacts
+            give = compliance_beyond(track, self.velocity, away)
+            vehicle = replace(vehicle, H=vehicle.H + give[: len(self.contacts)])
         setting = Setting(
-            track, self.length, self.carriage, self.outer, self.contacts, self.places, self.origin, self.velocity,
-            self.duration, self.steady, self.unilateral, self.rough,
+            exponentials(track), self.length, vehicle, self.outer, self.contacts, self.places, self.origin,
+            self.velocity, self.duration, self.steady, self.unilateral, self.rough,
         )  # fmt: skip
         with np.errstate(over="ignore", invalid="ignore"), one_thread():
             try:
@@ -174,7 +181,7 @@ class Case:
                 raise InputError("vehicles", f"{stated}: move a contact, or give k_contact") from None
         if not all(np.isfinite(rows).all() for rows in (found.rail, found.vehicle, found.force)):
             raise InputError("times", f"reaches {self.duration:g}, where the motion overflows: end earlier")
-        return found
+        return replace(found, rail=found.rail + give[len(self.contacts) :] @ found.force) if beyond else found
 
     def unknown(self) -> Answer:
         """No number of it is one."""
@@ -225,6 +232,14 @@ def _ascending(times: Any) -> Any:
     if not found.size or found[0] < 0 or found[-1] <= 0 or np.any(np.diff(found) <= 0):
         raise InputError("times", "is not an ascending list of times from 0 on: give at least one time above 0")
     return found
+
+
+def share(value: Any, key: str) -> float:
+    """An error that is accepted, above 0 and below 1."""
+    number = positive(value, key)
+    if number >= 1:
+        raise InputError(key, f"is {number:g}, not below 1: give the error accepted, as a share")
+    return number
 
 
 def positive(value: Any, key: str) -> float:

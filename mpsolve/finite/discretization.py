@@ -9,7 +9,7 @@ with the same matrices, and a constant.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -17,11 +17,13 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, determinant
+from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, cofactor, determinant
 
 SINE, COSINE = 0, 1
 _HIGHEST = 2
 _NEARLY_0 = 1e-3
+_BEYOND = 40
+"""Times the modes of a track: as far as those beyond count."""
 
 
 @dataclass(frozen=True)
@@ -67,8 +69,7 @@ class Discretization:
     @cached_property
     def numerator(self) -> Polynomial:
         """The cofactor of the field under the contacts."""
-        kept = [k for k in range(len(self.matrix)) if k != self.loaded]
-        return determinant(tuple(tuple(self.matrix[i][j] for j in kept) for i in kept))
+        return cofactor(self.matrix, self.loaded)
 
     def _coefficient(self, power: int) -> Any:
         rows = [[in_s(entry, self.wavenumbers, _HIGHEST)[power] for entry in row] for row in self.matrix]
@@ -87,6 +88,20 @@ def discretized(waveguide: Waveguide, length: float, modes: int, guided: bool = 
         stated = "has neither mass nor damping in the field under the contacts, so that it answers a force at once"
         raise InputError("track", f"{stated}: give the field some mass or damping")
     return found
+
+
+def compliance_beyond(track: Discretization, velocity: float, away: Any) -> Any:
+    """What the modes beyond those of the track give way to constant forces that move, at these distances from them.
+
+    Such a mode is stiff, and follows the force as if at rest in the moving frame. Images in the supports are left
+    out.
+    """
+    more = replace(track, modes=_BEYOND * track.modes, guided=False)
+    k = more.wavenumbers[track.modes :]
+    turn = (1j * velocity * k) ** np.arange(_HIGHEST * len(track.matrix) + 1)[:, None]
+    D, N = ((in_s(part, k, len(turn) - 1) * turn).sum(0) for part in (track.dispersion, track.numerator))
+    give = (N / D).real / track.length
+    return np.reshape([np.cos(gap * k) @ give for gap in np.ravel(away)], np.shape(away))
 
 
 def in_s(polynomial: Polynomial, wavenumbers: Any, degree: int) -> Any:

@@ -17,7 +17,7 @@ from mpsolve.loci.on_sheet import OnSheet
 from mpsolve.loci.points import roots_at
 from mpsolve.loci.region import Region
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball, square
-from mpsolve.numbers.plain import outward
+from mpsolve.numbers.plain import disc_of
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
@@ -232,6 +232,4 @@ class Assembly:
 def _start(x: float, root: Any, unit: float) -> Start:
     with precision(64):
         q = root.q / unit
-        middle = complex(q.mid())
-        radius = outward(arb((q - acb(middle.real, middle.imag)).abs_upper()), up=True)
-    return Start(x, middle, radius, root.symmetry is Symmetry.IMAGINARY)
+    return Start(x, *disc_of(q), root.symmetry is Symmetry.IMAGINARY)

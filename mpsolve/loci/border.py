@@ -10,8 +10,8 @@ import numpy as np
 from mpsolve.loci.gate import Gate
 from mpsolve.loci.region import Side
 from mpsolve.loci.room import ABOVE, BELOW, GAP
-from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.numbers.plain import outward
+from mpsolve.numbers.balls import acb, precision
+from mpsolve.numbers.plain import disc_of, outward
 from mpsolve.outcome import Reason
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
@@ -57,10 +57,7 @@ class Passing:
     @property
     def disc(self) -> tuple[complex, float]:
         """A disc that holds q̂."""
-        with precision(64):
-            middle = complex(self.q.mid())
-            away = (self.q - acb(middle.real, middle.imag)).abs_upper()
-            return middle, outward(arb(away), up=True)
+        return disc_of(self.q)
 
 
 @dataclass(frozen=True)

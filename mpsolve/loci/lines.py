@@ -24,7 +24,7 @@ from mpsolve.problem.line import line_height
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
@@ -98,7 +98,7 @@ def _find(
     check: bool,
 ) -> FrequencyLines:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     whole = asked == "sheet"
     over = dict(above_rest(problem, over)) if whole else from_above_rest(problem, over)
     common: dict[str, Any] = {"digits": digits, "values": values}

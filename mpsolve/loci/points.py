@@ -16,8 +16,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.loci.grow import Strand
 from mpsolve.loci.room import GAP, Room
 from mpsolve.loci.tube import Tubes, tubes
-from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.numbers.plain import outward
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.plain import disc_of
 from mpsolve.problem.family import Family
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.enclose import enclose
@@ -68,9 +68,7 @@ def _root(family: Family, tube: Tubes, on_axis: bool, room: Room, value: Fractio
         return None
     with precision(64):
         scaled = q / unit
-        at = acb(scaled.mid())
-        away = outward(arb((scaled - at).abs_upper()), up=True)
+    middle, away = disc_of(scaled)
     reach = math.nextafter(x, -math.inf), math.nextafter(x, math.inf)
-    middle = complex(at)
     inside = all(bool(tube.holds(middle, away + 2.0**-50 * abs(middle), y)[0]) for y in reach)
     return q if inside and all(room.holds(scaled, int(tube.kind[0]), y) for y in reach) else None

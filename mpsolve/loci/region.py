@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import comb, nextafter
+from math import nextafter
 from typing import Any
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
@@ -16,7 +16,7 @@ from mpsolve.errors import InputError
 from mpsolve.loci.room import Room
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.family import Family
-from mpsolve.problem.free_track import FreePolynomial
+from mpsolve.problem.line import moved_in_s
 from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.premises import require_stable_track
 from mpsolve.ranges.scope import Scope
@@ -130,18 +130,7 @@ def _below_cuts(family: Family, height: Fraction) -> bool:
     if not _moving(family):
         return height < lowest_cut(family.problem.track)[0] / family.frequency_unit
     try:
-        require_stable_track(replace(family, D_rest=_shifted(family.D_rest, height)))
+        require_stable_track(replace(family, D_rest=moved_in_s(family.D_rest, -height)))
     except InputError:
         return False
     return True
-
-
-def _shifted(D: FreePolynomial, height: Fraction) -> FreePolynomial:
-    """D(P, s − height)."""
-
-    out: FreePolynomial = {}
-    for (i, j), c in D.items():
-        for k in range(j + 1):
-            term = c * (comb(j, k) * (-height) ** (j - k))
-            out[i, k] = out[i, k] + term if (i, k) in out else term
-    return {key: c for key, c in out.items() if c}

@@ -79,3 +79,22 @@ def value_at(x: Any, y: Any, c: Any) -> Any:
     for entry in rows[-2::-1]:
         total = entry + total * y
     return total
+
+
+def companions(D: Any) -> Any:
+    """Of each polynomial Σ D[:, i] z^i the matrix whose eigenvalues are its roots, shape (rows, degree, degree)."""
+    n = D.shape[1] - 1
+    C = np.zeros((len(D), n, n), D.dtype)
+    C[:, range(n - 1), range(1, n)] = 1
+    with np.errstate(all="ignore"):
+        C[:, -1] = -D[:, :-1] / D[:, -1:]
+    return C
+
+
+def polynomial_and_slope(D: Any, z: Any) -> tuple[Any, Any]:
+    """Values and slopes in z at several z for each polynomial Σ D[:, i] z^i; z of shape (rows, …)."""
+    value, slope = np.broadcast_to(D[:, -1:], z.shape), np.zeros_like(z)
+    for i in range(D.shape[1] - 2, -1, -1):
+        slope = slope * z + value
+        value = value * z + D[:, i : i + 1]
+    return value, slope

@@ -56,10 +56,16 @@ class Forms:
 
     @np.errstate(all="ignore")
     def __call__(self, y: Any, rho: Any) -> Quadratic:
-        """Shape (boxes, polynomials). y, rho: complex, shape (variables, boxes); y may err by 4 u |y| unseen."""
+        """Shape (boxes, polynomials). y, rho: complex, shape (variables, boxes); y may err by 4 u |y| unseen.
+
+        rho of shape (variables, variables, boxes): variable v is y_v + Σ ρ_vw u_w.
+        """
         m = len(y)
         if self.fixed:
             return self._constant(m, y.shape[1])
+        if rho.ndim == 3:  # |Σ ρ_vw u_w| ≤ R_v: over the larger box, and there U_v = Σ (ρ_vw/R_v) u_w
+            R = np.abs(rho).sum(1) * UP
+            return self(y, R + 0j).turned(rho / np.where(R > 0, R, 1)[:, None])
         zeroth, first, second, whole = (np.ones((m, len(self.powers), y.shape[1]), complex) for _ in range(4))
         for v in np.flatnonzero(self.powers.any(0)):
             e = self.powers[:, v]

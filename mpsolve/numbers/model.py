@@ -17,6 +17,7 @@ import msgspec
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
+from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit
 
 Rational: TypeAlias = Any
@@ -140,8 +141,7 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Base of tracks and vehicles whose parameters are numbers; each field is Annotated with its Quantity."""
 
     def __post_init__(self) -> None:
-        for name, quantity in quantities(type(self)).items():
-            value = getattr(self, name)
+        for name, quantity, value in self.described:
             if value is None and quantity.optional:
                 continue
             msgspec.structs.force_setattr(self, name, quantity.checked(value, name))
@@ -150,15 +150,26 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def check(self) -> None:
         """Raise InputError where the parameters exclude each other; the base accepts them."""
 
+    def __repr__(self) -> str:
+        """As it is typed; what has its default is left out."""
+        usual = defaults(type(self))
+        values = ((name, value) for name, _, value in self.described if name not in usual or value != usual[name])
+        told = (f"{name}={typed(value)}" for name, value in values)
+        return f"{type(self).__name__}({', '.join(told)})"
+
+    @property
+    def described(self) -> list[tuple[str, Quantity, Any]]:
+        """Name, description and value of each parameter, in the order of the class."""
+        return [(name, quantity, getattr(self, name)) for name, quantity in quantities(type(self)).items()]
+
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters by name, in the order of the class; what is absent is left out."""
-        values = {name: getattr(self, name) for name in quantities(type(self))}
-        return {name: value for name, value in values.items() if value is not None}
+        return {name: value for name, _, value in self.described if value is not None}
 
 
 @cache
-def quantities(model: type[Model]) -> dict[str, Quantity]:
+def quantities(model: type[Any]) -> dict[str, Quantity]:
     """The described parameters of a model by name, in the order of its arguments."""
     out: dict[str, Quantity] = {}
     for name, hint in get_type_hints(model, include_extras=True).items():
@@ -193,6 +204,15 @@ def rational(value: Number | object, key: str, unit: str | None = None, told: st
     return exact.as_fraction()
 
 
+def typed(value: Any) -> str:
+    """An exact value as Python that makes it again: whole numbers bare, others in quotes."""
+    if isinstance(value, (tuple, list)):
+        return f"[{', '.join(map(typed, value))}]"
+    if not isinstance(value, Fraction):
+        return repr(value)
+    return str(value) if value.denominator == 1 else repr(decimal(value))
+
+
 def shown(number: Fraction) -> str:
     """A short text of an exact number for messages."""
     return Exact.parse(number).short()
@@ -210,3 +230,13 @@ def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
     if not low < high:
         raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
     return low, high
+
+
+def velocities(over: Any, example: str) -> tuple[Fraction, Fraction]:
+    """The range of {"v": (low, high)}, 0 ≤ low < high; example: what a message shows of it."""
+    if not isinstance(over, Mapping) or list(over) != ["v"]:
+        raise InputError("over", f"is {over!r}: give the range of velocities, {example}")
+    low, high = checked_range(over["v"], "over['v']")
+    if low.sign < 0:
+        raise InputError("over['v']", f"starts at {low.short()}: give v ≥ 0, for the track is the same both ways")
+    return low.as_fraction(), high.as_fraction()

@@ -26,6 +26,13 @@ def outward(ball: Any, up: bool) -> float:
         return x
 
 
+def disc_of(ball: Any) -> tuple[complex, float]:
+    """(middle, radius) in floats of a disc that holds a complex ball."""
+    with precision(64):
+        middle = complex(ball.mid())
+        return middle, outward(arb((ball - acb(middle.real, middle.imag)).abs_upper()), up=True)
+
+
 def shown_digits(ball: Any) -> str:
     """The decimals of a ball that are sure, one digit of them within 1."""
     with precision(max(int(ball.mid().bits()), 53) + 32):

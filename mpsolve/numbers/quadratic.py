@@ -26,6 +26,15 @@ def pairs(m: int) -> tuple[tuple[int, int], ...]:
     return tuple((i, j) for i in range(m) for j in range(i, m))
 
 
+def by_variable(k: Any, m: int) -> Any:
+    """For each variable the sum of those coefficients, along the first axis, whose terms hold it: squares twice."""
+    out = k[1 : 1 + m].copy()
+    for n, (i, j) in enumerate(pairs(m), 1 + m):
+        out[i] += k[n]
+        out[j] += k[n]
+    return out
+
+
 @dataclass(frozen=True)
 class Quadratic:
     """k: complex, the coefficients 1, u_i, u_i u_j along the first axis, then boxes, then any shape; e ≥ 0."""
@@ -144,6 +153,18 @@ class Quadratic:
         lost = (relative + 64 * U * (self.m + 1)) * (1 + y + y * y)
         e = np.abs(value) * (1 + 16 * U + relative) * (rest + lost) * UP + TINY
         return Quadratic(np.stack(k), np.where(y <= _WIDEST, e, np.inf), self.m)
+
+    @np.errstate(all="ignore")
+    def turned(self, M: Any) -> Quadratic:
+        """With u_v = Σ M_vw u′_w, of shape (m, m, boxes), Σ_w |M_vw| ≤ 1: f has one axis behind that of boxes."""
+        M, which = M[..., None], pairs(self.m)
+        b = np.stack([self.b[v] * M[v] for v in range(self.m)])
+        c: list[Any] = [0.0] * len(which)
+        for n, (i, j) in enumerate(which):
+            for k, (v, w) in enumerate(which):
+                c[k] = c[k] + self.c[n] * (M[i, v] * M[j, w] + (M[i, w] * M[j, v] if v != w else 0))
+        size = np.abs(b).sum((0, 1)) + self.second
+        return Quadratic(np.stack([self.a, *b.sum(0), *c]), (self.e + 64 * self.m**2 * U * size) * UP + TINY, self.m)
 
     @np.errstate(all="ignore")
     def sum(self, axis: int) -> Quadratic:

@@ -7,19 +7,31 @@ from collections.abc import Iterable, Mapping
 from dataclasses import Field, fields
 from enum import Enum
 from fractions import Fraction
+from itertools import islice
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from flint import arb
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.plain import plain
 
 if TYPE_CHECKING:
     from mpsolve.outcome import Reason, Status
 
-_ROWS = 100  # in a notebook
+_ROWS = 100  # printed, or shown in a notebook
+
+
+@frozen
+class Cost:
+    """What an answer took: processor seconds of the proof and of its check, evaluations, pieces of paths."""
+
+    seconds: float
+    verification: float = 0.0
+    evaluations: int = 0
+    pieces: int = 0
 
 
 class Result(Portable):
@@ -89,14 +101,35 @@ class Result(Portable):
         """What a notebook shows."""
         from html import escape
 
-        rows = list(self.records())
-        names = list(dict.fromkeys(name for row in rows for name in row))
-        lines = [names, *([_text(row.get(name)) for name in names] for row in rows[:_ROWS])]
-        tags = ["th", *("td" for _ in lines[1:])]
-        cells = ["".join(f"<{tag}>{escape(x)}</{tag}>" for x in line) for tag, line in zip(tags, lines, strict=True)]
+        names, *rows = self._printed()
+        tags = ["th", *("td" for _ in rows)]
+        cells = [
+            "".join(f"<{tag}>{escape(x)}</{tag}>" for x in line)
+            for tag, line in zip(tags, (names, *rows), strict=True)
+        ]
         table = "<table>" + "".join(f"<tr>{cell}</tr>" for cell in cells) + "</table>" if rows else ""
-        more = f"<p>and {len(rows) - _ROWS} more rows</p>" if len(rows) > _ROWS else ""
-        return f"<p>{escape(f'{type(self).__name__}: {self.trust}')}</p>{table}{more}"
+        more = f"<p>{escape(self._rest())}</p>" if self._rest() else ""
+        return f"<p>{escape(self._headline())}</p>{table}{more}"
+
+    def __str__(self) -> str:
+        """What `print` shows: how far it is to be trusted, and the table."""
+        names, *rows = self._printed()
+        widths = [max(map(len, column)) for column in zip(names, *rows, strict=True)]
+        lines = ["  ".join(x.ljust(n) for x, n in zip(line, widths, strict=True)).rstrip() for line in (names, *rows)]
+        return "\n".join([self._headline(), *lines[: bool(rows) and None], *filter(None, [self._rest()])])
+
+    def _headline(self) -> str:
+        return f"{type(self).__name__}: {self.trust}"
+
+    def _printed(self) -> list[list[str]]:
+        """The names of the columns, and the first rows."""
+        rows = list(islice(self.records(), _ROWS))
+        names = list(dict.fromkeys(name for row in rows for name in row))
+        return [names, *([_text(row.get(name)) for name in names] for row in rows)]
+
+    def _rest(self) -> str:
+        left = sum(1 for _ in islice(self.records(), _ROWS, None))
+        return f"and {left} more rows" if left else ""
 
     def __bool__(self) -> bool:
         raise TypeError(f"{type(self).__name__} has no truth value: ask for .proved, or for what it says")

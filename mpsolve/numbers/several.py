@@ -6,14 +6,16 @@ ring's own point are, which tells nothing about other points.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import total_ordering
-from typing import Any
+from operator import add
+from typing import Any, TypeVar
 
 from mpsolve.frozen import frozen
 
 Exponents = tuple[int, ...]
+K = TypeVar("K", bound=Exponents)
 
 
 @frozen
@@ -37,6 +39,37 @@ class Ring:
         return Several(self, {(0,) * len(self.names): number} if number else {})
 
 
+def plus(*polynomials: Mapping[K, Any]) -> dict[K, Any]:
+    """The sum of polynomials as exponents with coefficients, whatever those are."""
+    out: dict[K, Any] = {}
+    for terms in polynomials:
+        for e, c in terms.items():
+            out[e] = out[e] + c if e in out else c
+    return {e: c for e, c in out.items() if c}
+
+
+def multiply(a: Mapping[K, Any], b: Mapping[K, Any]) -> dict[K, Any]:
+    """The product of two of them."""
+    out: dict[Any, Any] = {}
+    for d, x in a.items():
+        for e, y in b.items():
+            key = tuple(map(add, d, e))
+            out[key] = out[key] + x * y if key in out else x * y
+    return {e: c for e, c in out.items() if c}
+
+
+def evaluated(terms: Iterable[tuple[Exponents, Any]], point: Sequence[Any], number: Any = None) -> Any:
+    """Σ c x₁^e₁ x₂^e₂ … at a point; number: what turns a coefficient into one of its kind, such as balls."""
+    total = Fraction(0) if number is None else number(Fraction(0))
+    for exponents, c in terms:
+        term = c if number is None else number(c)
+        for x, e in zip(point, exponents, strict=True):
+            if e:
+                term = term * x**e
+        total = total + term
+    return total
+
+
 @total_ordering
 class Several:
     """Σ c x₁^e₁ x₂^e₂ … with c ≠ 0; immutable."""
@@ -48,12 +81,7 @@ class Several:
 
     def at(self, values: Sequence[Fraction]) -> Fraction:
         """The value at a point; ZeroDivisionError where a negative power meets 0."""
-        total = Fraction(0)
-        for exponents, c in self.terms.items():
-            for x, e in zip(values, exponents, strict=True):
-                c *= x**e if e else 1
-            total += c
-        return total
+        return Fraction(evaluated(self, values))
 
     def __iter__(self) -> Iterator[tuple[Exponents, Fraction]]:
         return iter(self.terms.items())
@@ -77,10 +105,7 @@ class Several:
         return Several(self.ring, {e: -c for e, c in self.terms.items()})
 
     def __add__(self, other: Any) -> Several:
-        out = dict(self.terms)
-        for e, c in self.ring.constant(other).terms.items():
-            out[e] = out.get(e, Fraction(0)) + c
-        return Several(self.ring, {e: c for e, c in out.items() if c})
+        return Several(self.ring, plus(self.terms, self.ring.constant(other).terms))
 
     __radd__ = __add__
 
@@ -91,12 +116,7 @@ class Several:
         return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Several:
-        out: dict[Exponents, Fraction] = {}
-        for d, x in self.terms.items():
-            for e, y in self.ring.constant(other).terms.items():
-                key = tuple(i + j for i, j in zip(d, e, strict=True))
-                out[key] = out.get(key, Fraction(0)) + x * y
-        return Several(self.ring, {e: c for e, c in out.items() if c})
+        return Several(self.ring, multiply(self.terms, self.ring.constant(other).terms))
 
     __rmul__ = __mul__
 

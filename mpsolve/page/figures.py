@@ -6,18 +6,18 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.view import cuts_in, fitting_window, free_height
 from mpsolve.page.charts import Picture
-from mpsolve.page.parts import Parts, searched, vibrations, worst
+from mpsolve.page.parts import Parts, searched, worst
 from mpsolve.page.words import contact_names, speech
 from mpsolve.pictures.axes import COLOURS
-from mpsolve.pictures.lines import Curve, Mark, lines_picture
+from mpsolve.pictures.lines import Curve, Mark, lines_picture, motion_pictures
 from mpsolve.pictures.model import model_picture
-from mpsolve.pictures.plane import plane_picture
+from mpsolve.pictures.plane import NO_CUT, spectrum_picture
 from mpsolve.pictures.shape import moving_shape
 from mpsolve.ranges.onset import Kind
+from mpsolve.report.vibration import once
 
-_TALL, _BEYOND = 6.0, 1.2
+_BEYOND = 1.2
 _BESIDE, _SAME = 1.5, 0.1
 """How near a line is to a root: in steps of the velocity, and of |q|."""
 
@@ -31,45 +31,27 @@ def plane(parts: Parts) -> Picture | None:
     """The certified roots with the cuts; None where there is no root."""
     if not parts.spectrum.roots:
         return None
-    q = np.array([complex(root.q.mid()) for root in parts.spectrum.roots])
-    window = fitting_window(parts.problem)
-    width = max([1.25 * float(np.abs(q.real).max()) if len(q) else 0.0, 0.35 * window.width]) or window.width
-    low = free_height(parts.problem, window) * 16 / 15
-    seen = _TALL * float(np.abs(q.imag).max()) if len(q) else 0.0  # taller, and the roots seem to lie on the axis
-    height = max([min(1.3 * low, seen or np.inf), *(1.2 * q.imag).tolist()]) or width / 4
-    depth = max([height / 4, *(-1.3 * q.imag).tolist()])
-    unit = "rad/s" if speech(parts).si else "√(k/m)"
-    numbers = {id(root): str(k) for k, root in enumerate(vibrations(parts.spectrum), 1)}
-    beside = [numbers.get(id(root), "") for root in parts.spectrum.roots]
+    picture, seen_cut = spectrum_picture(parts.spectrum)
     said = (
         "Each mark is a certified root q: a circle decays, a square grows. A vibration that swings has two, left and "
         "right, q and −q̄, and is one line of the table, whose number stands at the right one. "
     )
-    cuts = cuts_in(parts.problem, window)
-    seen_cut = any(((cut.imag < height) & (np.abs(cut.real) < width)).any() for cut in cuts)
     said += (
-        "Grey dashes are the branch cuts, where the waves of the track itself lie: computed."
-        if seen_cut
-        else "The branch cuts, where the waves of the track itself lie, are higher up, out of this picture."
+        "Grey dashes are the branch cuts, where the waves of the track itself lie: computed." if seen_cut else NO_CUT
     )
-    return Picture(
-        "plane", plane_picture(q, cuts, width, depth, height, name="plane", unit=unit, numbers=beside), said
-    )
+    return Picture("plane", picture, said)
 
 
 def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     """The shape of the worst root, and its amplitudes: name, size, phase."""
     if parts.shape.value is None:
         return None
-    contacts = [float(x) for x in parts.problem.pencil.places]
-    x, found = parts.shape.value
-    rail = np.array([complex(w.mid()) for w in found.rail])
-    bodies = {name: complex(a.mid()) for name, a in found.bodies.items()}
+    contacts, (x, rail, bodies) = parts.problem.pencil.places, parts.shape.value
     table = [
         (name, f"{abs(a):.3g}", f"{np.degrees(np.angle(a)):.0f}°".replace("-", "−")) for name, a in bodies.items()
     ]
     root = worst(parts.spectrum)
-    number = 1 + vibrations(parts.spectrum).index(root) if root is not None else 0
+    number = 1 + once(parts.spectrum).index(root) if root is not None else 0
     does = "grows most" if root is not None and root.growth > 0 else "decays least"
     said = (
         f"The shape of vibration {number}, which {does}: one period, slowed down, neither growing nor decaying. "
@@ -108,7 +90,7 @@ def lines(parts: Parts) -> list[Picture]:
     )  # fmt: skip
     said = (
         f"How fast each vibration grows (above 0) or decays (below): computed in floats at many velocities."
-        f"{_end(parts)} The numbers are those of the table{_others(names, len(vibrations(parts.spectrum)))}."
+        f"{_end(parts)} The numbers are those of the table{_others(names, len(once(parts.spectrum)))}."
         f"{' Marks on a line only tell it from another of its colour.' if len(tracks) > COLOURS else ''}"
     )
     return [Picture("growth", grown, said), Picture("frequency", swung, "The frequencies of the same vibrations.")]
@@ -124,7 +106,7 @@ def _end(parts: Parts) -> str:
 
 def _numbers(parts: Parts, v: Any, tracks: list[Any]) -> list[str]:
     """Of each line the number of the vibration through which it runs at this case, else one beyond the table's."""
-    own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in vibrations(parts.spectrum)]
+    own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in once(parts.spectrum)]
     near = []
     for k, track in enumerate(tracks):
         good = np.isfinite(track)
@@ -205,28 +187,11 @@ def motion(parts: Parts) -> list[Picture]:
     found = parts.response.value
     if found is None:
         return []
-    speak, t = speech(parts), np.asarray(found.times, float)
-    end = None if found.lift_off is None else float(found.lift_off.time)
-    rail, force = np.asarray(found.rail), np.asarray(found.contact_force)
-    up_to = _until(t, end)
-    many = len(rail) > 4
-    shown = range(0, len(rail), max(1, len(rail) // 4))
-    own = contact_names(parts.problem)
-    names = {k: own[k] for k in shown}
-    mm, kn = (1000.0, 1e-3) if speak.si else (1.0, 1.0)
-    units = ("mm", "kN", "s") if speak.si else ("unit lengths", "unit forces", "τ")
-    marks = [] if end is None else [Mark(end, "lift-off")]
-    deflection = [Curve(t[up_to], rail[k][up_to] * mm, names[k], end) for k in shown]
-    forces = [Curve(t[up_to], force[k][up_to] * kn, names[k], end) for k in shown]
-    some = f" ({len(names)} of {len(rail)} contacts)" if many else ""
-    x_title = f"time, {units[2]}"
-    bent = lines_picture(
-        deflection, x_title, f"deflection, {units[0]}", "Deflection of the rail under the contacts",
-        name="deflection", marks=marks,
-    )  # fmt: skip
-    pressed = lines_picture(
-        forces, x_title, f"contact force, {units[1]}", "Contact forces", name="force", marks=marks
-    )
+    end, count, own = found.lift_off, len(found.rail), contact_names(parts.problem)
+    names = {k: own[k] for k in range(0, count, max(1, count // 4))}
+    some = f" ({len(names)} of {count} contacts)" if count > 4 else ""
+    until = _until(found.times, None if end is None else float(end.time))
+    bent, pressed = motion_pictures(found, names, speech(parts).si, until)
     grey = " After the lift-off the model no longer holds: grey." if end is not None else ""
     return [
         Picture("deflection", bent, f"The rail under the contacts{some}; down is positive.{grey}"),

@@ -15,18 +15,19 @@ from mpsolve.numbers.model import Model, Part, quantities
 from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.page import charts, figures
 from mpsolve.page.limit_words import limit_rows
-from mpsolve.page.parts import Parts, vibrations
+from mpsolve.page.parts import Parts
 from mpsolve.page.plain import plain, scope
 from mpsolve.page.words import Speech, cards, doing, speech
 from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
 from mpsolve.problem.casefile import DIMENSIONLESS
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import titled
+from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
 from mpsolve.report.template import rendered
+from mpsolve.report.vibration import once
 from mpsolve.spectrum.spectrum import Root
 from mpsolve.tracks.waveguide import Track
 
@@ -61,7 +62,7 @@ def page_html(parts: Parts, stem: str) -> str:
         drawing=figures.drawing(parts),
         tables=tables(parts),
         units=("Hz", "1/s") if speak.si else ("1/τ", "1/τ"),
-        roots=[_root(root, speak, spectrum.digits) for root in vibrations(spectrum)],
+        roots=[_root(root, speak, spectrum.digits) for root in once(spectrum)],
         proved_roots=spectrum.proved,
         digits=spectrum.digits,
         plane=figures.plane(parts),

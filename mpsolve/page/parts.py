@@ -15,6 +15,7 @@ from mpsolve.certificate.certify import certify
 from mpsolve.outcome import Reason, Status
 from mpsolve.page.budget import Budget, Part
 from mpsolve.page.limits import Reach, distance_margin, distance_path, mass_margin, reach_of, stable_box
+from mpsolve.pictures.shape import shape_along
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.deadline import TimeUpError, deadline
@@ -23,14 +24,13 @@ from mpsolve.ranges.chart import Chart, stability_chart
 from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity, velocity_ranges
 from mpsolve.ranges.margin import Margin
 from mpsolve.report.spectrum_words import verdict
+from mpsolve.report.vibration import once
 from mpsolve.spectrum.regions import HalfPlane
-from mpsolve.spectrum.shape import root_shape
 from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.waves.velocity import CriticalVelocities
 
 LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 5
-_SHAPE_POINTS = 121
 _ROOTS = 0.7  # of the time, for the roots with their verifier
 _ASKED = 0.3  # of the time, for each region that is tried
 _LEAST = 2.0  # seconds for the roots, however little time there is
@@ -138,26 +138,15 @@ def roots_of(given: Given, digits: int, seconds: float) -> Spectrum:
         return Spectrum(given, HalfPlane(), digits, Status.UNDECIDED, reason)
 
 
-def vibrations(spectrum: Spectrum) -> list[Root]:
-    """Each vibration once, by ascending frequency: their numbers on the page are their places here."""
-    right = [root for root in spectrum.roots if not root.q.real < 0]
-    return sorted(right, key=lambda root: float(root.q.real.mid()))
-
-
 def worst(spectrum: Spectrum) -> Root | None:
     """The root that grows most, or decays least."""
-    return max(vibrations(spectrum), key=lambda root: float(root.growth.mid()), default=None)
+    return max(once(spectrum), key=lambda root: float(root.growth.mid()), default=None)
 
 
-def shape_of(problem: Problem, spectrum: Spectrum) -> tuple[Any, Any] | None:
-    """Places along the rail round the contacts, and the shape of the worst root there."""
+def shape_of(problem: Problem, spectrum: Spectrum) -> Any:
+    """Of the worst root: places along the rail round the contacts, the rail there, the bodies."""
     root = worst(spectrum)
-    if root is None:
-        return None
-    contacts = [float(x) for x in problem.pencil.places]
-    reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
-    x = np.linspace(min(contacts) - reach, max(contacts) + reach, _SHAPE_POINTS).round(4)
-    return x, root_shape(problem, root.q, root.multiplicity, places=x.tolist())
+    return None if root is None else shape_along(problem, root.q, root.multiplicity)
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:
@@ -208,4 +197,4 @@ def proved_chart_of(problem: Problem, seconds: float) -> Chart:
     near = velocity_ranges(problem).near
     v = next((ends for ends in near if ends[0] <= problem.v <= ends[1]), near[0])
     over = {"v": v, "scale.mass": MASS_FACTORS}
-    return stability_chart(problem, over=over, depth=PROVED_DEPTH, effort=Effort(seconds=seconds))
+    return stability_chart(problem, over=over, depth=PROVED_DEPTH, effort=Effort(seconds=seconds), check=False)

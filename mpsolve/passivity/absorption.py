@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.several import multiply, plus
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial, add, moving, multiply, scaled
+from mpsolve.tracks.waveguide import Polynomial, moving, scaled
 
 
 @frozen
@@ -32,8 +33,8 @@ class Absorption:
     @classmethod
     def of(cls, guide: Guide) -> Absorption:
         (dr, di), (nr, ni) = _parts(guide.D_rest), _parts(guide.N_rest)
-        W = add(multiply(nr, di), scaled(multiply(ni, dr), Fraction(-1)))
-        return cls(W, add(multiply(dr, dr), multiply(di, di)), guide.v)
+        W = plus(multiply(nr, di), scaled(multiply(ni, dr), Fraction(-1)))
+        return cls(W, plus(multiply(dr, dr), multiply(di, di)), guide.v)
 
 
 def _parts(polynomial: Polynomial) -> tuple[Polynomial, Polynomial]:

@@ -8,6 +8,7 @@ along, P ~ σ/v with s = σ − vP of lower order, are looked at in s in the sam
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import comb
 
@@ -82,7 +83,7 @@ def _carried_vanish(D: Polynomial, N: Polynomial, count: int) -> bool:
     return least == 0 and found == count
 
 
-def in_s(polynomial: Polynomial, v: Fraction) -> Polynomial:
+def in_s(polynomial: Mapping[tuple[int, int], Fraction], v: Fraction) -> Polynomial:
     """The polynomial in s and σ at P = (σ − s)/v, v > 0."""
     out: Polynomial = {}
     for (i, j), c in polynomial.items():

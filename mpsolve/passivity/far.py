@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from mpsolve.numbers.jets import UP
+from mpsolve.numbers.several import evaluated
 from mpsolve.passivity.decay import edges
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far_chart import MARGIN, FarChart, given_from
@@ -162,17 +163,9 @@ def slopes(subject: Subject, x: Any) -> list[Fraction]:
     """Exponents γ with 0 ≤ γ ≤ 1 of the track at a point of the box."""
     point = [Fraction(float(t)) for t in x[0]]
 
-    def at(terms: Any) -> Fraction:
-        total = Fraction(0)
-        for powers, c in terms:
-            for t, k in zip(point, powers, strict=True):
-                c *= t**k
-            total += c
-        return total
-
     rows: dict[tuple[int, int], list[Any]] = {}
     for (i, j, *powers), c in subject.D.items():
         rows.setdefault((i, j), []).append((tuple(powers), c))
-    D: Polynomial = {key: c for key, terms in rows.items() if (c := at(terms))}
-    found = {edge.slope for edge in edges(moving(D, at(subject.v.items())), {(0, 0): Fraction(1)})}
+    D: Polynomial = {key: c for key, terms in rows.items() if (c := evaluated(terms, point))}
+    found = {edge.slope for edge in edges(moving(D, evaluated(subject.v.items(), point)), {(0, 0): Fraction(1)})}
     return sorted(gamma for gamma in found if 0 <= gamma <= 1)

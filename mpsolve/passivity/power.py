@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.affine import Affine, constant, horner
+from mpsolve.numbers.several import multiply, plus
 
 Terms = dict[tuple[int, ...], Fraction]
 """Σ c x₁^i x₂^j θ₁^k₁ … as {(i, j, k₁, …): c} with c ≠ 0."""
@@ -35,7 +36,7 @@ class Power:
     ) -> Power:
         """From D and N at rest, polynomials in P, s and the parameters, even in P."""
         (dr, di), (nr, ni) = _halves(D), _halves(N)
-        return Power(_less(_times(nr, di), _times(ni, dr)), dr, di, tuple(names))
+        return Power(_less(multiply(nr, di), multiply(ni, dr)), dr, di, tuple(names))
 
     @cached_property
     def quotient(self) -> Quotient:
@@ -46,8 +47,8 @@ class Power:
     def slope(self) -> Quotient:
         """∂/∂z of w/|D|²: (w_z |D|² − w ∂_z|D|²)/|D|⁴."""
         z: Terms = {(0, 1, *[0] * len(self.names)): Fraction(1)}
-        square = _plus(_times(self.real, self.real), _times(z, _times(self.imaginary, self.imaginary)))
-        return Quotient(self, _less(_times(_slope(self.w), square), _times(self.w, _slope(square))), 0, 2)
+        square = plus(multiply(self.real, self.real), multiply(z, multiply(self.imaginary, self.imaginary)))
+        return Quotient(self, _less(multiply(_slope(self.w), square), multiply(self.w, _slope(square))), 0, 2)
 
     @property
     def alpha(self) -> int:
@@ -91,24 +92,8 @@ def _halves(polynomial: Mapping[tuple[int, ...], Fraction]) -> tuple[Terms, Term
     return out
 
 
-def _times(a: Terms, b: Terms) -> Terms:
-    out: Terms = {}
-    for k, x in a.items():
-        for m, y in b.items():
-            key = tuple(i + j for i, j in zip(k, m, strict=True))
-            out[key] = out.get(key, Fraction(0)) + x * y
-    return {key: c for key, c in out.items() if c}
-
-
-def _plus(a: Terms, b: Terms, sign: int = 1) -> Terms:
-    out = dict(a)
-    for key, c in b.items():
-        out[key] = out.get(key, Fraction(0)) + sign * c
-    return {key: c for key, c in out.items() if c}
-
-
 def _less(a: Terms, b: Terms) -> Terms:
-    return _plus(a, b, -1)
+    return plus(a, {key: -c for key, c in b.items()})
 
 
 def _slope(a: Terms) -> Terms:

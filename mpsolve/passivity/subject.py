@@ -14,6 +14,7 @@ import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.affine import Affine, between
+from mpsolve.numbers.several import plus
 from mpsolve.passivity.power import Power, coefficient
 from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.tracks.passive import passivity
@@ -82,7 +83,7 @@ class Subject:
         kept: dict[Any, int] = {}
         for i in range(n):
             for j in range(i):
-                key = frozenset(_difference(self.places[i], self.places[j]).items())
+                key = frozenset(plus(self.places[i], {key: -c for key, c in self.places[j].items()}).items())
                 number[i, j] = kept.setdefault(key, len(kept))
         return [coefficient(key, parameters) for key in kept], number
 
@@ -90,13 +91,6 @@ class Subject:
 def _is_free(family: Any) -> bool:
     """Whether a parameter of the track at rest is left free."""
     return any(any(powers) for a in (family.D_rest, family.N_rest) for row in a.values() for powers, _ in row)
-
-
-def _difference(a: Free, b: Free) -> dict[tuple[int, ...], Fraction]:
-    out = dict(a)
-    for key, c in b.items():
-        out[key] = out.get(key, Fraction(0)) - c
-    return {key: c for key, c in out.items() if c}
 
 
 def floats_of(terms: Iterable[tuple[tuple[int, ...], Fraction]], x: Any) -> Any:

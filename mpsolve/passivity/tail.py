@@ -13,18 +13,19 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from flint import arb, fmpq
+from flint import arb
 
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.jets import UP
+from mpsolve.numbers.several import multiply, plus
 from mpsolve.passivity.absorption import Absorption, in_block, orders, overtakes
 from mpsolve.passivity.decay import edges
 from mpsolve.passivity.plane import negative, supremum
 from mpsolve.passivity.taking import Search, ratio
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial, add, multiply, scaled
+from mpsolve.tracks.waveguide import Polynomial, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
 _TRIES = 6  # of proofs
@@ -168,13 +169,13 @@ def outweighs(tail: Tail, v: Fraction, gap: Fraction | None) -> bool:
     if not (tail.alpha > 1 and tail.gamma >= 0 and tail.alpha - 1 >= tail.e - tail.gamma):
         return False
     with precision(64):
-        X, speed = arb(tail.X), _ball(v)
-        sieve = 2 * arb.pi() / _ball(gap) if gap is not None else arb(0)
+        X, speed = arb(tail.X), rational_ball(v)
+        sieve = 2 * arb.pi() / rational_ball(gap) if gap is not None else arb(0)
         absorbed = arb(0)
         for z1, z2, kappa in tail.blocks:
-            length = (arb(z2) - arb(z1)) * X ** _ball(tail.gamma) - sieve
+            length = (arb(z2) - arb(z1)) * X ** rational_ball(tail.gamma) - sieve
             if length > 0:  # a shorter block absorbs too, but how much is not known
-                absorbed += length * arb(kappa) * X ** -_ball(tail.e)
+                absorbed += length * arb(kappa) * X ** -rational_ball(tail.e)
         p = X / speed
         given = arb(tail.C) * (p ** (1 - tail.alpha) / (tail.alpha - 1) + sieve * p ** (-tail.alpha))
         return bool(absorbed > given)
@@ -185,7 +186,10 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
     k, m = tail.gamma.numerator, tail.gamma.denominator
     with precision(64):
         last = max((z2 for _, z2, _ in tail.blocks), default=0.0)
-        if not (tail.gamma <= 1 and arb(max(last, 0.0)) * _ball(v) * arb(tail.X) ** _ball(tail.gamma - 1) < 1):
+        if not (
+            tail.gamma <= 1
+            and arb(max(last, 0.0)) * rational_ball(v) * arb(tail.X) ** rational_ball(tail.gamma - 1) < 1
+        ):
             return False
         tau = float(((1 / arb(tail.X)) ** (arb(1) / m)).upper()) * UP
     if tail.e != absorption.exponent(tail.gamma):
@@ -193,7 +197,7 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
     W, D2 = (in_block(a, k, m) for a in absorption.moving)
     rest = scaled(W, Fraction(-1))
     return all(
-        negative(add(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
+        negative(plus(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
     )  # κ |D|² − W < 0 on each box
 
 
@@ -234,7 +238,3 @@ def envelope_charts(absorption: Absorption, v: Fraction, tail: Tail) -> tuple[tu
             u0,
         ),
     )
-
-
-def _ball(x: Fraction) -> arb:
-    return arb(fmpq(x.numerator, x.denominator))

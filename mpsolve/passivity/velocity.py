@@ -19,7 +19,7 @@ from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.model import checked_range
+from mpsolve.numbers.model import velocities
 from mpsolve.numbers.realroots import as_fmpq, positive_roots
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.answer import Kind, PassivityVelocity
@@ -29,7 +29,7 @@ from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.string_velocity import velocity_of_string
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import MORE_EFFORT, Effort
+from mpsolve.proof.effort import MORE_EFFORT, Effort, begun
 from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest
 from mpsolve.tracks.passive import passivity
@@ -59,23 +59,14 @@ def passivity_velocity(
     For EulerBernoulli(EI="1/4", m=1, k=1, c=1), the paper's beam with η_b = 0.5, `value` is 1.1899209702954530 to 16
     digits, after 1 s.
     """
-    low, high = _range(over)
+    low, high = velocities(over, '{"v": (0, 500)}')
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:
         raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {_MOST_DIGITS}")
     guide = _checked(track)
     if isinstance(track, String):
         return velocity_of_string(track, low, high, working_bits(digits))
-    budget = effort.anew() if effort is not None else Effort(evaluations=_EVALUATIONS)
+    budget = begun(effort, _EVALUATIONS)
     return _Search(guide, low, high, working_bits(digits), budget, progress or silent).answer()
-
-
-def _range(over: Mapping[str, Any]) -> tuple[Fraction, Fraction]:
-    if not isinstance(over, Mapping) or list(over) != ["v"]:
-        raise InputError("over", f'is {over!r}: give the range of velocities, {{"v": (0, 500)}}')
-    low, high = checked_range(over["v"], "over['v']")
-    if low.sign < 0:
-        raise InputError("over['v']", f"starts at {low.short()}: give v ≥ 0, for the track is the same both ways")
-    return low.as_fraction(), high.as_fraction()
 
 
 def _checked(track: Track | Waveguide) -> Guide:

@@ -176,6 +176,13 @@ def disc(x: float, y: float, r: float, name: str = "body", title: str = "") -> s
     return f'<circle class="{name}" cx="{x:.1f}" cy="{y:.1f}" r="{r:g}">{told}</circle>'
 
 
+def alone(picture: str, size: str = 'width="720"') -> str:
+    """The picture as a file of its own, or in a notebook: with its style, in the colours of paper."""
+    head, rest = picture.split(">", 1)
+    space = f'xmlns="http://www.w3.org/2000/svg" {size} style="background:#fff;color:#000"'
+    return f"{head} {space}><style>{STYLE}</style>{rest}\n"
+
+
 def svg(parts: Sequence[str], title: str, high: int = HIGH) -> str:
     return (
         f'<svg class="picture" viewBox="0 0 {WIDE} {high}" role="img" aria-label="{escape(title, quote=True)}">'

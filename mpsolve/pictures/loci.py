@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from mpsolve.loci.answer import FrequencyLines
-from mpsolve.pictures.axes import STYLE
+from mpsolve.pictures.axes import alone
 from mpsolve.pictures.lines import Curve, Mark, lines_picture
 from mpsolve.report.ranges_asked import Asked
-
-_ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" height="480" style="background:#fff;color:#000"'
 
 
 def loci_picture(found: FrequencyLines, asked: Asked) -> str:
@@ -26,9 +24,7 @@ def loci_picture(found: FrequencyLines, asked: Asked) -> str:
     title = f"{over.path}, {over.unit}" if over.unit else over.path
     rate = "growth −Im q, 1/s" if asked.si else "growth −Im q"
     low, high = (float(x) * factor for x in next(iter(found.over.values())))
-    picture = lines_picture(
+    return alone(lines_picture(
         curves, title, rate, "How fast each vibration grows, proved at the points and continuous between them",
         name="loci", x=(low, high), marks=marks, grows_above=0.0,
-    )  # fmt: skip
-    head, rest = picture.split(">", 1)
-    return f"{head}{_ALONE}><style>{STYLE}</style>{rest}\n"
+    ), 'width="720" height="480"')  # fmt: skip

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from mpsolve.pictures.axes import HIGH, LEFT, RIGHT, STYLE, TOP, WIDE, Axes, box, disc, svg, text
-from mpsolve.pictures.proved_chart import ALONE, axis_title
+from mpsolve.pictures.axes import HIGH, LEFT, RIGHT, TOP, WIDE, Axes, alone, box, disc, svg, text
+from mpsolve.pictures.proved_chart import axis_title
 from mpsolve.problem.over import Over
 from mpsolve.ranges.robust import Robust
 from mpsolve.report.ranges_asked import Asked
@@ -23,8 +23,7 @@ def open_boxes(found: Robust, asked: Asked) -> str:
         f'<g transform="translate(0 {k * HIGH})">{"".join(_panel(found, asked, pair))}</g>'
         for k, pair in enumerate(pairs)
     ]
-    head, rest = svg(panels, _title(found), HIGH * len(panels)).split(">", 1)
-    return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
+    return alone(svg(panels, _title(found), HIGH * len(panels)))
 
 
 def _title(found: Robust) -> str:

@@ -8,7 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.batch.view import cuts_in, fitting_window, free_height
 from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, clip, line, svg, text
+from mpsolve.problem.cases import as_problem
+from mpsolve.report.spectrum_words import units_of
+from mpsolve.report.vibration import once
+from mpsolve.spectrum.spectrum import Spectrum
 
 
 def plane_picture(
@@ -42,6 +47,28 @@ def plane_picture(
     parts += axes.titled(f"Re q, {unit}", f"Im q, {unit}")
     grow = sum(1 for q in roots if q.imag < 0)
     return svg(parts, f"The complex plane of q: {len(roots)} roots in the window, {grow} of them grow")
+
+
+_TALL = 6.0
+NO_CUT = "The branch cuts, where the waves of the track itself lie, are higher up, out of this picture."
+
+
+def spectrum_picture(spectrum: Spectrum, name: str = "plane") -> tuple[str, bool]:
+    """The certified roots with the cuts, each vibration with its number; and whether a cut is in the picture."""
+    problem = as_problem(spectrum.problem)
+    q = np.array([complex(root.q.mid()) for root in spectrum.roots], complex)
+    window = fitting_window(problem)
+    width = max(1.25 * float(np.abs(q.real).max(initial=0.0)), 0.35 * window.width) or window.width
+    low = free_height(problem, window) * 16 / 15
+    seen = _TALL * float(np.abs(q.imag).max(initial=0.0))  # taller, and the roots seem to lie on the axis
+    height = max([min(1.3 * low, seen or np.inf), *(1.2 * q.imag).tolist()]) or width / 4
+    depth = max([height / 4, *(-1.3 * q.imag).tolist()])
+    numbers = {id(root): str(k) for k, root in enumerate(once(spectrum), 1)}
+    beside = [numbers.get(id(root), "") for root in spectrum.roots]
+    cuts = cuts_in(problem, window)
+    seen_cut = any(((cut.imag < height) & (np.abs(cut.real) < width)).any() for cut in cuts)
+    unit = units_of(spectrum).q
+    return plane_picture(q, cuts, width, depth, height, name=name, unit=unit, numbers=beside), seen_cut
 
 
 _BESIDE = ((9, -6), (9, 16), (-18, -6), (-18, 16), (-4, -11), (-4, 21))

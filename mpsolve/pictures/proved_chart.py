@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.pictures.axes import STYLE
+from mpsolve.pictures.axes import alone
 from mpsolve.pictures.chart import Border, chart_picture
 from mpsolve.problem.over import Over
 from mpsolve.ranges.cells import grown, met, next_to
 from mpsolve.ranges.chart import Chart
 from mpsolve.report.ranges_asked import Asked
 
-ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
 _ROUNDS = 6  # cells: as wide as the strip beside a curve is, at most
 _LARGE = 0.01  # of the chart: areas in which their number is written
 _CELLS = 512  # along each parameter: about one for a pixel
@@ -27,13 +26,11 @@ def proved_chart(found: Chart, asked: Asked) -> str:
     counts = drawn(found)
     own = asked.problem.parameters
     here = tuple(float(one.shown(own[one.path])) for one in (first, second) if one.path in own)
-    picture = chart_picture(
+    return alone(chart_picture(
         ends(found.x, counts.shape[0]) * factors[0], ends(found.y, counts.shape[1]) * factors[1], counts,
         axis_title(first), axis_title(second), "How many roots grow: proved regions, dotted where open",
         here=(here[0], here[1]) if len(here) == 2 else None, **proved_parts(found, factors),
-    )  # fmt: skip
-    head, rest = picture.split(">", 1)
-    return f"{head}{ALONE}><style>{STYLE}</style>{rest}\n"
+    ))  # fmt: skip
 
 
 def proved_parts(found: Chart, factors: Sequence[float]) -> dict[str, Any]:

@@ -8,11 +8,10 @@ from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.units import measured
+from mpsolve.problem import toml
 from mpsolve.problem.case import Case
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.physical import Mass, PhysicalCase
-from mpsolve.problem.toml import SOURCE, check_keys, kind, name_of, parsed, refuse_other_kind, sources_of, text_of
 from mpsolve.vehicles.load import Load
 
 PHYSICAL = {
@@ -51,7 +50,7 @@ UNITS = {
     "mass": {"M": "kg", "position": "m", "P": "N", "P_A": "N", "omega_f": "rad/s", "phi_f": "rad"},
 }
 _SECTIONS = ("physical", "mass", "dimensionless", "load")
-_TOP = {"title": "a text", "source": SOURCE} | dict.fromkeys(_SECTIONS, "a section")
+_TOP = {"title": "a text", "source": toml.SOURCE} | dict.fromkeys(_SECTIONS, "a section")
 REQUIRED = frozenset(("EI", "m", "k", "v", "M", "position", "alpha", "eta_b", "eta_m", "positions"))
 
 
@@ -91,27 +90,25 @@ def read_input(path: str | Path) -> InputFile:
     be read.
     """
     file = Path(path)
-    content = parsed(text_of(file), name_of(file))
-    refuse_other_kind(content, _TOP, file)
+    content = toml.parsed(toml.text_of(file), toml.name_of(file))
+    toml.refuse_other_kind(content, _TOP, file)
     return input_of(content, file)
 
 
 def input_of(content: Mapping[str, Any], file: Path) -> InputFile:
     """The case in the tables of a file, as `read_input` reads it."""
-    check_keys(content, _TOP, "")
-    title = content.get("title", "")
-    if type(title) is not str:
-        raise InputError("title", f'is {kind(title)}, not a text: write title = "…"')
+    toml.check_keys(content, _TOP, "")
+    title = toml.title_of(content)
     if "dimensionless" in content:
         case = _dimensionless(content)
-        return InputFile(case, title, file, _loads(content, case), sources_of(content))
+        return InputFile(case, title, file, _loads(content, case), toml.sources_of(content))
     if "load" in content:
         raise InputError("load", "stands without [dimensionless]: give P, P_A, omega_f, phi_f in [[mass]]")
     if "physical" in content:
-        return InputFile(_physical(content), title, file, sources=sources_of(content))
+        return InputFile(_physical(content), title, file, sources=toml.sources_of(content))
     if "mass" in content:
         raise InputError("physical", f"is missing: add [physical] with {', '.join(PHYSICAL)}")
-    raise InputError(name_of(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
+    raise InputError(toml.name_of(file), "holds no case: add [physical] with [[mass]], or [dimensionless]")
 
 
 def _dimensionless(content: Mapping[str, Any]) -> Case:
@@ -122,31 +119,34 @@ def _dimensionless(content: Mapping[str, Any]) -> Case:
     with errors_under("dimensionless."):
         for name in ("eta_m", "positions"):
             if not isinstance(table[name], list):
-                raise InputError(name, f"is {kind(table[name])}, not a list: write {name} = [ … ]")
+                raise InputError(name, f"is {toml.kind(table[name])}, not a list: write {name} = [ … ]")
         return Case(**table)
 
 
 def _loads(content: Mapping[str, Any], case: Case) -> tuple[Load, ...] | None:
+    loads = loads_in(content, LOAD, {}, " mass")
+    if loads is not None and len(loads) != case.count:
+        raise InputError("load", f"is given for {len(loads)}, not {case.count} masses: give one [[load]] for each")
+    return loads
+
+
+def loads_in(
+    content: Mapping[str, Any], known: Mapping[str, str], units: Mapping[str, str], each: str = ""
+) -> tuple[Load, ...] | None:
+    """The sections [[load]]; None where there is none."""
     if "load" not in content:
         return None
-    entries = content["load"]
-    if not isinstance(entries, list):
-        raise InputError("load", f"is {kind(entries)}: write [[load]] in double brackets for each mass")
     loads = []
-    for j, entry in enumerate(entries, 1):
-        table = _table(entry, f"load[{j}]", LOAD)
+    for j, entry in enumerate(toml.sections(content, "load", each), 1):
+        table = toml.section(entry, f"load[{j}]", known, units)
         with errors_under(f"load[{j}]."):
             loads.append(Load(**table))
-    if len(loads) != case.count:
-        raise InputError("load", f"is given for {len(loads)}, not {case.count} masses: give one [[load]] for each")
     return tuple(loads)
 
 
 def _physical(content: Mapping[str, Any]) -> PhysicalCase:
     table = _table(content["physical"], "physical", PHYSICAL)
-    entries = content.get("mass", [])
-    if not isinstance(entries, list):
-        raise InputError("mass", f"is {kind(entries)}: write [[mass]] in double brackets for each mass")
+    entries = toml.sections(content, "mass", " mass")
     if not entries:
         raise InputError("mass", "is missing: add [[mass]] with M and position for each mass")
     masses = [_mass(entry, f"mass[{j}]") for j, entry in enumerate(entries, 1)]
@@ -165,12 +165,8 @@ def _mass(entry: object, key: str) -> Mass:
 
 def _table(value: object, key: str, known: Mapping[str, str]) -> dict[str, Any]:
     """Return a table that has every required key and no unknown one; its values are not looked at."""
-    if not isinstance(value, dict):
-        raise InputError(key, f"is {kind(value)}, not a section: give {', '.join(known)} in it")
-    check_keys(value, known, f"{key}.")
+    table = toml.section(value, key, known, UNITS.get(key.partition("[")[0]))
     for name, meaning in known.items():
-        if name in REQUIRED and name not in value:
+        if name in REQUIRED and name not in table:
             raise InputError(f"{key}.{name}", f"is missing: give {meaning}")
-    units = UNITS.get(key.partition("[")[0], {})
-    with errors_under(f"{key}."):
-        return {name: measured(x, units[name], name) if name in units else x for name, x in value.items()}
+    return table

@@ -16,6 +16,7 @@ from math import log2
 from typing import Any, cast
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.linear import congruent, image
 from mpsolve.numbers.several import Ring, Several
 from mpsolve.problem.free_track import FreePolynomial, free_guide
 from mpsolve.problem.parameters import changed
@@ -198,8 +199,8 @@ def _vehicle(pencil: Pencil, base: Reduced, ring: Ring) -> tuple[tuple[Any, Any,
     size, neutral, basis = base.bodies, base.neutral, base.parts.basis
     if basis is not None:
         columns = [[row[k] for row in basis] for k in range(len(basis))]
-        M, C, K = (_congruent(rows, columns, ring) for rows in (M, C, K))
-        B = [[_dot(column, [row[j] for row in B], ring) for j in range(pencil.contacts)] for column in columns]
+        M, C, K = (congruent(rows, columns, columns) for rows in (M, C, K))
+        B = [image(zip(*B, strict=True), column) for column in columns]
         coupled = any(rows[i][j] for rows in (M, C, K) for i in range(size) for j in range(size, len(columns)))
         lost = any(any(row) for row in K[size - neutral : size]) or any(map(any, B[size - neutral : size]))
         if coupled or lost or any(map(any, B[size:])):
@@ -208,7 +209,7 @@ def _vehicle(pencil: Pencil, base: Reduced, ring: Ring) -> tuple[tuple[Any, Any,
         M, C, K, B = ([row[:size] for row in rows[:size]] for rows in (M, C, K, B))
     guide, rate = base.guide, Fraction(2) ** -base.guide.time
     S = [conjugate(times(rows, guide.g * rate**k), base.scales) for k, rows in enumerate((K, C, M))]
-    right = tuple(tuple(x * Fraction(2) ** base.scales[i] for x in row) for i, row in enumerate(B))
+    right = _constants(([x * Fraction(2) ** base.scales[i] for x in row] for i, row in enumerate(B)), ring)
     free = without_neutral(S, neutral)
     return (_constants(free[0], ring), _constants(free[1], ring), _constants(free[2], ring)), right
 
@@ -219,15 +220,6 @@ def _values(rows: Any, x: Sequence[Fraction]) -> Rows:
 
 def _constants(rows: Any, ring: Ring) -> Any:
     return tuple(tuple(ring.constant(x) for x in row) for row in rows)
-
-
-def _congruent(rows: Any, columns: Any, ring: Ring) -> Any:
-    images = [[_dot(row, column, ring) for row in rows] for column in columns]
-    return [[_dot(a, image, ring) for image in images] for a in columns]
-
-
-def _dot(a: Any, b: Any, ring: Ring) -> Several:
-    return sum((ring.constant(x) * y for x, y in zip(a, b, strict=True) if x and y), ring.constant(0))
 
 
 def _moving(a: FreePolynomial, v: Several) -> FreePolynomial:

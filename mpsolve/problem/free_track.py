@@ -7,7 +7,7 @@ from typing import Any
 
 from mpsolve.numbers.several import Ring, Several
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Track, Waveguide
+from mpsolve.tracks.waveguide import Track, Waveguide, over_ring
 
 FreePolynomial = dict[tuple[int, int], Several]
 """Σ c P^i σ^j with c polynomials in the free parameters."""
@@ -32,26 +32,4 @@ def free_matrix(track: Track | Waveguide, ring: Ring) -> Any:
     """The equations of the track as polynomials in P and s, with coefficients in the free parameters."""
     if isinstance(track, Waveguide):
         return track.matrix
-    wide = Ring(("P", "s", *ring.names), (Fraction(0), Fraction(0), *ring.point))
-    P, s, *_ = wide.variables
-    values = {name: _lifted(ring.constant(value), wide) for name, value in track.parameters.items()}
-    rows = track.equations(_Symbols(P=P, s=s, **values))
-    return tuple(tuple(_in_P_and_s(wide.constant(entry), ring) for entry in row) for row in rows)
-
-
-class _Symbols:
-    """The symbols of the equations as attributes."""
-
-    def __init__(self, **values: Any) -> None:
-        vars(self).update(values)
-
-
-def _lifted(value: Several, wide: Ring) -> Several:
-    return Several(wide, {(0, 0, *exponents): c for exponents, c in value})
-
-
-def _in_P_and_s(entry: Several, ring: Ring) -> FreePolynomial:
-    out: dict[tuple[int, int], dict[tuple[int, ...], Fraction]] = {}
-    for (i, j, *rest), c in entry:
-        out.setdefault((i, j), {})[tuple(rest)] = c
-    return {key: Several(ring, terms) for key, terms in out.items()}
+    return over_ring(type(track), track.parameters, ring)

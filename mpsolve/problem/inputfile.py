@@ -15,24 +15,24 @@ from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model, Part, defaults, quantities
-from mpsolve.numbers.units import measured, split
+from mpsolve.numbers.units import split
+from mpsolve.problem import toml
 from mpsolve.problem.case import Case
-from mpsolve.problem.casefile import InputFile, input_of
+from mpsolve.problem.casefile import InputFile, input_of, loads_in
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.lines import line_of
 from mpsolve.problem.load import gives_forces
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import Title
-from mpsolve.problem.toml import SOURCE, check_keys, kind, name_of, parsed, refuse_other_kind, sources_of, text_of
+from mpsolve.problem.warned import Title
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
 
 _M = TypeVar("_M", bound=Model)
 _TOP = {
     "title": "a text",
-    "source": SOURCE,
+    "source": toml.SOURCE,
     "v": "the velocity in m/s",
     "track": "a section",
     "vehicle": "sections",
@@ -42,7 +42,7 @@ PLACE = {
     "position": "where its middle is, in m",
     "count": "how many of it run in a row",
     "spacing": "the distance from one to the next, in m",
-    "source": SOURCE,
+    "source": toml.SOURCE,
 }
 LOAD = {
     "constant": "the constant force in N",
@@ -95,9 +95,9 @@ def problem_of(content: Mapping[str, Any], file: Path) -> ProblemFile:
 def read_source(path: str | Path) -> ProblemFile | InputFile:
     """The same, but a case of the paper stays the case that it is, whose ratios may be irrational."""
     file = Path(path)
-    text = text_of(file)
-    content = parsed(text, name_of(file))
-    refuse_other_kind(content, _TOP | {"physical": "a section", "dimensionless": "a section"}, file)
+    text = toml.text_of(file)
+    content = toml.parsed(text, toml.name_of(file))
+    toml.refuse_other_kind(content, _TOP | {"physical": "a section", "dimensionless": "a section"}, file)
     source = source_of(content, file)
     return replace(source, title=Title(source.title, _bare(content, text)))
 
@@ -118,23 +118,26 @@ def source_of(content: Mapping[str, Any], file: Path) -> ProblemFile | InputFile
     for other in ("physical", "dimensionless", "mass"):
         if other in content:
             raise InputError(other, "stands beside [track] and [[vehicle]]: keep only one of the two descriptions")
-    check_keys(content, _TOP, "")
-    title = content.get("title", "")
-    if type(title) is not str:
-        raise InputError("title", f'is {kind(title)}, not a text: write title = "…"')
+    toml.check_keys(content, _TOP, "")
+    title = toml.title_of(content)
     track = _model(
-        _present(content, "track", "add [track] with its model"), "track", tracks.CATALOGUE, {"source": SOURCE}
+        _present(content, "track", "add [track] with its model"), "track", tracks.CATALOGUE, {"source": toml.SOURCE}
     )
-    placed = [one for j, entry in enumerate(_sections(content, "vehicle"), 1) for one in _vehicle(entry, j)]
+    _present(content, "vehicle", "add [[vehicle]] with its model")
+    placed = [one for j, entry in enumerate(toml.sections(content, "vehicle"), 1) for one in _vehicle(entry, j)]
     problem = Problem(track, placed, v=_present(content, "v", "give the velocity in m/s, 0 for vehicles at rest"))
-    return ProblemFile(problem, title, file, _loads(content, problem.pencil.contacts), sources=sources_of(content))
+    return ProblemFile(
+        problem, title, file, _loads(content, problem.pencil.contacts), sources=toml.sources_of(content)
+    )
 
 
 def _known_case(content: Mapping[str, Any], file: Path) -> InputFile:
     if not {"physical", "dimensionless", "mass"} & content.keys():
-        check_keys(content, _TOP | {"physical": "a section", "dimensionless": "a section", "mass": "sections"}, "")
+        toml.check_keys(
+            content, _TOP | {"physical": "a section", "dimensionless": "a section", "mass": "sections"}, ""
+        )
         raise InputError(
-            name_of(file), "holds no problem: add v, [track] and [[vehicle]], or [physical] with [[mass]]"
+            toml.name_of(file), "holds no problem: add v, [track] and [[vehicle]], or [physical] with [[mass]]"
         )
     return input_of(content, file)
 
@@ -154,13 +157,6 @@ def _present(content: Mapping[str, Any], key: str, advice: str) -> Any:
     return content[key]
 
 
-def _sections(content: Mapping[str, Any], key: str) -> list[Any]:
-    entries = _present(content, key, f"add [[{key}]] with its model")
-    if not isinstance(entries, list):
-        raise InputError(key, f"is {kind(entries)}: write [[{key}]] in double brackets for each")
-    return entries
-
-
 def _vehicle(entry: object, j: int) -> tuple[Placed, ...]:
     key = f"vehicle[{j}]"
     model = _model(entry, key, vehicles.CATALOGUE, PLACE)
@@ -178,7 +174,7 @@ def _model(entry: object, key: str, catalogue: Sequence[type[_M]], more: Mapping
     """The model that a section describes; `more` names the keys that are not the model's own."""
     names = {model.name: model for model in catalogue}  # type: ignore[attr-defined]
     if not isinstance(entry, dict):
-        raise InputError(key, f"is {kind(entry)}, not a section: give its model, one of {', '.join(names)}")
+        raise InputError(key, f"is {toml.kind(entry)}, not a section: give its model, one of {', '.join(names)}")
     name = entry.get("model")
     if name is None:
         raise InputError(f"{key}.model", f"is missing: give one of {', '.join(names)}")
@@ -193,14 +189,14 @@ def _model(entry: object, key: str, catalogue: Sequence[type[_M]], more: Mapping
 def _made(model: type[_M], own: dict[str, Any], key: str, more: Mapping[str, str]) -> _M:
     """The model from its own keys, every one of which is described by its class."""
     described, optional = quantities(model), defaults(model)
-    check_keys(own, {name: quantity.meaning for name, quantity in described.items()} | dict(more), f"{key}.")
+    toml.check_keys(own, {name: quantity.meaning for name, quantity in described.items()} | dict(more), f"{key}.")
     for name, quantity in described.items():
         if name not in own and name not in optional:
             raise InputError(f"{key}.{name}", f"is missing: give the {quantity.told}")
         if isinstance(quantity, Part):
             part = own[name]
             if not isinstance(part, dict):
-                raise InputError(f"{key}.{name}", f"is {kind(part)}, not a section: give its parameters in it")
+                raise InputError(f"{key}.{name}", f"is {toml.kind(part)}, not a section: give its parameters in it")
             inner = {inner: value for inner, value in part.items() if (inner, value) != ("model", quantity.kind.name)}
             own = own | {name: _made(quantity.kind, inner, f"{key}.{name}", {})}
     with errors_under(f"{key}."):
@@ -208,17 +204,8 @@ def _made(model: type[_M], own: dict[str, Any], key: str, more: Mapping[str, str
 
 
 def _loads(content: Mapping[str, Any], contacts: int) -> tuple[Load, ...] | None:
-    if "load" not in content:
-        return None
-    loads = []
-    for j, entry in enumerate(_sections(content, "load"), 1):
-        key = f"load[{j}]"
-        if not isinstance(entry, dict):
-            raise InputError(key, f"is {kind(entry)}, not a section: give {', '.join(LOAD)} in it")
-        check_keys(entry, LOAD, f"{key}.")
-        with errors_under(f"{key}."):
-            loads.append(Load(**{name: measured(x, LOAD_UNITS[name], name) for name, x in entry.items()}))
-    if len(loads) != contacts:
+    loads = loads_in(content, LOAD, LOAD_UNITS)
+    if loads is not None and len(loads) != contacts:
         stated = f"is given for {len(loads)}, not {contacts} contacts"
         raise InputError("load", f"{stated}: give one [[load]] for each contact from rear to front, or none")
-    return tuple(loads)
+    return loads

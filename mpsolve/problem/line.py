@@ -18,10 +18,10 @@ from flint import arb, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.bivariate import to_rows
 from mpsolve.numbers.realroots import as_fmpq, is_positive, negative_point, positive_roots
 from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, moving
-from mpsolve.vehicles.vehicle import Rows
 
 C = TypeVar("C")
 _TERMS = {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)}
@@ -75,12 +75,8 @@ class Line:
 def discriminant(D: Polynomial) -> fmpq_poly:
     """Of D(P, σ) in P, a polynomial in z² = −σ²."""
     context = fmpq_mpoly_ctx.get(("P", "s"), "lex")
-    P, s = context.gens()
-    found = sum((as_fmpq(c) * P**i * s**j for (i, j), c in D.items()), context.constant(0)).discriminant("P")
-    out = [as_fmpq(Fraction(0))] * (1 + max(int(j) for _, j in found.to_dict()) // 2)
-    for (_, j), c in found.to_dict().items():
-        out[int(j) // 2] += c * (-1) ** (int(j) // 2)
-    return fmpq_poly(out)
+    found = context.from_dict({key: as_fmpq(c) for key, c in D.items()}).discriminant("P")
+    return fmpq_poly([c * (-1) ** j for j, c in enumerate(to_rows(found)[0].coeffs()[::2])])
 
 
 def line_height(track: Track | Waveguide) -> Fraction | None:
@@ -105,7 +101,7 @@ def on_line(reduced: Reduced) -> Line | None:
     height = guide.D_rest.get((0, 1), Fraction(0)) / (2 * guide.D_rest[0, 2])
     rest = moved_in_s(guide.D_rest, -height)
     undamped: Guide = replace(guide, D_rest=rest, D=moving(rest, guide.v))
-    below = _pencil(reduced.S, height)
+    below = moved_pencil(reduced.S, -height)
     above = (below[0], tuple(tuple(-x for x in row) for row in below[1]), below[2])
     return Line(height, replace(reduced, guide=undamped, S=below), replace(reduced, guide=undamped, S=above))
 
@@ -119,9 +115,9 @@ def moved_in_s(D: Mapping[tuple[int, int], C], by: Fraction) -> dict[tuple[int, 
     return {key: c for key, c in out.items() if c}
 
 
-def _pencil(S: tuple[Rows, Rows, Rows], height: Fraction) -> tuple[Rows, Rows, Rows]:
-    """S(τ − η) in powers of τ."""
-    n = range(len(S[0]))
-    constant = tuple(tuple(S[0][i][j] - height * S[1][i][j] + height**2 * S[2][i][j] for j in n) for i in n)
-    slope = tuple(tuple(S[1][i][j] - 2 * height * S[2][i][j] for j in n) for i in n)
-    return constant, slope, S[2]
+def moved_pencil(S: tuple[Any, Any, Any], by: Fraction) -> tuple[Any, Any, Any]:
+    """S(σ + by) in powers of σ, of numbers or of polynomials in free parameters."""
+    K, C, M = S
+    n = range(len(M))
+    constant = tuple(tuple(K[i][j] + C[i][j] * by + M[i][j] * by**2 for j in n) for i in n)
+    return constant, tuple(tuple(C[i][j] + M[i][j] * (2 * by) for j in n) for i in n), M

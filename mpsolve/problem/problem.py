@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Quantity, rational, shown
+from mpsolve.frozen import frozen
+from mpsolve.numbers.model import Quantity, rational, shown, typed
 from mpsolve.problem.parameters import changed, parameters_of, quantity_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, checked_pencil, joined
@@ -17,7 +17,7 @@ _MOST = 2000
 """Coordinates of all vehicles together."""
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Problem:
     """Vehicles that move at the velocity v along a track; one consistent set of units, SI by default.
 
@@ -43,6 +43,9 @@ class Problem:
         if not placed:
             raise InputError("vehicles", "is empty: give at least one vehicle")
         vars(self).update(track=track, vehicles=placed, v=velocity)
+
+    def __repr__(self) -> str:
+        return f"Problem({self.track!r}, {list(self.vehicles)!r}, v={typed(self.v)})"
 
     @property
     def parameters(self) -> dict[str, Fraction]:

@@ -14,7 +14,7 @@ from typing import Any, cast
 
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_track import FreePolynomial
-from mpsolve.problem.line import moved_in_s
+from mpsolve.problem.line import moved_in_s, moved_pencil
 from mpsolve.tracks.waveguide import moving
 
 
@@ -23,13 +23,6 @@ def shifted(family: Family, s: Fraction) -> Family:
     if not s:
         return family
     D_rest, N_rest = (moved_in_s(a, s) for a in (family.D_rest, family.N_rest))
-    K, C, M = family.S
-    n = range(len(M))
-    S = (
-        tuple(tuple(K[i][j] + C[i][j] * s + M[i][j] * s**2 for j in n) for i in n),
-        tuple(tuple(C[i][j] + M[i][j] * (2 * s) for j in n) for i in n),
-        M,
-    )
     speed: Any = family.v
     D, N = (cast(FreePolynomial, moving(cast(Any, a), speed)) for a in (D_rest, N_rest))
-    return replace(family, D_rest=D_rest, N_rest=N_rest, D=D, N=N, S=S)
+    return replace(family, D_rest=D_rest, N_rest=N_rest, D=D, N=N, S=moved_pencil(family.S, s))

@@ -29,16 +29,9 @@ def load(spec: Mapping[str, Any] | str | os.PathLike[str], known: Mapping[str, s
         content = parsed(text_of(file), name_of(file))
         refuse_other_kind(content, known, file)
     else:
-        raise InputError("spec", f"is {kind_of(spec)}: give a mapping, or the path of a TOML file")
+        raise InputError("spec", f"is {kind(spec)}: give a mapping, or the path of a TOML file")
     check_keys(content, known, "")
     return content
-
-
-def title(content: Mapping[str, Any]) -> str:
-    text = content.get("title", "")
-    if type(text) is not str:
-        raise InputError("title", f'is {kind_of(text)}, not a text: write title = "…"')
-    return text
 
 
 def choice(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> str:
@@ -50,7 +43,7 @@ def choice(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> st
     if value in allowed:
         return str(value)
     near = get_close_matches(value.lower(), allowed, n=1, cutoff=0.5) if isinstance(value, str) else []
-    stated = repr(str(value)[:40]) if isinstance(value, str) else kind_of(value)
+    stated = repr(str(value)[:40]) if isinstance(value, str) else kind(value)
     raise InputError(key, f'is {stated}: did you mean "{near[0]}"?' if near else f"is {stated}: give one of {listed}")
 
 
@@ -76,18 +69,3 @@ def rationals(given: Mapping[Any, Any], key: str, known: Mapping[str, str]) -> d
             raise InputError(f"{key}.{name}", "is irrational: give a decimal or a ratio p/q")
         numbers[name] = exact.as_fraction()
     return numbers
-
-
-def section(value: object, key: str, known: Mapping[str, str]) -> Mapping[str, Any]:
-    """The table under `key`, with no key that is not in `known`."""
-    if not isinstance(value, Mapping):
-        raise InputError(key, f"is {kind_of(value)}, not a section: give {', '.join(known)} in it")
-    check_keys(value, known, f"{key}.")
-    return value
-
-
-def kind_of(value: object) -> str:
-    """The name of the type of `value` in TOML, or in Python where TOML has none."""
-    if isinstance(value, (dict, list, str, bool, int)):
-        return kind(value)
-    return f"of type {type(value).__name__}"

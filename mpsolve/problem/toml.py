@@ -7,11 +7,11 @@ import re
 import sys
 import tomllib
 from collections.abc import Mapping
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.units import measured
 
 MAX_BYTES = 1_000_000
 """Largest file that is read; a case of a thousand masses takes a tenth of it."""
@@ -170,6 +170,8 @@ def check_keys(table: Mapping[str, Any], known: Mapping[str, str], prefix: str) 
     """InputError under the first key of the table that is not known, with the nearest one that is."""
     for name in table:
         if name not in known:
+            from difflib import get_close_matches
+
             lower = {candidate.lower(): candidate for candidate in known}
             near = get_close_matches(name.lower(), lower, n=1, cutoff=0.5)
             if "spacing" in name.lower() and prefix.startswith("track"):
@@ -184,9 +186,40 @@ def _shown(name: str) -> str:
 
 
 def kind(value: object) -> str:
-    """Return the name that TOML has for the type of `value`."""
-    kinds = {bool: "a boolean", int: "a number", Written: "a number", str: "a text", list: "a list"}
-    return "a table" if isinstance(value, dict) else kinds.get(type(value), "a date or time")
+    """The name that TOML has for the type of `value`, or Python's where it has none."""
+    kinds = {bool: "a boolean", int: "a number", Written: "a number", str: "a text", list: "a list", dict: "a table"}
+    if type(value) in kinds:
+        return kinds[type(value)]
+    from datetime import date, time
+
+    return "a date or time" if isinstance(value, (date, time)) else f"of type {type(value).__name__}"
+
+
+def title_of(content: Mapping[str, Any]) -> str:
+    """The title of a file, "" where it has none."""
+    text = content.get("title", "")
+    if type(text) is not str:
+        raise InputError("title", f'is {kind(text)}, not a text: write title = "…"')
+    return text
+
+
+def sections(content: Mapping[str, Any], key: str, each: str = "") -> list[Any]:
+    """The sections of that name in double brackets; none where there is none."""
+    entries = content.get(key, [])
+    if not isinstance(entries, list):
+        raise InputError(key, f"is {kind(entries)}: write [[{key}]] in double brackets for each{each}")
+    return entries
+
+
+def section(
+    value: object, key: str, known: Mapping[str, str], units: Mapping[str, str] | None = None
+) -> dict[str, Any]:
+    """The entries of a section, none of which is unknown; a text with a unit of its own is converted."""
+    if not isinstance(value, Mapping):
+        raise InputError(key, f"is {kind(value)}, not a section: give {', '.join(known)} in it")
+    check_keys(value, known, f"{key}.")
+    own = units or {}
+    return {name: measured(x, own[name], f"{key}.{name}") if name in own else x for name, x in value.items()}
 
 
 def sources_of(content: Mapping[str, Any]) -> tuple[str, ...]:

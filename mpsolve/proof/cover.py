@@ -1,8 +1,13 @@
-"""Covering a path by pieces that each pass a test: all open pieces are tried at once, those that fail are halved."""
+"""Covering a path by pieces that each pass a test: all open pieces are tried at once, those that fail are halved.
+
+Then there are fewer pieces than halving leaves: neighbours are joined where both together pass as one, and break
+points are moved so that all pieces are equally hard.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,6 +19,9 @@ Test = Callable[[Any, Any], Any]
 """(starts, ends) → which pieces pass."""
 Middle = Callable[[Any, Any], Any]
 """(starts, ends) → the points at which pieces are halved."""
+
+
+_SPARE = 1.02  # of the pieces that are needed by what each of them costs
 
 
 class OpenPieceError(PrecisionError):
@@ -57,3 +65,67 @@ def halved(points: Any, passed: Any, between: Any) -> tuple[Any, Any]:
     """The points with those `between` put into the pieces that have not passed, and which pieces have."""
     at = np.flatnonzero(~passed) + 1
     return np.insert(points, at, between), np.insert(passed, at, np.zeros(len(at), bool))
+
+
+def joined(points: Any, test: Test, effort: Effort, anywhere: bool = False, rounds: int = 2) -> Any:
+    """The points of a path without those between two pieces that pass as one.
+
+    Only points whose two neighbours lie with them on one line parallel to an axis are left out, so the path stays
+    where it is. anywhere: any point but the ends may be left out, so the path may leave its corners.
+    A point that stays is not tried again, as the pieces beside it only grow.
+    """
+    points = np.asarray(points, complex)
+    open_ = np.ones(len(points), bool)
+    for _ in range(rounds):
+        candidates = np.flatnonzero(open_[1:-1] & (_inner(points) | anywhere)) + 1
+        if not len(candidates):
+            break
+        chosen = [candidates[0]]
+        for k in candidates[1:]:
+            if k > chosen[-1] + 1:
+                chosen.append(k)
+        at = np.array(chosen)
+        effort.spend(len(at))
+        passed = np.array(test(points[at - 1], points[at + 1]), bool)
+        open_[at[~passed]] = False
+        kept = np.ones(len(points), bool)
+        kept[at[passed]] = False
+        points, open_ = points[kept], open_[kept]
+    return points
+
+
+def evened(points: Any, hardness: Any) -> Any:
+    """Points on the same polyline so that each piece would have a hardness of about 1, were it its length.
+
+    hardness: one number > 0 for each piece. Corners are kept; straight parts that are not parallel to an axis are
+    left as they are, since points on them would be rounded off the line.
+    """
+    out = [points[:1]]
+    for first, last in _parts(points):
+        part, cost = points[first : last + 1], hardness[first:last]
+        count = int(np.ceil(cost.sum() * _SPARE))
+        if (part.real == part[0].real).all() | (part.imag == part[0].imag).all():
+            at = np.concatenate([[0.0], np.cumsum(cost)])
+            where = np.linspace(0, at[-1], count + 1)
+            inner = np.interp(where, at, part.real) + 1j * np.interp(where, at, part.imag)
+            part = np.concatenate([part[:1], inner[1:-1], part[-1:]])
+        out.append(part[1:])
+    return np.concatenate(out)
+
+
+def _ways(points: Any) -> Any:
+    """Of each piece the signs of both coordinates as one number; ±2 and ±4 are oblique."""
+    way = np.sign(np.diff(points).real) + 3 * np.sign(np.diff(points).imag)
+    return way.astype(int)
+
+
+def _inner(points: Any) -> Any:
+    """Which points but the ends lie on one line parallel to an axis with the points beside them, and between them."""
+    way = _ways(points)
+    return (way[1:] == way[:-1]) & np.isin(np.abs(way[1:]), (0, 1, 3))
+
+
+def _parts(points: Any) -> list[tuple[int, int]]:
+    """(first, last) of the parts along which both coordinates go one way."""
+    cuts = [0, *(np.flatnonzero(np.diff(_ways(points))) + 1).tolist(), len(points) - 1]
+    return list(pairwise(cuts))

@@ -59,11 +59,11 @@ class Effort:
         raise EffortError(Reason("effort", f"the effort of {limit} is spent", numbers, MORE_EFFORT))
 
 
-def begun(effort: Effort | None) -> Effort:
-    """The same limits, of which nothing is spent; no limits for None. InputError for what is no Effort."""
+def begun(effort: Effort | None, evaluations: int | None = None) -> Effort:
+    """The same limits, of which nothing is spent; for None so many evaluations. InputError for what is no Effort."""
     if effort is not None and not isinstance(effort, Effort):
         raise InputError("effort", f"is of type {type(effort).__name__}: give Effort(seconds=…, evaluations=…)")
-    return Effort() if effort is None else effort.anew()
+    return Effort(evaluations=evaluations) if effort is None else effort.anew()
 
 
 def _check(name: str, value: Any, kind: Any, wanted: str) -> None:

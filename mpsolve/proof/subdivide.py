@@ -6,7 +6,7 @@ corners, so that the two halves have all its points.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,13 +15,17 @@ import numpy as np
 from mpsolve.errors import EffortError
 from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.sheared import SLOPED, sheared
 
 BATCH = 2048
 FEW = 48  # boxes: so many take as long as one, so that fewer are halved without being judged
 OPEN = 0
 """Of a box that is not decided."""
-Judge = Callable[[Any, Any], tuple[Any, Any]]
-"""(low, high), shape (variables, boxes) → (for each box a kind > 0, or OPEN; along which variable to halve it)."""
+Judge = Callable[[Any, Any], tuple[Any, ...]]
+"""(low, high), shape (variables, boxes) → (for each box a kind > 0, or OPEN; along which variable to halve it).
+
+And thirdly, where the last row is that of slopes (`sheared`), a new slope for each box, nan where it is kept.
+"""
 
 
 @dataclass(frozen=True)
@@ -29,7 +33,8 @@ class Tree:
     """Nodes in the order of their making, the root first.
 
     kind[n] > 0: a leaf, decided so; axis[n] ≥ 0: halved along that variable, its halves are child[n], child[n] + 1.
-    A node with neither stayed open.
+    A node with neither stayed open. Where the axis is SLOPED it was halved along variable 1, and the halves
+    laid along a new slope.
     """
 
     low: Any
@@ -81,8 +86,8 @@ def subdivide(
     whole = highs[0] - lows[0]
     stuck, reason, closed = 0, None, 0.0
 
-    def halve(numbers: Any, a: Any, b: Any, axis: Any) -> tuple[Any, Any, Any]:
-        new = grown.halve(numbers, a, b, axis, whole, smallest)
+    def halve(numbers: Any, a: Any, b: Any, axis: Any, slope: Any = None) -> tuple[Any, Any, Any]:
+        new = grown.halve(numbers, a, b, axis, slope, whole, smallest)
         lows.append(new[1])
         highs.append(new[2])
         return new
@@ -96,14 +101,14 @@ def subdivide(
         except EffortError as error:
             reason = error.reason
             break
-        kind, axis = judge(a, b)
+        kind, axis, *more = judge(a, b)
         closed += float(_share(a[:, kind > 0], b[:, kind > 0], whole).sum())
         grown.kind[numbers] = kind
         rest = kind == OPEN
         wide = rest & _wide(a, b, whole, smallest)
         stuck += int((rest & ~wide).sum())
         if wide.any():
-            waiting.append(halve(numbers[wide], a[:, wide], b[:, wide], axis[wide]))
+            waiting.append(halve(numbers[wide], a[:, wide], b[:, wide], axis[wide], *(part[wide] for part in more)))
         if tell is not None:
             tell(min(closed, 1.0))
     tree = Tree(np.concatenate(lows, 1), np.concatenate(highs, 1), *grown.arrays)
@@ -155,18 +160,61 @@ class _Grown:
         self.child = np.concatenate([self.child, np.full(count, -1, np.int64)])
         return np.arange(first, first + count)
 
-    def halve(self, numbers: Any, a: Any, b: Any, axis: Any, whole: Any, smallest: Any) -> tuple[Any, Any, Any]:
+    def halve(
+        self, numbers: Any, a: Any, b: Any, axis: Any, slope: Any, whole: Any, smallest: Any
+    ) -> tuple[Any, Any, Any]:
         """The halves, next to each other, along `axis` or along the longest side where that one is too short."""
         columns = np.arange(len(numbers))
         size = (b - a) / np.where(whole > 0, whole, np.inf) / smallest
         axis = np.where(size[axis, columns] > 1 + 2.0**-20, axis, size.argmax(0))
+        turned = np.zeros(len(numbers), bool) if slope is None else np.isfinite(slope)
+        axis = np.where(turned, 1, axis)
         middle = a[axis, columns] / 2 + b[axis, columns] / 2
         first, second = b.copy(), a.copy()
         first[axis, columns], second[axis, columns] = middle, middle
         new = self.add(2 * len(numbers))
-        self.axis[numbers], self.child[numbers] = axis, new[::2]
-        return new, _interleaved(a, second), _interleaved(first, b)
+        self.axis[numbers], self.child[numbers] = np.where(turned, SLOPED, axis), new[::2]
+        low, high = _interleaved(a, second), _interleaved(first, b)
+        if turned.any():
+            rows = np.repeat(turned, 2)
+            low[:, rows], high[:, rows] = sheared(low[:, rows], high[:, rows], np.repeat(slope, 2)[rows])
+        return new, low, high
 
 
 def _interleaved(one: Any, other: Any) -> Any:
     return np.stack([one, other], 2).reshape(len(one), -1)
+
+
+def halved(low: Any, high: Any, times: int) -> Tree:
+    """2^times open boxes, 32 at least, each halved along its longest sides, relative to the whole."""
+    whole = np.asarray(high, float) - np.asarray(low, float)
+
+    def judge(a: Any, b: Any) -> tuple[Any, Any]:
+        share = (b - a) / np.where(whole > 0, whole, np.inf)[:, None]
+        done = np.log2(share, where=share > 0, out=np.zeros_like(share)).sum(0) <= 0.5 - times
+        return np.where(done, 1, OPEN), share.argmax(0)
+
+    tree = subdivide(low, high, judge, Effort()).tree
+    return Tree(tree.low, tree.high, np.zeros_like(tree.kind), tree.axis, tree.child)
+
+
+def grafted(tree: Tree, leaves: Sequence[int], trees: Sequence[Tree]) -> Tree:
+    """`tree` with other trees in the places of some of its open leaves, whose boxes are theirs."""
+    parts = [tree]
+    kind, axis, child = (part.copy() for part in (tree.kind, tree.axis, tree.child))
+    size = tree.nodes
+    for leaf, one in zip(leaves, trees, strict=True):
+        shift = size - 1  # the root of the new one is the leaf; its other nodes follow
+        kind[leaf], axis[leaf] = one.kind[0], one.axis[0]
+        child[leaf] = one.child[0] + shift if one.axis[0] >= 0 else -1
+        moved = np.where(one.axis >= 0, one.child + shift, -1)
+        parts.append(Tree(one.low[:, 1:], one.high[:, 1:], one.kind[1:], one.axis[1:], moved[1:]))
+        size += one.nodes - 1
+    new = parts[1:]
+    return Tree(
+        np.concatenate([part.low for part in parts], 1),
+        np.concatenate([part.high for part in parts], 1),
+        np.concatenate([kind, *(part.kind for part in new)]),
+        np.concatenate([axis, *(part.axis for part in new)]),
+        np.concatenate([child, *(part.child for part in new)]),
+    )

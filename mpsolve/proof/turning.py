@@ -1,4 +1,4 @@
-"""Regular matrices over discs, and the change of the argument of their determinants: rigorous, batched in float64.
+"""Regular matrices over discs, solutions with them, and the change of the argument of their determinants: rigorous.
 
 For A over a disc and any float matrix R: if |R A − I| x ≤ θ x with x > 0 and θ < 1, then R A is an H-matrix, so
 det A ≠ 0; its pivots without exchange keep |pivot − 1| ≤ θ, and arg det A changes between two points of the disc by
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.frozen import frozen
-from mpsolve.numbers.jets import UP, Jet, U
+from mpsolve.numbers.jets import TINY, UP, Jet, U
 
 THETA = 0.9
 """Below 1 by a margin, so that a checker that rounds otherwise agrees."""
@@ -50,13 +50,18 @@ def regular(A: Jet) -> Regular:
         E = np.abs(R @ middle - np.eye(n)) + lost * (size @ np.abs(middle) + 1)
         E = E + np.abs(R @ A.b) * r + size @ (A.e + lost * np.abs(A.b) * r)
         E = E * UP
-        x = np.ones((len(E), n))
-        for _ in range(12):
-            y = np.einsum("bij,bj->bi", E, x)
-            y = y + 0.02 * x  # no floor: each component has a unit of its own
-            x = y / y.max(1, keepdims=True)
-        theta = np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP
+        x, theta = weighed(E)
         return Regular(R, x, theta, finite & (theta < THETA))
+
+
+def weighed(E: Any, rounds: int = 12) -> tuple[Any, Any]:
+    """(x > 0 for which θ is nearly the least, θ with E x ≤ θ x) of matrices E ≥ 0."""
+    x = np.ones(E.shape[:2])
+    for _ in range(rounds):
+        y = np.einsum("bij,bj->bi", E, x)
+        y = y + 0.02 * x  # no floor: each component has a unit of its own
+        x = y / y.max(1, keepdims=True)
+    return x, np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP
 
 
 def _inverse(a: Any) -> Any:
@@ -90,3 +95,26 @@ def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
         good = piece.good & (wide < _PIVOTS) & np.isfinite(total)
         least = 1 - np.minimum(wide, _PIVOTS)  # of the moduli of pivots
         return total, n * (phi / (least * least) * (1 + 8 * U) + (16 + 2 * n) * U) * UP, good
+
+
+def solution(A: Jet, f: Jet) -> tuple[Jet, Any]:
+    """(y with A y = f as jets of shape (discs, n, 1), where A is proved regular).
+
+    With R A = I + E, |E| x ≤ θ x, and y = y₀ + y₁ t any approximation whose residual f − A y is at most ρ: the error
+    is (I + E)⁻¹ R (f − A y), at most |R| ρ + θ c x with c = max (|R| ρ)_i / ((1 − θ) x_i).
+    """
+    found = regular(A)
+    with np.errstate(all="ignore"):
+        r = A.r[:, None, None]
+        y0 = found.R @ f.a
+        y1 = found.R @ (f.b - A.b @ y0)
+        n = A.a.shape[1]
+        lost = 16 * (n + 4) * U
+        a0, a1, s0, s1 = np.abs(A.a), np.abs(A.b) * r, np.abs(y0), np.abs(y1) * r
+        rest = np.abs(f.a - A.a @ y0) + np.abs(f.b - A.b @ y0 - A.a @ y1) * r + np.abs(A.b @ y1) * r * r
+        rest = rest + f.e + A.e @ (s0 + s1) + lost * ((a0 + a1) @ (s0 + s1) + np.abs(f.a) + np.abs(f.b) * r)
+        moved = np.abs(found.R) @ (rest * UP + TINY) * UP
+        x, theta = found.x[:, :, None], found.theta[:, None, None]
+        c = (moved / x).max(1, keepdims=True) / (1 - theta)
+        e = (moved + theta * c * x) * (UP + 64 * U)
+    return Jet(y0, y1, e, A.r), found.good

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.jets import TINY, UP, U
-from mpsolve.numbers.quadratic import Quadratic, pairs
+from mpsolve.numbers.quadratic import Quadratic, by_variable, pairs
+from mpsolve.proof.turning import weighed
 
 
 @dataclass(frozen=True)
@@ -49,8 +50,8 @@ def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
         B = Quadratic(k, e * UP + TINY, A.m)
         E = B[:, :-1, :-1]
         defect = np.abs(E.k[0] - np.eye(n - 1)) + E.spread
-        x = _weights(defect)
-        eta = (np.einsum("bij,bj->bi", defect, x) / x).max(1) * UP * UP
+        x, eta = weighed(defect, 8)
+        eta = eta * UP
         column, row = B[:, :-1, -1:], B[:, -1:, :-1]
         product = (row @ column)[:, 0, 0]
         s = B[:, -1, -1] + -product
@@ -59,17 +60,6 @@ def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
         strain = np.where(finite, np.abs(B.b).sum(3).max(2), 0.0)
         bound = np.where(fine, s.e + rest, np.inf)
         return Scalar(Quadratic(s.k, bound, s.m), finite & fine, strain, B.e.sum(2).max(1))
-
-
-def _weights(defect: Any) -> Any:
-    """Positive x for which the norm max (E x)_i/x_i is nearly the least."""
-    x = np.ones(defect.shape[:2])
-    for _ in range(8):
-        y = np.einsum("bij,bj->bi", defect, x)
-        y = y + 0.02 * x
-        x = y / y.max(1, keepdims=True)
-        x = np.where(np.isfinite(x) & (x > 0), x, 1.0)
-    return x
 
 
 @dataclass(frozen=True)
@@ -121,12 +111,7 @@ def _margin(s: Quadratic, d: Any) -> Any:
 
 def _taken(s: Quadratic, d: Any) -> Any:
     """For each variable the moduli of its coefficients in this direction, and a little of them in any."""
-    k = np.abs((s.k * d).real) + 2.0**-12 * np.abs(s.k)
-    out = k[1 : 1 + s.m].copy()
-    for n, (i, j) in enumerate(pairs(s.m), 1 + s.m):
-        out[i] += k[n]
-        out[j] += k[n]
-    return out
+    return by_variable(np.abs((s.k * d).real) + 2.0**-12 * np.abs(s.k), s.m)
 
 
 def guess(s: Quadratic) -> Any:

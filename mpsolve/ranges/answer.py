@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.model import shown
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.plain import outward
 from mpsolve.numbers.result import Result
@@ -59,6 +60,8 @@ class Answer(Result):
     says: proved, without certificate, and `note` tells why.
     """
 
+    a_list: ClassVar[bool] = False
+    """Whether an answer without rows says that there is none."""
     problem: Given
     over: Mapping[str, Interval]
     status: Status
@@ -76,6 +79,12 @@ class Answer(Result):
     def records(self) -> Iterable[Mapping[str, Any]]:
         """`rows`."""
         return self.rows()
+
+    def _headline(self) -> str:
+        ends = ((path, shown(a), f"to {shown(b)}" if b is not None else "on") for path, (a, b) in self.over.items())
+        over = ", ".join(f"{path} from {a} {b}" for path, a, b in ends)
+        none = "none, " if self.a_list and self.proved and not self.rows() else ""
+        return f"{type(self).__name__}{over and f' over {over}'}: {none}{self.trust}"
 
 
 def growing(base: Any) -> int | None:

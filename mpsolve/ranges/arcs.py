@@ -32,7 +32,7 @@ from mpsolve.ranges.judge import Judge
 from mpsolve.ranges.mirrored import at_zero, beside_zero
 from mpsolve.ranges.ridge import REGULAR, solved, solved_size, unevenness
 
-ARC = 4
+ARC = 5
 """A kind of leaf, beside those of `judge`: the zeros in it are a part of one arc, at q = 0 of one of each kind."""
 SHARE = 0.4
 """Of a model's box: that of which is spoken."""

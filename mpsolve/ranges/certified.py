@@ -21,12 +21,16 @@ from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import FarNumbers, far_numbers
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
-from mpsolve.proof.subdivide import Tree
+from mpsolve.proof.sheared import SLOPED
+from mpsolve.proof.subdivide import OPEN, Tree
+from mpsolve.ranges.arcs import ARC
 from mpsolve.ranges.enclosed import Crossing
-from mpsolve.ranges.judge import KNOWN, NONZERO, PASSIVE
+from mpsolve.ranges.judge import KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope
 
-_MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z"}
+_MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}
+_REGIONS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+_MOST_CELLS, _MOST_NODES = 512, 20_000  # of a chart: along each parameter; of the tree, a minute or two of a checker
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
 _ROOM = 4  # by how much balls are wider in the file than they are known
 _POWERS = (0, 1, 3)  # of 2: wavenumbers from which on short waves may be bounded
@@ -46,12 +50,29 @@ def crossings_certificate(
     scope: Scope, tree: Tree, zeros: Sequence[tuple[Crossing, tuple[Any, Any]]], base: Base, claim: Mapping[str, Any]
 ) -> Certificate:
     """Of a complete list of crossings; zeros: each with its room, those outside of the range too."""
-    return _certificate("crossings", scope, tree, zeros, base, claim)
+    return _certificate("crossings", scope, tree, zeros, (base,), claim)
 
 
 def stable_certificate(scope: Scope, tree: Tree, base: Base) -> Certificate:
     """Of a number of growing roots that is the same over a box of parameters."""
-    return _certificate("stable", scope, tree, (), base, {"unstable": int(base.spectrum.unstable)})
+    return _certificate("stable", scope, tree, (), (base,), {"unstable": int(base.spectrum.unstable)})
+
+
+def chart_certificate(scope: Scope, tree: Tree, bases: Sequence[Base], cells: Any) -> Certificate:
+    """Of regions over each of which the number of growing roots is that at its base. cells: the number of the region
+    of each cell, −1 where nothing is said.
+    """
+    if max(cells.shape) > _MOST_CELLS:
+        raise CertificateError(
+            f"a certificate holds charts of up to {_MOST_CELLS} fine cells along each parameter; ask for less depth"
+        )
+    if tree.nodes > _MOST_NODES:
+        raise CertificateError(
+            f"the chart took {tree.nodes} boxes, more than a checker goes through in a minute or two"
+        )
+    marks = np.array([*_REGIONS, "."])
+    rows = ["".join(row) for row in marks[cells]]
+    return _certificate("chart", scope, tree, (), bases, {"cells": rows})
 
 
 def _certificate(
@@ -59,17 +80,18 @@ def _certificate(
     scope: Scope,
     tree: Tree,
     zeros: Sequence[tuple[Crossing, tuple[Any, Any]]],
-    base: Base,
+    bases: Sequence[Base],
     claim: Mapping[str, Any],
 ) -> Certificate:
-    family, spectrum = scope.family, base.spectrum
-    if len(tree.open) or spectrum.certificate is None:
+    family, chart = scope.family, kind == "chart"
+    if (len(tree.open) and not chart) or any(base.spectrum.certificate is None for base in bases):
         raise CertificateError("an answer that is open has no certificate")
     far = far_numbers(scope.envelope)
     if far is None:
         raise CertificateError("no frequency is found beyond which a checker can see passivity")
     X = Fraction(scope.X) * family.frequency_unit
     Q = max(Fraction(far.X) * family.frequency_unit, X)
+    entries = [{"at": list(map(str, base.at)), "spectrum": base.spectrum.certificate.content} for base in bases]
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -77,29 +99,38 @@ def _certificate(
         "equations": _equations(free_equations(family)),
         "basis": basis_entry(family.base),
         "range": [[str(a), str(b)] for a, b in family.over.values()],
-        "base": {"at": list(map(str, base.at)), "spectrum": spectrum.certificate.content},
+        "base": entries if chart else entries[0],
         "tail": _tail(scope, far, Q),
         "X": dyadic(X),
         "beyond": [dyadic(x) for x in _cells(X, Q)],
-        "tree": tree_text(tree),
+        "tree": tree_text(tree, family.frequency_unit / family.units[0]),
         "zeros": [_zero(zero, room, family) for zero, room in zeros],
         "claim": dict(claim),
     }
     return Certificate(content | {"sha256": digest(content)})
 
 
-def tree_text(tree: Tree) -> str:
-    """Each node before its halves, the lower half first: the axis of a halving, or the kind of a leaf."""
+def tree_text(tree: Tree, unit: Fraction = Fraction(1)) -> str:
+    """Each node before its halves, the lower half first: the axis of a halving, or the kind of a leaf.
+
+    unit: of slopes, a power of two.
+    """
     out, stack = [], [0]
     while stack:
         n = stack.pop()
-        if tree.axis[n] < 0:
+        axis, first = int(tree.axis[n]), int(tree.child[n])
+        if axis < 0:
             out.append(_MARKS[int(tree.kind[n])])
             continue
-        out.append(str(int(tree.axis[n])))
-        first = int(tree.child[n])
+        out.append(str(axis) if axis != SLOPED else _slope(Fraction(float(tree.low[-1, first])) * unit))
         stack += [first + 1, first]
     return "".join(out)
+
+
+def _slope(x: Fraction) -> str:
+    """s, and a number times a power of two."""
+    m, e = dyadic(x)
+    return f"s{m}e{e};"
 
 
 def _equations(free: FreeEquations) -> dict[str, Any]:

@@ -18,45 +18,34 @@ from typing import Any, ClassVar
 import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
-from mpsolve.errors import EffortError, InputError
-from mpsolve.outcome import Reason, Status
+from mpsolve.errors import InputError
+from mpsolve.outcome import Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
-from mpsolve.proof.subdivide import subdivide
+from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
-from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, next_to, parts_of
+from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, next_to, parts_of
+from mpsolve.ranges.cells_by_theorem import Decided, decided
+from mpsolve.ranges.certified import Base, chart_certificate
 from mpsolve.ranges.meeting import Meeting, meetings
+from mpsolve.ranges.parts import Part, counted, point_in
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import free_cells, strips_of
+from mpsolve.ranges.undamped import at_corner, left_open
+from mpsolve.ranges.verified import Verified, verified
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
 _SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, or beyond _FINE, before a box stays open
 _FINE = 5
-_MOST_PARTS = 60
 _THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
-NOTE = "no certificate states the regions of a chart; the roots at one point of each are certified"
-
-
-@dataclass(frozen=True)
-class Part:
-    """A connected part of the chart on which no root is real: the number of roots that grow, proved at one point.
-
-    cells: how many of `detail`; point: the exact parameters at which the roots were certified; roots: None where that
-    is open.
-    """
-
-    cells: int
-    point: Mapping[str, Fraction]
-    roots: int | None
-    spectrum: Any = field(repr=False, default=None)
 
 
 @dataclass(frozen=True)
@@ -116,8 +105,8 @@ def stability_chart(
 
     over: {path: (low, high)} of two parameters, in the problem's units. depth: of 2^depth cells along each of them.
     A range from v = 0 begins a little above it where the equations lose waves at rest, as `.over` says.
-    The answer is proved where every region is decided; strips round the boundaries are part of it. There is no
-    certificate. InputError for paths and ranges that cannot be.
+    The answer is proved where every region is decided; strips round the boundaries are part of it. The certificate
+    states the number over each cell of `detail`, not the curves. InputError for paths and ranges that cannot be.
     """
     given = as_problem(problem)
     ranges = from_above_rest(given, checked_over(given, over))
@@ -135,9 +124,12 @@ def _chart(
     problem: Problem, over: dict[str, Interval], depth: int, effort: Effort | None, progress: Progress, check: bool
 ) -> Chart:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
-    scope = scope_of(problem, over)
+    budget = begun(effort, _BOXES)
     edges = [tuple(a + (b - a) * Fraction(k, 2**depth) for k in range(2**depth + 1)) for a, b in over.values()]
+    told = decided(problem, over, edges)
+    if told is not None:
+        return replace(_by_theorem(problem, over, edges, told, check), x=edges[0], y=edges[1])
+    scope = scope_of(problem, over)
     try:
         X = scope.X
     except OpenError as error:
@@ -158,84 +150,56 @@ def _chart(
     curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
     labels = parts_of(free.reshape(2**depth, _FINER_CELLS, 2**depth, _FINER_CELLS).all((1, 3)))
     detail = np.where(free, 0, BOUNDARY)
-    parts, reason = _counted(
-        problem, scope, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
+    parts, regions, reason = counted(
+        problem, over, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
     )
     counts = np.where(labels > 0, detail[::_FINER_CELLS, ::_FINER_CELLS], BOUNDARY)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover)
-    verification = sum(part.spectrum.cost.verification for part in parts if part.spectrum is not None)
-    cost = Spent(process_time() - started - verification, verification, budget.spent)
     reason = cover.reason if spent else reason
+    made = _certified(scope, cover.tree, parts, regions, check) if reason is None else None
+    verification = (made.seconds if made else 0.0) + sum(
+        part.spectrum.cost.verification for part in parts if part.spectrum is not None
+    )
+    cost = Spent(process_time() - started - verification, verification, budget.spent)
     proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
-    told: dict[str, Any] = {"note": "" if reason else NOTE, "proofs": proofs, "cost": cost}
-    status = Status.UNDECIDED if reason is not None else Status.UNVERIFIED
+    more: dict[str, Any] = {"proofs": proofs, "cost": cost}
+    if made:
+        more |= {"note": made.note, "certificate": made.certificate}
+    status = made.status if made else Status.UNDECIDED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
         problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
-        meetings=meetings(scope, curves), traced=whole, detail=detail, **told,
+        meetings=meetings(scope, curves), traced=whole, detail=detail, **more,
     )  # fmt: skip
 
 
-def _counted(
-    problem: Problem,
-    scope: Scope,
-    edges: Any,
-    labels: tuple[Any, Any],
-    detail: Any,
-    budget: Effort,
-    progress: Progress,
-    check: bool,
-) -> tuple[tuple[Part, ...], Reason | None]:
-    """The parts with their counts, which are written into `detail`; the greatest first.
-
-    labels: of cells, and of finer ones. Parts that hold no cell whole are pockets between curves.
-    """
-    coarse, fine = labels
-    sizes = np.bincount(fine.ravel())[1:]
-    order = np.argsort(-sizes, kind="stable")
-    parts: list[Part] = []
-    reason: Reason | None = None
-    for number, k in enumerate(order):
-        where, whole = fine == k + 1, coarse == k + 1
-        if number >= _MOST_PARTS:
-            detail[where] = OPEN
-            reason = reason or (_too_many(len(order)) if whole.any() else None)
-            continue
-        progress("regions", 0.8 + 0.2 * number / len(order))
-        point = _point(scope, edges, whole if whole.any() else where)
-        try:
-            budget.spend(1)
-            found = certify_problem(_at(problem, point), region="unstable", digits=15, check=check)
-        except EffortError as error:
-            reason = reason or error.reason
-            detail[where] = OPEN
-            parts.append(Part(int(sizes[k]), point, None))
-            continue
-        roots = growing(found)
-        detail[where] = OPEN if roots is None else roots
-        parts.append(Part(int(sizes[k]), point, roots, found))
-        if roots is None and reason is None:
-            reason = uncounted(found, "of a region")
-    return tuple(parts), reason
+def _by_theorem(problem: Problem, over: dict[str, Interval], edges: Any, told: Decided, check: bool) -> Chart:
+    """The chart where theorems tell of cells. Between those without and those with growing roots runs a boundary."""
+    started = process_time()
+    counts = np.where(told.quiet, 0, BOUNDARY if told.alike.any() else OPEN)
+    parts, reason, verification = [], None, 0.0
+    if told.quiet.any():
+        parts.append(Part(int(told.quiet.sum()), point_in(over, edges, told.quiet), 0))
+    if told.alike.any():
+        point = point_in(over, edges, told.alike)
+        found = certify_problem(at_corner(problem, point), region="unstable", digits=15, check=check)
+        roots, verification = growing(found), found.cost.verification
+        counts[told.alike] = OPEN if roots is None else roots
+        parts.append(Part(int(told.alike.sum()), point, roots, found))
+        reason = uncounted(found, "of a region") if roots is None else None
+    if reason is None and (counts == OPEN).any():
+        reason = left_open(problem, over)[0]
+    return Chart(
+        problem, over, Status.UNVERIFIED if reason is None else Status.UNDECIDED, reason, counts=counts,
+        parts=tuple(parts), note=told.note, cost=Spent(process_time() - started - verification, verification),
+    )  # fmt: skip
 
 
-def _point(scope: Scope, edges: Any, where: Any) -> dict[str, Fraction]:
-    """The middle of a cell far inside."""
-    each = zip(scope.family.paths, edges, inmost(where), where.shape, strict=True)
-    return {path: ends[0] + (ends[-1] - ends[0]) * Fraction(2 * k + 1, 2 * n) for path, ends, k, n in each}
-
-
-def _too_many(parts: int) -> Reason:
-    stated = f"the chart falls into {parts} parts, of which {_MOST_PARTS} are counted"
-    return Reason("parts", stated, {"parts": str(parts)}, "raise the depth, so that small parts come together")
-
-
-def _at(problem: Problem, point: Mapping[str, Fraction]) -> Problem:
-    for path, value in sorted(point.items(), key=lambda one: one[0].startswith("scale.")):
-        problem = problem.changed(path, value)
-    return problem
+def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Any, check: bool) -> Verified:
+    bases = [Base(tuple(part.point.values()), part.spectrum) for part in parts]
+    return verified(lambda: chart_certificate(scope, tree, bases, regions), tree.nodes, check)
 
 
 def _cell(low: Fraction, high: Fraction, cells: int, value: object, path: str) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 from mpsolve.numbers.packed import Portable
 from mpsolve.ranges.answer import Answer, AtValue
@@ -33,6 +33,7 @@ class Crossings(Answer):
     proved, counts stand here one after the other: one count more for each part.
     """
 
+    a_list: ClassVar[bool] = True
     digits: int = 15
     crossings: tuple[Crossing, ...] = ()
     counts: tuple[int, ...] | None = None

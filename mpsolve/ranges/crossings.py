@@ -18,7 +18,7 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Interval, Proof, Spent, growing, uncounted, within
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
@@ -100,7 +100,7 @@ def find(
     if no_damping(problem, over):
         return without_damping(problem, over, digits, progress, check)
     if high is None:
-        budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+        budget = begun(effort, _BOXES)
         found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
         return found
     speeds = speeds_within(problem, over)
@@ -125,7 +125,7 @@ def _within(
     near: Sequence[tuple[float, float]] = (),
 ) -> Crossings:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     over = from_above_rest(problem, over)
     scope, unbounded = scope_of(problem, over), None
     try:

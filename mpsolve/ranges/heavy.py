@@ -29,12 +29,12 @@ from mpsolve.problem.family import Family
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.proof.vanishing import nonzero, scalar
-from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.judge import OUTSIDE, Judge
 from mpsolve.ranges.mirrored import beside_zero
 from mpsolve.ranges.scope import Scope
 
-OUTSIDE, CORNER = 4, 5
-"""Kinds of leaves: masses below the least one; next to q = 0."""
+CORNER = 5
+"""A kind of leaf: next to q = 0. OUTSIDE are masses below the least one."""
 
 
 ONLY_MASSES = (

@@ -14,8 +14,7 @@ from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import MORE_EFFORT, Effort
-from mpsolve.proof.grafted import grafted, halved
-from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.proof.subdivide import Covered, grafted, halved, subdivide
 from mpsolve.ranges.scope import Scope, scope_of
 
 _FIRST = 6  # halvings before the first round

@@ -1,7 +1,7 @@
 """What is proved of a box of (q, parameters): no root is real there, or one at most, which is known.
 
 Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real
-root; the box lies where the only real root has been enclosed.
+root; the box lies where the only real root has been enclosed, or outside of what is asked.
 """
 
 from __future__ import annotations
@@ -19,9 +19,10 @@ from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
+from mpsolve.proof.sheared import upright
 from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
 
-NONZERO, PASSIVE, KNOWN = 1, 2, 3
+NONZERO, PASSIVE, KNOWN, OUTSIDE = 1, 2, 3, 4
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
@@ -32,10 +33,10 @@ a zero was enclosed there.
 """
 
 
-def boxes_of(low: Any, high: Any, origin: complex = 0.0, way: complex = 1j) -> Boxes:
+def boxes_of(low: Any, high: Any, origin: complex = 0.0, way: complex = 1j, slope: Any = None) -> Boxes:
     """Boxes that hold those between the corners, middles rounded."""
     m = low / 2 + high / 2
-    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000, origin, way)
+    return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000, origin, way, slope)
 
 
 @dataclass
@@ -69,9 +70,11 @@ class Judge:
 
     def judged(self, low: Any, high: Any) -> tuple[Any, Any, Scalar]:
         """The same, and the reduced determinant."""
-        kind = np.zeros(low.shape[1], np.int8)
+        kind, boxes = np.zeros(low.shape[1], np.int8), self.boxes(low, high)
+        if boxes.slope is not None:
+            low, high = upright(low, high)
+            kind[(high[0] < 0) | (low[0] > 2 * self.width[0] * UP)] = OUTSIDE
         kind[self._in_known(low, high)] = KNOWN
-        boxes = boxes_of(low, high, self.origin, self.way)
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
@@ -82,8 +85,15 @@ class Judge:
             self._look(boxes, s, kind)
         return kind, self._axis(boxes, G, s, verdict), s
 
+    def boxes(self, low: Any, high: Any) -> Boxes:
+        """Those between the corners, which may have a row of slopes below."""
+        m = self.variables
+        slope = low[m] if len(low) > m else None
+        return boxes_of(low[:m], high[:m], self.origin, self.way, slope)
+
     def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
-        rest = np.flatnonzero((kind == 0) & (low[0] > 0))
+        upright_ = True if boxes.slope is None else boxes.slope == 0
+        rest = np.flatnonzero((kind == 0) & (low[0] > 0) & upright_)
         if len(rest):
             seems, unknown = _seems_passive(G)[rest], ~G.good[rest]
             if unknown.any():
@@ -110,8 +120,11 @@ class Judge:
         small = (boxes.r < _SMALL * self.width[:, None]).all(0)
         near = (kind == 0) & s.good & (np.abs(u) < _AROUND).all(0) & (one_at_most(s.s) | small)
         for n in np.flatnonzero(near)[:_TRIED]:
-            m, r = boxes.m[:, n], boxes.r[:, n]
+            m, r = boxes.m[:, n].copy(), boxes.r[:, n].copy()
             point = m + r * u[:, n]
+            if boxes.slope is not None:  # in the plane of (q̂, x̂)
+                point[0], m[0] = point[0] + boxes.slope[n] * point[1], m[0] + boxes.slope[n] * m[1]
+                r[0] += abs(boxes.slope[n]) * r[1]
             shown = any(
                 ((point >= a) & (point <= b)).all() or (np.abs((a + b) / 2 - m) < _AROUND * r).all()
                 for a, b in self.known

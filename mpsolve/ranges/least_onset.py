@@ -10,14 +10,17 @@ changes sign or at the end; and below it the number of unstable roots is that at
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from math import ceil, log2
 from typing import Any
 
 import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
+from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
@@ -27,23 +30,36 @@ from mpsolve.proof.subdivide import subdivide
 from mpsolve.ranges.answer import Interval, Proof, uncounted
 from mpsolve.ranges.crossingcurve import CrossingCurve
 from mpsolve.ranges.first_seen import each_seen
+from mpsolve.ranges.glance import count_seen
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
 from mpsolve.ranges.scope import OpenError, Scope
 from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
 
 _COLUMNS = 6  # values of the second parameter at which crossings are looked for
+_CLOSER = 4  # times, each between the neighbours of the lowest column
 _WIDTHS = np.append(1.01, 2.0 ** -np.arange(1.0, 12.0))
 """Of the range of the second parameter: half of the holes that are tried."""
 _LEAST = 2.0 ** -np.arange(4.0, 10.0, 2.0)  # scaled: half of them along the others, and as shares of the first half
-_PARTS = (8, 32, 128)
+_STARTS = 8  # parts of the range of the second parameter, at whose ends roots that grow are looked for
+_PARTS = (8, 32, 128, 512)
 _LIFT = 0.4  # of how far the crossing rises to the rim of the hole: the ceiling of the tree
 _SPREAD = 1.5
+_ALONG, _SLACK = (0.03, 0.3), 1.6  # boxes of parts: of their length along the second, at least, along the others
 _NEXT = "give shorter ranges"
+
+
+def _as_low(found: Candidate, least: float) -> bool:
+    """Whether Newton's method came to a crossing that is no higher than where it began: it may jump to another."""
+    q, x = (complex(value).real for value in found.state)
+    return q >= 0 and x <= least * (1 + 2.0**-20)
 
 
 @dataclass(frozen=True)
 class Least:
-    """What is proved: value, worst, q: balls in the problem's units; where the worst value lies; None without one."""
+    """What is proved: value, worst, q: balls in the problem's units; where the worst value lies; None without one.
+
+    A worst value without an onset: there roots grow from the start of the range on.
+    """
 
     value: Any | None
     q: Any | None
@@ -66,7 +82,28 @@ class Question:
     base: Any = None
 
     def answer(self) -> Least:
-        """`OpenError` where it stays open; value None where no root grows anywhere."""
+        """`OpenError` where it stays open; value None where no root grows anywhere, or some from the start on."""
+        try:
+            return self._least()
+        except (OpenError, PrecisionError, EffortError):
+            grows = self._from_start()
+            if grows is None:
+                raise
+            return grows
+
+    def _from_start(self) -> Least | None:
+        """A value of the second parameter at which certified roots grow at the start of the range of the first."""
+        (start, _), (low, high) = self.scope.family.box
+        for y in (low + (high - low) * k / _STARTS for k in range(_STARTS + 1)):
+            if count_seen(self.scope.family.reduced([start, y]), self.scope.X) == 0:
+                continue
+            base = certify_problem(self.scope.family.at([start, y]), region="unstable", digits=15, check=self.check)
+            if base.unstable:
+                where = "start" if y == low else "end" if y == high else "inside"
+                return Least(None, None, rational_ball(y * self.scope.family.units[1]), where, ())
+        return None
+
+    def _least(self) -> Least:
         self.progress("search", 0.0)
         found = self._found()
         if found is None:
@@ -95,15 +132,20 @@ class Question:
 
     def _found(self) -> Candidate | None:
         """The least crossing that floats lead to, with its place; None where none is seen."""
-        columns = np.linspace(self.scope.low[1], self.scope.high[1], _COLUMNS)
-        seen = each_seen(self.scope.family, columns)
-        if not np.isfinite(seen).any():
-            return None
-        n = int(np.nanargmin(seen[1]))
-        ends = tuple(rational_ball(a) for a in self.scope.family.box[1])
-        start, step = (arb(float(seen[0, n])), arb(float(seen[1, n]))), float(columns[1] - columns[0])
-        with precision(80):
-            return lowest_near(CrossingCurve(self.scope.proved), start, float(columns[n]), (ends[0], ends[1]), step)
+        (low, high), ends = self.scope.family.box[1], tuple(map(rational_ball, self.scope.family.box[1]))
+        curve, columns = CrossingCurve(self.scope.proved), np.linspace(float(low), float(high), _COLUMNS)
+        for closer in reversed(range(_CLOSER)):
+            seen = each_seen(self.scope.family, columns)
+            if not np.isfinite(seen).any():
+                return None
+            n, step = int(np.nanargmin(seen[1])), float(columns[1] - columns[0])
+            q, least, y = float(seen[0, n]), float(seen[1, n]), float(columns[n])
+            with suppress(*[PrecisionError] * bool(closer)), precision(80):
+                found = lowest_near(curve, (arb(q), arb(least)), y, (ends[0], ends[1]), step)
+                if not closer or _as_low(found, least):
+                    return found
+            columns = np.linspace(max(float(low), y - step), min(float(high), y + step), _COLUMNS)
+        return None
 
     def _hole(self, found: Candidate) -> tuple[tuple[Any, Any], Ridge]:
         """(the corners of a box in which one crossing at most is proved for each ŷ, the crossings in it)."""
@@ -116,9 +158,11 @@ class Question:
                 spread = np.maximum(_SPREAD * np.array(at).max(0), least)
                 sizes.append(np.array([*spread, half]) / HALF)
         good = alone(self.scope.matrix, np.repeat(m[:, None], len(sizes), 1), np.array(sizes).T)
+        ridges: dict[float, Ridge | None] = {}
         for n in np.flatnonzero(good):
             half = sizes[n] * HALF * (1 - 2.0**-20)
-            curve = self._ridge(found, float(half[2]))
+            long = float(half[2])
+            curve = ridges[long] = ridges[long] if long in ridges else self._ridge(found, long)
             if curve is not None and curve.within(m, sizes[n]):
                 return (m - half, m + half), curve
         raise OpenError(Reason("worst", "the least onset is not proved to be alone near where it lies", {}, _NEXT))
@@ -133,9 +177,9 @@ class Question:
         def path(at: Any) -> list[Any]:
             return [np.real(s) for s in found.beside(at - y)]
 
-        for parts in _PARTS:
+        for parts, along in product(_PARTS, _ALONG):
             inner = [arb(t) for t in np.linspace(float(low), float(high), parts + 1)[1:-1].tolist()]
-            got = ridge(self.scope.matrix, path, [low, *inner, high], 1.6)
+            got = ridge(self.scope.matrix, path, [low, *inner, high], _SLACK, along)
             if got is None:
                 continue
             if {"inside": got.is_valley, "start": got.rises, "end": got.falls}[found.where]:

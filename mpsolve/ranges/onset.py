@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
@@ -75,6 +75,7 @@ class UnstableRanges(Answer):
     left_out: single speeds of which nothing is said.
     """
 
+    a_list: ClassVar[bool] = True
     digits: int = 15
     intervals: tuple[Unstable, ...] = ()
     left_out: tuple[LeftOut, ...] = ()
@@ -237,7 +238,8 @@ def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
     if found is None:
         return Onset(problem, answer.over, Status.UNDECIDED, answer.reason, cost=answer.cost, digits=digits)
     known: dict[str, Any] = {"value": found.value, "q": found.q, "worst": found.worst, "where": found.where}
-    known |= {"kind": Kind.STABLE if found.value is None else Kind.CROSSES, "proofs": found.proofs}
+    nowhere = Kind.STABLE if found.worst is None else Kind.UNSTABLE_FROM_START
+    known |= {"kind": nowhere if found.value is None else Kind.CROSSES, "proofs": found.proofs}
     known |= {"note": "no certificate states an onset at the worst value of a second parameter yet"}
     return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
 

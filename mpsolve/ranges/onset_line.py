@@ -26,7 +26,7 @@ from mpsolve.numbers.realroots import short_between
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.family import family_of
 from mpsolve.problem.problem import Problem
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.subdivide import subdivide
 from mpsolve.proof.vanishing import in_plane, one_at_most, scalar
 from mpsolve.ranges.answer import Interval
@@ -77,7 +77,7 @@ def onsets_along(
     if len(values) < 2:
         return none
     order = sorted(range(len(values)), key=lambda k: values[k])
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES * len(values))
+    budget = begun(effort, _BOXES * len(values))
     try:
         with one_thread():
             found = _Line(problem, over, along, [values[k] for k in order], digits, budget).answer()

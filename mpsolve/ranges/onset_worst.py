@@ -12,7 +12,7 @@ from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.least_onset import Least, Question
 from mpsolve.ranges.never import never_unstable
@@ -50,7 +50,7 @@ def at_worst(
     if never_unstable(problem, first | second):
         return AtWorst(first | second, Least(None, None, None, "", ()), None, Spent(process_time() - started))
     both = from_above_rest(problem, first | second)
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     reason, found = None, None
     with one_thread():
         question = Question(problem, both, scope_of(problem, both), digits, budget, progress, check)

@@ -85,21 +85,10 @@ def _conditions(family: Family, free: list[int]) -> list[Any]:
         for e, value in c:
             key = (i // 2, *(e[k] - min(low, 0) for k, low in zip(free, lowest, strict=True)))
             rows[j][key] = as_fmpq(value * (-1) ** (i // 2))
-    point = {"y": Fraction(1)} | {f"x{k}": family.ring.point[k] for k in free}
     D = [context.from_dict(row) for row in rows]
-    lead = _value(rows[-1], tuple(point.values()))
+    lead = D[-1](*(as_fmpq(x) for x in (Fraction(1), *(family.ring.point[k] for k in free))))
     D = [a if lead > 0 else -a for a in D]
     return [D[-1], D[0], *hurwitz_minors(D)[:-1]]  # the last is the one before it times D[0]
-
-
-def _value(row: dict[tuple[int, ...], fmpq], point: tuple[Fraction, ...]) -> Fraction:
-    total = Fraction(0)
-    for key, c in row.items():
-        term = Fraction(int(c.p), int(c.q))
-        for x, e in zip(point, key, strict=True):
-            term *= x**e
-        total += term
-    return total
 
 
 def _rows_in_y(polynomial: Any, free: int) -> list[dict[tuple[int, ...], Fraction]]:

@@ -28,7 +28,6 @@ _SIDE = 0.4
 _SHARPER = 3
 REGULAR = 0.9
 _TURNED = 1 + 2.0**-40  # more than the modulus of a float next to the unit circle
-_LEAST = 0.3  # of a box along ŷ: along the others, in scaled units
 
 
 def alone(matrix: FreeMatrix, middle: Any, size: Any) -> Any:
@@ -133,14 +132,19 @@ class Ridge:
         return False
 
 
-def ridge(matrix: FreeMatrix, path: Callable[[Any], Any], edges: list[Any], slack: float) -> Ridge | None:
-    """The crossings followed over neighbouring intervals of ŷ; None where that is not proved. path: floats."""
+def ridge(
+    matrix: FreeMatrix, path: Callable[[Any], Any], edges: list[Any], slack: float, least: float
+) -> Ridge | None:
+    """The crossings followed over neighbouring intervals of ŷ; None where that is not proved. path: floats.
+
+    Boxes reach `slack` times as far as the path, and `least` of their length along ŷ along the others (scaled units).
+    """
     y = np.array([float(edge) for edge in edges])
     middles = (y[:-1] + y[1:]) / 2
     here, before, behind = (np.array(path(at)) for at in (middles, y[:-1], y[1:]))
     away, along = np.maximum(np.abs(before - here), np.abs(behind - here)), 1.05 * (y[1:] - y[:-1])
     m = np.concatenate([here, middles[None]])
-    r = np.concatenate([np.maximum(slack * away / _SIDE, _LEAST * along), along[None]])
+    r = np.concatenate([np.maximum(slack * away / _SIDE, least * along), along[None]])
     A, G = matrix(Boxes(m, r))
     reduced = scalar(A, G.good)
     if not (reduced.good & np.isfinite(reduced.s.e)).all():

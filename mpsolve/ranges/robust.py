@@ -12,13 +12,14 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.model import shown
 from mpsolve.outcome import Status
 from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges import undamped
@@ -47,6 +48,14 @@ class Robust(Answer):
     counterexample: Mapping[str, Fraction] | None = None
     spectrum: Any = None
     open: tuple[Mapping[str, Interval], ...] = ()
+
+    @property
+    def trust(self) -> str:
+        """How far it is proved; what grows at the counterexample rests on the certified spectrum there."""
+        if self.counterexample is None:
+            return super().trust
+        where = ", ".join(f"{path} = {shown(value)}" for path, value in self.counterexample.items())
+        return f"not stable, roots grow at {where}: {self.spectrum.trust}"
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
@@ -108,7 +117,7 @@ def _refuted_undamped(problem: Problem, over: dict[str, Interval], check: bool) 
 
 def _asked(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> _Question:
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     over = from_above_rest(problem, over)
     return _Question(problem, over, scope_of(problem, over), budget, check, started)
 

@@ -17,6 +17,7 @@ from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.enclosed import enclose
 from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.leaning import LeaningJudge
 from mpsolve.ranges.scope import Scope
 
 _HINT = 2.0**-13  # of half of the whole: how near a zero is to where it is expected
@@ -45,9 +46,10 @@ class Search:
         self._failed: list[Any] = []
 
     def cover(self, budget: Effort, progress: Progress, check: bool = False) -> Covered:
-        """Of all between the corners. check: a verifier will work through the leaves, so that fewer are worth more."""
+        """Of all between the corners. check: a verifier will work through the leaves, so fewer are worth more."""
         tell = lambda share: progress("boxes", 0.9 * share)  # noqa: E731
-        return subdivide(self.low, self.high, self.judge, budget, _SMALLEST, tell, _FEW if check else FEW)
+        low, high = (np.append(end, 0.0) for end in (self.low, self.high))
+        return subdivide(low, high, self.judge, budget, _SMALLEST, tell, _FEW if check else FEW)
 
     def enclose_near(self, points: Sequence[tuple[float, float]]) -> None:
         """Enclose the zeros near points (y, x̂), where they are."""
@@ -56,9 +58,9 @@ class Search:
 
     def _judge(self) -> Judge:
         if self.edge == REAL_AXIS:
-            return self.scope.judge()
+            return self.scope.judge(LeaningJudge)
         width = (self.high - self.low) / 2
-        return Judge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
+        return LeaningJudge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
 
     def enclose(self, point: Any, half: Any) -> bool:
         """Enclose the zero near a float point; True where it was. Next to q = 0 it is first looked for there.
@@ -91,11 +93,15 @@ class Search:
             room = self.judge.room(at, size * 4)
         except PrecisionError:
             return False
-        if room is None or not _holds(room, zero):
+        if room is None or not _holds(room, zero) or not self._asked(room):
             return False
         self.judge.known.append(room)
         self.found.append(zero)
         return True
+
+    def _asked(self, room: tuple[Any, Any]) -> bool:
+        """Whether some of the room is to be covered: Newton's method may lead far away."""
+        return bool((room[0] <= self.high).all() and (room[1] >= self.low).all())
 
 
 def _holds(room: tuple[Any, Any], zero: Scaled) -> bool:

@@ -94,7 +94,7 @@ def endless(
         reason = found.reason or rest.reason
         return replace(found, over=dict(over), status=Status.UNDECIDED, reason=reason, known=known, cost=cost,
                        certificate=None, counts=None)  # fmt: skip
-    note = f"no certificate says what holds without end; it is proved of {path} from {float(rest.mass):.6g} on"
+    note = f"no certificate says what holds without end, as the theorem of {path} ≥ {float(rest.mass):.6g} does"
     if found.certificate is not None:
         note += ", and the certificate is of the range up to there"
     return replace(

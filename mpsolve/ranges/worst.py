@@ -16,7 +16,7 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges import undamped
 from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
 from mpsolve.ranges.lowest import NEXT, Question
@@ -91,7 +91,7 @@ def _worst(
     if undamped.no_damping(problem, over):
         return Worst(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), digits=digits)
     started = process_time()
-    budget = effort.anew() if effort is not None else Effort(evaluations=_BOXES)
+    budget = begun(effort, _BOXES)
     over = from_above_rest(problem, over)
     question = Question(problem, over, scope_of(problem, over), digits, budget, progress, check)
     reason, known = None, {}

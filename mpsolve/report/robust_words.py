@@ -67,7 +67,10 @@ _MEETINGS = {
 def said_of_chart(found: Chart, asked: Asked) -> Said:
     """The report of a chart."""
     asked = asked.answered(found.over)
-    return Said("chart", found, asked, _chart_verdict(found), framed(_chart(found, asked), found, asked))
+    lines = _chart(found, asked)
+    if found.certificate is not None:
+        lines.append("  The certificate states the number of each cell; curves are proved without certificate.")
+    return Said("chart", found, asked, _chart_verdict(found), framed(lines, found, asked))
 
 
 def _chart_verdict(found: Chart) -> str:
@@ -84,7 +87,8 @@ def _chart(found: Chart, asked: Asked) -> list[str]:
     for part in found.parts:
         where = ", ".join(f"{one.path} = {one.told(part.point[one.path])}" for one in asked.overs)
         count = "open" if part.roots is None else growing(part.roots)
-        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, certified at {where}")
+        known = "by a theorem" if part.spectrum is None and part.roots is not None else f"certified at {where}"
+        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, {known}")
     for curve in found.boundaries:
         kind = "a root passes q = 0 (divergence)" if curve.divergence else "a pair of roots crosses the real axis"
         end = "" if curve.whole else "; it could not be followed further"

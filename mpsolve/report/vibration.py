@@ -52,8 +52,7 @@ def vibration(root: Root, digits: int) -> Vibration:
 
 def vibrations(spectrum: Spectrum) -> tuple[Vibration, ...]:
     """Every root once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency."""
-    ordered = sorted(_once(spectrum), key=lambda root: abs(float(root.q.real.mid())))
-    return tuple(vibration(root, spectrum.digits) for root in ordered)
+    return tuple(vibration(root, spectrum.digits) for root in once(spectrum))
 
 
 def motion_rows(motions: tuple[Vibration, ...]) -> Iterator[tuple[str, ...]]:
@@ -75,8 +74,8 @@ def in_words(row: tuple[str, ...], unit: str) -> str:
     return f"{state}{f' in {row[3]} {unit}' if row[3] else ''}{bracket}{several}"
 
 
-def _once(spectrum: Spectrum) -> list[Root]:
-    """The roots without those whose mirror image with Re q > 0 is there too."""
+def once(spectrum: Spectrum) -> list[Root]:
+    """The roots without those whose mirror image with Re q > 0 is there too; by ascending frequency."""
     right = [root for root in spectrum.roots if not root.q.real < 0]
     with precision(working_bits(spectrum.digits)):
         lone = [
@@ -84,7 +83,7 @@ def _once(spectrum: Spectrum) -> list[Root]:
             for root in spectrum.roots
             if root.q.real < 0 and not any((-root.q.conjugate()).overlaps(other.q) for other in right)
         ]
-    return lone + right
+    return sorted(lone + right, key=lambda root: abs(float(root.q.real.mid())))
 
 
 def trend(root: Root) -> Trend:

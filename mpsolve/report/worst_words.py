@@ -30,7 +30,9 @@ def said_of_onset_at_worst(found: Onset, asked: Asked, second: Asked) -> Said:
     asked, second = asked.answered(found.over), second.answered(found.over)
     (over,) = second.overs
     verdict = onset_verdict(found, asked)
-    if found.proved:
+    if found.kind is Kind.UNSTABLE_FROM_START:
+        verdict = f"At {over.path} = {over.told(found.worst)}: {verdict}"
+    elif found.proved:
         verdict = f"For every {over.path} from {over.told(over.low)} to {over.told(_end(over))}: {verdict}"
     lines = [verdict]
     if found.value is not None and found.worst is not None:
@@ -39,7 +41,7 @@ def said_of_onset_at_worst(found: Onset, asked: Asked, second: Asked) -> Said:
         lines.append(f"  frequency: {frequency_text(found.q, asked, found.digits)}")
     both = replace(asked, overs=(*asked.overs, over))
     text = framed(lines, found, both)
-    return Said("onset", found, both, lines[0], text, found.kind is Kind.CROSSES)
+    return Said("onset", found, both, lines[0], text, found.kind in (Kind.CROSSES, Kind.UNSTABLE_FROM_START))
 
 
 def _end(over: Over) -> Fraction:

@@ -57,18 +57,21 @@ def certificate_schema() -> p.Schema:
 
 
 def ranges_certificate_schema() -> p.Schema:
-    """Version 2, over ranges of parameters of any problem: crossings of one, stability over several."""
+    """Version 2, over ranges of parameters of any problem: crossings of one, stability over several, charts."""
     ball = p.table({"middle": _HEX, "exponent": p.WHOLE, "radius": p.DYADIC})
     zero = p.table({"room": p.rows(p.rows(p.DYADIC)), "q": ball, "x": ball})
     claim = p.one_of(
-        p.table({"counts": p.rows(p.COUNT), "directions": p.rows(p.WHOLE)}), p.table({"unstable": p.COUNT})
+        p.table({"counts": p.rows(p.COUNT), "directions": p.rows(p.WHOLE)}),
+        p.table({"unstable": p.COUNT}),
+        p.table({"cells": p.rows(p.TEXT)}),
     )
+    base = p.table({"at": p.rows(p.RATIONAL), "spectrum": {"type": "object"}})
     keys: p.Schema = {
-        "kind": {"enum": ["crossings", "stable"]},
+        "kind": {"enum": ["crossings", "stable", "chart"]},
         "equations": {"type": "object"},
         "basis": p.maybe(p.table({"matrix": _MATRIX, "neutral": p.COUNT, "unfelt": p.COUNT})),
         "range": p.rows(p.rows(p.RATIONAL)),
-        "base": p.table({"at": p.rows(p.RATIONAL), "spectrum": {"type": "object"}}),
+        "base": p.one_of(base, p.rows(base)),
         "tail": {"type": "object"},
         "X": p.DYADIC,
         "beyond": p.rows(p.DYADIC),

@@ -17,13 +17,14 @@ from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, U
+from mpsolve.numbers.realroots import end_of
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.near_loop import Ways, about, ways_to
 
-_FIRST, _SMALL, _SHRINK = 0.15, 2.0**-14, 4  # of the distance to what is next: radii of loops
+_FIRST, _SMALL, _SHRINK = 0.06, 2.0**-14, 4  # of the distance to what is next: radii of loops
 _SMALLEST, _SHRINK_MORE, _JOIN = 2.0**-84, 32, 2.0**-7  # the same about the point, and where ways to it begin
-_SIDES = (12, 16, 24, 48, 96)
+_SIDES = (8, 12, 16, 24, 48, 96)
 _REAL = 1e-3  # relative, in floats
 
 
@@ -97,7 +98,7 @@ class Loop:
 
 def edge_points(line: Line) -> list[BranchPoint]:
     """The branch points on the edge of the cut, ascending."""
-    found = [(float(z), k, _middle(z)) for z, k in line.branch_points]
+    found = [(float(z), k, end_of(z, 0)) for z, k in line.branch_points]
     out = []
     for j, (z, k, exact) in enumerate(found):
         others = [abs(z - other) for i, (other, *_) in enumerate(found) if i != j]
@@ -105,11 +106,6 @@ def edge_points(line: Line) -> list[BranchPoint]:
         if k > 2 or pole is not None:
             out.append(BranchPoint(z, k, min([z, *others]), pole if k == 1 else None, exact))
     return out
-
-
-def _middle(ball: arb) -> Fraction:
-    mantissa, exponent = ball.mid().man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def _meeting(line: Line, z: float) -> complex | None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from flint import acb, arb, fmpq
+from flint import acb, arb
 
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.proved import ProvedSplitting
@@ -18,7 +18,7 @@ from mpsolve.characteristic.roots import root_balls
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.jets import UP, U
 from mpsolve.problem.reduced import Reduced
 
@@ -119,21 +119,17 @@ def _accretive(reduced: Reduced, sigma: acb, middle: Any) -> list[list[acb]]:
         for j in range(n):
             entry = acb(0)
             for k in (2, 1, 0):
-                entry = entry * sigma + _ball(reduced.S[k][i][j])
+                entry = entry * sigma + rational_ball(reduced.S[k][i][j])
             out[i][j] = entry / sigma if i < kept else entry  # the row of a neutral mode has been divided by σ
         for j in range(contacts):
-            out[i][n + j] = -acb(_ball(reduced.B[i][j]))
-            out[n + j][i] = acb(_ball(reduced.B[i][j]))
+            out[i][n + j] = -acb(rational_ball(reduced.B[i][j]))
+            out[n + j][i] = acb(rational_ball(reduced.B[i][j]))
     for i, a in enumerate(reduced.index):
         for j, b in enumerate(reduced.index):
             g = middle[a, b]
             out[n + i][n + j] = sigma * (g if isinstance(g, acb) else acb(complex(g)))
-        out[n + i][n + i] += sigma * _ball(reduced.h[i])
+        out[n + i][n + i] += sigma * rational_ball(reduced.h[i])
     return out
-
-
-def _ball(x: Any) -> arb:
-    return arb(fmpq(x.numerator, x.denominator))
 
 
 def pivot_sum(reduced: Reduced, up: int, q: float) -> arb:

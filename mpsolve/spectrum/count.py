@@ -11,7 +11,8 @@ from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.origin import origin, waves_meet_at_zero
-from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved, positive
+from mpsolve.characteristic.path import Path
+from mpsolve.characteristic.paths import ROOM, Paths, Proved
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
@@ -22,6 +23,7 @@ from mpsolve.passivity.growth import fastest_growth
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
+from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.partial import Partial, count_strips, holding_growth

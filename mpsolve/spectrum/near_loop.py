@@ -15,7 +15,8 @@ import numpy as np
 
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.local import LocalArrays, same_pair
-from mpsolve.characteristic.paths import Kind, Path, Paths
+from mpsolve.characteristic.path import Kind, Path
+from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, U

@@ -8,10 +8,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from flint import acb, arb, fmpq
+from flint import acb, arb
 
 from mpsolve.characteristic.local import LocalArrays
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.line import Line
 from mpsolve.spectrum.branch_loops import Loop
 from mpsolve.spectrum.sheet import SheetCount
@@ -36,7 +36,7 @@ def near_branch_points(count: SheetCount) -> list[Any]:
 def _sigma(line: Line, loop: Loop, t: complex, sign: int) -> Any:
     """i q̂ with q̂ = z_b + t + iη below the line of the cuts, and its mirror above it."""
     with precision(_BITS):
-        z, height = (arb(fmpq(x.numerator, x.denominator)) for x in (loop.about, line.height))
+        z, height = map(rational_ball, (loop.about, line.height))
         return acb(-height - sign * arb(t.imag), z + arb(t.real)).mid()
 
 

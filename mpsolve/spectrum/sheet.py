@@ -16,7 +16,8 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import ROOM, Path, Paths, Proved
+from mpsolve.characteristic.path import Path
+from mpsolve.characteristic.paths import ROOM, Paths, Proved
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ from mpsolve.display import card
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.packed import Portable
-from mpsolve.numbers.result import Result
+from mpsolve.numbers.result import Cost, Result
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
@@ -67,16 +67,6 @@ class Root(Portable):
 
 
 @frozen
-class Cost:
-    """What an answer took: processor seconds of the proof and of its check, evaluations of Δ, pieces of paths."""
-
-    seconds: float
-    verification: float = 0.0
-    evaluations: int = 0
-    pieces: int = 0
-
-
-@frozen
 class Spectrum(Result):
     """The induced frequencies of a problem in `region`; a region may be smaller than the one that was asked for.
 
@@ -125,6 +115,20 @@ class Spectrum(Result):
     def warnings(self) -> tuple[Reason, ...]:
         """What is likely to be a mistake in the problem, a sentence each; no part of any proof."""
         return warned(self.problem, [float(root.frequency.mid()) for root in self.roots])
+
+    def records(self) -> Iterator[Mapping[str, Any]]:
+        """A row for each root: q, its frequency and growth rate as floats, in the problem's units."""
+        for root in self.roots:
+            told = {"Re q": root.q.real, "Im q": root.q.imag, "frequency": root.frequency, "growth": root.growth}
+            yield {name: float(ball.mid()) for name, ball in told.items()} | {"multiplicity": root.multiplicity}
+
+    def _headline(self) -> str:
+        found = (
+            "roots"
+            if self.count is None
+            else f"{self.count} root{'s' * (self.count != 1)}, {self.unstable} with Im q < 0"
+        )
+        return f"Spectrum, {found}, in {self.region}: {self.trust}"
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""

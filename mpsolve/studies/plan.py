@@ -9,6 +9,7 @@ from typing import Any
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import whole
 from mpsolve.problem import specs
+from mpsolve.problem.toml import section
 from mpsolve.spectrum.regions import Below, Rectangle
 from mpsolve.studies.axes import MAX_CASES
 
@@ -54,7 +55,7 @@ class Plan:
 
 def read_plan(given: Any) -> Plan:
     """The plan in a section [study]; InputError under the key at fault."""
-    table = specs.section(given, "study", _STUDY)
+    table = section(given, "study", _STUDY)
     kind = _named(table, "study.kind", KINDS)
     for name in _OTHERS[kind]:
         if name in table:
@@ -78,7 +79,7 @@ def read_plan(given: Any) -> Plan:
 
 def _design(table: Mapping[str, Any]) -> tuple[str, int, int]:
     """Kind, count (0 where the parameters tell) and seed."""
-    given = specs.section(table.get("design", {"kind": "grid"}), "study.design", _DESIGN)
+    given = section(table.get("design", {"kind": "grid"}), "study.design", _DESIGN)
     kind = _named(given, "study.design.kind", DESIGNS)
     if kind in ("grid", "list"):
         for name in ("count", "seed"):

@@ -20,7 +20,7 @@ from mpsolve.problem import specs
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.inputfile import problem_of
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.toml import Written, parsed, text_of
+from mpsolve.problem.toml import Written, parsed, text_of, title_of
 from mpsolve.studies.axes import counted, read_axes, total_of
 from mpsolve.studies.design import Axis, Listed, Parts, Span, Value, draws
 from mpsolve.studies.plan import BOXES, read_plan, region_text
@@ -190,7 +190,7 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
     axes = read_axes(content["parameters"], "parts" if plan.kind == "stable" else plan.design, problem)
     total = total_of(axes, plan.design, plan.count)
     settings = {one.name: getattr(plan, one.name) for one in fields(plan) if one.name != "count"}
-    return Spec(specs.title(content), tables, total=total, axes=axes, **settings)
+    return Spec(title_of(content), tables, total=total, axes=axes, **settings)
 
 
 def problem_tables(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:

@@ -2,7 +2,8 @@
 
 D(ip, s) is a real polynomial in s with coefficients in y = p². Its roots have Re s < 0 exactly where the leading
 coefficient and all Hurwitz determinants are positive; as functions of y these are polynomials, whose signs on y ≥ 0
-are decided. Im Ω = −Re s, so that the lowest cut is at the height h_c = inf −Re s.
+are decided. Rows are the coefficients of s⁰, s¹, … over y. Im Ω = −Re s, so that the lowest cut is at the height
+h_c = inf −Re s.
 """
 
 from __future__ import annotations
@@ -17,12 +18,11 @@ from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
 from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point, positive_roots, samples, sign_at
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide
 
 _ROUNDS = 7  # of four, so that the wavenumber of the lowest cut is guessed to 10⁻⁴
-Row = list[fmpq_poly]
-"""The coefficients of s⁰, s¹, … as polynomials in y = p²."""
 
 
 class Status(Enum):
@@ -100,13 +100,13 @@ def lowest_cut(track: Track | Waveguide, bits: int = 20) -> tuple[Fraction, Frac
     return low, high
 
 
-def rows_of(waveguide: Waveguide) -> Row:
+def rows_of(waveguide: Waveguide) -> Rows:
     """As `_rows_of`, which keeps the answers of the last tracks."""
     return list(_rows_of(waveguide))
 
 
 @lru_cache(maxsize=64)
-def _rows_of(waveguide: Waveguide) -> Row:
+def _rows_of(waveguide: Waveguide) -> Rows:
     """D(ip, s) over y, with a leading coefficient that is positive for all y ≥ 0; InputError where there is none."""
     rows = in_squares(waveguide.dispersion, "D")
     if not rows:
@@ -126,7 +126,7 @@ def _rows_of(waveguide: Waveguide) -> Row:
     return [row if lead is rows[-1] else -row for row in rows]
 
 
-def in_squares(polynomial: Polynomial, name: str) -> Row:
+def in_squares(polynomial: Polynomial, name: str) -> Rows:
     """A polynomial in P and s as one in s over y = −P²; InputError where it has odd powers of P."""
     if any(i % 2 for i, _ in polynomial):
         raise InputError("matrix", f"gives {name} with odd powers of p, so the track differs from its mirror image: "
@@ -138,7 +138,7 @@ def in_squares(polynomial: Polynomial, name: str) -> Row:
     return [fmpq_poly([as_fmpq(row.get(k, Fraction(0))) for k in range(max(row, default=-1) + 1)]) for row in table]
 
 
-def shifted(D: Row, h: Fraction) -> Row:
+def shifted(D: Rows, h: Fraction) -> Rows:
     """D(ip, s − h)."""
     powers = [as_fmpq((-h) ** k) for k in range(len(D))]
     zero = fmpq_poly([])
@@ -150,7 +150,7 @@ def wavenumber(y: Fraction | arb) -> float:
     return float((arb(as_fmpq(y)) if isinstance(y, Fraction) else y).sqrt())
 
 
-def is_stable(D: Row) -> bool:
+def is_stable(D: Rows) -> bool:
     """Whether for every real p all roots s have Re s < 0, the leading coefficient being positive."""
     return all(is_positive(minor) for minor in hurwitz_minors(D))
 
@@ -181,7 +181,7 @@ def hurwitz_minors(coefficients: list[Any]) -> list[Any]:
     return out
 
 
-def _growing(D: Row) -> Fraction | None:
+def _growing(D: Rows) -> Fraction | None:
     """A rational y with a root Re s > 0, or None; D has no pair ±s for all y. One Hurwitz determinant is negative.
 
     Where one is 0 for all y, all y but isolated ones have such a root.
@@ -193,43 +193,29 @@ def _growing(D: Row) -> Fraction | None:
     return next((y for y in map(negative_point, order) if y is not None), None)
 
 
-def _split(D: Row) -> tuple[Row, Row]:
+def _split(D: Rows) -> tuple[Rows, Rows]:
     """D = damped(s) · undamped(s²), the latter as a polynomial in z = s² that holds every pair ±s."""
     context = fmpq_mpoly_ctx.get(("z", "y"), "lex")
-    even, odd = (_two(D[k::2], context) for k in (0, 1))
+    even, odd = (from_rows(D[k::2], context) for k in (0, 1))
     common = even.gcd(odd)
     if not common.degrees()[0]:
         return D, [fmpq_poly([1])]
-    sign = 1 if _one(common)[-1](1) > 0 else -1
-    halves = [_one(sign * (part // common)) for part in (even, odd)]
+    sign = 1 if to_rows(common)[-1](1) > 0 else -1
+    halves = [to_rows(sign * (part // common)) for part in (even, odd)]
     size = max(2 * len(halves[0]) - 1, 2 * len(halves[1]))
     rest = [halves[k % 2][k // 2] if k // 2 < len(halves[k % 2]) else fmpq_poly([]) for k in range(size)]
-    return rest, _one(sign * common)
+    return rest, to_rows(sign * common)
 
 
-def _two(rows: Row, context: fmpq_mpoly_ctx) -> fmpq_mpoly:
-    """Σ row_j(y) z^j in two variables."""
-    return context.from_dict({(j, k): c for j, row in enumerate(rows) for k, c in enumerate(row.coeffs()) if c})
-
-
-def _one(polynomial: fmpq_mpoly) -> Row:
-    """The same back as rows over y."""
-    table: dict[int, dict[int, fmpq]] = {}
-    for (j, k), c in polynomial.to_dict().items():
-        table.setdefault(int(j), {})[int(k)] = c
-    rows = (table.get(j, {}) for j in range(max(table, default=-1) + 1))
-    return [fmpq_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in rows]
-
-
-def _real_growth(g: Row) -> Fraction | None:
+def _real_growth(g: Rows) -> Fraction | None:
     """A rational y where g(z) has a root z = s² that is not real and ≤ 0, or None; one y for each cell decides."""
     context = fmpq_mpoly_ctx.get(("z", "y"), "lex")
-    _, factors = _two(g, context).factor_squarefree()
+    _, factors = from_rows(g, context).factor_squarefree()
     for factor, _ in factors:
-        rows = _one(factor)
+        rows = to_rows(factor)
         if len(rows) < 2:
             continue
-        edges = _one(factor.discriminant("z"))[0] if len(rows) > 2 else fmpq_poly([1])
+        edges = to_rows(factor.discriminant("z"))[0] if len(rows) > 2 else fmpq_poly([1])
         for y in samples(edges * rows[-1] * (rows[0] or fmpq_poly([1]))):
             at = fmpq_poly([row(as_fmpq(y)) * (-1) ** j for j, row in enumerate(rows)])
             if len(positive_roots(at)) + (not rows[0]) < at.degree():
@@ -237,7 +223,7 @@ def _real_growth(g: Row) -> Fraction | None:
     return None
 
 
-def _guessed_height(D: Row) -> Fraction:
+def _guessed_height(D: Rows) -> Fraction:
     """A guess of the height of the lowest cut: wavenumbers in octaves about one that balances D, then finer ones."""
     ends = [(row.degree(), _size(row[row.degree()]) - _size(row[0])) for row in D if row.degree() > 0 and row[0]]
     middle = -sum(size // k for k, size in ends) // len(ends) if ends else 0
@@ -251,7 +237,7 @@ def _guessed_height(D: Row) -> Fraction:
     return -rate if rate < 0 else Fraction(1)
 
 
-def _rate(D: Row, y: Fraction) -> Fraction:
+def _rate(D: Rows, y: Fraction) -> Fraction:
     """The largest Re s at y, nearly."""
     line = fmpq_poly([row(as_fmpq(y)) for row in D])
     return max(end_of(arb(root.real), 0) for root, _ in line.numer().complex_roots())
@@ -262,11 +248,11 @@ def _size(x: fmpq) -> int:
     return int(x.p).bit_length() - int(x.q).bit_length()
 
 
-def _bounded_away(D: Row) -> bool:
+def _bounded_away(D: Rows) -> bool:
     """Whether the decay rate stays above some h > 0 as p → ∞: the signs of the determinants there for small h."""
     context = fmpq_mpoly_ctx.get(("h", "y"), "lex")
     h = context.gens()[0]
-    rows = [_two([row], context) for row in D]
+    rows = [from_rows([row], context) for row in D]
     moved = [sum((comb(j, k) * (-h) ** (j - k) * rows[j] for j in range(k, len(D))), 0 * h) for k in range(len(D))]
     return all(_far_sign(minor) > 0 for minor in hurwitz_minors(moved))
 

@@ -13,8 +13,9 @@ from functools import lru_cache
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
 from mpsolve.numbers.realroots import as_fmpq, negative_point, samples
-from mpsolve.tracks.at_rest import Row, in_squares, rows_of, wavenumber
+from mpsolve.tracks.at_rest import in_squares, rows_of, wavenumber
 from mpsolve.tracks.waveguide import Track, Waveguide
 
 _CONTEXT = fmpq_mpoly_ctx.get(("z", "y"), "lex")
@@ -44,14 +45,9 @@ def passivity(track: Track | Waveguide) -> Passivity:
     return Passivity(passive=found is None, lossless=False, witness=witness)
 
 
-def _halves(rows: Row) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+def _halves(rows: Rows) -> list[fmpq_mpoly]:
     """The even and the odd part of Σ row_j s^j at s = iΩ, the latter over iΩ, as polynomials in z = Ω² and y."""
-    parts: tuple[dict[tuple[int, int], object], dict[tuple[int, int], object]] = ({}, {})
-    for j, row in enumerate(rows):
-        for k, c in enumerate(row.coeffs()):
-            if c:
-                parts[j % 2][j // 2, k] = c * (-1) ** (j // 2)
-    return _CONTEXT.from_dict(parts[0]), _CONTEXT.from_dict(parts[1])
+    return [from_rows([row * (-1) ** k for k, row in enumerate(rows[part::2])], _CONTEXT) for part in (0, 1)]
 
 
 def _negative(F: fmpq_mpoly) -> tuple[Fraction, Fraction] | None:
@@ -63,7 +59,7 @@ def _negative(F: fmpq_mpoly) -> tuple[Fraction, Fraction] | None:
     for factor, power in factors:
         odd *= factor if power % 2 else 1
     for y in _cells(odd):
-        z = negative_point(_at(odd, y))
+        z = negative_point(fmpq_poly([row(as_fmpq(y)) for row in to_rows(odd)]))
         if z is not None:
             return y, z
     return None
@@ -71,19 +67,6 @@ def _negative(F: fmpq_mpoly) -> tuple[Fraction, Fraction] | None:
 
 def _cells(F: fmpq_mpoly) -> list[Fraction]:
     """A rational y > 0 in each interval over which the zeros z of the squarefree F do not meet, vanish or pass 0."""
-    table: dict[int, dict[int, object]] = {}
-    for (j, k), c in F.to_dict().items():
-        table.setdefault(int(j), {})[int(k)] = c
-    edges = _univariate(table[min(table)]) * _univariate(table[max(table)])
-    if max(table) > 1:
-        edges *= _univariate({int(k): c for (_, k), c in F.discriminant("z").to_dict().items()})
-    return samples(edges)
-
-
-def _at(F: fmpq_mpoly, y: Fraction) -> fmpq_poly:
-    """F(y, ·) as a polynomial in z."""
-    return _univariate({int(j): c for (j, _), c in F.subs({"y": as_fmpq(y)}).to_dict().items()})
-
-
-def _univariate(terms: dict[int, object]) -> fmpq_poly:
-    return fmpq_poly([terms.get(k, 0) for k in range(max(terms) + 1)])
+    rows = to_rows(F)
+    edges = next(row for row in rows if row) * rows[-1]
+    return samples(edges * to_rows(F.discriminant("z"))[0] if len(rows) > 2 else edges)

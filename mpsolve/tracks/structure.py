@@ -10,19 +10,13 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import combinations
+from types import SimpleNamespace
 from typing import Any
 
 from flint import fmpq_mpoly_ctx
 
 from mpsolve.numbers.model import Entries, Quantity, quantities
 from mpsolve.tracks.waveguide import Track
-
-
-class _Symbols:
-    """The symbols of the equations as attributes."""
-
-    def __init__(self, values: dict[str, Any]) -> None:
-        vars(self).update(values)
 
 
 @lru_cache(maxsize=64)
@@ -36,7 +30,7 @@ def passive_by_structure(kind: type[Track]) -> bool:
         return False
     context = fmpq_mpoly_ctx.get(("P", "s", *known), "lex")
     variables = dict(zip(("P", "s", *known), context.gens(), strict=True))
-    rows = kind.equations(_Symbols(variables))
+    rows = kind.equations(SimpleNamespace(**variables))
     entries = [[(context.constant(0) + entry).to_dict() for entry in row] for row in rows]
     signed = [k for k, one in enumerate(known.values()) if not _is_nonnegative(one)]
     powers = sorted({int(key[1]) for row in entries for entry in row for key in entry})

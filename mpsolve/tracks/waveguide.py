@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
+from math import comb
+from types import SimpleNamespace
 from typing import Any, ClassVar
-
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model
+from mpsolve.numbers.several import Ring, Several, multiply, plus
 
 Polynomial = dict[tuple[int, int], Fraction]
 """Σ c P^i s^j as {(i, j): c} with c ≠ 0."""
@@ -42,39 +43,30 @@ class Track(Model, frozen=True):
 
     def with_values(self, changed: Mapping[str, Fraction]) -> Waveguide:
         """The same with some parameters changed; the bounds of a track's parameters do not hold here."""
-        given = self.parameters | dict(changed)
-        values = {name: fmpq(value.numerator, value.denominator) for name, value in given.items()}
-        matrix = tuple(tuple(_exact(entry, values) for entry in row) for row in symbolic(type(self), tuple(values)))
+        ring = Ring(("P", "s"), (Fraction(0), Fraction(0)))
+        P, s = ring.variables
+        rows = self.equations(SimpleNamespace(P=P, s=s, **(self.parameters | dict(changed))))
+        matrix: Any = tuple(tuple(ring.constant(entry).terms for entry in row) for row in rows)
         return Waveguide(matrix, self.loaded)
 
 
-@lru_cache(maxsize=64)
-def symbolic(kind: type[Track], names: tuple[str, ...]) -> tuple[tuple[fmpq_mpoly, ...], ...]:
-    """The equations of a track as exact polynomials in P, s and its named parameters."""
-    context = fmpq_mpoly_ctx.get(("P", "s", *names), "lex")
-    variables = dict(zip(("P", "s", *names), context.gens(), strict=True))
-    rows = kind.equations(_Names(variables, context))
-    return tuple(tuple(context.constant(0) + entry for entry in row) for row in rows)
+def over_ring(kind: type[Track], values: Mapping[str, Any], ring: Ring) -> Any:
+    """The equations of a kind of track as polynomials in P and s, with coefficients in the ring of its parameters."""
+    wide = Ring(("P", "s", *ring.names), (Fraction(0), Fraction(0), *ring.point))
+    lifted = {
+        name: Several(wide, {(0, 0, *exponents): c for exponents, c in ring.constant(value)})
+        for name, value in values.items()
+    }
+    P, s, *_ = wide.variables
+    rows = kind.equations(SimpleNamespace(P=P, s=s, **lifted))
+    return tuple(tuple(_in_P_and_s(wide.constant(entry), ring) for entry in row) for row in rows)
 
 
-class _Names:
-    """The symbols of the equations as attributes."""
-
-    def __init__(self, variables: dict[str, Any], context: Any) -> None:
-        vars(self).update(variables)
-        self._context = context
-
-
-def _exact(entry: fmpq_mpoly, values: dict[str, fmpq]) -> Polynomial:
-    """The polynomial in P and s that is left when the parameters have their values."""
-    powers = list(values.values())
-    out: Polynomial = {}
-    for monomial, coefficient in entry.to_dict().items():
-        for value, power in zip(powers, monomial[2:], strict=True):
-            coefficient = coefficient * value ** int(power)
-        key = (int(monomial[0]), int(monomial[1]))
-        out[key] = out.get(key, Fraction(0)) + Fraction(int(coefficient.p), int(coefficient.q))
-    return {key: value for key, value in out.items() if value}
+def _in_P_and_s(entry: Several, ring: Ring) -> dict[tuple[int, int], Several]:
+    out: dict[tuple[int, int], dict[tuple[int, ...], Fraction]] = {}
+    for (i, j, *rest), c in entry:
+        out.setdefault((i, j), {})[tuple(rest)] = c
+    return {key: Several(ring, terms) for key, terms in out.items()}
 
 
 @frozen
@@ -95,29 +87,12 @@ class Waveguide:
     @property
     def numerator(self) -> Polynomial:
         """N(P, s): the cofactor of the loaded row."""
-        kept = [k for k in range(len(self.matrix)) if k != self.loaded]
-        return determinant(tuple(tuple(self.matrix[i][j] for j in kept) for i in kept))
+        return cofactor(self.matrix, self.loaded)
 
     @property
     def waveguide(self) -> Waveguide:
         """Itself, so that a problem takes a track or its bare equations alike."""
         return self
-
-
-def add(*terms: Polynomial) -> Polynomial:
-    out: Polynomial = {}
-    for term in terms:
-        for key, value in term.items():
-            out[key] = out.get(key, Fraction(0)) + value
-    return {key: value for key, value in out.items() if value}
-
-
-def multiply(a: Polynomial, b: Polynomial) -> Polynomial:
-    out: Polynomial = {}
-    for (i, j), x in a.items():
-        for (k, m), y in b.items():
-            out[i + k, j + m] = out.get((i + k, j + m), Fraction(0)) + x * y
-    return {key: value for key, value in out.items() if value}
 
 
 def scaled(a: Polynomial, factor: Fraction) -> Polynomial:
@@ -145,15 +120,20 @@ def determinant(matrix: Matrix) -> Polynomial:
         if entry:
             minor = tuple(tuple(row[k] for k in range(len(row)) if k != j) for row in matrix[1:])
             terms.append(scaled(multiply(entry, determinant(minor)), Fraction(-1) ** j))
-    return add(*terms)
+    return plus(*terms)
+
+
+def cofactor(matrix: Matrix, row: int) -> Polynomial:
+    """Of the diagonal entry in that row."""
+    kept = [k for k in range(len(matrix)) if k != row]
+    return determinant(tuple(tuple(matrix[i][j] for j in kept) for i in kept))
 
 
 def moving(a: Polynomial, velocity: Fraction) -> Polynomial:
     """The polynomial in P and σ that is left when s = σ − vP."""
-    out: Polynomial = {}
-    for (i, j), value in a.items():
-        term: Polynomial = {(i, 0): value}
-        for _ in range(j):
-            term = multiply(term, {(0, 1): Fraction(1), (1, 0): -velocity})
-        out = add(out, term)
-    return out
+    out: dict[tuple[int, int], Any] = {}
+    for (i, j), c in a.items():
+        for k in range(j + 1):
+            term = c * (comb(j, k) * (-velocity) ** k)
+            out[i + k, j - k] = out[i + k, j - k] + term if (i + k, j - k) in out else term
+    return {key: value for key, value in out.items() if value}

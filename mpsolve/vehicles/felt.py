@@ -12,9 +12,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.linear import Echelon, Vector, completed, congruent, dot, image, kernel, solved, taken, units
 from mpsolve.vehicles.vehicle import Pencil, Rows
-
-Vector = list[Fraction]
 
 
 @frozen
@@ -44,7 +43,7 @@ def split_felt(pencil: Pencil) -> Parts:
         return whole
     n, columns = len(pencil.M), _Columns([], [], [])
     for bodies, found in split:
-        own = found or _Columns(_units(len(bodies)), [], [])
+        own = found or _Columns(units(len(bodies)), [], [])
         for mine, yours in zip(columns, own, strict=True):
             mine += [_lifted(vector, bodies, n) for vector in yours]
     return _in_basis(pencil, columns)
@@ -82,10 +81,6 @@ def _taken(pencil: Pencil, bodies: tuple[int, ...], contacts: tuple[int, ...]) -
     return [tuple(tuple(rows[i][j] for j in cells) for i in bodies) for rows, cells in each]
 
 
-def _units(n: int) -> list[Vector]:
-    return [[Fraction(int(i == k)) for i in range(n)] for k in range(n)]
-
-
 def _lifted(vector: Vector, bodies: tuple[int, ...], n: int) -> Vector:
     """The same motion among n coordinates."""
     out = [Fraction(0)] * n
@@ -101,12 +96,12 @@ def _split(M_: Rows, C_: Rows, K_: Rows, B_: Rows) -> _Columns | None:
     n, contacts = len(M), len(B[0])
     H = [[M[i][j] + C[i][j] + K[i][j] for j in range(n)] for i in range(n)]
     forces = [[row[j] for row in B] for j in range(contacts)]
-    felt = _simple(_closure(H, (M, C, K), forces))
-    neutral = _project(_kernel([*K, *forces], n), felt, H)
+    felt = _felt(H, (M, C, K), forces)
+    neutral = _projected(kernel([*K, *forces], n), felt, H)
     if len(felt) == n and not neutral:
         return None
-    unfelt = _kernel([_times(H, vector) for vector in felt], n)
-    return _Columns(_complete(neutral, felt), neutral, unfelt)
+    unfelt = kernel([image(H, vector) for vector in felt], n)
+    return _Columns(completed(neutral, felt), neutral, unfelt)
 
 
 def _in_basis(pencil: Pencil, basis_: _Columns) -> Parts:
@@ -115,11 +110,11 @@ def _in_basis(pencil: Pencil, basis_: _Columns) -> Parts:
     columns = [*basis_.kept, *basis_.neutral, *basis_.unfelt]
     basis = tuple(tuple(column[i] for column in columns) for i in range(len(M)))
     size = len(basis_.kept) + len(basis_.neutral)
-    parts = [_congruent(rows, columns) for rows in (M, C, K)]
+    parts = [congruent(rows, columns, columns) for rows in (M, C, K)]
     head = [tuple(tuple(row[:size]) for row in rows[:size]) for rows in parts]
     tail = [tuple(tuple(row[size:]) for row in rows[size:]) for rows in parts]
     new_B = tuple(
-        tuple(_dot(column, [row[j] for row in B]) for j in range(len(pencil.places))) for column in columns[:size]
+        tuple(dot(column, [row[j] for row in B]) for j in range(len(pencil.places))) for column in columns[:size]
     )
     rest = (tail[0], tail[1], tail[2]) if basis_.unfelt else None
     return Parts(head[0], head[1], head[2], new_B, len(basis_.neutral), basis, rest)
@@ -132,109 +127,19 @@ def _definite_at_rest(pencil: Pencil) -> bool:
     return len(touched) == pencil.size
 
 
-def _closure(H: list[Vector], maps: tuple[list[Vector], ...], start: list[Vector]) -> list[Vector]:
-    """A basis of the least space that holds H⁻¹ start and is kept by H⁻¹M, H⁻¹C, H⁻¹K."""
-    basis: list[Vector] = []
-    echelon: list[Vector] = []
-    queue = [_solve(H, vector) for vector in start]
+def _felt(H: list[Vector], maps: tuple[list[Vector], ...], start: list[Vector]) -> list[Vector]:
+    """A basis, reduced, of the least space that holds H⁻¹ start and is kept by H⁻¹M, H⁻¹C, H⁻¹K."""
+    echelon: Echelon = {}
+    queue = [solved(H, vector) for vector in start]
     while queue:
         vector = queue.pop(0)
-        if _independent(vector, echelon):
-            basis.append(vector)
-            queue += [_solve(H, _times(rows, vector)) for rows in maps]
-    return basis
+        if taken(vector, echelon):
+            queue += [solved(H, image(rows, vector)) for rows in maps]
+    return list(echelon.values())
 
 
-def _simple(vectors: list[Vector]) -> list[Vector]:
-    """The basis of the same space with as many zeros as elimination gives: those of a chain are nearly parallel."""
-    out: list[Vector] = []
-    for vector in vectors:
-        rest = list(vector)
-        for row in out:
-            lead = next(i for i, x in enumerate(row) if x)
-            rest = [a - rest[lead] * b for a, b in zip(rest, row, strict=True)]
-        lead = next(i for i, x in enumerate(rest) if x)
-        rest = [x / rest[lead] for x in rest]
-        out = [[a - row[lead] * b for a, b in zip(row, rest, strict=True)] for row in out]
-        out.append(rest)
-    return out
-
-
-def _independent(vector: Vector, echelon: list[Vector]) -> bool:
-    """Add `vector` to the echelon form if it is new."""
-    rest = list(vector)
-    for row in echelon:
-        lead = next(i for i, x in enumerate(row) if x)
-        if rest[lead]:
-            factor = rest[lead] / row[lead]
-            rest = [a - factor * b for a, b in zip(rest, row, strict=True)]
-    if any(rest):
-        echelon.append(rest)
-        echelon.sort(key=lambda row: next(i for i, x in enumerate(row) if x))
-        return True
-    return False
-
-
-def _project(vectors: list[Vector], felt: list[Vector], H: list[Vector]) -> list[Vector]:
+def _projected(vectors: list[Vector], felt: list[Vector], H: list[Vector]) -> list[Vector]:
     """A basis of the H-orthogonal projections of `vectors` on the felt space."""
-    gram = [[_dot(a, _times(H, b)) for b in felt] for a in felt]
-    out: list[Vector] = []
-    echelon: list[Vector] = []
-    for vector in vectors:
-        weights = _solve(gram, [_dot(a, _times(H, vector)) for a in felt])
-        image = [sum((w * a[i] for w, a in zip(weights, felt, strict=True)), Fraction(0)) for i in range(len(vector))]
-        if _independent(image, echelon):
-            out.append(image)
-    return out
-
-
-def _complete(first: list[Vector], space: list[Vector]) -> list[Vector]:
-    """Vectors of `space` that, with `first`, are a basis of it."""
-    echelon: list[Vector] = []
-    for vector in first:
-        _independent(vector, echelon)
-    return [vector for vector in space if _independent(vector, echelon)]
-
-
-def _kernel(rows: list[Vector], n: int) -> list[Vector]:
-    """A basis of the common kernel of the rows."""
-    echelon: list[Vector] = []
-    for row in rows:
-        _independent(row, echelon)
-    leads = [next(i for i, x in enumerate(row) if x) for row in echelon]
-    out = []
-    for free in (i for i in range(n) if i not in leads):
-        vector = [Fraction(0)] * n
-        vector[free] = Fraction(1)
-        for row, lead in sorted(zip(echelon, leads, strict=True), key=lambda pair: -pair[1]):
-            rest = sum((row[i] * vector[i] for i in range(lead + 1, n)), Fraction(0))
-            vector[lead] = -rest / row[lead]
-        out.append(vector)
-    return out
-
-
-def _solve(rows: list[Vector], right: Vector) -> Vector:
-    """The solution of a regular system."""
-    a = [[*row, x] for row, x in zip(rows, right, strict=True)]
-    n = len(a)
-    for k in range(n):
-        pivot = next(i for i in range(k, n) if a[i][k])
-        a[k], a[pivot] = a[pivot], a[k]
-        for i in range(n):
-            if i != k and a[i][k]:
-                factor = a[i][k] / a[k][k]
-                a[i] = [x - factor * y for x, y in zip(a[i], a[k], strict=True)]
-    return [a[k][n] / a[k][k] for k in range(n)]
-
-
-def _times(rows: list[Vector], vector: Vector) -> Vector:
-    return [_dot(row, vector) for row in rows]
-
-
-def _dot(a: Vector, b: Vector) -> Fraction:
-    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
-
-
-def _congruent(rows: list[Vector], columns: list[Vector]) -> list[Vector]:
-    images = [_times(rows, column) for column in columns]
-    return [[_dot(a, image) for image in images] for a in columns]
+    gram = congruent(H, felt, felt)
+    weights = [solved(gram, image(felt, image(H, vector))) for vector in vectors]
+    return completed([], [image(zip(*felt, strict=True), one) for one in weights])

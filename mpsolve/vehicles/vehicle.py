@@ -12,11 +12,12 @@ from typing import ClassVar
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.model import Model, rational
+from mpsolve.numbers.model import Model, rational, shown, typed, whole
 
 Rows = tuple[tuple[Fraction, ...], ...]
 Link = tuple[dict[int, Fraction], Fraction, Fraction]
 """A spring and damper side by side: how its lengthening depends on the coordinates, k, c."""
+_MOST = 1000  # in a row
 
 
 @frozen
@@ -46,6 +47,9 @@ class Placed:
 
     vehicle: AnyVehicle
     position: Fraction
+
+    def __repr__(self) -> str:
+        return f"{self.vehicle!r}.at({typed(self.position)})"
 
 
 class AnyVehicle(Model, frozen=True):
@@ -125,7 +129,7 @@ def checked_pencil(pencil: Pencil) -> Pencil:
         rows = getattr(pencil, key)
         if any(rows[i][j] != rows[j][i] for i in range(len(rows)) for j in range(i)):
             raise InputError(key, "is not symmetric: give a symmetric matrix")
-        if not _semidefinite(rows):
+        if _pivots(rows) is None:
             raise InputError(key, "is not positive semidefinite, so the vehicle could give energy: check its entries")
     loose = _loose(_sum(_sum(pencil.M, pencil.C), pencil.K))
     if loose is not None:
@@ -162,28 +166,36 @@ def _rows(matrix: list[list[Fraction]]) -> Rows:
     return tuple(tuple(row) for row in matrix)
 
 
-def _semidefinite(rows: Rows) -> bool:
-    """By elimination: no negative pivot, and a zero pivot only with a zero row."""
-    a = [list(row) for row in rows]
+def _pivots(rows: Rows) -> list[Fraction] | None:
+    """Of symmetric elimination; None where one is negative, or 0 with a row that is not: semidefinite is neither."""
+    a, out = [list(row) for row in rows], []
     for k in range(len(a)):
-        if a[k][k] < 0 or (a[k][k] == 0 and any(a[k][j] for j in range(k, len(a)))):
-            return False
-        if a[k][k] > 0:
-            for i in range(k + 1, len(a)):
-                factor = a[i][k] / a[k][k]
-                for j in range(k, len(a)):
-                    a[i][j] -= factor * a[k][j]
-    return True
+        pivot = a[k][k]
+        if pivot < 0 or (not pivot and any(a[k][k:])):
+            return None
+        out.append(pivot)
+        for i in range(k + 1, len(a)) if pivot else ():
+            factor = a[i][k] / pivot
+            a[i][k:] = [x - factor * y for x, y in zip(a[i][k:], a[k][k:], strict=True)]
+    return out
 
 
 def _loose(rows: Rows) -> int | None:
     """The first coordinate whose pivot is 0 in a semidefinite matrix, or None where it is definite."""
-    a = [list(row) for row in rows]
-    for k in range(len(a)):
-        if a[k][k] == 0:
-            return k
-        for i in range(k + 1, len(a)):
-            factor = a[i][k] / a[k][k]
-            for j in range(k, len(a)):
-                a[i][j] -= factor * a[k][j]
-    return None
+    return next((k for k, pivot in enumerate(_pivots(rows) or ()) if not pivot), None)
+
+
+def train(vehicle: AnyVehicle, count: int, spacing: object) -> tuple[Placed, ...]:
+    """`count` copies of a vehicle whose middles are `spacing` > 0 apart, the rearmost at x = 0.
+
+    >>> from mpsolve.vehicles import Mass
+    >>> [str(placed.position) for placed in train(Mass(900), 3, "2.5")]
+    ['0', '5/2', '5']
+    """
+    if not isinstance(vehicle, AnyVehicle):
+        raise InputError("vehicle", f"is of type {type(vehicle).__name__}: give one of mpsolve.vehicles, not placed")
+    count = whole(count, "count", 1, _MOST)
+    gap = rational(spacing, "spacing", "m", "distance of the vehicles")
+    if gap <= 0:
+        raise InputError("spacing", f"is {shown(gap)}, but must be above 0: give the distance in m")
+    return tuple(vehicle.at(k * gap) for k in range(count))

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.float64 import companions
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
@@ -167,9 +168,6 @@ def _distances(rows: Any, p: Any, sigma: complex) -> Any:
     degree = D.shape[1] - 1
     while degree and (np.abs(D[:, degree]) < 1e-14 * lead).all():
         degree -= 1
-    companion = np.zeros((len(p), degree, degree), complex)
-    companion[:, range(degree - 1), range(1, degree)] = 1
-    with np.errstate(all="ignore"):
-        companion[:, -1] = -D[:, :degree] / D[:, degree : degree + 1]
+    companion = companions(D[:, : degree + 1])
     companion[~np.isfinite(companion).all((1, 2))] = np.nan_to_num(np.inf)
     return np.abs(np.linalg.eigvals(companion) - sigma).min(1)

@@ -39,12 +39,22 @@ def superposition(problem: Any, loads: Any = None, *arguments: Any, **options: A
     rail is watched under all contacts.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        return superposition_of_case(problem, loads, *arguments, **options)
+        return _each_place(problem, loads, *arguments, **options)
     options.setdefault("places", problem.pencil.places)
     return tuple(
         vibrate(Problem(problem.track, [placed], problem.v), own, **options)
         for placed, own in zip(problem.vehicles, _own_loads(problem, loads), strict=True)
     )
+
+
+def _each_place(case: Case | PhysicalCase, loads: Any, xi: Any = None, tau: Any = (0,)) -> tuple[Response, ...]:
+    forces, found = loads_of(case, loads), []
+    whole, places = _placed(case, xi)
+    for place in dict.fromkeys(whole.positions):
+        chosen = [j for j, other in enumerate(whole.positions) if other == place]
+        alone = replace(whole, eta_m=tuple(whole.eta_m[j] for j in chosen), positions=(place,) * len(chosen))
+        found.append(motion_of_case(alone, [forces[j] for j in chosen], places, tau))
+    return tuple(found)
 
 
 def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> Any:
@@ -53,7 +63,7 @@ def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> 
     Without `places` the rail is watched under all contacts. InputError for vehicles that are no masses.
     """
     if isinstance(problem, (Case, PhysicalCase)):
-        return merged_case(problem, loads, *arguments, **options)
+        return _at_rear(problem, loads, *arguments, **options)
     masses = [placed.vehicle.M for placed in problem.vehicles if isinstance(placed.vehicle, Mass)]
     if len(masses) < len(problem.vehicles):
         raise InputError("problem", f"holds other vehicles than masses, and one merged mass {_MASSES}")
@@ -63,6 +73,13 @@ def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> 
     rear = min(placed.position for placed in problem.vehicles)
     together = Problem(problem.track, [Mass(mass).at(rear) for mass in masses], problem.v)
     return vibrate(together, loads, **options)
+
+
+def _at_rear(case: Case | PhysicalCase, loads: Any, xi: Any = None, tau: Any = (0,)) -> Response:
+    whole, places = _placed(case, xi)
+    return motion_of_case(
+        replace(whole, positions=(whole.positions[0],) * whole.count), loads_of(case, loads), places, tau
+    )
 
 
 @dataclass(frozen=True)
@@ -173,41 +190,6 @@ def _named(loads: Mapping[str, Any], k: int, placed: Placed, count: int) -> dict
     ending = "" if count == 1 else f" of vehicle {k}"
     names = placed.vehicle.pencil.names
     return {name: loads[name + ending] for name in names if name + ending in loads}
-
-
-def superposition_of_case(
-    case: Case | PhysicalCase,
-    loads: Iterable[Load] | None = None,
-    xi: Iterable[Number] | Number | None = None,
-    tau: Iterable[Number] | Number = (0,),
-) -> tuple[Response, ...]:
-    """The response to each mass alone, with its own load, at the same ξ and τ: their sum is the superposition.
-
-    One response for each position with its masses together; add their `w`. Errors as for `motion_of_case`.
-    """
-    forces = loads_of(case, loads)
-    whole, places = _placed(case, xi)
-    found = []
-    for place in dict.fromkeys(whole.positions):
-        chosen = [j for j, other in enumerate(whole.positions) if other == place]
-        alone = replace(whole, eta_m=tuple(whole.eta_m[j] for j in chosen), positions=(place,) * len(chosen))
-        found.append(motion_of_case(alone, [forces[j] for j in chosen], places, tau))
-    return tuple(found)
-
-
-def merged_case(
-    case: Case | PhysicalCase,
-    loads: Iterable[Load] | None = None,
-    xi: Iterable[Number] | Number | None = None,
-    tau: Iterable[Number] | Number = (0,),
-) -> Response:
-    """The response to one mass with the sum of all masses and loads, at the position of the rear mass (the first).
-
-    This is the paper's "one doubled mass" for two equal ones. Errors as for `motion_of_case`.
-    """
-    forces = loads_of(case, loads)
-    whole, places = _placed(case, xi)
-    return motion_of_case(replace(whole, positions=(whole.positions[0],) * whole.count), forces, places, tau)
 
 
 def deflection_shape(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -46,6 +47,22 @@ def arrays(found: Vibration) -> dict[str, Any]:
     out["names"] = np.array(list(found.vehicle))
     out["q"] = np.array([part.q for part in found.induced], complex)
     return out
+
+
+def deflection(found: Vibration | Response) -> Any:
+    """At its first place, over the times."""
+    return (found.w if isinstance(found, Response) else found.rail)[0]
+
+
+def comparison(whole: Vibration | Response, curves: Mapping[str, Any], scale: Scale | None = None) -> dict[str, Any]:
+    """Deflections at one place by their names, over the times of `whole`; in SI, or in the units of `scale`."""
+    if isinstance(whole, Vibration):
+        table = {"t [s]": whole.times} | {f"{name} [m]": row for name, row in curves.items()}
+        return table | {"within the model [1]": whole.within.astype(float)}
+    scale = scale or Scale()
+    shown = {named(name, scale.length_name, scale): row * scale.length for name, row in curves.items()}
+    within = {named("within the model", "1", scale): whole.within.astype(float)}
+    return time_columns(whole.tau, scale) | shown | within
 
 
 def case_columns(found: Response, scale: Scale) -> dict[str, Any]:

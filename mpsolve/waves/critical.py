@@ -17,7 +17,7 @@ from flint import fmpq_poly
 from mpsolve.errors import ContradictionError, InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.model import checked_range, rational, whole
+from mpsolve.numbers.model import rational, velocities, whole
 from mpsolve.numbers.realroots import as_fmpq
 from mpsolve.outcome import Reason, Status
 from mpsolve.tracks.at_rest import Status as Rest
@@ -50,7 +50,7 @@ def critical_velocities(
     """
     if not isinstance(track, (Track, Waveguide)) and not hasattr(track, "waveguide"):
         raise InputError("track", f"is of type {type(track).__name__}: give a track of mpsolve.tracks or a Waveguide")
-    low, high = _range(over)
+    low, high = velocities({"v": (0, 2000)} if over is None else over, '{"v": (0, 2000)}')
     frequency = abs(rational(omega, "omega"))
     digits = whole(digits, "digits", 1, _MOST_DIGITS)
     guide = undamped(track)
@@ -61,16 +61,6 @@ def critical_velocities(
     for name, square in wave_speeds(track).items():
         names[as_fmpq(square)] = " and ".join(filter(None, (names.get(as_fmpq(square)), name)))
     return _Search(line(guide, frequency), frequency, low, high, working_bits(digits), names).answer()
-
-
-def _range(over: Mapping[str, Any] | None) -> tuple[Fraction, Fraction]:
-    given = {"v": (0, 2000)} if over is None else over
-    if not isinstance(given, Mapping) or list(given) != ["v"]:
-        raise InputError("over", f'is {given!r}: give the range of velocities, {{"v": (0, 2000)}}')
-    low, high = checked_range(given["v"], "over['v']")
-    if low.sign < 0:
-        raise InputError("over['v']", f"starts at {low.short()}: give v ≥ 0, for the track is the same both ways")
-    return low.as_fraction(), high.as_fraction()
 
 
 class _Search:

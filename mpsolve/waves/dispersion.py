@@ -8,6 +8,7 @@ import numpy as np
 from flint import fmpq_poly
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.float64 import companions, polynomial_and_slope
 from mpsolve.tracks.at_rest import rows_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 
@@ -73,30 +74,19 @@ def _roots(c: Any) -> Any:
     unit = (ends / np.abs(c[:, n])) ** (1 / np.maximum(n - low, 1))
     scaled = c * unit[:, None] ** np.arange(n + 1)
     scaled = scaled / scaled[:, n:]
-    companion = np.zeros((len(c), n, n))
-    companion[:, np.arange(1, n), np.arange(n - 1)] = 1.0
-    companion[:, :, n - 1] = -scaled[:, :n]
-    x = np.linalg.eigvals(companion).astype(complex)
+    x = np.linalg.eigvals(companions(scaled)).astype(complex)
     return _polished(scaled, x) * unit[:, None]
 
 
 def _polished(c: Any, x: Any) -> Any:
     """Newton steps, each kept where it lessens the residual."""
     for _ in range(_POLISH):
-        f, slope = _values(c, x)
+        f, slope = polynomial_and_slope(c, x)
         with np.errstate(all="ignore"):
             step = f / slope
         better = np.where(np.isfinite(step), x - step, x)
-        x = np.where(np.abs(_values(c, better)[0]) < np.abs(f), better, x)
+        x = np.where(np.abs(polynomial_and_slope(c, better)[0]) < np.abs(f), better, x)
     return x
-
-
-def _values(c: Any, x: Any) -> tuple[Any, Any]:
-    f, slope = np.zeros_like(x), np.zeros_like(x)
-    for k in range(c.shape[1] - 1, -1, -1):
-        slope = slope * x + f
-        f = f * x + c[:, k : k + 1]
-    return f, slope
 
 
 def continued(branches: Any, p: Any) -> Any:

@@ -12,11 +12,9 @@ from fractions import Fraction
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
 from mpsolve.numbers.realroots import as_fmpq
 from mpsolve.tracks.waveguide import Waveguide
-
-Rows = list[fmpq_poly]
-"""The coefficients of p⁰, p¹, … (of y⁰, y¹, … where `squared`), polynomials in v (in w = v² where `squared`)."""
 
 _CONTEXT = fmpq_mpoly_ctx.get(("p", "v"), "lex")
 
@@ -25,6 +23,7 @@ _CONTEXT = fmpq_mpoly_ctx.get(("p", "v"), "lex")
 class Line:
     """F along the line is content(v) · p^stripped · Σ rows_i p^i, the rows without a common factor, rows_0 ≠ 0.
 
+    rows: the coefficients of p⁰, p¹, … (of y⁰, y¹, … where `squared`), polynomials in v (in w = v² where `squared`).
     slope: ∂F/∂Ω (∂F/∂z where `squared`) along the same line, over the whole of F. repeated: F has a repeated factor,
     of which one is kept. squared: ω = 0, p stands for y = p² and v for w = v².
     """
@@ -46,7 +45,7 @@ class Line:
         """Where it is 0 two p-roots meet, or two run to infinity; a constant where there are less than two."""
         if len(self.rows) < 3:
             return fmpq_poly([1])
-        return to_rows(_mpoly(self.rows).discriminant("p"))[0]
+        return to_rows(from_rows(self.rows, _CONTEXT).discriminant("p"))[0]
 
 
 def line(guide: Waveguide, omega: Fraction) -> Line:
@@ -65,19 +64,6 @@ def line(guide: Waveguide, omega: Fraction) -> Line:
     for row in rows:
         content = row.gcd(content)
     return Line(squared, [row // content for row in rows], to_rows(slope), content, stripped, repeated)
-
-
-def to_rows(f: fmpq_mpoly) -> Rows:
-    """A polynomial in p and v as rows over v."""
-    table: dict[int, dict[int, object]] = {}
-    for (i, j), c in f.to_dict().items():
-        table.setdefault(int(i), {})[int(j)] = c
-    listed = (table.get(i, {}) for i in range(max(table, default=-1) + 1))
-    return [fmpq_poly([row.get(k, 0) for k in range(max(row, default=-1) + 1)]) for row in listed]
-
-
-def _mpoly(rows: Rows) -> fmpq_mpoly:
-    return _CONTEXT.from_dict({(i, j): c for i, row in enumerate(rows) for j, c in enumerate(row.coeffs()) if c})
 
 
 def _relation(guide: Waveguide, squared: bool) -> fmpq_mpoly:

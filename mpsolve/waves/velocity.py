@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -80,6 +80,12 @@ class CriticalVelocities(Result):
             return f"proved, without certificate: the list is complete for {whole}; at every other v there {rest}"
         where = ", ".join(proved_digits(ball, 8) for ball in self.undecided)
         return f"undecided at v = {where}; at every other v in {whole} that is not listed {rest}"
+
+    def records(self) -> Iterator[Mapping[str, Any]]:
+        """A row for each velocity, as floats."""
+        for one in self.velocities:
+            p = None if one.wavenumber is None else float(one.wavenumber.mid())
+            yield {"v": float(one.value.mid()), "wavenumber": p, "kind": one.kind.value, "name": one.name}
 
     def to_dict(self) -> dict[str, Any]:
         """Decimals of which every digit is proved, for JSON."""

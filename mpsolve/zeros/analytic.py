@@ -13,9 +13,10 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from flint import acb, arb, fmpq
+from flint import acb, arb
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.proof.effort import Effort
 from mpsolve.zeros.function import Function
 from mpsolve.zeros.geometry import Point, Vertices, box_of, place_of_box
@@ -53,12 +54,8 @@ def hull(*points: Point) -> Any:
 def _interval(xs: Sequence[Fraction]) -> Any:
     low, high = min(xs), max(xs)
     if low == high:
-        return real_ball(low)
-    return real_ball((low + high) / 2) + arb(0, real_ball((high - low) / 2).upper())
-
-
-def real_ball(x: Fraction) -> Any:
-    return arb(fmpq(x.numerator, x.denominator))
+        return rational_ball(low)
+    return rational_ball((low + high) / 2) + arb(0, rational_ball((high - low) / 2).upper())
 
 
 def cells(vertices: Vertices, cuts: Sequence[Cut]) -> list[Box]:

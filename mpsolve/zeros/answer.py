@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from flint import arb
+
 from mpsolve.numbers.packed import Portable
-from mpsolve.numbers.result import Result
+from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
 
 
@@ -22,16 +24,6 @@ class Zero(Portable):
     q: Any
     multiplicity: int
     real: bool = False
-
-
-@dataclass(frozen=True)
-class Work:
-    """What an answer took: processor seconds of the proof and of its check, evaluations of f, pieces of the path."""
-
-    seconds: float
-    verification: float = 0.0
-    evaluations: int = 0
-    pieces: int = 0
 
 
 @dataclass(frozen=True)
@@ -57,4 +49,14 @@ class Zeros(Result):
     known: Mapping[str, Any] = field(default_factory=dict)
     certificate: Any = field(default=None, repr=False)
     verified: str = ""
-    cost: Work = field(default_factory=lambda: Work(0.0))
+    cost: Cost = field(default_factory=lambda: Cost(0.0))
+
+    def records(self) -> Iterator[Mapping[str, Any]]:
+        """A row for each zero, as floats."""
+        for root in self.roots:
+            places = {"z": root.q} if isinstance(root.q, arb) else {"Re z": root.q.real, "Im z": root.q.imag}
+            yield {name: float(x.mid()) for name, x in places.items()} | {"multiplicity": root.multiplicity}
+
+    def _headline(self) -> str:
+        found = "zeros" if self.count is None else f"{self.count} zero{'s' * (self.count != 1)}"
+        return f"Zeros: {found} of {self.function} in {self.region}: {self.trust}"

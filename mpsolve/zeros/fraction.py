@@ -31,11 +31,6 @@ def as_fraction(program: Program, output: int) -> Expression:
     return _expression(program, parts[output])
 
 
-def quotient(program: Program, numerator: int, denominator: int) -> Expression:
-    """f = numerator/denominator as a user gives them, as one fraction."""
-    return as_fraction(program, program.div(numerator, denominator))
-
-
 def _part(program: Program, k: int, parts: list[_Part], depends: list[bool]) -> _Part:
     step = program.steps[k]
     if step[0] in LEAVES or not depends[k]:

@@ -15,10 +15,11 @@ from typing import Any
 from flint import acb, arb
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.realroots import end_of
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.ladder import climb
-from mpsolve.zeros.analytic import hull, real_ball
+from mpsolve.zeros.analytic import hull
 from mpsolve.zeros.function import Function
 
 BITS, _MOST_BITS = 64, 1024
@@ -84,13 +85,13 @@ def _kind(f: Function, low: Fraction, high: Fraction, first: bool, last: bool) -
         return "."
     if not slope.is_finite():
         return None
-    half = arb(0, real_ball((high - low) / 2).upper())
-    middle = f.series(acb(real_ball((low + high) / 2)), 1)[0]
+    half = arb(0, rational_ball((high - low) / 2).upper())
+    middle = f.series(acb(rational_ball((low + high) / 2)), 1)[0]
     if (middle + slope * acb(half)).abs_lower() > 0:
         return "."
     if not (slope.real > 0 or slope.real < 0):
         return None
-    ends = [f.series(acb(real_ball(x)), 1)[0].real for x in (low, high)]
+    ends = [f.series(acb(rational_ball(x)), 1)[0].real for x in (low, high)]
     if (ends[0] < 0 and ends[1] > 0) or (ends[0] > 0 and ends[1] < 0):
         return "1"
     if (first and ends[0] == 0) or (last and ends[1] == 0):
@@ -111,7 +112,7 @@ def _division(f: Function, low: Fraction, high: Fraction) -> Fraction:
 
 def _signed(f: Callable[[Any], Any], place: Fraction) -> bool:
     try:
-        return bool(f(acb(real_ball(place))).abs_lower() > 0)
+        return bool(f(acb(rational_ball(place))).abs_lower() > 0)
     except PrecisionError:
         return False
 
@@ -135,7 +136,7 @@ def bracket(f: Function, low: Fraction, high: Fraction, ball: Any) -> tuple[Frac
 
 def _sign(f: Function, x: Fraction) -> int | None:
     try:
-        value = f.series(acb(real_ball(x)), 1)[0].real
+        value = f.series(acb(rational_ball(x)), 1)[0].real
     except PrecisionError:
         return None
     return 1 if value > 0 else -1 if value < 0 else 0 if value == 0 else None

@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import isqrt
 
-from flint import acb, arb, fmpq
+from flint import acb
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.zeros.answer import Zeros
 from mpsolve.zeros.geometry import Point
 from mpsolve.zeros.program import LEAVES, OPERATIONS, Expression, Program, Step, reduced, taken
@@ -82,7 +82,7 @@ def turned_back(answer: Zeros, words: str, region: Region, there: Region, d: Poi
     text = f"({complex_words(d)})"
     note = f"counted in w = z/{text}, in which the cuts lie along an axis; the certificate is one of f({text} w)"
     with precision(int(4 * answer.digits) + 64):
-        factor = acb(arb(fmpq(*d[0].as_integer_ratio())), arb(fmpq(*d[1].as_integer_ratio())))
+        factor = acb(*map(rational_ball, d))
         zeros = tuple(replace(zero, q=factor * zero.q, real=False) for zero in answer.roots)
     if answer.region != there:  # its boundary was moved
         region = Polygon(times(p, d) for p in answer.region.polygon)

@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 import pytest
 from measure import median, seconds
-from newmark import newmark
+from newmark import Beam, newmark
 
-from mpsolve.finite.beam.march import Loading, march
-from mpsolve.finite.beam.modes import Beam
+from mpsolve import Problem, tracks, vehicles
+from mpsolve.finite.case import Case
+from mpsolve.vehicles.load import Load
 
 NEEDS = "the comparison needs scipy: pip install scipy"
 LENGTH, START, MODES, TAU = 200.0, 40.0, 600, 100.0
@@ -32,17 +33,24 @@ CASES = [
 ]
 
 
-def problem(alpha: float, eta_m: float, eta_b: float, distance: float) -> tuple[Beam, Loading]:
-    beam = Beam(LENGTH, MODES, alpha, 0.0, eta_b, tail=False)
-    force = np.array([2.0, 2.0])
-    return beam, Loading(np.full(2, eta_m), np.array([START, START + distance]), lambda _tau: force)
+def problem(alpha: float, eta_m: float, eta_b: float, distance: float) -> Beam:
+    places, force = np.array([START, START + distance]), np.array([2.0, 2.0])
+    return Beam(LENGTH, MODES, alpha, 0.0, eta_b, np.full(2, eta_m), places, lambda _tau: force)
+
+
+def march(beam: Beam, times: Any, steps: int) -> Any:
+    """The same on the finite track: loads of 2 units are those of the beam."""
+    track = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c=2 * beam.eta_b)
+    masses = [vehicles.Mass(m).at(x - START) for m, x in zip(beam.eta_m, beam.places, strict=True)]
+    loads = [Load(2)] * len(masses)
+    case = Case(Problem(track, masses, v=beam.alpha), loads, LENGTH, times, None, START, 1e-4)
+    return case.solve(MODES, steps).rail[:, case.asked]
 
 
 def compare_forms() -> None:
-    beam, loading = problem(0.5, 40.0, 0.0, 1.5)
+    beam = problem(0.5, 40.0, 0.0, 1.5)
     runs = {
-        coupled: (lambda c=coupled: newmark(beam, loading, NEWMARK_TAU, NEWMARK_STEPS, coupled=c))
-        for coupled in (True, False)
+        coupled: (lambda c=coupled: newmark(beam, NEWMARK_TAU, NEWMARK_STEPS, coupled=c)) for coupled in (True, False)
     }
     coupled, rearranged = (median(run, 3) for run in (runs[True], runs[False]))
     print(
@@ -52,17 +60,17 @@ def compare_forms() -> None:
     assert np.allclose(runs[True](), runs[False](), rtol=0, atol=1e-11)
 
 
-def right_hand_side(beam: Beam, loading: Loading) -> Callable[[float, Any], Any]:
+def right_hand_side(beam: Beam) -> Callable[[float, Any], Any]:
     """(a_τ, a_ττ) of the rearranged form, with the contact forces from a system of the size of the masses."""
     k = np.arange(1, beam.count + 1) * (np.pi / beam.length)
-    stiffness, alpha, eta = beam.stiffness(k), beam.alpha, loading.eta_m
+    stiffness, alpha, eta = beam.stiffness(k), beam.alpha, beam.eta_m
 
     def slope(tau: float, y: Any) -> Any:
         a, rate = np.split(y, 2)
-        angle = np.multiply.outer(loading.places + alpha * tau, k)
+        angle = np.multiply.outer(beam.places + alpha * tau, k)
         shape, turn = np.sin(angle), alpha * k
         free = -2 * beam.eta_b * rate - stiffness * a
-        felt = loading.force(tau) - eta * (shape @ (free - turn**2 * a) + 2 * np.cos(angle) @ (turn * rate))
+        felt = beam.force(tau) - eta * (shape @ (free - turn**2 * a) + 2 * np.cos(angle) @ (turn * rate))
         share = 2 / beam.length * shape
         force = np.linalg.solve(np.eye(len(eta)) + eta[:, None] * (shape @ share.T), felt)
         return np.concatenate([rate, free + force @ share])
@@ -71,14 +79,14 @@ def right_hand_side(beam: Beam, loading: Loading) -> Callable[[float, Any], Any]
 
 
 def compare_with_solver(integrate: Any, alpha: float, eta_m: float, eta_b: float, distance: float) -> None:
-    beam, loading = problem(alpha, eta_m, eta_b, distance)
+    beam = problem(alpha, eta_m, eta_b, distance)
     times = np.linspace(0, TAU, MARCH_STEPS + 1)
-    fine = march(beam, loading, TAU, 8 * MARCH_STEPS).deflection[:, ::8]
-    error = np.abs(march(beam, loading, TAU, MARCH_STEPS).deflection - fine).max()
-    ours = median(lambda: march(beam, loading, TAU, MARCH_STEPS), 3)
+    fine = march(beam, times, 8 * MARCH_STEPS)
+    error = np.abs(march(beam, times, MARCH_STEPS) - fine).max()
+    ours = median(lambda: march(beam, times, MARCH_STEPS), 3)
     k = np.arange(1, MODES + 1) * (np.pi / LENGTH)
-    shapes = np.sin(np.multiply.outer(loading.places[:, None] + alpha * times, k))
-    slope, found = right_hand_side(beam, loading), []
+    shapes = np.sin(np.multiply.outer(beam.places[:, None] + alpha * times, k))
+    slope, found = right_hand_side(beam), []
     for digits in range(3, 13):
         tolerances = {"rtol": 10.0**-digits, "atol": 10.0 ** -(digits + 1)}
 

@@ -3,6 +3,7 @@
 import copy
 import itertools
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -18,11 +19,22 @@ from mpsolve import Problem, certify, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
 from mpsolve.certificate.check import verify
 from mpsolve.certificate.format import digest
-from mpsolve.certificate.verify_ranges import Form, Place, Refused, place_over, receptances, split_over, verify_bytes
+from mpsolve.certificate.verify_ranges import (
+    NONE,
+    Form,
+    Place,
+    Refused,
+    place_over,
+    receptances,
+    split_over,
+    verify_bytes,
+)
 from mpsolve.numbers.balls import precision
 
 FOLDER = Path(__file__).resolve().parents[2] / "certs" / "ranges"
-CROSSING, STABLE = (FOLDER / f"{name}.json" for name in ("crossing_over_velocity", "stable_over_damping"))
+CROSSING, STABLE, SLOPED = (
+    FOLDER / f"{name}.json" for name in ("crossing_over_velocity", "stable_over_damping", "nearly_undamped_d1.5")
+)
 RAIL = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 Change = Callable[[dict[str, Any]], None]
 
@@ -38,7 +50,7 @@ def sealed(value: dict[str, Any]) -> bytes:
     return json.dumps(rest | {"sha256": digest(rest)}).encode("ascii")
 
 
-@pytest.mark.parametrize("path", [CROSSING, STABLE])
+@pytest.mark.parametrize("path", [CROSSING, STABLE, SLOPED])
 def test_committed_certificates_hold(path: Path) -> None:
     verdict = verify(path)
     assert verdict.valid, verdict.reason
@@ -171,6 +183,45 @@ def test_a_changed_file_is_refused(content: dict[str, Any], change: Change) -> N
     assert not verdict.reason.startswith("malformed"), verdict.reason
 
 
+def _outside(tree: str) -> str:
+    return re.sub(r"(;[0-9]*)n", r"\1o", tree, count=1)
+
+
+def _passive_along(tree: str) -> str:
+    return re.sub(r"(;[0-9]*)n", r"\1p", tree, count=1)
+
+
+def _far_slope(tree: str) -> str:
+    """A leaf along a slope that has nothing to do with what is there: it holds too much for any work."""
+    return re.sub(r"s[-0-9]*e", "s9999999e", tree)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda tree: tree.replace("z", "n"), _outside, _passive_along, _far_slope,
+        lambda tree: re.sub(r"s[^;]*;", "1", tree),
+    ],
+)  # fmt: skip
+def test_a_tree_with_slopes_that_was_changed_is_refused(change: Callable[[str], str]) -> None:
+    """Upright boxes in place of those along a slope would need more work than is allowed."""
+    value = json.loads(SLOPED.read_text("ascii"))
+    tree = change(value["tree"])
+    assert tree != value["tree"]
+    verdict = verify_bytes(sealed(value | {"tree": tree}), 700)
+    assert not verdict.valid
+    assert not verdict.reason.startswith("malformed"), verdict.reason
+
+
+def test_boxes_along_a_slope_hold_what_they_replace() -> None:
+    box, one, other = ((fmpq(1), fmpq(2)), (fmpq(-1), fmpq(3))), fmpq(1, 2), fmpq(-3)
+    (low, high), x = checker.laid(box, one, other)
+    assert x == box[1]
+    for t, y in itertools.product((1, fmpq(3, 2), 2), (-1, 0, 3)):
+        assert low <= t + (one - other) * y <= high
+    assert (low, high) == (1 - fmpq(7, 2), 2 + fmpq(21, 2))
+
+
 def test_an_unsealed_change_is_refused(content: dict[str, Any]) -> None:
     assert "digest" in verify_bytes(json.dumps(content | {"tree": "n"}).encode()).reason
 
@@ -292,13 +343,34 @@ def floats_of(q: float, v: float, xi: float) -> complex:
     return complex((1 if xi >= 0 else -1) * sum(np.exp(own * xi) / np.polyval(np.polyder(d), own)))
 
 
+def test_the_determinant_along_a_slope_is_that_of_numpy(family: checker.Family) -> None:
+    """|Δ̂| at points of a parallelogram against residues at numpy's roots, up to one constant; the form holds it."""
+    slope = fmpq(-3, 8)
+    with precision(64):
+        place = checker.place_of(((fmpq(78), fmpq(79)), (fmpq(178), fmpq(180))), slope)
+        A, E = family.matrix(place, checker.kernels_over(family.waves, place, False))
+        assert max(float(x) for x in E.entries()) < 1e-3 * max(float(abs(x)) for x in A[0].entries())
+        ratios = []
+        for u in ((1, 1), (-1, 1), (0.3, -0.7), (0, 0)):
+            t, v = 78.5 + 0.5 * u[0], 179 + u[1]
+            q = t + float(slope) * v
+            weights = [1, *u, u[0] * u[0], u[0] * u[1], u[1] * u[1]]
+            got = acb_mat(2, 2, [NONE] * 4)
+            for a, w in zip(A, weights, strict=True):
+                got = got + a * acb(w)
+            gap = 3.4
+            G = np.array([[floats_of(q, v, x) for x in row] for row in ((0, -gap), (gap, 0))])
+            ratios.append(complex(got.det().mid()) / np.linalg.det(np.eye(2) - 1e4 * q * q * G))
+        assert np.allclose(ratios, ratios[0], rtol=1e-4)
+
+
 def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
     """Followed over a box: P, N/D_P and G at real points, the roots at complex ones; a radius that is less fails."""
     m, r = (12.0, 180.0), (1.5, 4.0)
     with precision(64):
         place = place_over([arb(x) for x in m], [arb(x) for x in r])
         nodes = checker.nodes_over(family.waves, place)
-        found = checker.alone(nodes, False)
+        found = checker.alone(nodes, range(4), False)
         assert found is not None
         G = checker.kernels_over(family.waves, place, False)
         for u in ((1, 1), (-1, 1), (0.3, -0.7), (1j, -1), (0.6 + 0.8j, 1j)):
@@ -315,9 +387,9 @@ def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pyt
                     away = abs(_model(G, u, n) - acb(floats_of(q, v, float(gap.get((0,), 0)))))
                     assert not away > G.e[n] + abs(G.k[0][n]) * 1e-9
         few = checker.spectra.Nodes(nodes.z, nodes.up - 1, nodes.local)
-        assert checker.alone(few, False) is None  # a root on the other side than is told
+        assert checker.alone(few, range(4), False) is None  # a root on the other side than is told
         monkeypatch.setattr(checker, "radius_of", lambda *_: None)
-        assert checker.alone(nodes, False) is None
+        assert checker.alone(nodes, range(4), False) is None
 
 
 def test_no_root_is_alone_where_two_meet(content: dict[str, Any]) -> None:
@@ -327,7 +399,7 @@ def test_no_root_is_alone_where_two_meet(content: dict[str, Any]) -> None:
             place = place_over(
                 [arb(x) + arb(r) / 3 for x, r in zip(MEETING, half, strict=True)], [arb(r) for r in half]
             )
-            assert checker.alone(checker.nodes_over(family.waves, place), False) is None
+            assert checker.alone(checker.nodes_over(family.waves, place), range(4), False) is None
 
 
 def test_a_radius_holds_what_it_must() -> None:
@@ -344,8 +416,8 @@ def test_a_radius_holds_what_it_must() -> None:
 def test_where_p_roots_of_one_side_meet(content: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     """Their sum is bounded over a box round the point, and holds what numpy finds beside it; the box is proved."""
     family, used = family_of(content, 30, 40), []
-    beside = checker.beside_meeting
-    monkeypatch.setattr(checker, "beside_meeting", lambda *some: used.append(1) or beside(*some))
+    points = checker.on_points
+    monkeypatch.setattr(checker, "on_points", lambda *some: used.append(1) or points(*some))
     half = (0.002, 0.001)
     with precision(64):
         middle = [arb(m) + arb(r) / 3 for m, r in zip(MEETING, half, strict=True)]
@@ -369,14 +441,34 @@ def test_a_circle_through_other_nodes_bounds_nothing(family: checker.Family, mon
         place = place_over([arb(12), arb(180)], [arb("0.5"), arb(2)])
         split = split_over(family.waves, place, False)
         N, gaps = place.value(family.waves.n), place.value(family.waves.xi)
-        least = [abs(x) for x in receptances(family.waves, split).k[0]]
-        both = [checker.bounds(split, side, N, gaps) for side in (0, 1)]
-        assert all(a > x or b > x for a, b, x in zip(*both, least, strict=True))
-        middle, radius, inside = checker.circles(split, 0)[0]
-        for wrong in ((middle, radius, []), (middle, radius * 1e6, inside), (middle, radius * 0, inside)):
-            monkeypatch.setattr(checker, "circles", lambda *_, one=wrong: [one])
-            with pytest.raises(checker.Wide):
-                checker.bounds(split, 0, N, gaps)
+        for side in (0, 1):
+            middle, radii, inside = checker.circles(split, side, 3.4)[0]
+            checker.on_circle(split, N, gaps, middle, radii[1], inside)
+            for radius, nodes in ((radii[1], []), (radii[1] * 1e6, inside), (radii[1] * 0, inside)):
+                with pytest.raises(Refused, match="too near"):
+                    checker.on_circle(split, N, gaps, middle, radius, nodes)
+            swapped = [(middle, radii[::-1], inside)]
+            monkeypatch.setattr(checker, "circles", lambda *_, one=swapped: one)
+            with pytest.raises(checker.Wide, match="not in order"):
+                receptances(family.waves, split)
+            monkeypatch.undo()
+
+
+@pytest.mark.parametrize(("fixed", "samples"), [(True, 4), (True, 12), (False, 12)])
+def test_what_samples_do_not_see_is_in_the_rest(
+    family: checker.Family, monkeypatch: pytest.MonkeyPatch, fixed: bool, samples: int
+) -> None:
+    """With few points of a circle the mean is wrong by more than rounding, and the rest holds it."""
+    monkeypatch.setattr(checker, "SAMPLES", samples)
+    monkeypatch.setattr(family.waves, "fixed", fixed)
+    with precision(64):
+        split = split_over(family.waves, place_over([arb(12), arb(180)], [arb("1e-9"), arb("1e-9")]), False)
+        forms = receptances(family.waves, split)
+        for n, gap in enumerate(family.waves.gaps):
+            away = float(abs(forms.k[0][n] - acb(floats_of(12, 180, float(gap.get((0,), 0))))))
+            size = float(abs(forms.k[0][n]))
+            assert 1e-9 * size < away < float(forms.e[n])
+            assert samples < 12 or float(forms.e[n]) < 0.1 * size
 
 
 def test_the_scalar_vanishes_where_the_determinant_does() -> None:
@@ -387,7 +479,7 @@ def test_the_scalar_vanishes_where_the_determinant_does() -> None:
 
         def scalar(corner: Form) -> Form:
             f = checker.spectra.joined([one, x, y, corner])
-            return checker.scalar(([acb_mat(2, 2, row) for row in f.k], arb_mat(2, 2, f.e)), 2)
+            return checker.scalar(([acb_mat(2, 2, row) for row in f.k], arb_mat(2, 2, f.e)), 2, [[1.0, 1.0]] * 2)
 
         s = scalar(x * y)
         assert s.size[0] < s.e[0] + arb("1e-3")
@@ -428,17 +520,6 @@ def test_a_root_moves_as_its_form_says(order: int) -> None:
             assert abs(_model(root, (u,)) - h) <= root.e[0]
             assert abs(_model(weight, (u,)) - (1 + h * h) / (1 + 3 * h * h)) <= weight.e[0]
         assert root.e[0] < (0.0012 if order == 2 else 0.03)
-
-
-def test_a_term_of_the_third_order_is_left_out(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:
-    """(u/16)³ is at most 1 on the wide box; the form that leaves it out has a rest that holds it."""
-    nothing = Form([[acb(0)] * 3] * 6, [arb(0)] * 3, 2)
-    monkeypatch.setattr(checker, "bounds", lambda *some: [arb(1)] * len(some[-1].e))
-    with precision(64):
-        split = split_over(family.waves, place_over([arb(12), arb(180)], [arb("0.01"), arb("0.01")]), False)
-        monkeypatch.setattr(checker.spectra, "kernels", lambda *_: (nothing, nothing))
-        for rest in checker.beside_meeting(family.waves, split).e:
-            assert arb(16) ** -3 < rest < arb(2) ** -11
 
 
 def continued(q: tuple[float, float], v: tuple[float, float], u: tuple[complex, complex], xi: float) -> complex:
@@ -531,9 +612,25 @@ def test_the_matrix_over_parameters_holds_those_at_points() -> None:
 def test_trees_are_read_to_their_last_leaf() -> None:
     box = ((fmpq(0), fmpq(1)), (fmpq(0), fmpq(2)))
     leaves = list(checker.walk("0n1pz", box))
-    assert [kind for kind, _ in leaves] == ["n", "p", "z"]
+    assert [kind for kind, *_ in leaves] == ["n", "p", "z"]
     assert leaves[1][1] == ((fmpq(1, 2), fmpq(1)), (fmpq(0), fmpq(1)))
-    for bad in ("0n", "0nnn", "2nn", "x", ""):
+    _, (kind, part, slope) = checker.walk("s-3e-2;on", box)
+    assert (kind, slope) == ("n", fmpq(-3, 4))
+    assert part == ((fmpq(3, 4), fmpq(5, 2)), (fmpq(1), fmpq(2)))
+    for bad in (
+        "0n",
+        "0nnn",
+        "2nn",
+        "x",
+        "",
+        "s1e0nn",
+        "s1e9999;nn",
+        "s1;nn",
+        "s 1e0;nn",
+        "s1e0;n",
+        "ns1e0;",
+        "s\u0661e0;nn",
+    ):
         with pytest.raises(Refused):
             list(checker.walk(bad, box))
 

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import numpy as np
 import pytest
 from endless_rows import masses
 from flint import arb
 
 from mpsolve import Effort, InputError, Problem, tracks, train_velocities, vehicles
-from mpsolve.endless.bloch import Bloch
-from mpsolve.endless.curve import around
 
 
 def test_the_two_velocities_of_the_papers_beam() -> None:
@@ -33,17 +30,6 @@ def test_the_two_velocities_of_the_papers_beam() -> None:
     assert "threshold" in found.words
     with pytest.raises(TypeError):
         bool(found)
-
-
-def test_the_threshold_is_where_one_root_touches_the_axis() -> None:
-    """By another way: q(κ) followed round the circle at the ends of the ball comes to the real axis from above."""
-    least = []
-    for v in ("0.19014", "0.19015"):
-        _, sigma = around(Bloch(masses(v)), 2.0502, 0.24948j)  # next to where it is lowest
-        least.append(float(np.nanmin((-1j * sigma).imag)))
-    assert least[0] > 0 > least[1]
-    crossing = 0.19014 + 1e-5 * least[0] / (least[0] - least[1])
-    assert abs(crossing - 0.190146901) < 1e-8
 
 
 def test_a_range_in_which_nothing_grows() -> None:

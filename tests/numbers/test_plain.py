@@ -11,7 +11,7 @@ import numpy as np
 from flint import acb, arb
 
 from mpsolve.numbers.balls import precision
-from mpsolve.numbers.plain import outward, plain, shown_digits
+from mpsolve.numbers.plain import disc_of, outward, plain, shown_digits
 from mpsolve.outcome import Reason
 
 
@@ -57,3 +57,9 @@ def test_all_that_answers_hold_is_plain() -> None:
 def test_digits_that_are_shown_are_sure() -> None:
     assert shown_digits(arb("0.123456", "1e-4")).startswith("0.123")
     assert not shown_digits(arb("0.123456", "1e-4")).startswith("0.123456")
+
+
+def test_a_disc_in_floats_holds_the_ball() -> None:
+    ball = acb(arb(1) / 3, arb(-2) / 7) + acb(arb(0, 1e-20), arb(0, 1e-5))
+    middle, radius = disc_of(ball)
+    assert (ball - acb(middle.real, middle.imag)).abs_upper() <= radius < 1.1e-5

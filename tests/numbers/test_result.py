@@ -75,8 +75,10 @@ def test_an_answer(name: str) -> None:
     data = json.loads(found.to_json())
     assert data == json.loads(json.dumps(found.to_dict(), allow_nan=False))
     assert data["status"] == found.status.value
-    said = f"{type(found).__name__}: {found.trust}"
-    assert name in ("Spectrum", "Table") or escape(said) in found._repr_html_()
+    assert name in ("Spectrum", "Table") or escape(str(found).splitlines()[0]) in found._repr_html_()
+    assert str(found).startswith(name)
+    assert found.trust in str(found)
+    assert len(str(found).splitlines()) <= 1 + bool(list(found.records())) + len(list(found.records()))
     assert all(isinstance(row, Mapping) for row in found.records())
     if found.proved and found.certificate is None:
         assert found.trust.startswith("proved, without certificate")
@@ -112,3 +114,26 @@ def test_verdicts_have_no_truth_value_either() -> None:
         verdict = __import__(f"mpsolve.certificate.{module}", fromlist=["Verdict"]).Verdict(False, "no")
         with pytest.raises(TypeError, match=r"ask for \.valid"):
             bool(verdict)
+
+
+def test_print_shows_the_answer() -> None:
+    """A list that is empty says so; a long one ends; a row for each root, velocity and zero."""
+    none = mpsolve.crossings(PAIR, over={"v": ("0.1", "0.2")})
+    assert str(none).startswith("Crossings over v from 0.1 to 0.2: none, proved")
+    spectrum = mpsolve.certify(PAIR, region="sheet", digits=15)
+    assert len(str(spectrum).splitlines()) == 2 + len(spectrum.roots)
+    assert f"{spectrum.roots[0].q.real.mid().str(8, radius=False)}" in str(spectrum)
+    assert "1.4142136" in str(ANSWERS["Zeros"]())
+    assert len(str(ANSWERS["CriticalVelocities"]()).splitlines()) == 3
+
+
+@dataclass(frozen=True)
+class Long(Made):
+    def records(self) -> list[Mapping[str, Any]]:
+        return [{"row": k} for k in range(250)]
+
+
+def test_a_long_table_is_cut() -> None:
+    for shown in (str(Long(Status.PROVED, 1)), Long(Status.PROVED, 1)._repr_html_()):
+        assert "and 150 more rows" in shown
+        assert "149" not in shown

@@ -1,5 +1,8 @@
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from oracle import grid
 
 from mpsolve.numbers.wave_tables import Waves, gauss, legendre_powers, moments, nested_moments, wave_tables
 
@@ -26,3 +29,18 @@ def test_nested_moments_by_quadrature():
 
 def test_legendre_polynomials_on_the_unit_interval():
     assert legendre_powers(2).tolist() == [[1, 0, 0], [-1, 2, 0], [1, -6, 6]]
+
+
+@settings(max_examples=40)
+@given(
+    size=st.floats(1e-3, 60), turn=grid(0.25, 0.75), other=grid(-40, 40), a=st.integers(0, 2), power=st.integers(0, 4)
+)
+def test_integrals_agree_with_quadrature(size: float, turn: float, other: float, a: int, power: int) -> None:
+    q, p = size * np.exp(2j * np.pi * turn), 1j * other - 0.1
+    theta, weight = gauss(150)
+    single = weight @ (theta**power * np.exp(q * theta))
+    assert abs(moments(np.array([q]), power)[power, 0] - single) < 1e-12
+    sigma = np.multiply.outer(theta, theta)
+    inner = theta * (sigma**power * np.exp(q * sigma) @ weight)
+    double = weight @ (theta**a * np.exp(p * theta) * inner)
+    assert abs(nested_moments(np.array([p]), np.array([q]), 2, 4)[a, power, 0] - double) < 1e-12

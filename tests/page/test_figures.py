@@ -10,8 +10,9 @@ import pytest
 from mpsolve import read_problem
 from mpsolve.page import figures
 from mpsolve.page.charts import chart
-from mpsolve.page.parts import Parts, gather, searched, vibrations
+from mpsolve.page.parts import Parts, gather, searched
 from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE
+from mpsolve.report.vibration import once as vibrations
 
 
 @pytest.fixture(scope="module")

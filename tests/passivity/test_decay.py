@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from track_models import DAMPED
 
+from mpsolve.numbers.several import multiply
 from mpsolve.passivity.decay import edges, in_s, vanishes
-from mpsolve.tracks.waveguide import Polynomial, moving, multiply
+from mpsolve.tracks.waveguide import Polynomial, moving
 
 V = {"string": 100, "floating-ice": 5, "rayleigh": 4000, "timoshenko": 1500}
 ONE: Polynomial = {(0, 0): Fraction(1)}

@@ -7,7 +7,8 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from mpsolve.pictures.plane import plane_picture
+from mpsolve import Case, certify
+from mpsolve.pictures.plane import plane_picture, spectrum_picture
 
 
 def test_growing_roots_are_squares_at_their_places() -> None:
@@ -32,3 +33,14 @@ def test_a_number_covers_no_mark() -> None:
     for e in words:
         x, y = float(e.attrib["x"]) + 4, float(e.attrib["y"]) - 4
         assert all(abs(x - a) > 9 or abs(y - b) > 9 for a, b in marks)
+
+
+def test_a_spectrum_has_its_roots_and_tells_whether_a_cut_is_seen() -> None:
+    for eta_b, seen in (("0.05", False), ("0", True)):
+        found = certify(Case(alpha="0.67", eta_b=eta_b, eta_m=(70, 70), positions=(0, "1.5")), check=False)
+        picture, cut = spectrum_picture(found, "own")
+        marks = [e for e in ET.fromstring(picture).iter("g") if "data-root" in e.attrib]
+        shown = [complex(float(e.attrib["data-re"]), float(e.attrib["data-im"])) for e in marks]
+        assert shown == pytest.approx([complex(root.q.mid()) for root in found.roots], rel=1e-8)
+        assert cut is seen
+        assert 'id="own-inside"' in picture

@@ -7,7 +7,8 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from mpsolve.pictures.shape import moving_shape, numbered, shape_in_time
+from mpsolve import Problem, response, tracks, vehicles
+from mpsolve.pictures.shape import film, moving_shape, numbered, shape_in_time
 
 
 def test_one_period() -> None:
@@ -43,3 +44,20 @@ def test_many_coordinates_are_numbered() -> None:
 def test_numbers_stand_for_names_where_there_are_many() -> None:
     assert numbered({"a": 1j}) == ""
     assert numbered(dict.fromkeys(("a", "<b>", "c", "d", "e"), 1j)) == "<p>1: a, 2: &lt;b&gt;, 3: c, 4: d, 5: e</p>"
+
+
+def test_a_film_moves_the_rail_as_it_was_computed_and_pales_after_the_lift_off() -> None:
+    beam = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
+    pair = Problem(beam, [vehicles.Mass(10_000).at(0), vehicles.Mass(10_000).at("3.4")], v=250)
+    found = response(pair, times=np.linspace(0, 1, 41), places=[0, "1.7", "3.4"])
+    root = ET.fromstring(film(found, "A & B"))
+    space = "{http://www.w3.org/2000/svg}"
+    moved = {e.attrib["attributeName"]: e.attrib["values"].split(";") for e in root.iter(f"{space}animate")}
+    within = int(found.within.sum())
+    assert 0 < within < 41
+    heights = [float(frame.split()[1].split(",")[1]) for frame in moved["points"]][:within]
+    assert np.corrcoef(heights, found.rail[1, :within])[0, 1] > 0.9999
+    assert [colour == "#c8c8c8" for colour in moved["stroke"]] == (~found.within).tolist()
+    words = [text.text for text in root.iter(f"{space}text")]
+    assert "A & B" in words
+    assert any("beyond the model" in (word or "") for word in words)

@@ -6,10 +6,12 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from catalogue_models import made
 from hypothesis import given
 from hypothesis import strategies as st
 from vehicle_models import random_vehicles
 
+from mpsolve import tracks, vehicles
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks import String
@@ -65,3 +67,15 @@ def test_a_train_too_long_for_its_matrices_is_refused() -> None:
     assert Problem(TRACK, train(Mass(1), 1000, 1), v=1).pencil.size == 1000
     with pytest.raises(InputError, match="3000 coordinates"):
         _ = Problem(TRACK, [train(Mass(1), 1000, 1)] * 3, v=1).pencil
+
+
+@pytest.mark.parametrize("vehicle", vehicles.CATALOGUE)
+def test_a_problem_shows_itself_as_it_is_typed(vehicle: Any) -> None:
+    names = {**vars(tracks), **vars(vehicles), "Problem": Problem}
+    for track in tracks.CATALOGUE:
+        problem = Problem(made(track), made(vehicle).at("1/3"), v="0.25")
+        assert eval(repr(problem), names) == problem
+    assert (
+        repr(Problem(TRACK, Mass(3).at("0.5"), 2))
+        == "Problem(String(T=1, m=1, k=1, c=1), [Mass(M=3).at('0.5')], v=2)"
+    )

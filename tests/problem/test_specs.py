@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from mpsolve import InputError
-from mpsolve.problem.specs import choice, kind_of, load, rationals, section, steps, title
+from mpsolve.problem.specs import choice, load, rationals, steps
+from mpsolve.problem.toml import kind, section, title_of
 
 KNOWN = {"title": "a text", "quantity": "what is asked"}
 ENDS = {"start": "0.1", "stop": "0.7", "step": "0.2"}
@@ -20,7 +21,7 @@ def test_a_mapping_or_a_file(tmp_path: Path) -> None:
     file = tmp_path / "table.toml"
     file.write_text('title = "Onsets"\nquantity = 0.10\n', "utf-8")
     assert load(file, KNOWN) == {"title": "Onsets", "quantity": "0.10"} == load(load(str(file), KNOWN), KNOWN)
-    assert (title(load(file, KNOWN)), title({})) == ("Onsets", "")
+    assert (title_of(load(file, KNOWN)), title_of({})) == ("Onsets", "")
 
 
 def test_steps_are_exact() -> None:
@@ -35,7 +36,7 @@ def test_steps_are_exact() -> None:
     [
         (lambda: load(3, KNOWN), "spec: is a number: give a mapping, or the path"),  # type: ignore[arg-type]
         (lambda: load({"quantiy": 1}, KNOWN), "quantiy: is unknown: did you mean quantity?"),
-        (lambda: title({"title": 3}), "title: is a number, not a text"),
+        (lambda: title_of({"title": 3}), "title: is a number, not a text"),
         (lambda: choice({}, "kind", ("grid", "random")), 'kind: is missing: give one of "grid", "random"'),
         (lambda: choice({"kind": "gird"}, "kind", ("grid", "random")), "kind: is 'gird': did you mean \"grid\"?"),
         (lambda: choice({"kind": [1]}, "kind", ("grid",)), 'kind: is a list: give one of "grid"'),
@@ -53,6 +54,6 @@ def test_mistakes(read: Callable[[], Any], said: str) -> None:
 
 
 def test_kinds_are_those_of_toml() -> None:
-    assert [kind_of(x) for x in ({}, [], "", True, 1, 1j)] == [
+    assert [kind(x) for x in ({}, [], "", True, 1, 1j)] == [
         "a table", "a list", "a text", "a boolean", "a number", "of type complex",
     ]  # fmt: skip

@@ -120,8 +120,8 @@ def floats_agree(found: Chart, number: int = 80) -> None:
 
 @pytest.mark.parametrize(("above", "curves"), [(Fraction(-1, 10**5), 1), (Fraction(1, 10**5), 2)])
 def test_a_curve_that_touches_the_edge(above: Fraction, curves: int) -> None:
-    """The fold lies at a factor of 0.5068600913 to ten digits: just inside of the chart, or just outside of it."""
-    low = Fraction("0.5068600913") + above
+    """The fold lies at a factor of 0.5068594417 to ten digits: just inside of the chart, or just outside of it."""
+    low = Fraction("0.5068594417") + above
     found = stability_chart(PAIR, over={"v": (222, 229), "scale.mass": (low, "0.52")}, depth=3, check=False)
     assert found.traced
     assert len(found.boundaries) == curves

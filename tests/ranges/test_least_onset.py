@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from mpsolve import Case
+from mpsolve import Case, Problem, certify, onset, tracks, vehicles
 from mpsolve.problem.cases import as_problem
 from mpsolve.progress import silent
 from mpsolve.proof.effort import Effort
@@ -46,3 +46,35 @@ def test_a_higher_crossing_is_not_called_the_least(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(least_onset, "lowest_near", at_the_start)
     with pytest.raises(OpenError):
         question(8_000).answer()
+
+
+def at_100(mass: tuple[str, str], gap: tuple[str, str]) -> Question:
+    """Two masses of 10 t on a rail at 100 m/s: unstable beyond 2.22 times the mass, 4.85 m apart."""
+    rail = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
+    problem = Problem(rail, vehicles.train(vehicles.Mass("10e3"), 2, "3.4"), v=100)
+    over = {path: (Fraction(a), Fraction(b)) for path, (a, b) in (("scale.mass", mass), ("gap[0]", gap))}
+    return Question(problem, over, scope_of(problem, over), 15, Effort(evaluations=50_000), silent, False)
+
+
+@pytest.mark.parametrize("gap", [("1", "5"), ("4", "5"), ("4", "6")])
+def test_a_narrow_valley_in_a_wide_range_is_found(gap: tuple[str, str]) -> None:
+    """Between two of the first columns; Newton's method from the end of the range jumps to another crossing."""
+    found = at_100(("0.1", "100"), gap).answer()
+    assert found.where == "inside"
+    assert found.value is not None
+    assert abs(float(found.value) - 2.22252174133877) < 1e-12
+    for beside in ("-1e-4", "1e-4"):  # an onset at a gap beside it is larger
+        problem = at_100(("0.1", "100"), gap).problem.changed("gap[0]", str(float(found.worst) + float(beside)))
+        alone = onset(problem, over={"scale.mass": ("0.1", 100)}, check=False)
+        assert alone.value > found.value
+
+
+def test_roots_that_grow_from_the_start_on_are_an_answer() -> None:
+    """At ten times the mass some distances are unstable at once: one of them is certified and told."""
+    question = at_100(("10", "100"), ("1", "5"))
+    question.budget = Effort(evaluations=500)
+    found = question.answer()
+    assert found.value is None
+    assert found.worst is not None
+    there = question.problem.changed("scale.mass", 10).changed("gap[0]", str(float(found.worst)))
+    assert certify(there, region="unstable").unstable == 2

@@ -55,6 +55,9 @@ def test_a_counterexample_is_a_point_with_its_proof() -> None:
         assert low <= value <= high
         there = there.changed(path, value)
     assert certify(there, region="unstable").unstable == found.spectrum.unstable > 0
+    assert str(found).startswith(
+        "Robust over v from 0 to 0.8, track.k from 0.5 to 1.5, track.c from 0.05 to 0.15: not stable, roots "
+    )
 
 
 @pytest.mark.parametrize("boxes", [20, 400])

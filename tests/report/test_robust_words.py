@@ -12,8 +12,9 @@ from mpsolve.numbers.balls import arb
 from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.boundary import Boundary
-from mpsolve.ranges.chart import Chart, Part
+from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.meeting import Meeting
+from mpsolve.ranges.parts import Part
 from mpsolve.report.robust_words import _chart, _chart_verdict
 
 

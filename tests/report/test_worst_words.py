@@ -66,3 +66,11 @@ def test_an_onset_at_the_worst_value_names_both_ranges(kind: Kind) -> None:
     assert ("worst gap[0]: 2.5" in said.text) == (kind is Kind.CROSSES)
     assert "v from 0 km/h to 90 km/h, gap[0] from 1 m to 5 m" in said.text
     assert said.grows == (kind is Kind.CROSSES)
+
+
+def test_what_grows_from_the_start_on_is_said_of_one_value() -> None:
+    both = {"v": (Fraction(0), Fraction(25)), **OVER}
+    found = Onset(PROBLEM, both, Status.UNVERIFIED, kind=Kind.UNSTABLE_FROM_START, worst=arb(2.5), where="inside")
+    said = said_of_onset_at_worst(found, asked(PROBLEM, "", ["v=0..90 km/h"]), QUESTION)
+    assert said.verdict.startswith("At gap[0] = 2.5 m: UNSTABLE already at v")
+    assert said.grows

@@ -10,7 +10,7 @@ import pytest
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.paths import discs, on_arc
+from mpsolve.characteristic.path import discs, on_arc
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem

@@ -8,7 +8,8 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mpsolve.tracks.waveguide import Polynomial, add, determinant, moving, multiply, scaled
+from mpsolve.numbers.several import multiply, plus
+from mpsolve.tracks.waveguide import Polynomial, determinant, moving, scaled
 
 NUMBERS = st.fractions(min_value=-3, max_value=3, max_denominator=4)
 POLYNOMIALS = st.dictionaries(st.tuples(st.integers(0, 2), st.integers(0, 2)), NUMBERS.filter(bool), max_size=3)
@@ -20,11 +21,11 @@ def value(a: Polynomial, P: Fraction, s: Fraction) -> Fraction:
 
 @given(POLYNOMIALS, POLYNOMIALS, NUMBERS, NUMBERS, NUMBERS)
 def test_arithmetic_is_that_of_values(a: Polynomial, b: Polynomial, P: Fraction, s: Fraction, v: Fraction) -> None:
-    assert value(add(a, b), P, s) == value(a, P, s) + value(b, P, s)
+    assert value(plus(a, b), P, s) == value(a, P, s) + value(b, P, s)
     assert value(multiply(a, b), P, s) == value(a, P, s) * value(b, P, s)
     assert value(scaled(a, v), P, s) == v * value(a, P, s)
     assert value(moving(a, v), P, s) == value(a, P, s - v * P)
-    assert all(add(a, b).values())
+    assert all(plus(a, b).values())
 
 
 @given(st.lists(st.lists(POLYNOMIALS, min_size=3, max_size=3), min_size=3, max_size=3), NUMBERS, NUMBERS)

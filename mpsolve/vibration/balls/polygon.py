@@ -10,13 +10,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations, pairwise
-from math import comb
 from typing import Any
 
 import flint
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, rational_ball, square
+from mpsolve.passivity.decay import in_s
 
 Polynomial = Mapping[tuple[int, int], Fraction]
 _GROWN, _FINEST = 30, 60
@@ -88,7 +88,7 @@ def turn(power: Fraction) -> Any:
 
 def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRoot]:
     """The p-roots with P = (σ − s)/v, s = σ^w (…), w < 1."""
-    moved, over = ({key: c for key, c in _at_rest(one, v).items() if c} for one in (D, N))
+    moved, over = ({key: c for key, c in in_s(one, v).items() if c} for one in (D, N))
     found = [root for power in _powers(moved) if power < 1 for root in _along(moved, over, power, radius, None)]
     _apart(found)
     if any(root.power for root in found):
@@ -100,16 +100,6 @@ def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRo
         weight = -root.weight * z0
         root = replace(root, parts=None)
         out.append(replace(root, power=Fraction(1), z0=z0, z=z, weight=weight, neutral=True, still=root.z))
-    return out
-
-
-def _at_rest(polynomial: Polynomial, v: Fraction) -> dict[tuple[int, int], Fraction]:
-    """As a polynomial in s and σ, P = (σ − s)/v."""
-    out: dict[tuple[int, int], Fraction] = {}
-    for (i, j), c in polynomial.items():
-        for k in range(i + 1):
-            key = k, j + i - k
-            out[key] = out.get(key, Fraction(0)) + c * comb(i, k) * (-1) ** k / v**i
     return out
 
 
