@@ -856,27 +856,18 @@ def joined(forms: Sequence[Form]) -> Form:
 
 
 def along(
-    E: Sequence[Form],
-    sizes: Sequence[Sequence[Any]],
-    h: Form,
-    most: Sequence[Any],
-    slope: bool = False,
-    square: Form | None = None,
+    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
 ) -> Form:
-    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all.
-
-    square: h², where it is known.
-    """
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
     n, start = len(h.e), int(slope)
-    last = start + (2 if h.second else 1)
-    total = E[start]
-    for i, power in enumerate((h, square or h * h) if h.second else (h,), start + 1):
-        if i < len(E):
-            term = E[i] * power
-            total = total + (term.scaled([i] * n) if slope else term)
+    last = min(3 if h.second else start + 1, len(E) - 1)
+    factor = range(len(sizes)) if slope else [1] * len(sizes)
+    total = E[last].scaled([factor[last]] * n) if slope else E[last]
+    for i in range(last - 1, start - 1, -1):
+        total = total * h + (E[i].scaled([i] * n) if factor[i] > 1 else E[i])
     rest = [ZERO] * n
     for i in range(len(sizes) - 1, last, -1):
-        rest = [(x + (y * i if slope else y)) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
+        rest = [(x + y * factor[i]) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
     return total.rested([x * y ** (last - start) for x, y in zip(rest, most, strict=True)])
 
 
