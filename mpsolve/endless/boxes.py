@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.discs import Splittings, split, waves
+from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.path import discs
+from mpsolve.characteristic.residues import waves
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.errors import EffortError, PrecisionError
