@@ -8,9 +8,11 @@ the report only; progress and errors go to standard error, progress only if that
 from __future__ import annotations
 
 import errno
+import gc
 import io
 import os
 import sys
+from collections.abc import Sequence
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
@@ -30,67 +32,40 @@ def _show_version(context: click.Context, _option: click.Parameter, asked: bool)
         context.exit()
 
 
-_MODULES = {
-    "new": "new",
-    "work-out": "work_out",
-    "certify": "certify",
-    "report": "report",
-    "explore": "explore",
-    "onset": "ranges",
-    "crossings": "ranges",
-    "lines": "ranges",
-    "worst": "ranges",
-    "robust": "ranges",
-    "chart": "ranges",
-    "table": "table",
-    "train": "train",
-    "response": "response",
-    "compare": "response",
-    "critical": "critical",
-    "receptance": "receptance",
-    "study": "study",
-    "status": "study",
-    "export": "study",
-    "roots": "roots",
-    "schema": "schema",
-    "audit": "audit",
+COMMANDS = {
+    "new": ("inputs", 'mpsolve new ballasted --vehicle shinkansen --v "300 km/h" -o mine.toml'),
+    "work-out": ("inputs", 'mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m"'),
+    "certify": ("certify", "mpsolve certify mine.toml --region unstable"),
+    "report": ("page", "mpsolve report rail.toml -o rail.html"),
+    "explore": ("page", "mpsolve explore mine.toml"),
+    "onset": ("ranges", "mpsolve onset rail.toml --over v=0..400km/h"),
+    "crossings": ("ranges", "mpsolve crossings rail.toml --over scale.mass=0.1..3"),
+    "lines": ("ranges", "mpsolve lines rail.toml --over v=0..400km/h -o lines.svg"),
+    "worst": ("ranges", "mpsolve worst pair.toml --over gap[0]=1m..5m"),
+    "robust": ("ranges", "mpsolve robust rail.toml --over v=0..150km/h --over track.k=0.8e6..1.2e6"),
+    "chart": ("ranges", "mpsolve chart rail.toml --over v=100..300 --over scale.mass=0.5..2 -o chart.svg"),
+    "table": ("study", "mpsolve table onsets.toml -o onsets.csv"),
+    "train": ("track", "mpsolve train mine.toml --spacing 25"),
+    "response": ("response", "mpsolve response pair.toml -o motion.csv --to 50"),
+    "compare": ("response", "mpsolve compare pair.toml -o compare.svg --to 50"),
+    "critical": ("track", "mpsolve critical mine.toml -o critical.svg"),
+    "receptance": ("track", "mpsolve receptance mine.toml --omega 1,600,100 --xi=-1.5,0,1.5 -o receptance.csv"),
+    "study": ("study", "mpsolve study study.toml -o study.sqlite"),
+    "status": ("study", "mpsolve status study.sqlite"),
+    "export": ("study", "mpsolve export study.sqlite --to csv"),
+    "roots": ("roots", 'mpsolve roots "sin(z) - z/2" --rectangle -10 10 -5 5'),
+    "schema": ("inputs", "mpsolve schema input > mpsolve.schema.json"),
+    "audit": ("audit", "mpsolve audit examples/paper --only xii"),
+    "verify": ("", "mpsolve verify mine.certificate.json"),
+    "derive": ("", "mpsolve derive mine.toml"),
+    "models": ("", "mpsolve models two-layer"),
 }
-"""The module cli_… that holds each command; it is loaded when the command is asked for."""
-
-
-EXAMPLES = {
-    "verify": "mpsolve verify mine.certificate.json",
-    "derive": "mpsolve derive mine.toml",
-    "models": "mpsolve models two-layer",
-    "new": 'mpsolve new ballasted --vehicle shinkansen --v "300 km/h" -o mine.toml',
-    "work-out": 'mpsolve work-out per-metre --k "180 kN/mm" --spacing "0.6 m"',
-    "schema": "mpsolve schema input > mpsolve.schema.json",
-    "certify": "mpsolve certify mine.toml --region unstable",
-    "explore": "mpsolve explore mine.toml",
-    "onset": "mpsolve onset rail.toml --over v=0..400km/h",
-    "crossings": "mpsolve crossings rail.toml --over scale.mass=0.1..3",
-    "lines": "mpsolve lines rail.toml --over v=0..400km/h -o lines.svg",
-    "worst": "mpsolve worst pair.toml --over gap[0]=1m..5m",
-    "robust": "mpsolve robust rail.toml --over v=0..150km/h --over track.k=0.8e6..1.2e6",
-    "table": "mpsolve table onsets.toml -o onsets.csv",
-    "chart": "mpsolve chart rail.toml --over v=100..300 --over scale.mass=0.5..2 -o chart.svg",
-    "response": "mpsolve response pair.toml -o motion.csv --to 50",
-    "compare": "mpsolve compare pair.toml -o compare.svg --to 50",
-    "critical": "mpsolve critical mine.toml -o critical.svg",
-    "receptance": "mpsolve receptance mine.toml --omega 1,600,100 --xi=-1.5,0,1.5 -o receptance.csv",
-    "study": "mpsolve study study.toml -o study.sqlite",
-    "status": "mpsolve status study.sqlite",
-    "export": "mpsolve export study.sqlite --to csv",
-    "report": "mpsolve report rail.toml -o rail.html",
-    "train": "mpsolve train mine.toml --spacing 25",
-    "roots": 'mpsolve roots "sin(z) - z/2" --rectangle -10 10 -5 5',
-    "audit": "mpsolve audit examples/paper --only xii",
-}
-"""One for each command, at the end of its help."""
+"""Of each command the module cli_… that holds it, loaded when it is asked for ("": this one), and an example."""
+EXAMPLES = {name: example for name, (_, example) in COMMANDS.items()}
 
 
 class _Commands(Commands):
-    """The commands of this file, and those of `_MODULES`."""
+    """The commands of the table."""
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
         with as_told(None, EXAMPLES, []):
@@ -101,15 +76,15 @@ class _Commands(Commands):
             return super().invoke(ctx)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return [*_MODULES, *super().list_commands(ctx)]
+        return [*(name for name, (module, _) in COMMANDS.items() if module), *super().list_commands(ctx)]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        module, example = COMMANDS.get(cmd_name, ("", ""))
         command = super().get_command(ctx, cmd_name)
-        if cmd_name in _MODULES:
-            commands: tuple[click.Command, ...] = import_module(f"mpsolve.cli_{_MODULES[cmd_name]}").COMMANDS
-            command = next(one for one in commands if one.name == cmd_name)
-        if command is not None and cmd_name in EXAMPLES:
-            command.epilog = f"\b\nExample:\n  {EXAMPLES[cmd_name]}"
+        if module:
+            command = getattr(import_module(f"mpsolve.cli_{module}"), cmd_name.replace("-", "_"))
+        if command is not None:
+            command.epilog = f"\b\nExample:\n  {example}"
         return command
 
 
@@ -145,22 +120,25 @@ def verify(files: tuple[Path, ...]) -> None:
 @cli.command()
 @click.argument("file", required=False, type=PATH)
 @click.option("--latex", is_flag=True, help="A LaTeX document instead of text.")
-@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses, without FILE.")
+@click.option("--masses", type=int, default=2, show_default=True, help="Number of moving masses, without a problem.")
 def derive(file: Path | None, latex: bool, masses: int) -> None:
     """Derive the model symbolically, from the equations of motion on, and print every step.
 
     With FILE (TOML): the track and the vehicles in it, from their mechanics to the matrices that are computed with.
-    Without: the paper's beam, to the kernel. Exit status 0: printed. 2: the input cannot be used.
+    Without: the same of masses on a beam. With the folder of a paper, as examples/paper: its equations by their
+    numbers. Exit status 0: printed. 2: the input cannot be used.
     """
-    from mpsolve.derivation.paper import derivation
+    from mpsolve.claims.load import load
+    from mpsolve.derivation.problem import derivation_of, derivation_of_masses
     from mpsolve.derivation.rendered import render
+    from mpsolve.problem.inputfile import read_problem
 
+    steps: Sequence[Any]
     if file is None:
-        steps = derivation(masses)
+        steps = derivation_of_masses(masses)
+    elif file.is_dir():
+        steps = load(file).derived(masses)
     else:
-        from mpsolve.derivation.problem import derivation_of
-        from mpsolve.problem.inputfile import read_problem
-
         steps = derivation_of(read_problem(file).problem)
     click.echo(render(steps, "latex" if latex else "text"), nl=False)
 
@@ -179,12 +157,15 @@ def models(name: str | None) -> None:
 
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)  # of a stream that takes no more
 
+_UNCOLLECTED = 100_000  # objects that are made before a look for circles among them: what is loaded has none to free
+
 
 def main() -> None:
     """Run the command with standard output and error in UTF-8, whatever the locale says."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="replace" if os.name == "nt" else "strict")
+    gc.set_threshold(_UNCOLLECTED)
     try:
         cli(prog_name="mpsolve")
     except OSError as error:  # a closed pipe is click's affair; a full disk behind it is told here
@@ -196,3 +177,5 @@ def main() -> None:
         told = f"standard output cannot be written ({error.strerror}): make room, or send it elsewhere"
         print(f"mpsolve: {told}", file=sys.stderr)
         sys.exit(1)
+    finally:
+        gc.freeze()  # the interpreter ends without looking through all that was loaded: 5 % of a short command

@@ -74,6 +74,3 @@ def _report(report: Report, as_json: bool) -> None:
         echo_json(as_data(report))
     else:
         show(document(report))
-
-
-COMMANDS = (audit,)

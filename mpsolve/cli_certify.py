@@ -127,6 +127,3 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_defaul
         show(spectrum_document(spectrum, title, saved))
     if failure is not None:
         raise failure
-
-
-COMMANDS = (certify,)

@@ -243,6 +243,3 @@ def chart(depth: int, effort: str | None, **asked: Any) -> None:
         return said_of_chart(found, question)
 
     answered(answer, "chart", suffixes=_DRAWN, **asked)
-
-
-COMMANDS = (onset, crossings, lines, worst, robust, chart)

@@ -115,9 +115,6 @@ def compare(file: Path, output: Path | None, end: str | None, points: int) -> No
         click.echo(sentence)
 
 
-COMMANDS = (response, compare)
-
-
 def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:
     """A problem in SI where the file has [track] or the last time is in s; else the paper's; and that time."""
     from mpsolve.problem.inputfile import ProblemFile, problem_file, read_source

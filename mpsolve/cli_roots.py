@@ -144,6 +144,3 @@ def _data(answer: Any) -> dict[str, Any]:
         "assumed": list(answer.assumed),
         "digits": answer.digits,
     }
-
-
-COMMANDS = (roots,)

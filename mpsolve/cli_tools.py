@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -17,8 +16,6 @@ from mpsolve.errors import InputError, MpsolveError, StudyError
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
-
-    from rich.console import Group
 
     from mpsolve.progress import Progress
     from mpsolve.proof.effort import Effort
@@ -188,23 +185,17 @@ def seconds_of(given: str, key: str) -> float:
     return float(seconds)
 
 
-def show(report: Group | Document) -> None:
+def show(report: Document) -> None:
     """To a terminal in its width and with colour, unless NO_COLOR is set; else as plain text."""
-    from mpsolve.report.blocks import WIDTH, Document
+    from mpsolve.report.blocks import WIDTH
 
-    if isinstance(report, Document):
-        terminal = sys.stdout.isatty()
-        width = max(shutil.get_terminal_size().columns, _NARROW) if terminal else WIDTH
-        colour = terminal and not os.environ.get("NO_COLOR")
-        click.echo(report.text(width, colour), nl=False, color=colour)
-    elif sys.stdout.isatty():
-        from rich.console import Console
+    terminal, width = sys.stdout.isatty(), WIDTH
+    if terminal:
+        from shutil import get_terminal_size
 
-        Console().print(report)
-    else:
-        from mpsolve.report.blocks import plain
-
-        click.echo(plain(report), nl=False)
+        width = max(get_terminal_size().columns, _NARROW)
+    colour = terminal and not os.environ.get("NO_COLOR")
+    click.echo(report.text(width, colour), nl=False, color=colour)
 
 
 @contextmanager

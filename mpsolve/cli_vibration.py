@@ -78,8 +78,7 @@ def _scale(source: InputFile) -> Scale:
 
 def warnings(source: ProblemFile) -> list[str]:
     """What looks like a mistake in the file."""
-    from mpsolve.problem.titled import titled
-    from mpsolve.problem.warned import warned
+    from mpsolve.problem.warned import titled, warned
 
     found = (*titled(source.problem, source.title), *warned(source.problem))
     return [f"Warning: {reason}." for reason in found]

@@ -6,9 +6,10 @@ import pytest
 import sympy as sp
 from sympy import I, exp, pi
 
-from mpsolve.derivation.paper import Step, derivation
-from mpsolve.derivation.paper_motion import numbered, positions, t
-from mpsolve.derivation.paper_residues import K, q
+from mpsolve.derivation.step import Step
+from paper.derivation import derivation
+from paper.derivation.motion import numbered, positions, t
+from paper.derivation.residues import K, q
 
 delta = sp.DiracDelta
 MASSES = pytest.mark.parametrize("masses", [1, 2, 3])

@@ -16,8 +16,6 @@ from click.testing import CliRunner, Result
 import mpsolve
 from mpsolve.cli import EXAMPLES as _EXAMPLES
 from mpsolve.cli import cli
-from mpsolve.derivation import paper as derivation
-from mpsolve.derivation.paper_motion import equation_of_motion
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 CERTS = EXAMPLES.parent / "certs"
@@ -60,11 +58,18 @@ def test_verify_shows_the_equations_of_version_2(run: Run) -> None:
     assert "(-27000 P^2 + 107/100 s^2 + 2 s + 500) u1 = load" in " ".join(line.strip() for line in lines)
 
 
-def test_derive(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    steps = (equation_of_motion(),)
-    monkeypatch.setattr(derivation, "derivation", lambda masses: steps[:masses])
-    assert "Equation of motion" in run("derive", "--masses", 1).stdout
-    assert run("derive", "--latex").stdout.startswith("\\documentclass")
+def test_derive(run: Run, tmp_path: Path) -> None:
+    assert "Equations of motion" in run("derive", "--masses", 1).stdout
+    paper = (
+        "from mpsolve.claims import Paper\nfrom mpsolve.derivation.step import Step\nfrom sympy import Eq, symbols\n"
+    )
+    (tmp_path / "paper.py").write_text(f'{paper}PAPER = Paper("A", "A", [])\n', "utf-8")
+    assert run("derive", tmp_path).stderr == "mpsolve: paper: 'A' derives nothing: let its PAPER say derivation=…\n"
+    step = 'lambda n: (Step("(1)", "Motion", Eq(*symbols("a b")), f"{n} masses"),)'
+    (tmp_path / "two").mkdir()
+    (tmp_path / "two" / "paper.py").write_text(f'{paper}PAPER = Paper("A", "A", [], derivation={step})\n', "utf-8")
+    assert "3 masses" in run("derive", tmp_path / "two", "--masses", 3).stdout
+    assert run("derive", tmp_path / "two", "--latex").stdout.startswith("\\documentclass")
 
 
 def test_derive_refuses_a_number_of_masses(run: Run) -> None:

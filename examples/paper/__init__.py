@@ -7,6 +7,7 @@ them; its words in `quotes`. `certs/paper` holds the certificates of all verdict
 from __future__ import annotations
 
 from mpsolve.claims import Paper
+from mpsolve.derivation.step import Step
 
 from . import (
     captions,
@@ -36,11 +37,19 @@ _LISTS = (
     figure_list, premises, equation_list, modal,
 )  # fmt: skip
 
+
+def _derivation(masses: int) -> tuple[Step, ...]:
+    from .derivation import derivation  # sympy is loaded when it is needed
+
+    return derivation(masses)
+
+
 PAPER = Paper(
     "Two moving proximate masses on a beam on a Pasternak viscoelastic foundation",
     "Dimitrovová, two moving proximate masses on a beam on a Pasternak viscoelastic foundation",
     [claim for one in _LISTS for claim in one.CLAIMS],
     QUOTES,
     NOTATION,
+    derivation=_derivation,
     slow=("i", "xi-smooth-high", "xi-smooth-low", "iii", "fig-12-text", "xi"),
 )

@@ -8,10 +8,10 @@ import sympy as sp
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import grid, shown
-from mpsolve.derivation.paper import dispersion
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.case import Case
 
+from .derivation import dispersion
 from .equations import derived
 from .limits import critical_velocity_ratio
 

@@ -13,14 +13,14 @@ from sympy.parsing.sympy_parser import parse_expr
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
-from mpsolve.derivation import paper_motion as st
-from mpsolve.derivation import paper_residues as rs
-from mpsolve.derivation.paper import derivation
-from mpsolve.derivation.paper_motion import Step
+from mpsolve.derivation.step import Step
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.case import Case
 
 from .cases import certificate, pair, spectrum
+from .derivation import derivation
+from .derivation import motion as st
+from .derivation import residues as rs
 from .harmonic import harmonic
 from .limits import limiting_frequency
 

@@ -9,9 +9,9 @@ import sympy as sp
 
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import shown
-from mpsolve.derivation.paper import dispersion
 from mpsolve.problem.case import Case
 
+from .derivation import dispersion
 from .limits import limiting_frequency
 from .modal import MATRICES, entry
 from .theory import undamped_roots_are_real

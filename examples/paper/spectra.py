@@ -10,10 +10,10 @@ import sympy as sp
 from mpsolve.certificate.format import Certificate
 from mpsolve.claims import Claim, Finding, Verdict
 from mpsolve.claims.values import below, decimal, grid, last_on_grid, shown
-from mpsolve.derivation.paper import dispersion
 from mpsolve.numbers.balls import precision
 
 from .cases import DISTANCES, MASSES, ahead, ball, certificate, cuts, listed, pair, single, spectrum
+from .derivation import dispersion
 from .limits import critical_velocity_ratio, limiting_frequency
 from .theory import symmetries
 

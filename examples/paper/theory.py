@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from mpsolve.derivation.paper import dispersion
+from .derivation import dispersion
 
 _p, _q, _alpha, _eta_b, _axial, _shear = dispersion().arguments
 _P, _Q, _a, _u, _z, _N = sp.symbols("P Q a u z N", positive=True)

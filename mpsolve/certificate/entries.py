@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 from mpsolve.certificate.spectrum_file import RootEntry
 from mpsolve.numbers.rootball import RootBall, Symmetry
@@ -23,16 +22,5 @@ def root_entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:
 
 
 def _entry(ball: RootBall, pair: bool) -> RootEntry:
-    re, im = (_on_grid(x.mid(), ball.exponent) for x in (ball.q.real, ball.q.imag))
-    side = max((_fraction(x.rad()) for x in (ball.q.real, ball.q.imag)), default=Fraction(0))
+    re, im, side = ball.in_units
     return RootEntry(re, im, ball.exponent, side * Fraction(3, 2), ball.multiplicity, pair)
-
-
-def _on_grid(x: Any, exponent: int) -> int:
-    mantissa, own = x.man_exp()
-    return int(mantissa) << (int(own) - exponent) if mantissa else 0
-
-
-def _fraction(x: Any) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -15,12 +15,13 @@ from mpsolve.certificate.solve import checked_digits
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.result import Cost
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.zeros.analytic import hull
-from mpsolve.zeros.answer import Work, Zero, Zeros
+from mpsolve.zeros.answer import Zero, Zeros
 from mpsolve.zeros.enclose import Zeros as Near
 from mpsolve.zeros.function import Function
 from mpsolve.zeros.read import Given, read_function
@@ -61,10 +62,10 @@ def real_roots(
         tilings = [tile(part, power, low, high, budget) for part, power in given.function.parts]
         zeros, brackets, reason = _real_zeros(given, tilings, digits, float(max(abs(low), abs(high))))
     except (EffortError, PrecisionError) as error:
-        cost = Work(process_time() - started, 0.0, budget.spent)
+        cost = Cost(process_time() - started, 0.0, budget.spent)
         return Zeros(status=Status.UNDECIDED, reason=_real_reason(error), cost=cost, **common)
     pieces = sum(len(tiling.kinds) for tiling in tilings)
-    cost = Work(process_time() - started, 0.0, budget.spent, pieces)
+    cost = Cost(process_time() - started, 0.0, budget.spent, pieces)
     if reason is not None:
         return Zeros(status=Status.UNDECIDED, reason=reason, roots=zeros, cost=cost, **common)
     total = sum(zero.multiplicity for zero in zeros)

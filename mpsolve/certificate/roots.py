@@ -11,11 +11,12 @@ from mpsolve.certificate.roots_check import budget_of, checked
 from mpsolve.certificate.roots_file import region_certificate
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.errors import InputError
+from mpsolve.numbers.result import Cost
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.outcome import Status
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
-from mpsolve.zeros.answer import Work, Zero, Zeros
+from mpsolve.zeros.answer import Zero, Zeros
 from mpsolve.zeros.read import Given, of_expression, read_function
 from mpsolve.zeros.regions import Cut, Disc, HalfPlane, Polygon, Rectangle, Region, bound_words
 from mpsolve.zeros.solve import Solved, solve
@@ -90,7 +91,7 @@ def _answered(
     zeros = _zeros(found)
     if found.count is None or found.reason is not None:
         known = {} if found.count is None else {"counted": found.count.total}
-        cost = Work(process_time() - started, 0.0, budget.spent, found.count.pieces if found.count else 0)
+        cost = Cost(process_time() - started, 0.0, budget.spent, found.count.pieces if found.count else 0)
         return Zeros(
             region=found.region,
             status=Status.UNDECIDED,
@@ -101,7 +102,7 @@ def _answered(
             **common,
         )
     total = sum(zero.multiplicity for zero in zeros)
-    cost = Work(process_time() - started, 0.0, budget.spent, found.count.pieces)
+    cost = Cost(process_time() - started, 0.0, budget.spent, found.count.pieces)
     answer = Zeros(region=found.region, status=Status.UNVERIFIED, count=total, roots=zeros, cost=cost, **common)
     if given.expression is None:
         return replace(answer, note=f"{answer.note}; {_UNCHECKED}" if answer.note else _UNCHECKED)

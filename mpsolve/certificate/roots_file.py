@@ -100,8 +100,7 @@ def _places(row: Sequence[float]) -> dict[str, Any]:
 
 
 def _root(ball: RootBall) -> dict[str, Any]:
-    re, im = (_on_grid(x.mid(), ball.exponent) for x in (ball.q.real, ball.q.imag))
-    side = max(_fraction(x.rad()) for x in (ball.q.real, ball.q.imag))
+    re, im, side = ball.in_units
     radius = side * Fraction(3, 2)
     m, e = radius.numerator, -(radius.denominator.bit_length() - 1)
     while m % 2 == 0:
@@ -113,13 +112,3 @@ def _root(ball: RootBall) -> dict[str, Any]:
         "radius": [m, e],
         "multiplicity": ball.multiplicity,
     }
-
-
-def _on_grid(x: Any, exponent: int) -> int:
-    mantissa, own = x.man_exp()
-    return int(mantissa) << (int(own) - exponent) if mantissa else 0
-
-
-def _fraction(x: Any) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -412,7 +412,7 @@ def real(ring: Any, p: Any) -> Any:
 # --- the equations ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Track:
     """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ).
 
@@ -579,7 +579,7 @@ def read_vehicle(value: Any, basis: Any) -> Bodies:
     return read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Bodies:
     """M, C, K as {exponents of the parameters: matrix}, B, compliances and places of the felt coordinates; the last
     are neutral."""
@@ -856,31 +856,22 @@ def joined(forms: Sequence[Form]) -> Form:
 
 
 def along(
-    E: Sequence[Form],
-    sizes: Sequence[Sequence[Any]],
-    h: Form,
-    most: Sequence[Any],
-    slope: bool = False,
-    square: Form | None = None,
+    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
 ) -> Form:
-    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all.
-
-    square: h², where it is known.
-    """
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
     n, start = len(h.e), int(slope)
-    last = start + (2 if h.second else 1)
-    total = E[start]
-    for i, power in enumerate((h, square or h * h) if h.second else (h,), start + 1):
-        if i < len(E):
-            term = E[i] * power
-            total = total + (term.scaled([i] * n) if slope else term)
+    last = min(3 if h.second else start + 1, len(E) - 1)
+    factor = range(len(sizes)) if slope else [1] * len(sizes)
+    total = E[last].scaled([factor[last]] * n) if slope else E[last]
+    for i in range(last - 1, start - 1, -1):
+        total = total * h + (E[i].scaled([i] * n) if factor[i] > 1 else E[i])
     rest = [ZERO] * n
     for i in range(len(sizes) - 1, last, -1):
-        rest = [(x + (y * i if slope else y)) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
+        rest = [(x + y * factor[i]) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
     return total.rested([x * y ** (last - start) for x, y in zip(rest, most, strict=True)])
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Sums:
     """Polynomials in σ and the parameters, in balls: for each row the coefficients of these exponents."""
 
@@ -1151,7 +1142,7 @@ def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: rang
     return radii
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Split:
     """For each σ of the disc exactly one pair U·L = D/lead has |a_k| ≤ box_k; it is analytic; |a_k| ≤ tight_k."""
 
@@ -1583,7 +1574,7 @@ def diagonal(a: Any) -> Iterator[Any]:
 # --- walking along the paths ------------------------------------------------------------------------------
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Mark:
     """A point of a path, and a splitting whose disc holds it; the thin one there once it is needed.
 
@@ -1599,7 +1590,7 @@ class Mark:
 JOIN = "the splitting does not join on to its neighbour's"
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Walker:
     """Carries the splitting along the paths, and proves each piece."""
 
@@ -1764,7 +1755,7 @@ def definite(H: Sequence[Any], E: Any) -> bool:
     return contracting(F)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Turn:
     """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
 
@@ -2017,7 +2008,7 @@ def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
 # --- regions ----------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Region:
     """Where the roots are counted. All numbers exact; height 0: only Im q < 0."""
 
@@ -2076,7 +2067,7 @@ def read_region(value: Any) -> Region:
     return Region(kind, height, reach)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Path:
     kind: str
     points: list[Point]
@@ -2243,7 +2234,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
 # --- the whole sheet --------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Sheet:
     """A beam whose cuts lie on Im q = height: undamped in τ = σ + height; the vehicles below and above that line."""
 
@@ -2275,7 +2266,7 @@ class Sheet:
         return [t[0, 0] + t[0, 2] * square, -t.get((2, 0), fmpq(0)) - t[0, 2] * self.track.v**2, t[4, 0]]
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Loop:
     """A closed path several times round the one branch point in |z − centre| ≤ radius, first below the real axis."""
 
@@ -2544,7 +2535,7 @@ def in_gap(sheet: Sheet, z: Any) -> bool:
 # --- roots ------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Root:
     """Claimed: exactly `multiplicity` roots with |q − z| ≤ radius; `pair`: and as many at −q̄."""
 

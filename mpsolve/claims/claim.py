@@ -6,9 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import InputError
+
+if TYPE_CHECKING:
+    from mpsolve.derivation.step import Step
 
 
 class Verdict(Enum):
@@ -108,7 +112,8 @@ class Paper:
 
     citation: one line that names the paper. quotes: the paper's own words for a claim, by its name. notation: what a
     reader has to know of the signs in them. slow: names of the claims whose checks take longest: they begin first.
-    where: the folder or module that it was loaded from.
+    where: the folder or module that it was loaded from. derivation: its equations in order, as steps of sympy, for
+    so many masses; None where it derives nothing.
     """
 
     title: str
@@ -118,6 +123,7 @@ class Paper:
     notation: str = ""
     slow: Sequence[str] = ()
     where: str = ""
+    derivation: Callable[[int], Sequence[Step]] | None = None
 
     def __post_init__(self) -> None:
         """InputError for a name that two claims have, or that no claim has."""
@@ -126,6 +132,12 @@ class Paper:
             raise InputError("claims", f"{', '.join(twice)} is the name of two claims: give each its own")
         if strange := [name for name in (*self.quotes, *self.slow) if name not in names]:
             raise InputError("claims", f"{', '.join(strange)} has a quote or a place in `slow` but is no claim")
+
+    def derived(self, masses: int) -> Sequence[Step]:
+        """The steps of its derivation; InputError where there is none."""
+        if self.derivation is None:
+            raise InputError("paper", f"{self.title!r} derives nothing: let its PAPER say derivation=…")
+        return self.derivation(masses)
 
     def claim(self, name: str) -> Claim:
         """The claim of exactly this name."""

@@ -7,7 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from mpsolve.derivation.paper_motion import Step
+from mpsolve import tracks, vehicles
+from mpsolve.derivation.step import Step
 from mpsolve.derivation.tracks import Derived, Omega, derived, load, p, symbols_of, t, x
 from mpsolve.derivation.vehicles import Energies, energies
 from mpsolve.errors import InputError
@@ -17,6 +18,14 @@ from mpsolve.vehicles.vehicle import AnyVehicle
 
 _MOST = 24
 """The most coordinates of vehicles whose matrices are printed as one system."""
+
+
+def derivation_of_masses(count: int) -> tuple[Step, ...]:
+    """The same of so many masses in a row on a beam; InputError for less than one."""
+    if count < 1:
+        raise InputError("masses", f"is {count}: give one mass or more")
+    beam = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="1/10")
+    return derivation_of(Problem(beam, vehicles.train(vehicles.Mass(1), count, 1), v="1/2"))
 
 
 def derivation_of(problem: Problem) -> tuple[Step, ...]:

@@ -7,8 +7,7 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from mpsolve.derivation.paper_motion import Step
-from mpsolve.derivation.paper_residues import Expr
+from mpsolve.derivation.step import Expr, Step
 from mpsolve.errors import InputError
 
 

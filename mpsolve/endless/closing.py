@@ -10,6 +10,7 @@ Proved for V(z, σ) = σĜ(z, σ), the mobility of the row (docs/theory/infinite
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from mpsolve.endless.boxes import Boxes, covered
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.passivity.absorption import Absorption, overtakes
+from mpsolve.passivity.beyond import depth_of, first_passive, short
 from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.proof.effort import Effort
@@ -47,8 +49,9 @@ def close(boxes: Boxes, row: Row, effort: Effort) -> Closed:
         fast = overtakes(Absorption.of(guide), guide.v)
         why = "the contacts run faster than short waves of the track" if fast else "the track is damped too little"
         raise PrecisionError(f"no passivity beyond a frequency is found: {why}")
-    rho = min(_first_passive(boxes, tail.X), tail.X)
-    depth = _depth(boxes, rho)
+    least = partial(_least, boxes)
+    rho = short(min(first_passive(least, tail.X, _RATIO, 1.05), tail.X))
+    depth = depth_of(least, rho, _RATIO / 2, (0.25, 0.5, 1.0, 2.0, 4.0))
     corner = complex(rho, -depth)
     count = 0
     for start, end in ((complex(rho), complex(tail.X)), (complex(rho), corner), (corner, complex(0, -depth))):
@@ -67,22 +70,3 @@ def _least(boxes: Boxes, q: Any) -> Any:
     H = (V + np.swapaxes(V.conj(), 1, 2)) / 2
     values = np.linalg.eigvalsh(H)[:, 0] / np.maximum(np.abs(V).sum((1, 2)), 1e-300)
     return np.where(good, values, -1.0).reshape(len(q), _GRID).min(1)
-
-
-def _first_passive(boxes: Boxes, X: float) -> float:
-    q = np.geomspace(X / 200, X, 120)
-    open_ = np.flatnonzero(_least(boxes, q) < _RATIO)
-    return _short(q[min(open_[-1] + 2, len(q) - 1)] * 1.05 if len(open_) else q[0])
-
-
-def _depth(boxes: Boxes, rho: float) -> float:
-    for factor in (0.25, 0.5, 1.0, 2.0, 4.0):
-        depth = rho * factor
-        walls = np.concatenate([rho - 1j * np.linspace(0, depth, 24), np.linspace(0, rho, 24) - 1j * depth])
-        if (_least(boxes, walls) > _RATIO / 2).all():
-            return _short(depth)
-    return _short(rho)
-
-
-def _short(x: float) -> float:
-    return float(np.float32(x))

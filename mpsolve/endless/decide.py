@@ -16,6 +16,7 @@ from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError
@@ -71,7 +72,4 @@ def _in_step(paths: Paths, rho: float, effort: Effort) -> int:
         turn = sum((arb(value, error) for value, error in proved.turns), arb(0))
         order = reduced.bodies - reduced.contacts - reduced.neutral
         total = (closing_argument(reduced, rho, *proved.corners[1]) + order * arb.pi() / 2 - turn) / arb.pi()
-        number = total.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(f"the turn of the characteristic function is {total.str(5)}, not one number of roots")
-    return int(number)
+        return number_of_zeros(total, "the characteristic function")

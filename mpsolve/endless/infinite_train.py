@@ -12,7 +12,7 @@ from mpsolve.endless.doubling import growing_in_floats
 from mpsolve.endless.growing import Growing, find_growing
 from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import EffortError, PrecisionError
-from mpsolve.numbers.result import Result
+from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
 from mpsolve.problem.cases import Given
@@ -22,7 +22,6 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
-from mpsolve.spectrum.spectrum import Cost
 
 EVALUATIONS = 1_500_000
 """About half a minute; a row far from its threshold takes some 50 thousand."""

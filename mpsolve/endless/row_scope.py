@@ -16,6 +16,7 @@ from mpsolve.endless.free_row import WIDE, RowMatrix
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import UP
+from mpsolve.numbers.quadratic import by_variable
 from mpsolve.passivity.decay import edges, vanishes
 from mpsolve.passivity.far import far
 from mpsolve.problem.family import Family, family_of
@@ -107,23 +108,11 @@ class RowJudge:
         s = scalar(self.matrix.assembled(G.G, *boxes.variables), G.good)
         verdict = nonzero(s.s)
         with np.errstate(all="ignore"):
-            amount = self._amount(s)
+            amount = by_variable(np.abs(s.s.k), s.s.m)  # how much of the model comes from each variable
             amount[-1] = np.maximum(amount[-1], G.strain[-1] * np.abs(s.s.a))  # wide arcs are bounded only
             weight = verdict.weight + s.s.e * amount / amount.sum(0)
         kind = np.where(s.good & verdict.nonzero, NONZERO, 0).astype(np.int8)
         return kind, self._axis(boxes, G, s, weight)
-
-    def _amount(self, s: Scalar) -> Any:
-        """How much of the model comes from each variable."""
-        amount = np.abs(s.s.b)
-        n = 0
-        for i in range(s.s.m):
-            for j in range(i, s.s.m):
-                size = np.abs(s.s.c[n])
-                amount[i] += size
-                amount[j] += size
-                n += 1
-        return amount
 
     def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, weight: Any) -> Any:
         """What stands most against the test.

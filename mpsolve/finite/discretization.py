@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, determinant
+from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, cofactor, determinant
 
 SINE, COSINE = 0, 1
 _HIGHEST = 2
@@ -69,8 +69,7 @@ class Discretization:
     @cached_property
     def numerator(self) -> Polynomial:
         """The cofactor of the field under the contacts."""
-        kept = [k for k in range(len(self.matrix)) if k != self.loaded]
-        return determinant(tuple(tuple(self.matrix[i][j] for j in kept) for i in kept))
+        return cofactor(self.matrix, self.loaded)
 
     def _coefficient(self, power: int) -> Any:
         rows = [[in_s(entry, self.wavenumbers, _HIGHEST)[power] for entry in row] for row in self.matrix]

@@ -9,17 +9,13 @@ these two, and between they meet.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.loci.chain import Chain
 from mpsolve.loci.room import Room
-from mpsolve.loci.tube import tubes
-from mpsolve.numbers.quadratic import Quadratic
-from mpsolve.proof.vanishing import scalar
+from mpsolve.loci.tube import scalar_over, tubes
 
 _SIZES = 2.0 ** -np.arange(7.0, 2.0, -1.0)  # of |q̂|: radii of discs that are tried, small ones first
 _LOST = 1 + 2.0**-40
@@ -63,7 +59,9 @@ def beyond(matrix: FreeMatrix, meeting: Meeting, chain: Chain, room: Room) -> li
     """What comes out at the far end of the meeting at which a chain is: two imaginary roots, or one with Re q > 0."""
     way, on_axis = chain.way, not chain.on_axis
     x = meeting.high if way > 0 else meeting.low
-    s = _model(matrix, np.array([1j * meeting.height]), np.array([meeting.radius]), np.array([x]), np.array([0.0]))[0]
+    s = scalar_over(
+        matrix, np.array([1j * meeting.height]), np.array([meeting.radius]), np.array([x]), np.array([0.0])
+    ).s
     root = np.sqrt(s.b[0] ** 2 - 4 * s.a * s.c[0])
     near = [complex((1j * meeting.height + meeting.radius * (w - s.b[0]) / (2 * s.c[0]))[0]) for w in (root, -root)]
     apart = abs(near[0] - near[1])
@@ -88,7 +86,7 @@ def _double(matrix: FreeMatrix, height: float, x: float, size: float) -> tuple[f
     radius, half = size * 2.0**-10, size * 2.0**-14
     with np.errstate(all="ignore"):
         for _ in range(_STEPS):
-            s = _model(matrix, np.array([1j * height]), np.array([radius]), np.array([x]), np.array([half]))[0]
+            s = scalar_over(matrix, np.array([1j * height]), np.array([radius]), np.array([x]), np.array([half])).s
             a, (b0, b1), (c00, c01, _) = s.a[0], s.b[:, 0], s.c[:, 0]
             # s = 0 and ∂s/∂u₀ = 0, to first order in u₁
             u1 = (a - b0**2 / (4 * c00)) / (b0 * c01 / (2 * c00) - b1)
@@ -103,16 +101,9 @@ def _double(matrix: FreeMatrix, height: float, x: float, size: float) -> tuple[f
 def _two(matrix: FreeMatrix, height: float, radius: float, low: float, high: float) -> bool:
     at = low / 2 + high / 2
     half = max(high - at, at - low) * _LOST
-    s, good = _model(matrix, np.array([1j * height]), np.array([radius]), np.array([at]), np.array([half]))
+    found = scalar_over(matrix, np.array([1j * height]), np.array([radius]), np.array([at]), np.array([half]))
     with np.errstate(all="ignore"):
+        s = found.s
         c = np.abs(s.c)
         rest = np.abs(s.a) + np.abs(s.b).sum(0) + c[1] + c[2] + s.e
-        return bool((good & np.isfinite(rest) & (rest * _LOST < c[0]))[0])
-
-
-def _model(matrix: FreeMatrix, q: Any, radius: Any, x: Any, half: Any) -> tuple[Quadratic, Any]:
-    boxes = Boxes(np.stack([q, x + 0j]), np.stack([radius, half]).astype(complex))
-    with np.errstate(all="ignore"):
-        A, G = matrix(boxes)
-        found = scalar(A, G.good)
-    return found.s, found.good
+        return bool((found.good & np.isfinite(rest) & (rest * _LOST < c[0]))[0])

@@ -17,7 +17,7 @@ from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.quadratic import Quadratic
-from mpsolve.proof.vanishing import scalar
+from mpsolve.proof.vanishing import Scalar, scalar
 
 _LOST = 1 + 2.0**-40  # covers the rounding of the few operations after a model
 _NOISE = 2.0**-48  # of |q̂| and the box: rounding of middles
@@ -79,14 +79,20 @@ class Tubes:
         return (2 * away + self.inner) * _LOST < self.outer
 
 
+def scalar_over(matrix: FreeMatrix, middle: Any, rho: Any, at: Any, half: Any) -> Scalar:
+    """s over boxes: q̂ within `rho` of `middle` (complex), x̂ within `half` of `at`."""
+    boxes = Boxes(np.stack([middle, at + 0j]), np.stack([rho, half]).astype(complex))
+    with np.errstate(all="ignore"):
+        A, G = matrix(boxes)
+        return scalar(A, G.good)
+
+
 def tubes(matrix: FreeMatrix, low: Any, high: Any, middle: Any, rho: Any) -> Tubes:
     """What is proved over boxes: q̂ within `rho` of `middle` (complex), x̂ from low to high."""
     at = low / 2 + high / 2
     half = np.maximum(high - at, at - low) * UP
-    boxes = Boxes(np.stack([middle, at + 0j]), np.stack([rho, half]).astype(complex))
+    found = scalar_over(matrix, middle, rho, at, half)
     with np.errstate(all="ignore"):
-        A, G = matrix(boxes)
-        found = scalar(A, G.good)
         s = found.s
         b0, b1 = s.b
         c = np.abs(s.c)

@@ -141,8 +141,7 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Base of tracks and vehicles whose parameters are numbers; each field is Annotated with its Quantity."""
 
     def __post_init__(self) -> None:
-        for name, quantity in quantities(type(self)).items():
-            value = getattr(self, name)
+        for name, quantity, value in self.described:
             if value is None and quantity.optional:
                 continue
             msgspec.structs.force_setattr(self, name, quantity.checked(value, name))
@@ -154,19 +153,23 @@ class Model(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def __repr__(self) -> str:
         """As it is typed; what has its default is left out."""
         usual = defaults(type(self))
-        values = ((name, getattr(self, name)) for name in quantities(type(self)))
-        told = (f"{name}={typed(value)}" for name, value in values if name not in usual or value != usual[name])
+        values = ((name, value) for name, _, value in self.described if name not in usual or value != usual[name])
+        told = (f"{name}={typed(value)}" for name, value in values)
         return f"{type(self).__name__}({', '.join(told)})"
+
+    @property
+    def described(self) -> list[tuple[str, Quantity, Any]]:
+        """Name, description and value of each parameter, in the order of the class."""
+        return [(name, quantity, getattr(self, name)) for name, quantity in quantities(type(self)).items()]
 
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters by name, in the order of the class; what is absent is left out."""
-        values = {name: getattr(self, name) for name in quantities(type(self))}
-        return {name: value for name, value in values.items() if value is not None}
+        return {name: value for name, _, value in self.described if value is not None}
 
 
 @cache
-def quantities(model: type[Model]) -> dict[str, Quantity]:
+def quantities(model: type[Any]) -> dict[str, Quantity]:
     """The described parameters of a model by name, in the order of its arguments."""
     out: dict[str, Quantity] = {}
     for name, hint in get_type_hints(model, include_extras=True).items():

@@ -33,6 +33,12 @@ def dyadic(x: Any) -> Fraction:
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
+def exponent_of(x: Any) -> int:
+    """e with 2^(e−1) ≤ |x| < 2^e, for an exact flint.arb that is not 0."""
+    mantissa, exponent = x.man_exp()
+    return int(exponent) + int(abs(mantissa)).bit_length()
+
+
 def exact_ends(ball: Any) -> tuple[Fraction, Fraction]:
     """The ends of a real ball."""
     middle, radius = dyadic(ball.mid()), dyadic(ball.rad())

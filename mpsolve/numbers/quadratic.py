@@ -26,6 +26,15 @@ def pairs(m: int) -> tuple[tuple[int, int], ...]:
     return tuple((i, j) for i in range(m) for j in range(i, m))
 
 
+def by_variable(k: Any, m: int) -> Any:
+    """For each variable the sum of those coefficients, along the first axis, whose terms hold it: squares twice."""
+    out = k[1 : 1 + m].copy()
+    for n, (i, j) in enumerate(pairs(m), 1 + m):
+        out[i] += k[n]
+        out[j] += k[n]
+    return out
+
+
 @dataclass(frozen=True)
 class Quadratic:
     """k: complex, the coefficients 1, u_i, u_i u_j along the first axis, then boxes, then any shape; e ≥ 0."""

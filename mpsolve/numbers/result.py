@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from flint import arb
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.plain import plain
 
@@ -21,6 +22,16 @@ if TYPE_CHECKING:
     from mpsolve.outcome import Reason, Status
 
 _ROWS = 100  # printed, or shown in a notebook
+
+
+@frozen
+class Cost:
+    """What an answer took: processor seconds of the proof and of its check, evaluations, pieces of paths."""
+
+    seconds: float
+    verification: float = 0.0
+    evaluations: int = 0
+    pieces: int = 0
 
 
 class Result(Portable):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from enum import Enum
+from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.numbers.packed import Portable
+from mpsolve.numbers.packed import Portable, dyadic, exponent_of
 
 
 class Symmetry(Enum):
@@ -34,6 +35,13 @@ class RootBall(Portable):
     exponent: int
     multiplicity: int = 1
     symmetry: Symmetry = Symmetry.NONE
+
+    @property
+    def in_units(self) -> tuple[int, int, Fraction]:
+        """The midpoint in units of 2^exponent, and the larger radius of its coordinates, all exact."""
+        unit, parts = Fraction(2) ** self.exponent, (self.q.real, self.q.imag)
+        re, im = (int(dyadic(x.mid()) / unit) for x in parts)
+        return re, im, max(dyadic(x.rad()) for x in parts)
 
     @property
     def mirrored(self) -> RootBall:
@@ -68,7 +76,7 @@ def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry, least:
     if not image.is_finite():
         raise PrecisionError("a root was lost while it was sharpened: raise the precision")
     size = max(float(image.abs_lower()), least)
-    first = (math.frexp(size)[1] if size > 0 else _exponent(image)) - 1 - goal
+    first = (math.frexp(size)[1] if size > 0 else exponent_of(image.abs_lower())) - 1 - goal
     first -= CLUSTER if multiplicity > 1 else 0
     for exponent in range(first, first - 22, -1):  # two coordinates near grid points: 64 % of all tries
         grid = [x * arb((1, -exponent)) for x in (image.real, image.imag)]
@@ -82,9 +90,3 @@ def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry, least:
                 imag += radius
             return RootBall(acb(real, imag), exponent, multiplicity, symmetry)
     raise PrecisionError(f"the ball near {image.str(6)} is too wide for its grid: raise the precision")
-
-
-def _exponent(image: Any) -> int:
-    """The binary exponent of |image| where float64 underflows."""
-    mantissa, exponent = image.abs_lower().man_exp()
-    return int(exponent) + int(mantissa).bit_length()

@@ -1,6 +1,7 @@
 """Taylor coefficients of an analytic function in balls, with proved errors.
 
-They come from samples on a circle; what the samples cannot see is bounded by the maximum of |f| on a larger disc.
+They come from samples on a circle; what the samples cannot see is bounded by the maximum of |f| on a larger disc. By
+Pellet's test they count roots: if |a_m| h^m > Σ_{k≠m} |a_k| h^k, the disc |z| < h holds exactly m roots of Σ a_k z^k.
 """
 
 from __future__ import annotations
@@ -40,3 +41,13 @@ def taylor(function: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, 
         error = arb(0, (alias / inner**k).upper())
         coefficients.append(total / inner**k + acb(error, error))
     return Taylor(centre, tuple(coefficients), bound, outer)
+
+
+def pellet(series: Taylor, m: int, radius: Any) -> bool:
+    """True if the disc of this radius about the centre is proved to hold exactly m roots."""
+    if not radius > 0:
+        return False
+    ratio = radius / series.outer
+    tail = series.bound * ratio**SAMPLES / (1 - ratio)
+    others = sum((abs(a) * radius**k for k, a in enumerate(series.coefficients) if k != m), tail)
+    return bool(ratio < 1 and abs(series.coefficients[m]) * radius**m > others)

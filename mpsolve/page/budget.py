@@ -17,8 +17,6 @@ from mpsolve.errors import MpsolveError
 from mpsolve.proof.deadline import TimeUpError, deadline
 
 T = TypeVar("T")
-DEFAULT = 60.0
-"""Seconds of processor time for a page."""
 _NO_TIME = "there was no time left for it: allow more with --effort"
 _GRACE = 0.2  # of its time, for a part that is about to end by itself
 

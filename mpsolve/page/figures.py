@@ -10,7 +10,7 @@ from mpsolve.page.charts import Picture
 from mpsolve.page.parts import Parts, searched, worst
 from mpsolve.page.words import contact_names, speech
 from mpsolve.pictures.axes import COLOURS
-from mpsolve.pictures.lines import Curve, Mark, lines_picture
+from mpsolve.pictures.lines import Curve, Mark, lines_picture, motion_pictures
 from mpsolve.pictures.model import model_picture
 from mpsolve.pictures.plane import NO_CUT, spectrum_picture
 from mpsolve.pictures.shape import moving_shape
@@ -46,10 +46,7 @@ def shape(parts: Parts) -> tuple[Picture, list[tuple[str, str, str]]] | None:
     """The shape of the worst root, and its amplitudes: name, size, phase."""
     if parts.shape.value is None:
         return None
-    contacts = [float(x) for x in parts.problem.pencil.places]
-    x, found = parts.shape.value
-    rail = np.array([complex(w.mid()) for w in found.rail])
-    bodies = {name: complex(a.mid()) for name, a in found.bodies.items()}
+    contacts, (x, rail, bodies) = parts.problem.pencil.places, parts.shape.value
     table = [
         (name, f"{abs(a):.3g}", f"{np.degrees(np.angle(a)):.0f}°".replace("-", "−")) for name, a in bodies.items()
     ]
@@ -190,28 +187,11 @@ def motion(parts: Parts) -> list[Picture]:
     found = parts.response.value
     if found is None:
         return []
-    speak, t = speech(parts), np.asarray(found.times, float)
-    end = None if found.lift_off is None else float(found.lift_off.time)
-    rail, force = np.asarray(found.rail), np.asarray(found.contact_force)
-    up_to = _until(t, end)
-    many = len(rail) > 4
-    shown = range(0, len(rail), max(1, len(rail) // 4))
-    own = contact_names(parts.problem)
-    names = {k: own[k] for k in shown}
-    mm, kn = (1000.0, 1e-3) if speak.si else (1.0, 1.0)
-    units = ("mm", "kN", "s") if speak.si else ("unit lengths", "unit forces", "τ")
-    marks = [] if end is None else [Mark(end, "lift-off")]
-    deflection = [Curve(t[up_to], rail[k][up_to] * mm, names[k], end) for k in shown]
-    forces = [Curve(t[up_to], force[k][up_to] * kn, names[k], end) for k in shown]
-    some = f" ({len(names)} of {len(rail)} contacts)" if many else ""
-    x_title = f"time, {units[2]}"
-    bent = lines_picture(
-        deflection, x_title, f"deflection, {units[0]}", "Deflection of the rail under the contacts",
-        name="deflection", marks=marks,
-    )  # fmt: skip
-    pressed = lines_picture(
-        forces, x_title, f"contact force, {units[1]}", "Contact forces", name="force", marks=marks
-    )
+    end, count, own = found.lift_off, len(found.rail), contact_names(parts.problem)
+    names = {k: own[k] for k in range(0, count, max(1, count // 4))}
+    some = f" ({len(names)} of {count} contacts)" if count > 4 else ""
+    until = _until(found.times, None if end is None else float(end.time))
+    bent, pressed = motion_pictures(found, names, speech(parts).si, until)
     grey = " After the lift-off the model no longer holds: grey." if end is not None else ""
     return [
         Picture("deflection", bent, f"The rail under the contacts{some}; down is positive.{grey}"),

@@ -22,7 +22,7 @@ from mpsolve.pictures.axes import STYLE
 from mpsolve.problem.case import Case
 from mpsolve.problem.casefile import DIMENSIONLESS
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import titled
+from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified

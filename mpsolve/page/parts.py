@@ -15,6 +15,7 @@ from mpsolve.certificate.certify import certify
 from mpsolve.outcome import Reason, Status
 from mpsolve.page.budget import Budget, Part
 from mpsolve.page.limits import Reach, distance_margin, distance_path, mass_margin, reach_of, stable_box
+from mpsolve.pictures.shape import shape_along
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.deadline import TimeUpError, deadline
@@ -25,13 +26,11 @@ from mpsolve.ranges.margin import Margin
 from mpsolve.report.spectrum_words import verdict
 from mpsolve.report.vibration import once
 from mpsolve.spectrum.regions import HalfPlane
-from mpsolve.spectrum.shape import root_shape
 from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.waves.velocity import CriticalVelocities
 
 LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 5
-_SHAPE_POINTS = 121
 _ROOTS = 0.7  # of the time, for the roots with their verifier
 _ASKED = 0.3  # of the time, for each region that is tried
 _LEAST = 2.0  # seconds for the roots, however little time there is
@@ -144,15 +143,10 @@ def worst(spectrum: Spectrum) -> Root | None:
     return max(once(spectrum), key=lambda root: float(root.growth.mid()), default=None)
 
 
-def shape_of(problem: Problem, spectrum: Spectrum) -> tuple[Any, Any] | None:
-    """Places along the rail round the contacts, and the shape of the worst root there."""
+def shape_of(problem: Problem, spectrum: Spectrum) -> Any:
+    """Of the worst root: places along the rail round the contacts, the rail there, the bodies."""
     root = worst(spectrum)
-    if root is None:
-        return None
-    contacts = [float(x) for x in problem.pencil.places]
-    reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
-    x = np.linspace(min(contacts) - reach, max(contacts) + reach, _SHAPE_POINTS).round(4)
-    return x, root_shape(problem, root.q, root.multiplicity, places=x.tolist())
+    return None if root is None else shape_along(problem, root.q, root.multiplicity)
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:

@@ -19,7 +19,7 @@ from mpsolve.report.remedies import on_command_line
 from mpsolve.spectrum.spectrum import Root
 from mpsolve.vehicles.bounce import rigid_bounce
 from mpsolve.vehicles.load import GRAVITY
-from mpsolve.waves.slow import SLOW_WAVES, slow_waves
+from mpsolve.waves.speeds import SLOW_WAVES, slow_waves
 from mpsolve.waves.velocity import Kind as Kinds
 
 

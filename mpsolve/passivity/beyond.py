@@ -7,6 +7,8 @@ passive in all of Im q ≤ 0 outside the rectangle (SPEC, half-plane).
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -49,11 +51,11 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
     tail = prove_tail(guide, arrays.reduced.smallest_gap)
     if tail is None:
         return _NO_TAIL[overtakes(Absorption.of(guide), guide.v)]
-    reason = ""
+    reason, passive = "", partial(_least, arrays, paths.up)
     for ratio in (1e-2, 1e-4, 1.0):
-        rho = max(_first_passive(arrays, paths.up, tail.X, ratio), least)
-        rho = _short(min(rho, max(tail.X, least)))
-        depth = _depth(arrays, paths.up, rho)
+        rho = max(first_passive(passive, tail.X, ratio, 1.1), least)
+        rho = short(min(rho, max(tail.X, least)))
+        depth = depth_of(passive, rho, 1e-9, (0.5, 1.0, 2.0, 4.0))
         corner = complex(rho, -depth)
         axis = _axis(rho, tail.X)
         around = [axis[::-1], _line(rho, corner)[1:], _line(corner, complex(0, -depth))[1:]]
@@ -71,22 +73,25 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
     return f"passivity is not proved between the counted rectangle and the frequency X: {reason}"
 
 
-def _first_passive(arrays: Arrays, up: int, X: float, ratio: float) -> float:
+Least = Callable[[Any], Any]
+"""In floats: for points q the least eigenvalue of V + V*, relative to the size of V."""
+
+
+def first_passive(least: Least, X: float, ratio: float, room: float) -> float:
     """In floats: the frequency from which on V is passive up to X, well enough that pieces are not short."""
     q = np.geomspace(X / 200, X, 160)
-    passive = _least(arrays, up, q + 0j) > ratio
-    open_ = np.flatnonzero(~passive)
-    return float(q[min(open_[-1] + 2, len(q) - 1)]) * 1.1 if len(open_) else float(q[0])
+    open_ = np.flatnonzero(~(least(q + 0j) > ratio))
+    return float(q[min(open_[-1] + 2, len(q) - 1)]) * room if len(open_) else float(q[0])
 
 
-def _depth(arrays: Arrays, up: int, rho: float) -> float:
-    """In floats: how deep the rectangle must be for its walls to be passive."""
-    for factor in (0.5, 1.0, 2.0, 4.0):
+def depth_of(least: Least, rho: float, ratio: float, factors: Sequence[float]) -> float:
+    """In floats: how deep the rectangle must be, in half-widths, for its walls to be passive."""
+    for factor in factors:
         depth = rho * factor
         points = np.concatenate([rho - 1j * np.linspace(0, depth, 24), np.linspace(0, rho, 24) - 1j * depth])
-        if (_least(arrays, up, points) > 1e-9).all():
-            return _short(depth)
-    return _short(rho)
+        if (least(points) > ratio).all():
+            return short(depth)
+    return short(rho)
 
 
 def _least(arrays: Arrays, up: int, q: Any) -> Any:
@@ -100,7 +105,7 @@ def _least(arrays: Arrays, up: int, q: Any) -> Any:
     return np.where(good & (largest > 0), values[:, 0] / np.where(largest > 0, largest, 1.0), -1.0)
 
 
-def _short(x: float) -> float:
+def short(x: float) -> float:
     """A float with few digits, so that files are short."""
     return float(np.float32(x))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,6 +27,7 @@ from mpsolve.pictures.axes import (
     svg,
     text,
 )
+from mpsolve.vibration.motion import Vibration
 
 _APART, _WIDTH, _ROW = 14.0, 7.5, 17
 _SHORT = 3  # letters: names that stand at their curves, longer ones in a key below
@@ -97,6 +98,26 @@ def lines_picture(
     parts += [text(word.x, word.y, word.said, word.anchor) for word in taken]
     parts += axes.titled(x_title, y_title)
     return svg([*parts, *(_key(curves) if long else [])], title, HIGH + (4 + _ROW * -(-len(curves) // 2)) * long)
+
+
+def motion_pictures(
+    found: Vibration, names: Mapping[int, str], si: bool, until: Any = slice(None), prefix: str = ""
+) -> tuple[str, str]:
+    """The rail under the named contacts (counted from 0), and the forces there; grey after the first lift-off.
+
+    si: in mm, kN and s. until: which times are shown. prefix: of the names of the elements.
+    """
+    end, pictures = None if found.lift_off is None else found.lift_off.time, []
+    length, force, time = ("mm", "kN", "s") if si else ("unit lengths", "unit forces", "τ")
+    for name, title, y_title, rows, factor in (
+        ("deflection", "Deflection of the rail under the contacts", f"deflection, {length}", found.rail, 1000.0),
+        ("force", "Contact forces", f"contact force, {force}", found.contact_force, 1e-3),
+    ):
+        one = factor if si else 1.0
+        curves = [Curve(found.times[until], one * rows[k][until], said, end) for k, said in names.items()]
+        marks = [] if end is None else [Mark(end, "lift-off")]
+        pictures.append(lines_picture(curves, f"time, {time}", y_title, title, name=f"{prefix}{name}", marks=marks))
+    return pictures[0], pictures[1]
 
 
 def _range(values: Sequence[Any], margin: float = 0.0) -> tuple[float, float]:

@@ -9,13 +9,30 @@ from typing import Any
 import numpy as np
 
 from mpsolve.pictures.axes import BOTTOM, LEFT, RIGHT, TOP, WIDE, Axes, alone, frame, label, svg, text, ticks
+from mpsolve.problem.problem import Problem
+from mpsolve.spectrum.shape import root_shape
 from mpsolve.vibration.motion import Vibration
 
-_FRAMES = 24
+_FRAMES, _POINTS = 24, 121
 _NAMED = 4  # more coordinates than these are numbered: their names have no room
 _BOXES = 24
 _PLAYED = 12.0  # s, of a film
 _BEYOND = 1.5  # of the largest within the model: as far as what is beyond it is drawn
+
+
+def stretch(problem: Problem, points: int) -> Any:
+    """Places under the vehicles and beside them, in m, to 0.1 mm."""
+    contacts = [float(x) for x in problem.pencil.places]
+    reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
+    return np.linspace(min(contacts) - reach, max(contacts) + reach, points).round(4)
+
+
+def shape_along(problem: Problem, q: Any, multiplicity: int = 1) -> tuple[Any, Any, dict[str, complex]]:
+    """The shape of a root, a ball: places, the rail there, and the bodies by their names."""
+    x = stretch(problem, _POINTS)
+    found = root_shape(problem, q, multiplicity, places=x.tolist())
+    rail = np.array([complex(w.mid()) for w in found.rail])
+    return x, rail, {name: complex(a.mid()) for name, a in found.bodies.items()}
 
 
 def moving_shape(

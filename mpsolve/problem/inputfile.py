@@ -25,7 +25,7 @@ from mpsolve.problem.lines import line_of
 from mpsolve.problem.load import gives_forces
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import Title
+from mpsolve.problem.warned import Title
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.vehicle import Placed
 

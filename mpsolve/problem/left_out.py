@@ -8,11 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import msgspec
-
-from mpsolve.errors import InputError
-from mpsolve.numbers.model import Model, Part, Quantity, quantities
+from mpsolve.numbers.model import Model, Part, Quantity
 from mpsolve.problem.checked import errors_under
+from mpsolve.problem.parameters import ascending, filled
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.vehicle import Placed
 
@@ -34,8 +32,8 @@ def put_in(problem: Problem, values: Mapping[str, object]) -> Problem:
     for root, model in _models(problem):
         own = {path.removeprefix(f"{root}."): rest.pop(path) for path in list(rest) if path.startswith(f"{root}.")}
         with errors_under(f"{root}."):
-            new[root] = _filled(model, own)
-    placed = _ascending(problem)
+            new[root] = filled(model, own)
+    placed = ascending(problem.vehicles)
     vehicles = [Placed(new.get(_vehicle(k), one.vehicle), one.position) for k, one in enumerate(placed)]
     problem = Problem(new.get("track", problem.track), vehicles, problem.v)
     for path, value in rest.items():
@@ -45,7 +43,10 @@ def put_in(problem: Problem, values: Mapping[str, object]) -> Problem:
 
 def _models(problem: Problem) -> Iterator[tuple[str, Model]]:
     """The track and the vehicles that describe their parameters, under the beginning of their paths."""
-    named = [("track", problem.track), *((_vehicle(k), one.vehicle) for k, one in enumerate(_ascending(problem)))]
+    named = [
+        ("track", problem.track),
+        *((_vehicle(k), one.vehicle) for k, one in enumerate(ascending(problem.vehicles))),
+    ]
     return ((root, model) for root, model in named if isinstance(model, Model))
 
 
@@ -53,31 +54,9 @@ def _vehicle(k: int) -> str:
     return f"vehicles[{k}]"
 
 
-def _ascending(problem: Problem) -> list[Placed]:
-    return sorted(problem.vehicles, key=lambda one: one.position)
-
-
 def _absent(model: Model) -> Iterator[tuple[str, Quantity]]:
-    for name, quantity in quantities(type(model)).items():
-        value = getattr(model, name)
+    for name, quantity, value in model.described:
         if isinstance(quantity, Part) and value is not None:
             yield from ((f"{name}.{path}", inner) for path, inner in _absent(value))
         elif value is None and type(quantity) is Quantity:
             yield name, quantity
-
-
-def _filled(model: Model, own: Mapping[str, object]) -> Model:
-    """The model with its own parameters, those of its parts after a dot."""
-    if not own:
-        return model
-    new: dict[str, Any] = {}
-    for name, quantity in quantities(type(model)).items():
-        inner = {path.removeprefix(f"{name}."): x for path, x in own.items() if path.startswith(f"{name}.")}
-        if inner:
-            with errors_under(f"{name}."):
-                new[name] = _filled(getattr(model, name), inner)
-        elif name in own:
-            if own[name] is None and not quantity.optional:
-                raise InputError(name, f"cannot be left out: give the {quantity.told}")
-            new[name] = own[name]
-    return msgspec.structs.replace(model, **new)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Model, Part, quantities
+from mpsolve.numbers.model import Model, Part
 from mpsolve.numbers.spoken import decimal
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.waveguide import Track
@@ -36,8 +36,7 @@ def number(x: Fraction) -> str:
 def _model(model: Model, *more: str) -> list[str]:
     lines = [_named(model), *more]
     parts: list[str] = []
-    for name, quantity in quantities(type(model)).items():
-        value = getattr(model, name)
+    for name, quantity, value in model.described:
         if value is None:
             continue
         if isinstance(quantity, Part):
@@ -52,12 +51,7 @@ def _named(model: Model) -> str:
 
 
 def _inline(model: Model) -> list[str]:
-    entries = [_named(model)]
-    for name in quantities(type(model)):
-        value = getattr(model, name)
-        if value is not None:
-            entries.append(f"{name} = {_value(value)}")
-    return entries
+    return [_named(model), *(f"{name} = {_value(value)}" for name, value in model.parameters.items())]
 
 
 def _value(value: Any) -> str:

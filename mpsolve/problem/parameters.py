@@ -9,7 +9,7 @@ ratios too (`problem/ratios.py`). All values are exact.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from copy import copy
 from difflib import get_close_matches
 from fractions import Fraction
@@ -21,6 +21,7 @@ import msgspec
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational
 from mpsolve.numbers.several import Several
+from mpsolve.problem.checked import errors_under
 from mpsolve.problem.ratios import paths_of, ratio, ratios_of
 from mpsolve.vehicles.vehicle import Placed
 
@@ -33,7 +34,7 @@ _INDEXED = re.compile(r"(vehicles|gap)\[(\d+)\](?:\.(.+))?")
 
 def parameters_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction) -> dict[str, Fraction]:
     """Every path with its value; `vehicles.…` where all vehicles have the parameter with one value."""
-    placed = _ascending(vehicles)
+    placed = ascending(vehicles)
     out = {"v": v}
     if isinstance(track, Model):
         out |= {f"track.{path}": value for path, value in _numbers(track)}
@@ -48,7 +49,7 @@ def parameters_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction) -> dict
 
 def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str) -> Quantity:
     """Unit, meaning and bound of the parameter at `path`; InputError names a path that there is not."""
-    placed = _ascending(vehicles)
+    placed = ascending(vehicles)
     indexed = _INDEXED.fullmatch(path)
     if (asked := ratio(track, placed, path)) is not None:
         return asked
@@ -70,10 +71,10 @@ def quantity_of(track: Any, vehicles: tuple[Placed, ...], v: Fraction, path: str
     return found
 
 
-def _inner(model: Any, path: str) -> Quantity | None:
+def _inner(model: Model, path: str) -> Quantity | None:
     """The quantity of a numeric parameter, or of one of a part after a dot."""
     name, _, inner = path.partition(".")
-    quantity = _described(model).get(name)
+    quantity = quantities(type(model)).get(name)
     if quantity is None or not inner:
         return quantity
     return _inner(getattr(model, name), inner) if isinstance(quantity, Part) else None
@@ -87,7 +88,7 @@ def changed(
     A value of class `Several`, a parameter that is left free, is put in as it is, unchecked.
     """
     asked = quantity_of(track, vehicles, v, path)
-    placed = _ascending(vehicles)
+    placed = ascending(vehicles)
     number: Any = value if isinstance(value, Several) else rational(value, path, asked.unit, asked.meaning)
     if ratio(track, placed, path) is not None:
         return _ratio_changed(track, placed, v, path, number)
@@ -143,19 +144,13 @@ def _rescaled(placed: tuple[Placed, ...], path: str, number: Any) -> tuple[Place
     return None
 
 
-def _ascending(vehicles: tuple[Placed, ...]) -> tuple[Placed, ...]:
+def ascending(vehicles: tuple[Placed, ...]) -> tuple[Placed, ...]:
     return tuple(sorted(vehicles, key=lambda one: one.position))
-
-
-def _described(model: Any) -> dict[str, Quantity]:
-    kind: Any = type(model)
-    return quantities(kind)
 
 
 def _numbers(model: Any) -> Iterator[tuple[str, Any]]:
     """The numeric parameters of a model, those of its parts after a dot."""
-    for name, quantity in _described(model).items():
-        value = getattr(model, name)
+    for name, quantity, value in model.described:
         if isinstance(quantity, Part) and value is not None:
             yield from ((f"{name}.{path}", inner) for path, inner in _numbers(value))
         elif isinstance(value, (Fraction, Several)):
@@ -169,19 +164,31 @@ def _with(model: Any, path: str, value: Any, key: str) -> Any:
         near = get_close_matches(path, known, n=1, cutoff=0.5)
         advice = f"did you mean {near[0]}? There" if near else "there"
         raise InputError(key, f"is unknown: {advice} are {', '.join(known)}")
-    name, _, inner = path.partition(".")
     try:
-        new = _with(getattr(model, name), inner, value, key) if inner else value
-        return _replaced(model, {name: new})
+        return filled(model, {path: value})
     except InputError as error:
         raise error.under(key) from None
+
+
+def filled(model: Any, values: Mapping[str, Any]) -> Any:
+    """The model with these parameters, those of its parts after a dot; None leaves one out."""
+    new: dict[str, Any] = {}
+    for name, quantity, value in model.described if values else ():
+        inner = {path.removeprefix(f"{name}."): x for path, x in values.items() if path.startswith(f"{name}.")}
+        if inner:
+            with errors_under(f"{name}."):
+                new[name] = filled(value, inner)
+        elif name in values:
+            if values[name] is None and not quantity.optional:
+                raise InputError(name, f"cannot be left out: give the {quantity.told}")
+            new[name] = values[name]
+    return _replaced(model, new) if new else model
 
 
 def _heavier(model: Any, factor: Fraction) -> Any:
     """The model with all its masses and inertias multiplied."""
     new: dict[str, Any] = {}
-    for name, quantity in _described(model).items():
-        value = getattr(model, name)
+    for name, quantity, value in model.described:
         if isinstance(quantity, Part) and value is not None:
             new[name] = _heavier(value, factor)
         elif quantity.unit in _MASSES and value is not None:

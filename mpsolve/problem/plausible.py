@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.numbers.model import Model, Part, quantities
+from mpsolve.numbers.model import Model, Part
 from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
@@ -74,15 +74,13 @@ def on_rails(problem: Problem) -> bool:
 def _vehicle(vehicle: Any, owner: str) -> Iterator[Reason]:
     if vehicle.name in _VEHICLES:
         yield from _outside(vehicle, owner, _VEHICLES[vehicle.name])
-        kind: type[Model] = type(vehicle)
-        for key, quantity in quantities(kind).items():
+        for key, quantity, part in vehicle.described:
             if isinstance(quantity, Part):
-                yield from _vehicle(getattr(vehicle, key), f"{owner}{key}.")
+                yield from _vehicle(part, f"{owner}{key}.")
 
 
 def _outside(model: Model, owner: str, bands: Mapping[str, Band]) -> Iterator[Reason]:
-    for key, quantity in quantities(type(model)).items():
-        value = getattr(model, key)
+    for key, quantity, value in model.described:
         if key not in bands or not value or _within(value, bands[key]):
             continue
         low, high = bands[key]

@@ -6,18 +6,19 @@ numbers, what to do.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import islice, pairwise
 from math import pi, sqrt
 from typing import Any
 
-from mpsolve.numbers.model import Quantity, quantities, shown
+from mpsolve.numbers.model import Model, quantities, shown
 from mpsolve.numbers.spoken import beside, rounded, spoken
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
-from mpsolve.problem.plausible import implausible
+from mpsolve.problem.plausible import implausible, on_rails
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.floating_ice import FloatingIce
 from mpsolve.tracks.waveguide import Track
@@ -28,6 +29,8 @@ from mpsolve.vehicles.oscillator import Oscillator
 _SOUND = 5100  # m/s in steel: √(EI/m) over it is the radius of gyration of a solid section
 _THINNEST, _THICKEST = 5e-4, 3.0  # radii of gyration in m
 FASTEST, _ON_ICE = 150, 40  # m/s
+_IN_TITLE = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(?:km/h|kmh|kph)")
+_ORDINARY = 85  # m/s, 306 km/h: what runs faster has a unit beside it, or is meant in km/h
 _SHEARLESS = 0.2  # p times the radius of gyration up to which a beam without shear is right to some per cent
 _SPACING = 0.6  # m, of sleepers
 _Row = tuple[Fraction, list[Fraction], str]
@@ -146,11 +149,11 @@ def _suspension(vehicle: Any) -> Iterator[Reason]:
         yield from _damper(bogie, "the bogie's c", "c", "k", (bogie.frame + vehicle.body / 2) / 2)
 
 
-def _damper(model: Any, name: str, key: str, spring: str, carried: Fraction) -> Iterator[Reason]:
+def _damper(model: Model, name: str, key: str, spring: str, carried: Fraction) -> Iterator[Reason]:
     c, k = getattr(model, key, None), getattr(model, spring, None)
     if not (isinstance(c, Fraction) and isinstance(k, Fraction) and k and carried) or c * c <= 4 * k * carried:
         return
-    unit = _described(model)[key].unit
+    unit = quantities(type(model))[key].unit
     times = rounded(float(c) / (2 * sqrt(float(k * carried))), 2)
     stated = f"{name} is {beside(c, unit)}, {times} times the critical damping 2√({spring} · mass)"
     meant = f"either {key} is too large or {spring} too small: check both and their units, if that is not meant"
@@ -190,6 +193,32 @@ def _radius(track: Any) -> float | None:
     return sqrt(float(EI / m)) / _SOUND if EI and m else None
 
 
-def _described(model: Any) -> dict[str, Quantity]:
-    kind: Any = type(model)
-    return quantities(kind)
+class Title(str):
+    """The title of a file. bare: its velocity has no unit, and none in the comment beside it."""
+
+    bare: bool
+
+    def __new__(cls, text: str, bare: bool = False) -> Title:
+        title = super().__new__(cls, text)
+        title.bare = bare
+        return title
+
+
+def titled(given: Given, title: str) -> tuple[Reason, ...]:
+    """That the velocity is likely to be one in km/h, by the title or by the missing unit; empty where it is not."""
+    if isinstance(given, Case):
+        return ()
+    return tuple(_likely(as_problem(given), title))
+
+
+def _likely(problem: Problem, title: str) -> Iterator[Reason]:
+    v = problem.v
+    stated = f"v is {rounded(v)} m/s, which is {spoken(v, 'm/s')}"
+    meant = f'write v = "{rounded(v)} km/h", if that is meant'
+    said = [Fraction(number) for number in _IN_TITLE.findall(title)]
+    if v and v in said and v * Fraction(18, 5) not in said:
+        stated = f"{stated}, but the title says {rounded(v)} km/h"
+        yield Reason("velocity-unlike-title", stated, {"v": str(v)}, meant)
+    elif getattr(title, "bare", False) and _ORDINARY < v <= FASTEST and on_rails(problem):
+        stated = f"v stands without a unit: {stated.removeprefix('v is ')}"
+        yield Reason("velocity-without-unit", stated, {"v": str(v)}, f'{meant}, or v = "{rounded(v)} m/s"')

@@ -12,8 +12,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, acb_poly, arb, precision
 from mpsolve.numbers.rootball import RootBall
-from mpsolve.numbers.taylor import Taylor
-from mpsolve.proof.pellet import pellet
+from mpsolve.numbers.taylor import Taylor, pellet
 
 _FIRST_BITS = 160
 

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, bits_now, precision, square
+from mpsolve.numbers.packed import exponent_of
 
 _GUARD = 24
 _LOSS = 12
@@ -127,10 +128,4 @@ def _accuracy(image: Any, least: Any) -> int:
         return 1 << 40
     size = image.abs_upper()
     size = size if least == 0 or size > least else arb(least)
-    return int(_exponent(size)) - int(_exponent(arb(radius)))
-
-
-def _exponent(x: Any) -> int:
-    """e with 2^(e−1) ≤ |x| < 2^e about, for an exact x ≠ 0."""
-    mantissa, exponent = arb(x).mid().man_exp()
-    return int(exponent) + int(abs(mantissa)).bit_length()
+    return exponent_of(size) - exponent_of(arb(radius))

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, bits_now, precision
+from mpsolve.numbers.packed import exponent_of
 
 Point = tuple[Any, ...]
 """Real balls, two for each equation."""
@@ -130,12 +131,7 @@ def _accuracy(x: Any) -> int:
     """Bits of the modulus that the ball fixes; of 0 or less where it holds 0."""
     if x.rad() == 0:
         return 1 << 40
-    return int(x.rel_accuracy_bits()) if not x.contains(0) else -int(_exponent(x.rad()))
-
-
-def _exponent(x: Any) -> int:
-    mantissa, exponent = arb(x).mid().man_exp()
-    return int(exponent) + int(abs(mantissa)).bit_length()
+    return int(x.rel_accuracy_bits()) if not x.contains(0) else -exponent_of(x.rad())
 
 
 def _column(value: Any) -> Any:

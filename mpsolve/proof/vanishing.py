@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.jets import TINY, UP, U
-from mpsolve.numbers.quadratic import Quadratic, pairs
+from mpsolve.numbers.quadratic import Quadratic, by_variable, pairs
 from mpsolve.proof.turning import weighed
 
 
@@ -111,12 +111,7 @@ def _margin(s: Quadratic, d: Any) -> Any:
 
 def _taken(s: Quadratic, d: Any) -> Any:
     """For each variable the moduli of its coefficients in this direction, and a little of them in any."""
-    k = np.abs((s.k * d).real) + 2.0**-12 * np.abs(s.k)
-    out = k[1 : 1 + s.m].copy()
-    for n, (i, j) in enumerate(pairs(s.m), 1 + s.m):
-        out[i] += k[n]
-        out[j] += k[n]
-    return out
+    return by_variable(np.abs((s.k * d).real) + 2.0**-12 * np.abs(s.k), s.m)
 
 
 def guess(s: Quadratic) -> Any:

@@ -5,27 +5,22 @@ Reports of `certify` are set here rather than by rich, which takes as long to lo
 
 from __future__ import annotations
 
-import io
 import shlex
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
-from typing import TYPE_CHECKING
 
 from mpsolve.frozen import frozen
-
-if TYPE_CHECKING:
-    from rich.console import Group
 
 WIDTH = 88
 _INDENT, _GAP = 2, 2
 _NARROWEST = 12  # of a column that is wrapped
-_CODES = {"bold": "1", "red": "31", "green": "32", "yellow": "33"}
+_CODES = {"bold": "1", "red": "31", "green": "32", "yellow": "33", "magenta": "35", "cyan": "36"}
 
 
 @frozen
 class Line:
-    """One paragraph without indentation. style: words of `bold`, `red`, `green`, `yellow`."""
+    """One paragraph without indentation. style: words of `_CODES`."""
 
     text: str
     style: str = ""
@@ -71,9 +66,10 @@ class Section:
 
     heading: str
     body: str | Columns
+    style: str = "bold"
 
     def set(self, width: int, colour: bool) -> Iterator[str]:
-        yield _styled(self.heading, "bold") if colour else self.heading
+        yield _styled(self.heading, self.style) if colour else self.heading
         inner = width - _INDENT
         lines = self.body.set(inner) if isinstance(self.body, Columns) else iter(_wrapped(self.body, inner))
         for line in lines:
@@ -120,13 +116,3 @@ def _widths(rows: Iterable[Sequence[str]], width: int, gap: int) -> list[int]:
 def _styled(text: str, style: str) -> str:
     codes = ";".join(_CODES[word] for word in style.split())
     return f"\x1b[{codes}m{text}\x1b[0m" if codes else text
-
-
-def plain(report: Group) -> str:
-    """A report as plain text of `WIDTH` columns."""
-    from rich.console import Console
-
-    stream = io.StringIO()
-    console = Console(file=stream, width=WIDTH, force_terminal=False, color_system=None, legacy_windows=False)
-    console.print(report, soft_wrap=False)
-    return "\n".join(line.rstrip() for line in stream.getvalue().splitlines()) + "\n"

@@ -13,8 +13,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.over import Over, parse_overs
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import titled
-from mpsolve.problem.warned import warned
+from mpsolve.problem.warned import titled, warned
 
 _NO_END = "has no upper end, which only onset and crossings may have: give one, such as {path}=0..{example}"
 

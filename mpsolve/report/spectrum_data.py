@@ -14,7 +14,7 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Model, quantities
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
-from mpsolve.problem.titled import titled
+from mpsolve.problem.warned import titled
 from mpsolve.report.spectrum_words import ASSUMED, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, vibration
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle

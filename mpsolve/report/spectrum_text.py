@@ -6,7 +6,6 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
@@ -17,21 +16,16 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_paper, as_problem
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.titled import titled
+from mpsolve.problem.warned import titled
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
 from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
 from mpsolve.report.vibration import Trend, Vibration, vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track
 
-if TYPE_CHECKING:
-    from mpsolve.report.vibration import Vibration
-
-
 _COLOUR = {"UNSTABLE": "bold red", "STABLE": "bold green", "UNDECIDED": "bold yellow"}
 _PLACES = 8  # digits of the physical quantities; every digit of q is printed
 _TYPED = 36  # digits of a value that is typed; more are shortened
-_BEAM = ("EI", "m", "k", "v", "c", "kp", "N")
 _ROW = 76  # longest q that is printed in one row
 
 
@@ -125,8 +119,7 @@ def paper_rows(given: Given) -> list[tuple[str, str, str]]:
     paper = None if isinstance(given, Case) else as_paper(given)
     if not isinstance(paper, PhysicalCase):
         return []
-    units = [row for row in beam_rows(paper) if row[0] in ("√(k/m)", "χ", "v_cr", "v_cr′")]
-    return [*units, *ratio_rows(paper.dimensionless)]
+    return [*unit_rows(paper), *ratio_rows(paper.dimensionless)]
 
 
 def _problem(spectrum: Spectrum) -> Iterable[tuple[str, str, str]]:
@@ -166,20 +159,8 @@ def _unfelt(spectrum: Spectrum) -> Iterator[tuple[str]]:
                 yield (f"{'' if q.real == 0 else '±'}{re_} + {im} i",)
 
 
-def beam_rows(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
-    """Rows of quantity, value and meaning, in SI units."""
-    for name, unit, meaning in (
-        ("EI", "N m²", "bending stiffness of the beam"),
-        ("m", "kg/m", "mass of the beam"),
-        ("k", "N/m²", "stiffness of the foundation"),
-        ("c", "N s/m²", "damping of the foundation"),
-        ("kp", "N", "Pasternak modulus of the foundation"),
-        ("N", "N", "axial force, compression positive"),
-        ("v", "m/s", "velocity"),
-    ):
-        yield name, f"{shown(getattr(physical, name))} {unit}", meaning
-    for j, mass in enumerate(physical.masses, 1):
-        yield f"M{j}", f"{shown(mass.M)} kg", f"mass at s {_equals(mass.position)} m"
+def unit_rows(physical: PhysicalCase) -> Iterator[tuple[str, str, str]]:
+    """Rows of what the ratios are made with, in SI units."""
     yield "√(k/m)", f"{shown(physical.time_scale)} rad/s", "τ = √(k/m) t"
     yield "χ", f"{shown(physical.chi)} 1/m", "(k/4EI)^(1/4): ξ = χ s"
     yield "v_cr", f"{shown(physical.v_cr)} m/s", "critical velocity √(k/m)/χ on a Winkler foundation"

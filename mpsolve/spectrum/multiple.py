@@ -10,9 +10,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import acb, arb, square
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
-from mpsolve.numbers.taylor import Taylor, taylor
+from mpsolve.numbers.taylor import Taylor, pellet, taylor
 from mpsolve.proof import clusters
-from mpsolve.proof.pellet import pellet
 from mpsolve.spectrum.enclose import in_units, isolate, refine
 
 _OUTER = 14  # the larger disc has the radius |σ| 2^−14

@@ -12,7 +12,7 @@ from mpsolve.display import card
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.packed import Portable
-from mpsolve.numbers.result import Result
+from mpsolve.numbers.result import Cost, Result
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
@@ -64,16 +64,6 @@ class Root(Portable):
     @property
     def _bits(self) -> int:
         return int(max(self.q.bits(), 53)) + _GUARD
-
-
-@frozen
-class Cost:
-    """What an answer took: processor seconds of the proof and of its check, evaluations of Δ, pieces of paths."""
-
-    seconds: float
-    verification: float = 0.0
-    evaluations: int = 0
-    pieces: int = 0
 
 
 @frozen

@@ -87,8 +87,7 @@ class Waveguide:
     @property
     def numerator(self) -> Polynomial:
         """N(P, s): the cofactor of the loaded row."""
-        kept = [k for k in range(len(self.matrix)) if k != self.loaded]
-        return determinant(tuple(tuple(self.matrix[i][j] for j in kept) for i in kept))
+        return cofactor(self.matrix, self.loaded)
 
     @property
     def waveguide(self) -> Waveguide:
@@ -122,6 +121,12 @@ def determinant(matrix: Matrix) -> Polynomial:
             minor = tuple(tuple(row[k] for k in range(len(row)) if k != j) for row in matrix[1:])
             terms.append(scaled(multiply(entry, determinant(minor)), Fraction(-1) ** j))
     return plus(*terms)
+
+
+def cofactor(matrix: Matrix, row: int) -> Polynomial:
+    """Of the diagonal entry in that row."""
+    kept = [k for k in range(len(matrix)) if k != row]
+    return determinant(tuple(tuple(matrix[i][j] for j in kept) for i in kept))
 
 
 def moving(a: Polynomial, velocity: Fraction) -> Polynomial:

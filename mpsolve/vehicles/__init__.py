@@ -5,8 +5,7 @@ from mpsolve.vehicles.coach import Coach
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.oscillator import Oscillator
 from mpsolve.vehicles.own import Vehicle
-from mpsolve.vehicles.train import train
-from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed
+from mpsolve.vehicles.vehicle import AnyVehicle, Pencil, Placed, train
 
 CATALOGUE: tuple[type[AnyVehicle], ...] = (Mass, Oscillator, Bogie, Coach, Vehicle)
 """Every vehicle, from the plainest to the richest."""

@@ -12,11 +12,12 @@ from typing import ClassVar
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.model import Model, rational, typed
+from mpsolve.numbers.model import Model, rational, shown, typed, whole
 
 Rows = tuple[tuple[Fraction, ...], ...]
 Link = tuple[dict[int, Fraction], Fraction, Fraction]
 """A spring and damper side by side: how its lengthening depends on the coordinates, k, c."""
+_MOST = 1000  # in a row
 
 
 @frozen
@@ -182,3 +183,19 @@ def _pivots(rows: Rows) -> list[Fraction] | None:
 def _loose(rows: Rows) -> int | None:
     """The first coordinate whose pivot is 0 in a semidefinite matrix, or None where it is definite."""
     return next((k for k, pivot in enumerate(_pivots(rows) or ()) if not pivot), None)
+
+
+def train(vehicle: AnyVehicle, count: int, spacing: object) -> tuple[Placed, ...]:
+    """`count` copies of a vehicle whose middles are `spacing` > 0 apart, the rearmost at x = 0.
+
+    >>> from mpsolve.vehicles import Mass
+    >>> [str(placed.position) for placed in train(Mass(900), 3, "2.5")]
+    ['0', '5/2', '5']
+    """
+    if not isinstance(vehicle, AnyVehicle):
+        raise InputError("vehicle", f"is of type {type(vehicle).__name__}: give one of mpsolve.vehicles, not placed")
+    count = whole(count, "count", 1, _MOST)
+    gap = rational(spacing, "spacing", "m", "distance of the vehicles")
+    if gap <= 0:
+        raise InputError("spacing", f"is {shown(gap)}, but must be above 0: give the distance in m")
+    return tuple(vehicle.at(k * gap) for k in range(count))

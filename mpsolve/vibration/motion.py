@@ -111,32 +111,30 @@ def split(image: Any, rows: Any) -> tuple[Any, Any, Any]:
     return rows[:n], rows[n : n + m], rows[n + m :]
 
 
+def fields_of(image: Any, total: Any, **parts: Any) -> dict[str, Any]:
+    """What every motion has, from rows of channels: the whole of all of them, parts of the rail by their names."""
+    bodies, force, rail = split(image, total)
+    own = {name: split(image, rows)[2] for name, rows in parts.items()}
+    return {"rail": rail, "vehicle": dict(zip(image.pencil.names, bodies, strict=True)), "contact_force": force} | own
+
+
 def vibration(
     problem: Problem, solution: Solution, times: Any, parts: Parts, solve: Callable[[Any], Solution]
 ) -> Vibration:
     """The solution read at these times, in the problem's units."""
     image = solution.image
-    bodies, force, rail = split(image, parts.total)
-    _, _, error = split(image, solution.error)
-    names = image.pencil.names
-    vehicle_error = dict(zip(names, solution.error[: image.size].tolist(), strict=True))
-    return Vibration(
-        problem=problem,
-        times=times,
-        places=np.array([float(x) for x in image.places]),
-        rail=rail,
-        steady=split(image, parts.static + parts.forced)[2],
-        steady_harmonic=split(image, parts.forced)[2],
-        harmonic=split(image, parts.free)[2],
-        transient=split(image, parts.transient)[2],
-        vehicle=dict(zip(names, bodies, strict=True)),
-        contact_force=force,
-        error=MotionError(
-            float(np.max(error, initial=0.0)), vehicle_error, float(split(image, solution.error)[1].max())
-        ),
-        solution=solution,
-        solve=solve,
+    bodies, force, rail = split(image, solution.error)
+    largest = MotionError(
+        float(np.max(rail, initial=0.0)),
+        dict(zip(image.pencil.names, bodies.tolist(), strict=True)),
+        float(force.max()),
     )
+    rows = fields_of(
+        image, parts.total, steady=parts.static + parts.forced, steady_harmonic=parts.forced, harmonic=parts.free,
+        transient=parts.transient,
+    )  # fmt: skip
+    places = np.array([float(x) for x in image.places])
+    return Vibration(problem, times, places, **rows, error=largest, solution=solution, solve=solve)
 
 
 @dataclass(frozen=True)
@@ -162,9 +160,6 @@ class PreciseVibration:
 
 def unknown_precise(image: Image, mp: Any, times: list[Fraction], reason: Reason) -> PreciseVibration:
     """Of which nothing is known."""
-    rail, force = (np.full((n, len(times)), mp.nan, object) for n in (len(image.places), image.contacts))
-    bodies = {name: np.full(len(times), mp.nan, object) for name in image.pencil.names}
-    without = (math.inf, math.inf)
-    return PreciseVibration(
-        tuple(times), image.places, rail, rail.copy(), rail.copy(), rail.copy(), bodies, force, without, reason
-    )
+    rows = np.full((image.channels, len(times)), mp.nan, object)
+    known = fields_of(image, rows, steady=rows, harmonic=rows, transient=rows)
+    return PreciseVibration(tuple(times), image.places, **known, error=(math.inf, math.inf), reason=reason)

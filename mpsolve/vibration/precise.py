@@ -29,7 +29,7 @@ from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.integral import sampled_line
-from mpsolve.vibration.motion import PreciseVibration, unknown_precise
+from mpsolve.vibration.motion import PreciseVibration, fields_of, split, unknown_precise
 from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural
 from mpsolve.vibration.vibrate import checked_places
@@ -95,14 +95,17 @@ def _certified(problem: Problem, digits: int, effort: Effort | None, said: Progr
 
 
 class _Residue(NamedTuple):
-    """A pole and its moments (1/2πi) ∮ (σ − pole)^m û dσ, by channels."""
+    """A pole and its moments (1/2πi) ∮ (σ − pole)^m û dσ, (terms, channels)."""
 
     sigma: Any
-    moments: list[list[Any]]
+    moments: Any
+
+
+_real = np.vectorize(lambda x: x.real, otypes=[object])
 
 
 class _Work:
-    """One motion in the making; everything scaled."""
+    """One motion in the making; everything scaled. Rows of channels are arrays of mpmath's numbers."""
 
     def __init__(
         self,
@@ -122,7 +125,7 @@ class _Work:
         self.roots = [(z, times) for z, times in self.roots if z.real > poles.floor]
         self.cut = poles.cut
         self.rule = Rule(self.mp, int(1.6 * digits) + 12)
-        self.zero = [self.mp.mpf(0)] * image.image.channels
+        self.zero = np.full(image.image.channels, self.mp.mpf(0), object)
 
     @property
     def fastest(self) -> float:
@@ -130,70 +133,54 @@ class _Work:
 
     def motion(self, at: list[Any], exact: list[Fraction], middle: Any, half: Any, omega: float) -> PreciseVibration:
         """Everything at the times `at`."""
-        mp, image = self.mp, self.image.image
+        mp, image, count = self.mp, self.image.image, len(at)
         self.said("residues", 0.0)
         steady, modes = self._steady(), self._modes()
         panels = []
         for k, (a, b) in enumerate(zip(middle, half, strict=True)):
             self.said("integral", k / len(middle))
             panels.append(self._panel(mp.mpf(float(a)), mp.mpf(float(b))))
-        early = [-mp.mpf(x) * 4 * self.digits * math.log(10) / omega for x in (1.0, 1.7)]
-        wide, narrow = (self._along(panels, mp.mpf(x), [*at, *early]) for x in (omega, omega / _FURTHER))
-        kept = [self._sum(steady, t) for t in [*at, *early]]
-        free = [self._sum(modes, t) for t in [*at, *early]]
+        times = [*at, *(-mp.mpf(x) * 4 * self.digits * math.log(10) / omega for x in (1.0, 1.7))]
+        wide, narrow = (self._along(panels, mp.mpf(x), times) for x in (omega, omega / _FURTHER))
         right, left = self.path.parted(modes)
+        kept, free, beside, aside = (self._sum(poles, times) for poles in (steady, modes, right, left))
         below = self.path.below
-        rest, misfit = [], []
-        for k in range(len(at)):
-            own = wide[k] if below else _minus(wide[k], kept[k])
-            rest.append(_minus(own, self._sum(left, at[k])))
-        for k, t in enumerate(early):
-            before = [a + b for a, b in zip(wide[len(at) + k], self._sum(right, t), strict=True)]
-            misfit.append([a + b for a, b in zip(before, kept[len(at) + k], strict=True)] if below else before)
-        parts = [np.array(rows, object).T for rows in (kept[: len(at)], free[: len(at)], rest)]
+        rest = wide - aside - (0 if below else kept)
+        early = wide + beside + (kept if below else 0)  # what should vanish before t = 0
+        parts = [rows[:, :count] for rows in (kept, free, rest)]
         total = parts[0] + parts[1] + parts[2]
-        change = np.array([_minus(a, b) for a, b in zip(wide[: len(at)], narrow[: len(at)], strict=True)], object).T
-        off = np.abs(change).max(1) + np.abs(np.array(misfit, object)).max(0)
-        n, m = image.size, image.contacts
-        errors = [
-            float(off[part].max() / np.abs(total[part]).max()) for part in (slice(n + m, None), slice(n, n + m))
-        ]
-        return PreciseVibration(
-            times=tuple(exact), places=image.places, rail=total[n + m :], steady=parts[0][n + m :],
-            harmonic=parts[1][n + m :], transient=parts[2][n + m :],
-            vehicle=dict(zip(image.pencil.names, total[:n], strict=True)), contact_force=total[n : n + m],
-            error=(errors[0], errors[1]),
-        )  # fmt: skip
+        off = np.abs(wide - narrow)[:, :count].max(1) + np.abs(early)[:, count:].max(1)
+        _, force, rail = (float(a.max() / np.abs(b).max()) if len(a) else 0.0
+                          for a, b in zip(split(image, off), split(image, total), strict=True))  # fmt: skip
+        rows = fields_of(image, total, steady=parts[0], harmonic=parts[1], transient=parts[2])
+        return PreciseVibration(tuple(exact), image.places, **rows, error=(rail, force))
 
-    def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], list[list[Any]]]:
-        """Middle, half, nodes of ω, values there."""
+    def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], Any]:
+        """Middle, half, nodes of ω, values there (nodes, channels)."""
         nodes = [middle + half * x for x in self.rule.nodes]
-        return middle, half, nodes, [self._value(self.path.line(w)) for w in nodes]
+        return middle, half, nodes, np.array([self._value(self.path.line(w)) for w in nodes], object)
 
     def _value(self, sigma: Any) -> list[Any]:
         self.effort.spend(1)
         return self.image(sigma)
 
-    def _along(self, panels: list[Any], omega: Any, times: list[Any]) -> list[list[Any]]:
-        """(1/π) Re ∫ χ û e^{σt} dω for each time: rows of channels."""
+    def _along(self, panels: list[Any], omega: Any, times: list[Any]) -> Any:
+        """(1/π) Re ∫ χ û e^{σt} dω, (channels, times)."""
         mp = self.mp
         width = omega / (2 * mp.sqrt(self.digits * mp.log(10)))
-        out = [list(self.zero) for _ in times]
+        out = np.full((len(self.zero), len(times)), mp.mpf(0), object)
         for middle, half, nodes, values in panels:
             self.effort.spend(0)
-            share = [mp.erfc((w - omega / 2) / width) / 2 for w in nodes]
+            share = np.array([mp.erfc((w - omega / 2) / width) / 2 for w in nodes], object)
             if max(share) < mp.mpf(10) ** (-self.digits - _GUARD):
                 continue
-            columns = [self.rule.series([a * row[c] for a, row in zip(share, values, strict=True)])
-                       for c in range(len(self.zero))]  # fmt: skip
+            series = np.array([self.rule.series(list(column)) for column in (share[:, None] * values).T], object)
             for k, t in enumerate(times):
                 moments = self.rule.moments(half * abs(t))
                 if t < 0:
                     moments = [mp.conj(x) for x in moments]
                 turn = half * mp.exp(self.path.line(middle) * t) / mp.pi
-                out[k] = [
-                    x + (turn * mp.fdot(moments, column)).real for x, column in zip(out[k], columns, strict=True)
-                ]
+                out[:, k] += _real(turn * (series @ np.array(moments, object)))
         return out
 
     def _steady(self) -> list[_Residue]:
@@ -211,27 +198,16 @@ class _Work:
         room = middle.real - self.cut
         radius = mp.mpf("0.3") * min([gap for gap in gaps if gap > abs(middle) * mp.mpf(10) ** -self.digits] + [room])
         count = 2 * (self.digits + _GUARD) + 8
-        turns = [radius * mp.expjpi(mp.mpf(2 * k + 1) / count) for k in range(count)]
-        values = [self._value(middle + turn) for turn in turns]
-        moments = [
-            [
-                mp.fdot([turn ** (m + 1) for turn in turns], [row[c] for row in values]) / count
-                for c in range(len(self.zero))
-            ]
-            for m in range(times)
-        ]
-        return _Residue(middle, moments)
+        turns = np.array([radius * mp.expjpi(mp.mpf(2 * k + 1) / count) for k in range(count)], object)
+        values = np.array([self._value(middle + turn) for turn in turns], object)
+        return _Residue(middle, np.array([turns ** (m + 1) @ values / count for m in range(times)], object))
 
-    def _sum(self, poles: list[_Residue], t: Any) -> list[Any]:
-        """The motion of the poles and their mirror images at the time t."""
-        total = list(self.zero)
-        for z, moments in poles:
-            factor = self.mp.exp(z * t) * (2 if z.imag > 0 else 1)
-            for m, row in enumerate(moments):
-                share = factor * t**m / self.mp.factorial(m)
-                total = [x + (share * y).real for x, y in zip(total, row, strict=True)]
-        return total
-
-
-def _minus(a: list[Any], b: list[Any]) -> list[Any]:
-    return [x - y for x, y in zip(a, b, strict=True)]
+    def _sum(self, poles: list[_Residue], times: list[Any]) -> Any:
+        """The motion of the poles and their mirror images, (channels, times)."""
+        out = np.full((len(self.zero), len(times)), self.mp.mpf(0), object)
+        for k, t in enumerate(times):
+            for z, moments in poles:
+                factor = self.mp.exp(z * t) * (2 if z.imag > 0 else 1)
+                for m, row in enumerate(moments):
+                    out[:, k] += _real(factor * t**m / self.mp.factorial(m) * row)
+        return out

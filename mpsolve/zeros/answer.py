@@ -9,7 +9,7 @@ from typing import Any
 from flint import arb
 
 from mpsolve.numbers.packed import Portable
-from mpsolve.numbers.result import Result
+from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
 
 
@@ -24,16 +24,6 @@ class Zero(Portable):
     q: Any
     multiplicity: int
     real: bool = False
-
-
-@dataclass(frozen=True)
-class Work:
-    """What an answer took: processor seconds of the proof and of its check, evaluations of f, pieces of the path."""
-
-    seconds: float
-    verification: float = 0.0
-    evaluations: int = 0
-    pieces: int = 0
 
 
 @dataclass(frozen=True)
@@ -59,7 +49,7 @@ class Zeros(Result):
     known: Mapping[str, Any] = field(default_factory=dict)
     certificate: Any = field(default=None, repr=False)
     verified: str = ""
-    cost: Work = field(default_factory=lambda: Work(0.0))
+    cost: Cost = field(default_factory=lambda: Cost(0.0))
 
     def records(self) -> Iterator[Mapping[str, Any]]:
         """A row for each zero, as floats."""

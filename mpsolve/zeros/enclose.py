@@ -10,12 +10,11 @@ from flint import acb, arb
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
-from mpsolve.numbers.taylor import SAMPLES, Taylor
+from mpsolve.numbers.taylor import SAMPLES, Taylor, pellet
 from mpsolve.proof import clusters
 from mpsolve.proof.enclosing import Enclosed, Line, enclosed, root_ball
 from mpsolve.proof.ladder import climb
 from mpsolve.proof.newton import polished, real_part
-from mpsolve.proof.pellet import pellet
 from mpsolve.zeros.function import Function
 
 BITS, _MOST = 80, 640

@@ -13,7 +13,6 @@ from mpsolve.certificate.certify import certify
 from mpsolve.claims import Finding, Paper, Verdict
 from mpsolve.claims.report import Report, as_data, collected, document, page
 from mpsolve.errors import CertificateError
-from mpsolve.report.blocks import plain
 
 
 def test_counts(toy_report: Report) -> None:
@@ -52,7 +51,7 @@ def test_what_stands_in_place_of_certificates(toy_report: Report, monkeypatch: p
 
 
 def test_json_and_terminal_say_the_same(toy_report: Report) -> None:
-    data, text = as_data(toy_report), plain(document(toy_report))
+    data, text = as_data(toy_report), document(toy_report).text()
     assert (data["title"], data["paper"]) == ("One mass & its <roots>", "Nobody, one mass")
     assert (data["notation"], data["complete"]) == ("A root is a root.", False)
     assert json.loads(json.dumps(data)) == data

@@ -9,8 +9,9 @@ import pytest
 
 from mpsolve import InputError, Problem, read_problem, response, tracks, vehicles
 from mpsolve.batch.view import look
-from mpsolve.explorer.moving import PLACES, POINTS, motion_pictures, root_picture, stretch
+from mpsolve.explorer.moving import PLACES, POINTS, motion_pictures, root_picture
 from mpsolve.explorer.session import Session
+from mpsolve.pictures.shape import stretch
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PAIR = Problem(TRACK, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=100)

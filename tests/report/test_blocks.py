@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from hypothesis import given
 from hypothesis import strategies as st
-from rich.console import Group
-from rich.text import Text
 
-from mpsolve.report.blocks import WIDTH, Columns, Document, Line, Section, plain
+from mpsolve.report.blocks import Columns, Document, Line, Section
 
 WORDS = st.text("abc ±χ²,", max_size=40)
 ROWS = st.lists(st.tuples(WORDS, WORDS, WORDS), min_size=1, max_size=5)
@@ -53,10 +51,3 @@ def test_a_line_keeps_its_words(text: str) -> None:
 
 def _cut(word: str) -> list[str]:
     return [word[i : i + 20] for i in range(0, len(word), 20)]
-
-
-def test_a_group_of_rich_keeps_the_width_without_blanks_at_the_ends() -> None:
-    said = plain(Group(Text("word " * 60), Text("end"))).splitlines()
-    assert max(map(len, said)) <= WIDTH
-    assert said[-1] == "end"
-    assert all(line == line.rstrip() for line in said)

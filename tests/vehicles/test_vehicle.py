@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from vehicle_models import random_vehicles
 
+from mpsolve import vehicles
+from mpsolve.errors import InputError
+from mpsolve.problem.problem import Problem
+from mpsolve.tracks import String
 from mpsolve.vehicles.vehicle import AnyVehicle, assemble, joined, linked
 
 NUMBERS = st.integers(-5, 5).map(Fraction)
@@ -44,3 +50,33 @@ def test_a_body_is_linked_behind_the_others() -> None:
     wheel = assemble(("wheel",), (Fraction(2),), [], [(Fraction(0), {0: one})], None)
     car = linked(wheel, {"body": Fraction(3)}, [({1: one, 0: -one}, Fraction(5), Fraction(7))])
     assert (car.M, car.K, car.C) == (((2, 0), (0, 3)), ((5, -5), (-5, 5)), ((7, -7), (-7, 7)))
+
+
+TRACK = String(T=1, m=1, k=1, c=1)
+
+
+def test_a_train_stands_among_other_vehicles() -> None:
+    train = vehicles.train(vehicles.Mass(2), 3, "2.5")
+    assert Problem(TRACK, train, v=0).pencil.places == (0, 2.5, 5)
+    problem = Problem(TRACK, [train, vehicles.Mass(1).at(-1), vehicles.Mass(7)], v=0)
+    assert problem.pencil.places == (-1, 0, 0, 2.5, 5)
+    assert [row[i] for i, row in enumerate(problem.pencil.M)] == [2, 2, 2, 1, 7]
+
+
+@pytest.mark.parametrize(
+    ("values", "key"),
+    [
+        ((TRACK, 2, 1), "vehicle"),
+        ((vehicles.Mass(1).at(0), 2, 1), "vehicle"),
+        ((vehicles.Mass(1), 0, 1), "count"),
+        ((vehicles.Mass(1), True, 1), "count"),
+        ((vehicles.Mass(1), 2.0, 1), "count"),
+        ((vehicles.Mass(1), 10**9, 1), "count"),
+        ((vehicles.Mass(1), 2, 0), "spacing"),
+        ((vehicles.Mass(1), 2, "root4(2)"), "spacing"),
+    ],
+)
+def test_what_is_no_train_is_refused(values: Any, key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        vehicles.train(*values)
+    assert caught.value.key == key

@@ -7,12 +7,13 @@ import copy
 import pytest
 from flint import acb, arb
 
+from mpsolve.numbers.result import Cost
 from mpsolve.outcome import Status
-from mpsolve.zeros.answer import Work, Zero, Zeros
+from mpsolve.zeros.answer import Zero, Zeros
 
 
 def answer(status: Status) -> Zeros:
-    return Zeros("z", None, 15, status, count=1, roots=(Zero(acb(arb(0, 1e-20), 0), 1, True),), cost=Work(1.0))
+    return Zeros("z", None, 15, status, count=1, roots=(Zero(acb(arb(0, 1e-20), 0), 1, True),), cost=Cost(1.0))
 
 
 def test_proved_is_what_its_status_says() -> None:

@@ -39,6 +39,7 @@ from mpsolve.vibration.balls.equations import Term, exact_terms
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
+from mpsolve.vibration.motion import fields_of
 from mpsolve.vibration.path import above_growth
 from mpsolve.vibration.poles import certified
 from mpsolve.vibration.vibrate import checked_places
@@ -210,18 +211,11 @@ def _sizes(balls: BallImage) -> list[float]:
 def _told(
     image: Image, times: tuple[Fraction, ...], parts: Sequence[Any], count: int, reason: Reason | None
 ) -> ProvedVibration:
-    n, m = image.size, image.contacts
-    total, *rows = parts
-    steady, harmonic, transient = (row[n + m :] for row in rows)
+    total, steady, harmonic, transient = parts
     return ProvedVibration(
         times=times,
         places=image.places,
-        rail=total[n + m :],
-        steady=steady,
-        harmonic=harmonic,
-        transient=transient,
-        vehicle=dict(zip(image.pencil.names, total[:n], strict=True)),
-        contact_force=total[n : n + m],
+        **fields_of(image, total, steady=steady, harmonic=harmonic, transient=transient),
         status=Status.UNDECIDED if reason else Status.UNVERIFIED,
         reason=reason,
         evaluations=count,

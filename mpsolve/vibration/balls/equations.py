@@ -31,99 +31,69 @@ def exact_terms(pencil: Pencil, loads: Any) -> list[Term]:
 
 
 class Equations:
-    """Of a problem whose rail is watched at some places, with what acts on it; to so many digits."""
+    """Of a problem whose rail is watched at some places, with what acts on it; to so many digits.
+
+    In balls of `bits`: S (K, C, M), B, h; scale, G = scale · Ĝ; rate_ball, σ = rate · σ̂. at, seen: contacts and
+    places, scaled; distances: of both from contacts, scaled, and `away` their balls.
+    """
 
     def __init__(self, image: Image, terms: list[Term], digits: int, exact: Sequence[Exact] = ()) -> None:
         """exact: the places of the image, where some are irrational and the image has them in float64."""
         self.image, self.exact = image, terms
-        self._bits = int(digits * 3.33) + 40
+        self.bits = int(digits * 3.33) + 40
         guide, pencil = image.guide, image.pencil
         unit = Fraction(2) ** guide.length
-        self._at = [x / unit for x in pencil.places]
-        self._seen = [x / unit for x in image.places]
-        self._distances = sorted({x - y for x in (*self._at, *self._seen) for y in self._at})
-        with precision(self._bits):
-            self._g, self._rate = rational_ball(guide.g), rational_ball(Fraction(2) ** -guide.time)
+        self.at = [x / unit for x in pencil.places]
+        self.seen = [x / unit for x in image.places]
+        self.distances = sorted({x - y for x in (*self.at, *self.seen) for y in self.at})
+        with precision(self.bits):
+            self.scale, self.rate_ball = rational_ball(guide.g), rational_ball(Fraction(2) ** -guide.time)
             self._terms = [([rational_ball(x) for x in direction], self._waves(one)) for direction, one in terms]
-            self._S = [[[rational_ball(x) for x in row] for row in rows] for rows in (pencil.K, pencil.C, pencil.M)]
-            self._B = [[rational_ball(x) for x in row] for row in pencil.B]
-            self._h = [rational_ball(x) for x in pencil.h]
-            self._xi = {x: rational_ball(x) for x in self._distances}
-            for place, x in zip(self._seen, exact, strict=False):
+            self.S = [[[rational_ball(x) for x in row] for row in rows] for rows in (pencil.K, pencil.C, pencil.M)]
+            self.B = [[rational_ball(x) for x in row] for row in pencil.B]
+            self.h = [rational_ball(x) for x in pencil.h]
+            self.away = {x: rational_ball(x) for x in self.distances}
+            for place, x in zip(self.seen, exact, strict=False):
                 if not x.is_rational:
                     self._moved(place, x.ball() / rational_ball(unit))
 
     def _moved(self, place: Fraction, x: Any) -> None:
         """A place is not quite where the image has it, but at x, on the same side of each contact."""
-        for y in self._at:
+        for y in self.at:
             ball, key = x - rational_ball(y), place - y
             if not (ball > 0 if key > 0 else ball < 0) or not key:
                 raise PrecisionError("a place is too close to a contact: move it, or give it at the contact")
-            self._xi[key] = ball.union(self._xi[key])
-
-    @property
-    def bits(self) -> int:
-        """Of all balls."""
-        return self._bits
+            self.away[key] = ball.union(self.away[key])
 
     @property
     def symbols(self) -> Any:
         """D and N."""
         return self.image.receptance.symbols
 
-    @property
-    def distances(self) -> list[Fraction]:
-        """Scaled, of places and contacts from contacts."""
-        return self._distances
-
-    def away(self, xi: Fraction) -> Any:
-        """The ball of a distance, scaled."""
-        return self._xi[xi]
-
-    @property
-    def seen(self) -> list[Fraction]:
-        """The places, scaled."""
-        return self._seen
-
-    @property
-    def pencil(self) -> tuple[Any, Any, Any, list[Fraction]]:
-        """K, C, M; B; h, in balls, and the contacts' places, scaled."""
-        return self._S, self._B, self._h, self._at
-
-    @property
-    def scale(self) -> Any:
-        """G = scale · Ĝ."""
-        return self._g
-
-    @property
-    def rate_ball(self) -> Any:
-        """σ = rate · σ̂."""
-        return self._rate
-
     def _waves(self, one: Load) -> tuple[Any, Any, Any, Any]:
         given = (one.constant, one.amplitude, one.frequency, one.phase)
         c, a, omega, phase = (x.ball() for x in given)
-        return c, a, omega / self._rate, phase
+        return c, a, omega / self.rate_ball, phase
 
     def _solved(self, sigma: Any, G: dict[Fraction, Any], force: list[Any]) -> list[Any]:
         """Coordinates, contact forces, rail, under forces on the coordinates."""
         n = self.image.size
         right = [[x] for x in [*force, *[acb(0)] * self.image.contacts]]
         x = [row[0] for row in acb_mat(self._rows(sigma, G)).solve(acb_mat(right)).tolist()]
-        rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self._at)), acb(0)) for at in self._seen]
+        rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self.at)), acb(0)) for at in self.seen]
         return [*x, *rail]
 
     def _rows(self, sigma: Any, G: dict[Fraction, Any]) -> list[list[Any]]:
         """The equations."""
         n, m = self.image.size, self.image.contacts
-        s = sigma * self._rate
+        s = sigma * self.rate_ball
         rows = []
         for i in range(n):
-            own = [self._S[0][i][j] + s * (self._S[1][i][j] + s * self._S[2][i][j]) for j in range(n)]
-            rows.append([*own, *self._B[i]])
+            own = [self.S[0][i][j] + s * (self.S[1][i][j] + s * self.S[2][i][j]) for j in range(n)]
+            rows.append([*own, *self.B[i]])
         for i in range(m):
-            own = [-G[self._at[i] - self._at[j]] - (self._h[i] if i == j else 0) for j in range(m)]
-            rows.append([*(self._B[j][i] for j in range(n)), *own])
+            own = [-G[self.at[i] - self.at[j]] - (self.h[i] if i == j else 0) for j in range(m)]
+            rows.append([*(self.B[j][i] for j in range(n)), *own])
         return rows
 
     def _forces(self, sigma: Any) -> list[Any]:
@@ -159,7 +129,7 @@ class Equations:
             zero = out.get(key, [acb(0)] * len(direction))
             out[key] = [x + d * factor for x, d in zip(zero, direction, strict=True)]
 
-        with precision(self._bits):
+        with precision(self.bits):
             for (direction, (c, a, omega, phase)), (_, load) in zip(self._terms, self.exact, strict=True):
                 if load.constant:
                     add(Fraction(0), acb(0), c, direction)

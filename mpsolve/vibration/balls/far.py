@@ -126,7 +126,7 @@ class _Far:
 
     def _grown(self, root: FarRoot, xi: Fraction) -> Bound:
         """A bound of |e^{Pξ}|."""
-        x, R, w = self.image.away(xi), self.radius, root.power
+        x, R, w = self.image.away[xi], self.radius, root.power
         b = w.denominator
         aside = (abs(arb(self.path.alpha)) + self.path.delta * R.sqrt()) / R  # |Re σ|/|σ| at most
         zeta = power_of(R, Fraction(-1, b))
@@ -167,7 +167,7 @@ class _Far:
     def waves(self) -> Waves | None:
         """The waves that run between tight contacts and do not decay, where there are such in either direction."""
         image, n = self.image, self.image.image.size
-        at = image.pencil[3]
+        at = image.at
         chain = [j for j, h in enumerate(image.image.pencil.h) if not h]
         one, other = ([z for z in side if z.neutral and z.gamma == self.gamma] for side in (self.upper, self.lower))
         if len(chain) < 2 or len(one) != 1 or len(other) != 1:
@@ -189,7 +189,7 @@ class _Far:
         """The equations, without these waves."""
         image, e = self.image, self.powers
         n, m = image.image.size, image.image.contacts
-        S, B, h, at = image.pencil
+        S, B, h, at = image.S, image.B, image.h, image.at
         rate, rows = image.rate_ball, []
         for i in range(n):
             own = [
@@ -223,7 +223,7 @@ class _Far:
             delays = [arb(0)] * len(out)
             for at in image.seen:
                 rail, late = arb(0), arb(0)
-                for j, y in enumerate(image.pencil[3]):
+                for j, y in enumerate(image.at):
                     disc, delay = self.late(at - y)
                     rail = rail + sum(map(abs, disc)) * x[n + j] * power_of(R, -1 - e[n + j] - self.gamma)
                     late = late.max(delay)

@@ -101,7 +101,7 @@ class BallImage(Equations):
 
     def values(self, cell: Cell) -> list[Any]:
         """û over the cell: bodies, contact forces, rail; finite, so that û is analytic there."""
-        with precision(self._bits):
+        with precision(self.bits):
             G = self._received(cell)
             try:
                 found = self._solved(cell.ball, G, self._forces(cell.ball))
@@ -111,7 +111,7 @@ class BallImage(Equations):
 
     def sizes(self, cell: Cell) -> list[Any]:
         """Bounds of |û| over the cell, analytic there; PrecisionError where the equations may be singular."""
-        with precision(self._bits):
+        with precision(self.bits):
             G, force = self._received(cell), self._forces(cell.ball)
             right = [abs(x) for x in force] + [arb(0)] * self.image.contacts
             try:
@@ -122,17 +122,17 @@ class BallImage(Equations):
                 x = solved(*self._without_phases(cell, right, G))
             n = self.image.size
             rail = [
-                self.touching(at, x, sum((abs(G[at - y]) * x[n + j] for j, y in enumerate(self._at)), arb(0)))
-                for at in self._seen
+                self.touching(at, x, sum((abs(G[at - y]) * x[n + j] for j, y in enumerate(self.at)), arb(0)))
+                for at in self.seen
             ]
             return [arb(size.upper()) for size in self._finite([*x, *rail])]
 
     def touching(self, at: Fraction, x: list[Any], rail: Any) -> Any:
         """A bound of the rail, or under a contact of what the vehicle has there, w = Bᵀy − hf, where that is less."""
         n = self.image.size
-        for j, y in enumerate(self._at):
+        for j, y in enumerate(self.at):
             if y == at:
-                own = sum((abs(self._B[k][j]) * x[k] for k in range(n)), abs(self._h[j]) * x[n + j])
+                own = sum((abs(self.B[k][j]) * x[k] for k in range(n)), abs(self.h[j]) * x[n + j])
                 rail = rail.min(own)
         return rail
 
@@ -141,10 +141,10 @@ class BallImage(Equations):
 
     def _without_phases(self, cell: Cell, right: list[Any], G: dict[Fraction, Any]) -> tuple[Any, Any, Waves]:
         """The equations where of the waves between contacts the slowest to decay has any phase, and these waves."""
-        n, m, at = self.image.size, self.image.contacts, self._at
+        n, m, at = self.image.size, self.image.contacts, self.at
         ahead = max(cell.upper, key=lambda one: float(one.z.real))
         behind = min(cell.lower, key=lambda one: float(one.z.real))
-        a, b = self._g * ahead.weight, -self._g * behind.weight
+        a, b = self.scale * ahead.weight, -self.scale * behind.weight
         sizes, rows, gone = arb_mat(n + m, n + m), self._discs(cell, G), [arb(1)]
         for i in range(m):
             gone += [self._gone(ahead, cell, at[i] - at[i - 1]) * self._gone(behind, cell, at[i - 1] - at[i])] * bool(
@@ -155,17 +155,17 @@ class BallImage(Equations):
                     wave, size = (ahead, abs(a)) if at[i] > at[j] else (behind, abs(b))
                     sizes[n + i, n + j] = size * self._gone(wave, cell, at[i] - at[j])
                     others = [one for one in (cell.upper if at[i] > at[j] else cell.lower) if one is not wave]
-                    rest = [abs(self._g * one.weight) * self._gone(one, cell, at[i] - at[j]) for one in others]
+                    rest = [abs(self.scale * one.weight) * self._gone(one, cell, at[i] - at[j]) for one in others]
                     rows[n + i][n + j] = acb(0), sum(rest, arb(0))
         return rows, right, Waves(tuple(range(n, n + m)), a, b, tuple(gone[1:]), sizes)
 
     def _gone(self, wave: Moving, cell: Cell, xi: Fraction) -> Any:
         """|e^{Pξ}| over the cell, at most."""
-        return (wave.at(cell.ball) * self._xi[xi]).real.exp()
+        return (wave.at(cell.ball) * self.away[xi]).real.exp()
 
     def response(self, cell: Cell, force: list[Any]) -> list[Any]:
         """The channels for forces on the coordinates instead of û's own."""
-        with precision(self._bits):
+        with precision(self.bits):
             try:
                 return self._finite(self._solved(cell.ball, self._received(cell), force))
             except ZeroDivisionError:
@@ -179,10 +179,10 @@ class BallImage(Equations):
     def _received(self, cell: Cell) -> dict[Fraction, Any]:
         """G at all distances, by residues."""
         out = {}
-        for xi in self._distances:
+        for xi in self.distances:
             waves, sign = (cell.upper, 1) if xi >= 0 else (cell.lower, -1)
-            parts = [one.weight * (one.at(cell.ball) * self._xi[xi]).exp() if xi else one.weight for one in waves]
-            out[xi] = self._g * sign * sum(parts, acb(0))
+            parts = [one.weight * (one.at(cell.ball) * self.away[xi]).exp() if xi else one.weight for one in waves]
+            out[xi] = self.scale * sign * sum(parts, acb(0))
         return out
 
 

@@ -50,7 +50,7 @@ class Work:
         self.tones = image.tones()
         self.loaded = [acb(0)] + [sign * acb(0, 1) * rate for rate, _ in self.tones if rate != 0 for sign in (1, -1)]
         self.poles = poles
-        self.span = float(max(image.pencil[3]) - min(image.pencil[3]))
+        self.span = float(max(image.at) - min(image.at))
         self.empty = np.full((image.image.channels, len(at)), arb(0), object)
 
     def parts(self, sizes: list[float]) -> tuple[Any, Any, Any, Any]:

@@ -20,7 +20,7 @@ def test_an_irrational_place_is_where_it_is_and_not_where_floats_have_it() -> No
     image = Image(ONE, (Fraction(float(root)),))
     own = Equations(image, exact_terms(ONE.pencil, LOADS), 30, (root,))
     with precision(own.bits):
-        away = own.away(own.seen[0]) * arb(2) ** image.guide.length
+        away = own.away[own.seen[0]] * arb(2) ** image.guide.length
         assert away.overlaps(arb(2).sqrt())
         assert 0 < away.rad() < 1e-15
     near = Exact.root4(Fraction(2, 10**800))
