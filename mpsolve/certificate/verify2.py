@@ -1030,7 +1030,7 @@ class Local:
         E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
         columns = [list(x) for x in zip(*E, strict=True)]
         forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
-        return forms[: self.place.order + 2], [[], [], *(f.size for f in forms[2:])]
+        return forms[: self.place.order + 2], [*([] for _ in forms[:2]), *(f.size for f in forms[2:])]
 
 
 class Waves:
@@ -1104,7 +1104,7 @@ def tiny(z: Sequence[Any]) -> Any:
 def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
     """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
 
-    β is found by iteration; what counts is the last inequality. Of two that serve the wider one joins more neighbours.
+    β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
 
     def image(beta: list[Any]) -> list[Any]:
