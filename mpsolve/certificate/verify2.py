@@ -22,7 +22,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache, partial
 from itertools import combinations, pairwise, product
 from math import comb, prod
-from operator import mul
+from operator import lt, mul
 from typing import Any
 
 import flint
@@ -1030,7 +1030,7 @@ class Local:
         E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
         columns = [list(x) for x in zip(*E, strict=True)]
         forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
-        return forms[: self.place.order + 2], [[], [], *(f.size for f in forms[2:])]
+        return forms[: self.place.order + 2], [*([] for _ in forms[:2]), *(f.size for f in forms[2:])]
 
 
 class Waves:
@@ -1104,16 +1104,21 @@ def tiny(z: Sequence[Any]) -> Any:
 def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
     """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
 
-    β is found by iteration; what counts is the last inequality.
+    β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
+
+    def image(beta: list[Any]) -> list[Any]:
+        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+        return [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 0.5 for y in s) else [arb("inf")]
+
     beta = [(x * 1.2 + tiny).upper() for x in w]
     for _ in range(10):
-        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-        if not all(x < 0.5 for x in s):
+        tau = image(beta)
+        if all(map(lt, tau, beta)):
+            wide = [(x * 2).upper() for x in beta]
+            return (wide if all(map(lt, image(wide), wide)) else beta), tau
+        if not tau[0].is_finite():
             return None
-        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
-        if all(x < y for x, y in zip(tau, beta, strict=True)):
-            return beta, tau
         beta = [(x * 1.15 + tiny).upper() for x in tau]
     return None
 

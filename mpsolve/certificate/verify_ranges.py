@@ -363,7 +363,9 @@ def on_circle(split: Split, N: Form, distances: Form, middle: Any, radius: Any, 
 
 def receptances(waves: spectra.Waves, split: Split) -> Form:
     """G at each distance over the box, by the trapezoidal rule on circles; p-roots of one side may meet."""
-    local, order, parts = split.nodes.local, [], []
+    local = split.nodes.local
+    order: list[int] = []
+    parts: list[Form] = []
     N, xi = local.place.form(local.N), local.place.value(waves.xi)
     try:
         for side in (0, 1):
